@@ -1,0 +1,1 @@
+#include "core/builtin_scenes.h"

@@ -1,0 +1,1 @@
+#include "core/obj_loader.h"

@@ -1,0 +1,45 @@
+#pragma once
+#include "core/observe/statistics.h"
+#include "core/scene.h"
+#include "core/settings.h"
+
+#include <QImage>
+
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+namespace rasterlens {
+
+/// What a frame is asked for beside the picture. Nothing that is not asked for is written.
+struct Outputs {
+    bool depth = false;
+    bool ids = false;
+    bool coverage = false;
+};
+
+/// A finished picture. All arrays are row by row from the top, width * height of the image.
+struct Frame {
+    QImage image;                          ///< Format_RGB32
+    std::vector<float> depth;              ///< depth buffer, 0..1; with several samples that of the sample nearest the centre
+    std::vector<std::int32_t> ids;         ///< face that was written last, -1 none; likewise
+    std::vector<std::uint16_t> coverage;   ///< how many faces covered it, before the depth test; likewise
+    StageTimes times;
+};
+
+/// Why these settings cannot be drawn, or nothing. The sentence is English; the caller adds the context.
+[[nodiscard]] std::optional<QString> unsupported(const Scene& scene, const Settings& settings);
+
+/// Draws one frame at full speed.
+///
+/// in      settings for which unsupported() is empty; `frame` may hold an earlier picture, whose memory is used again
+/// cost    linear in faces and covered samples
+/// errors  none; `stop` ends the work early and leaves an unfinished picture
+void render(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs = {}, std::stop_token stop = {});
+
+/// The same picture bit for bit, and what was done for it.
+[[nodiscard]] Statistics renderCounted(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs = {},
+                                       std::stop_token stop = {});
+
+}  // namespace rasterlens

@@ -1,0 +1,374 @@
+#include "core/settings.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <type_traits>
+
+namespace rasterlens {
+namespace {
+
+#define TITLE(text) QT_TRANSLATE_NOOP("Settings", text)
+
+constexpr Choice kAlgorithms[] = {
+    {"edge-equation", TITLE("Edge equation")}, {"edge-walking", TITLE("Edge walking")}, {"tiled", TITLE("Tiled (fast)")}};
+constexpr Choice kNumberTypes[] = {
+    {"fixed", TITLE("Fixed point")}, {"float32", TITLE("Float, 32 bit")}, {"float64", TITLE("Float, 64 bit")}};
+constexpr Choice kSteppings[] = {{"incremental", TITLE("Incremental")}, {"direct", TITLE("Direct")}};
+constexpr Choice kFills[] = {{"solid", TITLE("Solid")}, {"wireframe", TITLE("Wireframe")}, {"points", TITLE("Points")}};
+constexpr Choice kLines[] = {{"bresenham", TITLE("Bresenham")}, {"dda", TITLE("DDA")}};
+constexpr Choice kClippings[] = {{"frustum", TITLE("Frustum, 6 planes")},
+                                 {"frustum-w", TITLE("Frustum, 7 planes")},
+                                 {"guard-band", TITLE("Guard band")},
+                                 {"any-vertex-inside", TITLE("Any vertex inside")},
+                                 {"near-far-reject", TITLE("Near / far reject")},
+                                 {"cohen-sutherland", TITLE("Cohen-Sutherland")},
+                                 {"none", TITLE("None")}};
+constexpr Choice kCullings[] = {{"back", TITLE("Back faces")}, {"front", TITLE("Front faces")}, {"none", TITLE("None")}};
+constexpr Choice kWindings[] = {{"ccw", TITLE("Counter-clockwise")}, {"cw", TITLE("Clockwise")}};
+constexpr Choice kCullSpaces[] = {
+    {"screen", TITLE("Screen area")}, {"clip", TITLE("Clip-space determinant")}, {"view", TITLE("Normal against gaze")}};
+constexpr Choice kDepthTests[] = {{"less", TITLE("Less")},
+                                  {"lequal", TITLE("Less or equal")},
+                                  {"greater", TITLE("Greater")},
+                                  {"always", TITLE("Always")},
+                                  {"none", TITLE("None")}};
+constexpr Choice kDepthFormats[] = {
+    {"float32", TITLE("Float, 32 bit")}, {"unorm24", TITLE("24 bit")}, {"unorm16", TITLE("16 bit")}};
+constexpr Choice kDepthOrders[] = {{"before-shading", TITLE("Before shading")}, {"after-shading", TITLE("After shading")}};
+constexpr Choice kClipZs[] = {{"gl", TITLE("-w to w (OpenGL)")}, {"d3d", TITLE("0 to w (Direct3D)")}};
+constexpr Choice kVisibilities[] = {{"z-buffer", TITLE("Z-buffer")},
+                                    {"painter", TITLE("Painter's algorithm")},
+                                    {"submission-order", TITLE("Submission order")}};
+constexpr Choice kInterpolations[] = {{"perspective", TITLE("Perspective-correct")}, {"affine", TITLE("Affine")}};
+constexpr Choice kAttributePaths[] = {{"planes", TITLE("Barycentric")}, {"edge-then-span", TITLE("Edge, then span")}};
+constexpr Choice kTieRules[] = {
+    {"top-left", TITLE("Top-left")}, {"inclusive", TITLE("All inclusive")}, {"exclusive", TITLE("All exclusive")}};
+constexpr Choice kSamples[] = {{"1", TITLE("1")}, {"2x2", TITLE("2 x 2")}, {"3x3", TITLE("3 x 3")}, {"4x4", TITLE("4 x 4")}};
+constexpr Choice kShadings[] = {{"gouraud", TITLE("Gouraud")},
+                                {"flat", TITLE("Flat")},
+                                {"random-flat", TITLE("Random flat colour")},
+                                {"texture", TITLE("Texture")},
+                                {"phong", TITLE("Phong")},
+                                {"depth", TITLE("Depth")},
+                                {"normals", TITLE("Normals")},
+                                {"uv", TITLE("Texture coordinates")},
+                                {"overdraw", TITLE("Overdraw")},
+                                {"triangle-id", TITLE("Triangle id")}};
+constexpr Choice kTextureFilters[] = {{"nearest", TITLE("Nearest")}, {"bilinear", TITLE("Bilinear")}};
+constexpr Choice kSimds[] = {{"auto", TITLE("Best available")}, {"scalar", TITLE("Scalar")}, {"sse4", "SSE4"},
+                             {"avx2", "AVX2"},                  {"avx512", "AVX-512"},      {"neon", "NEON"}};
+
+/// A row for the member `Member`, whose type tells the kind.
+template <auto Member>
+int getMember(const Settings& settings)
+{
+    return static_cast<int>(settings.*Member);
+}
+
+template <auto Member>
+void setMember(Settings& settings, int value)
+{
+    using Value = std::remove_reference_t<decltype(settings.*Member)>;
+    settings.*Member = static_cast<Value>(value);
+}
+
+template <auto Member>
+constexpr SettingsField choice(const char* id, Stage stage, std::span<const Choice> choices, const char* title, const char* help)
+{
+    return {id,    title, help, stage, SettingsField::Kind::Choice, choices, 0, static_cast<int>(choices.size()) - 1,
+            getMember<Member>, setMember<Member>};
+}
+
+template <auto Member>
+constexpr SettingsField integer(const char* id, Stage stage, int minimum, int maximum, const char* title, const char* help)
+{
+    return {id, title, help, stage, SettingsField::Kind::Integer, {}, minimum, maximum, getMember<Member>, setMember<Member>};
+}
+
+template <auto Member>
+constexpr SettingsField flag(const char* id, Stage stage, const char* title, const char* help)
+{
+    return {id, title, help, stage, SettingsField::Kind::Flag, {}, 0, 1, getMember<Member>, setMember<Member>};
+}
+
+using S = Settings;
+
+constexpr SettingsField kFields[] = {
+    choice<&S::clipping>("clipping", Stage::Clip, kClippings, TITLE("Clipping"),
+                         TITLE("What happens to triangles that leave the view volume.")),
+    choice<&S::clipZ>("clip-z", Stage::Clip, kClipZs, TITLE("Depth range in clip space"),
+                      TITLE("The near plane is z = -w in OpenGL and z = 0 in Direct3D.")),
+    flag<&S::reversedZ>("reversed-z", Stage::Clip, TITLE("Reversed z"),
+                        TITLE("The near plane maps to 1 and the far plane to 0, which spends float's precision where it is needed.")),
+    integer<&S::subpixelBits>("subpixel-bits", Stage::Screen, 0, 8, TITLE("Subpixel bits"),
+                              TITLE("Screen vertices snap to 1/2^bits of a pixel before anything is drawn.")),
+    choice<&S::numberType>("number-type", Stage::Screen, kNumberTypes, TITLE("Number type"),
+                           TITLE("The numbers that decide which pixels are covered. Fixed point is exact.")),
+    choice<&S::culling>("culling", Stage::Cull, kCullings, TITLE("Culling"), TITLE("Which faces are not drawn.")),
+    choice<&S::winding>("winding", Stage::Cull, kWindings, TITLE("Front faces wind"),
+                        TITLE("The order of the vertices of a face that looks at us, with y up.")),
+    choice<&S::cullSpace>("cull-space", Stage::Cull, kCullSpaces, TITLE("Facing decided by"),
+                          TITLE("The sign that tells front from back: snapped screen area, det[x y w] before clipping, or the normal against the gaze.")),
+    choice<&S::fill>("fill", Stage::Cover, kFills, TITLE("Fill"), TITLE("Whole triangles, their outlines, or their corners.")),
+    choice<&S::algorithm>("algorithm", Stage::Cover, kAlgorithms, TITLE("Algorithm"),
+                          TITLE("How the covered pixels of a triangle are found.")),
+    choice<&S::stepping>("stepping", Stage::Cover, kSteppings, TITLE("Stepping"),
+                         TITLE("Add A per column and B per row, or evaluate the edge functions anew at every pixel.")),
+    choice<&S::tieRule>("tie-rule", Stage::Cover, kTieRules, TITLE("Tie rule"),
+                        TITLE("Who owns a pixel centre that lies exactly on an edge.")),
+    choice<&S::line>("line", Stage::Cover, kLines, TITLE("Lines"), TITLE("How the lines of the wireframe are drawn.")),
+    choice<&S::samples>("samples", Stage::Cover, kSamples, TITLE("Samples a pixel"),
+                        TITLE("Super-sampling: every sample keeps its own colour and depth, and the box filter averages them.")),
+    choice<&S::visibility>("visibility", Stage::Depth, kVisibilities, TITLE("Visibility"),
+                           TITLE("Who is in front: a depth for every pixel, faces sorted from far to near, or the order of the file.")),
+    choice<&S::depthTest>("depth-test", Stage::Depth, kDepthTests, TITLE("Depth test"),
+                          TITLE("A fragment is kept if its depth compares like this with the stored one.")),
+    choice<&S::depthFormat>("depth-format", Stage::Depth, kDepthFormats, TITLE("Depth format"),
+                            TITLE("The numbers the depth buffer stores.")),
+    choice<&S::depthOrder>("depth-order", Stage::Depth, kDepthOrders, TITLE("Depth test happens"),
+                           TITLE("Testing before shading spares the work for hidden fragments; the picture is the same.")),
+    choice<&S::interpolation>("interpolation", Stage::Shade, kInterpolations, TITLE("Interpolation"),
+                              TITLE("Attributes divided by w on the way, or straight across the screen.")),
+    choice<&S::attributePath>("attribute-path", Stage::Shade, kAttributePaths, TITLE("Attribute path"),
+                              TITLE("Barycentric weights at every pixel, or along the edges first and then along the span (edge walking only).")),
+    choice<&S::shading>("shading", Stage::Shade, kShadings, TITLE("Shading"), TITLE("What colours a fragment.")),
+    choice<&S::textureFilter>("texture-filter", Stage::Shade, kTextureFilters, TITLE("Texture filter"),
+                              TITLE("The nearest texel, or a blend of the four around the point.")),
+    integer<&S::threads>("threads", Stage::Image, 0, 256, TITLE("Threads"),
+                         TITLE("Threads of the tiled algorithm; 0 takes as many as the machine has.")),
+    choice<&S::simd>("simd", Stage::Image, kSimds, TITLE("Vector instructions"),
+                     TITLE("The instruction set of the tiled algorithm.")),
+};
+
+#undef TITLE
+
+QString valueList(const SettingsField& field)
+{
+    switch (field.kind) {
+    case SettingsField::Kind::Flag: return QStringLiteral("true, false");
+    case SettingsField::Kind::Integer:
+        return QStringLiteral("%1 to %2").arg(field.minimum).arg(field.maximum);
+    case SettingsField::Kind::Choice: break;
+    }
+    QStringList ids;
+    for (const Choice& c : field.choices)
+        ids << QString::fromLatin1(c.id);
+    return ids.join(QStringLiteral(", "));
+}
+
+QJsonArray toArray(glm::dvec3 v) { return {v.x, v.y, v.z}; }
+
+QJsonObject viewToJson(const View& view)
+{
+    QJsonObject json{{"fit", view.fit},
+                     {"yaw", view.yaw},
+                     {"pitch", view.pitch},
+                     {"distance", view.distance},
+                     {"pan", QJsonArray{view.pan.x, view.pan.y}},
+                     {"eye", toArray(view.eye)},
+                     {"target", toArray(view.target)},
+                     {"up", toArray(view.up)},
+                     {"fov", view.fov}};
+    if (view.near)
+        json["near"] = *view.near;
+    if (view.far)
+        json["far"] = *view.far;
+    return json;
+}
+
+/// Reads one JSON value after the other and collects what is wrong with them.
+struct Reader {
+    QStringList errors;
+
+    void number(const QString& key, const QJsonValue& value, double& out, double minimum, double maximum)
+    {
+        if (value.isDouble() && std::isfinite(value.toDouble()) && value.toDouble() >= minimum && value.toDouble() <= maximum)
+            out = value.toDouble();
+        else
+            errors << QStringLiteral("\"%1\" takes a number from %2 to %3").arg(key).arg(minimum).arg(maximum);
+    }
+
+    template <int N>
+    void vector(const QString& key, const QJsonValue& value, glm::vec<N, double>& out)
+    {
+        const QJsonArray array = value.toArray();
+        glm::vec<N, double> v{};
+        bool good = value.isArray() && array.size() == N;
+        for (int i = 0; good && i < N; ++i) {
+            good = array[i].isDouble();
+            v[i] = array[i].toDouble();
+        }
+        if (good)
+            out = v;
+        else
+            errors << QStringLiteral("\"%1\" takes an array of %2 numbers").arg(key).arg(N);
+    }
+
+    void view(const QJsonObject& json, View& view)
+    {
+        constexpr double kHuge = 1e30;
+        for (auto it = json.begin(); it != json.end(); ++it) {
+            const QString& key = it.key();
+            const QJsonValue value = it.value();
+            double distance = 0;
+            if (key == QLatin1String("fit") && value.isBool())
+                view.fit = value.toBool();
+            else if (key == QLatin1String("yaw"))
+                number(key, value, view.yaw, -1e6, 1e6);
+            else if (key == QLatin1String("pitch"))
+                number(key, value, view.pitch, -90, 90);
+            else if (key == QLatin1String("distance"))
+                number(key, value, view.distance, 1e-6, 1e6);
+            else if (key == QLatin1String("fov"))
+                number(key, value, view.fov, 1e-3, 179.9);
+            else if (key == QLatin1String("pan"))
+                vector(key, value, view.pan);
+            else if (key == QLatin1String("eye"))
+                vector(key, value, view.eye);
+            else if (key == QLatin1String("target"))
+                vector(key, value, view.target);
+            else if (key == QLatin1String("up"))
+                vector(key, value, view.up);
+            else if (key == QLatin1String("near")) {
+                number(key, value, distance, 1e-30, kHuge);
+                view.near = distance;
+            } else if (key == QLatin1String("far")) {
+                number(key, value, distance, 1e-30, kHuge);
+                view.far = distance;
+            } else
+                errors << QStringLiteral("\"view\" has no key \"%1\" of this kind").arg(key);
+        }
+        if (view.near && view.far && !(*view.near < *view.far))
+            errors << QStringLiteral("\"near\" must be smaller than \"far\"");
+    }
+
+    void mistakes(const QJsonValue& value, QStringList& out)
+    {
+        if (!value.isArray()) {
+            errors << QStringLiteral("\"mistakes\" takes an array of mistake ids");
+            return;
+        }
+        out.clear();
+        for (const QJsonValue& id : value.toArray())
+            if (!out.contains(id.toString()))
+                out << id.toString();
+    }
+
+    void field(const SettingsField& field, const QJsonValue& value, Settings& settings)
+    {
+        const QString text = value.isBool()     ? (value.toBool() ? QStringLiteral("true") : QStringLiteral("false"))
+                             : value.isDouble() ? QString::number(value.toDouble())
+                                                : value.toString();
+        if (const auto error = setFromText(field, text, settings))
+            errors << *error;
+    }
+};
+
+}  // namespace
+
+std::span<const SettingsField> settingsFields() { return kFields; }
+
+const SettingsField* findSettingsField(const QString& id)
+{
+    for (const SettingsField& field : kFields)
+        if (id == QLatin1String(field.id))
+            return &field;
+    return nullptr;
+}
+
+QString valueId(const SettingsField& field, const Settings& settings)
+{
+    const int value = field.get(settings);
+    switch (field.kind) {
+    case SettingsField::Kind::Flag: return value != 0 ? QStringLiteral("true") : QStringLiteral("false");
+    case SettingsField::Kind::Integer: return QString::number(value);
+    case SettingsField::Kind::Choice: break;
+    }
+    return QString::fromLatin1(field.choices[static_cast<std::size_t>(value)].id);
+}
+
+std::optional<QString> setFromText(const SettingsField& field, const QString& text, Settings& settings)
+{
+    bool good = false;
+    int value = 0;
+    switch (field.kind) {
+    case SettingsField::Kind::Integer: value = text.toInt(&good); break;
+    case SettingsField::Kind::Flag:
+        value = text == QLatin1String("true") ? 1 : 0;
+        good = value == 1 || text == QLatin1String("false");
+        break;
+    case SettingsField::Kind::Choice:
+        for (std::size_t i = 0; i < field.choices.size(); ++i)
+            if (text == QLatin1String(field.choices[i].id)) {
+                value = static_cast<int>(i);
+                good = true;
+            }
+    }
+    if (!good || value < field.minimum || value > field.maximum)
+        return QStringLiteral("\"%1\" is not a value of %2, which takes: %3")
+            .arg(text, QString::fromLatin1(field.id), valueList(field));
+    field.set(settings, value);
+    return std::nullopt;
+}
+
+QJsonObject toJson(const Settings& settings)
+{
+    QJsonObject json{{"size", QStringLiteral("%1x%2").arg(settings.size.width()).arg(settings.size.height())},
+                     {"view", viewToJson(settings.view)},
+                     {"mistakes", QJsonArray::fromStringList(settings.mistakes)}};
+    for (const SettingsField& field : kFields) {
+        const QString key = QString::fromLatin1(field.id);
+        switch (field.kind) {
+        case SettingsField::Kind::Choice: json[key] = valueId(field, settings); break;
+        case SettingsField::Kind::Integer: json[key] = field.get(settings); break;
+        case SettingsField::Kind::Flag: json[key] = field.get(settings) != 0; break;
+        }
+    }
+    return json;
+}
+
+SettingsParse settingsFromJson(const QJsonObject& json, const Settings& base)
+{
+    Reader reader;
+    Settings settings = base;
+    for (auto it = json.begin(); it != json.end(); ++it) {
+        if (it.key() == QLatin1String("size")) {
+            if (const auto size = parseSize(it.value().toString()))
+                settings.size = *size;
+            else
+                reader.errors << QStringLiteral("\"size\" takes \"WIDTHxHEIGHT\" with 1 to %1 each").arg(kMaxViewport);
+        } else if (it.key() == QLatin1String("view")) {
+            if (it.value().isObject())
+                reader.view(it.value().toObject(), settings.view);
+            else
+                reader.errors << QStringLiteral("\"view\" takes an object");
+        } else if (it.key() == QLatin1String("mistakes")) {
+            reader.mistakes(it.value(), settings.mistakes);
+        } else if (const SettingsField* field = findSettingsField(it.key())) {
+            reader.field(*field, it.value(), settings);
+        } else {
+            reader.errors << QStringLiteral("there is no setting \"%1\"").arg(it.key());
+        }
+    }
+    return {reader.errors.isEmpty() ? settings : base, reader.errors};
+}
+
+std::optional<QSize> parseSize(const QString& text)
+{
+    const QStringList parts = text.split(QLatin1Char('x'));
+    if (parts.size() != 2)
+        return std::nullopt;
+    bool goodWidth = false;
+    bool goodHeight = false;
+    const QSize size(parts[0].toInt(&goodWidth), parts[1].toInt(&goodHeight));
+    const auto inRange = [](int v) { return v >= 1 && v <= kMaxViewport; };
+    if (!goodWidth || !goodHeight || !inRange(size.width()) || !inRange(size.height()))
+        return std::nullopt;
+    return size;
+}
+
+}  // namespace rasterlens
