@@ -39,7 +39,7 @@ struct Texture {
 struct Material {
     QString name;
     glm::vec3 diffuse{1, 1, 1};   ///< for information: already multiplied into MeshVertex::color
-    glm::vec3 specular{0, 0, 0};  ///< Phong
+    glm::vec3 specular{0.25F, 0.25F, 0.25F};  ///< Phong
     float shininess = 32;         ///< Phong exponent
     int texture = -1;             ///< index into Scene::textures; -1 none
 };
