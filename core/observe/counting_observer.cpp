@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace rasterlens
 {
@@ -40,7 +41,9 @@ void CountingObserver::onTriangle(const ScreenTriangle& triangle)
 {
     for (std::size_t i = 0; i < 3; ++i)
         m_positions[i] = triangle.vertices[i].position;
-    const double area2 = std::abs(twiceArea(m_positions[0], m_positions[1], m_positions[2]));
+    const double signedArea2 = twiceArea(m_positions[0], m_positions[1], m_positions[2]);
+    m_reversed = signedArea2 < 0;
+    const double area2 = std::abs(signedArea2);
     for (std::size_t i = 0; i < 3; ++i)
         m_nearEdge[i] = kNearEdge * glm::distance(m_positions[(i + 1) % 3], m_positions[(i + 2) % 3]) / area2;
 }
@@ -53,8 +56,10 @@ void CountingObserver::onFragment(const Fragment& fragment, bool passedDepth)
     for (std::size_t i = 0; i < 3; ++i) {
         if (fragment.screen[i] > m_nearEdge[i])
             continue;
-        const glm::dvec2 from = m_positions[(i + 1) % 3];
-        const glm::dvec2 to = m_positions[(i + 2) % 3];
+        glm::dvec2 from = m_positions[(i + 1) % 3];
+        glm::dvec2 to = m_positions[(i + 2) % 3];
+        if (m_reversed)
+            std::swap(from, to);
         const std::uint64_t sample = static_cast<std::uint64_t>(fragment.y) * static_cast<std::uint64_t>(m_columns) +
                                      static_cast<std::uint64_t>(fragment.x);
         m_hits.insert({from, to, sample});

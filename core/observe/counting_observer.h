@@ -27,8 +27,8 @@ public:
     [[nodiscard]] const Statistics& statistics() const { return m_statistics; }
 
 private:
-    /// A directed edge of the screen, the sample it was hit at, and nothing else: neighbours walk it in opposite
-    /// directions.
+    /// An edge of the screen, directed as its triangle runs when turned to us, and the sample it was hit at. Neighbours
+    /// on both sides of an edge walk it in opposite directions; at a fold, where both lie on one side, in the same.
     struct EdgeHit {
         glm::dvec2 from;
         glm::dvec2 to;
@@ -42,7 +42,8 @@ private:
     int m_columns;
     Statistics m_statistics;
     std::array<glm::dvec2, 3> m_positions{};
-    Weights m_nearEdge{}; ///< weights below these are close to the edge opposite the vertex
+    bool m_reversed = false; ///< the triangle shows its back
+    Weights m_nearEdge{};    ///< weights below these are close to the edge opposite the vertex
     std::unordered_set<EdgeHit, EdgeHitHash> m_hits;
     std::unordered_set<std::uint64_t> m_hitTwice;
 };
