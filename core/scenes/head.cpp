@@ -126,7 +126,7 @@ glm::vec3 headColor(glm::dvec3 p)
 /// Cells are finest about the face and double their size towards the back of the head.
 glm::dvec3 headGridPoint(glm::dvec3 share)
 {
-    const glm::dvec3 t = glm::mix(glm::dvec3(-1, -0.87, -0.85), glm::dvec3(1, 1, 0.34), share);
+    const glm::dvec3 t = glm::mix(glm::dvec3(-1, -0.87, -0.92), glm::dvec3(1, 1, 0.34), share);
     return {0.98 * t.x * (0.75 + 0.25 * t.x * t.x), -0.2 + 1.45 * t.y * (0.75 + 0.25 * t.y * t.y),
             0.75 + 1.9 * t.z * (0.7 - 0.4 * t.z)};
 }
@@ -135,7 +135,7 @@ glm::dvec3 headGridPoint(glm::dvec3 share)
 
 Scene makeHead()
 {
-    const glm::ivec3 cells{42, 58, 44};
+    const glm::ivec3 cells{42, 58, 46};
     Scene scene = objectScene(true);
     const auto place = [&](glm::dvec3 point) { return headGridPoint(point / glm::dvec3(cells)); };
     scene.mesh = surfaceNets({cells, place, 0.03}, headDistance, headColor);
