@@ -10,7 +10,8 @@
 #include <cstdlib>
 #include <optional>
 
-namespace rasterlens {
+namespace rasterlens
+{
 
 /// A case as a clip-space scene, or nothing when a line is not understood.
 inline std::optional<Scene> readCase(const QString& path)
@@ -60,7 +61,8 @@ inline std::optional<Scene> readCase(const QString& path)
             }
         else if (key == QLatin1String("cull") || key == QLatin1String("depth_test") ||
                  key == QLatin1String("depth_format")) {
-            const QString id = key == QLatin1String("cull") ? QStringLiteral("culling") : QString(key).replace('_', '-');
+            const QString id =
+                key == QLatin1String("cull") ? QStringLiteral("culling") : QString(key).replace('_', '-');
             if (setFromText(*findSettingsField(id), words[0], scene.defaults))
                 return std::nullopt;
         } else
@@ -69,4 +71,4 @@ inline std::optional<Scene> readCase(const QString& path)
     return scene;
 }
 
-}  // namespace rasterlens
+} // namespace rasterlens

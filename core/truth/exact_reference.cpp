@@ -1,6 +1,6 @@
 #include "core/truth/exact_reference.h"
 
-#include <boost/multiprecision/cpp_int.hpp>
+#include "core/truth/exact_geometry.h"
 
 #include <algorithm>
 #include <array>
@@ -8,163 +8,23 @@
 #include <cmath>
 #include <limits>
 
-namespace rasterlens {
-
-namespace {
-
-// Integers of any length; the first 512 bits need no allocation.
-namespace mp = boost::multiprecision;
-using Integer = mp::number<
-    mp::cpp_int_backend<512, 0, mp::signed_magnitude, mp::unchecked, std::allocator<mp::limb_type>>, mp::et_off>;
-
-Integer floorDivide(const Integer& numerator, const Integer& denominator)
+namespace rasterlens
 {
-    assert(denominator > 0);
-    Integer quotient;
-    Integer remainder;
-    mp::divide_qr(numerator, denominator, quotient, remainder);
-    return remainder.sign() < 0 ? Integer(quotient - 1) : quotient;
-}
 
-Integer roundHalfToEven(const Integer& numerator, const Integer& denominator)
+using namespace exact;
+
+namespace
 {
-    const Integer low = floorDivide(numerator, denominator);
-    const Integer twice = 2 * (numerator - low * denominator);
-    const bool up = twice > denominator || (twice == denominator && mp::bit_test(mp::abs(low), 0));
-    return up ? Integer(low + 1) : low;
-}
 
-/// A double with an exponent of its own: mantissa * 2^exponent, good to 2^-52.
-struct Scaled {
-    double mantissa = 0;
-    int exponent = 0;
-
-    [[nodiscard]] double value(int base) const { return std::ldexp(mantissa, exponent - base); }
-};
-
-Scaled scaled(const Integer& value)
-{
-    const auto& backend = value.backend();
-    const int limbs = static_cast<int>(backend.size());
-    double mantissa = 0;
-    const int first = std::max(0, limbs - 3);
-    for (int i = limbs - 1; i >= first; --i)
-        mantissa = mantissa * 0x1p64 + static_cast<double>(backend.limbs()[i]);
-    Scaled result;
-    result.mantissa = std::frexp(value.sign() < 0 ? -mantissa : mantissa, &result.exponent);
-    result.exponent += 64 * first;
-    return result;
-}
-
-double ratio(const Integer& numerator, const Integer& denominator)
-{
-    const Scaled top = scaled(numerator);
-    const Scaled bottom = scaled(denominator);
-    return std::ldexp(top.mantissa / bottom.mantissa, top.exponent - bottom.exponent);
-}
-
-/// A linear function on the lattice of samples: perColumn * column + perRow * row + origin.
-struct Linear {
-    Integer perColumn;
-    Integer perRow;
-    Integer origin;
-
-    [[nodiscard]] Integer onRow(int row) const { return perRow * row + origin; }
-    [[nodiscard]] Integer at(int column, int row) const { return perColumn * column + onRow(row); }
-};
-
-Linear operator*(const Linear& f, const Integer& factor)
-{
-    return {f.perColumn * factor, f.perRow * factor, f.origin * factor};
-}
-
-Linear operator+(const Linear& f, const Linear& g)
-{
-    return {f.perColumn + g.perColumn, f.perRow + g.perRow, f.origin + g.origin};
-}
-
-/// Columns [begin, end).
-struct Columns {
-    int begin;
-    int end;
-};
-
-/// The smallest column in begin..end at or right of numerator / denominator; denominator > 0.
-template <typename Number>
-int columnAtOrRightOf(const Number& ceiling, Columns columns)
-{
-    if (ceiling <= columns.begin)
-        return columns.begin;
-    if (ceiling >= columns.end)
-        return columns.end;
-    return static_cast<int>(ceiling);
-}
-
-/// Keeps the columns of a row whose displaced sample has f >= 0. The displacement (e, e^2) decides where f is 0: by
-/// the slope along the row, then by the slope down; where f is 0 everywhere the sample stays.
-void keepPositive(const Linear& f, int row, Columns& columns)
-{
-    const Integer onRow = f.onRow(row);
-    const int slope = f.perColumn.sign();
-    if (slope == 0) {
-        if (onRow.sign() < 0 || (onRow.sign() == 0 && f.perRow.sign() < 0))
-            columns.end = columns.begin;
-        return;
-    }
-    // f crosses zero at -onRow / perColumn
-    const Integer ceiling = slope > 0 ? Integer(-floorDivide(onRow, f.perColumn))
-                                      : Integer(-floorDivide(Integer(-onRow), Integer(-f.perColumn)));
-    const int crossing = columnAtOrRightOf(ceiling, columns);
-    (slope > 0 ? columns.begin : columns.end) = crossing;
-}
-
-/// A corner in clip space as integers with a common exponent, and the weights of A, B, C it is made of.
-struct Corner {
-    std::array<Integer, 4> position;  // x, y, z, w
-    std::array<Integer, 3> weights;
-};
-
-/// A corner on the screen, homogeneous: x and y in units of 1 / (2 * grid * 2^bits) pixel times w.
-struct ScreenCorner {
-    Integer x;
-    Integer y;
-    Integer z;
-    Integer w;
-    Integer scale;  // z and w are those of clip space times this
-    glm::dvec3 color;
-};
-
-/// Where the samples lie: sample (column, row) is at ((2 column + 1) * unit, (2 row + 1) * unit).
-struct Lattice {
-    QSize size;         // pixels
-    int grid;           // samples a pixel along each axis
-    int bits;           // 0 when unsnapped
-    std::int64_t unit;  // 2^bits
-};
-
-/// One triangle to interpolate over: three weights that are >= 0 inside and as the perspective-correct ones to each other.
+/// One triangle to interpolate over: three weights that are >= 0 inside and as the perspective-correct ones to each
+/// other.
 struct Piece {
     std::array<Linear, 3> weights;
     Linear depthNumerator;
-    Integer depthDenominator;  // > 0
+    Integer depthDenominator; // > 0
     std::array<glm::dvec3, 3> colors;
     std::int32_t face;
 };
-
-/// det[P B C] for the sample P of a column and a row.
-Linear determinantWith(const ScreenCorner& b, const ScreenCorner& c, std::int64_t unit)
-{
-    const Integer x = (b.y * c.w - c.y * b.w) * unit;
-    const Integer y = (c.x * b.w - b.x * c.w) * unit;
-    return {2 * x, 2 * y, x + y + b.x * c.y - c.x * b.y};
-}
-
-/// The sign of the area on the screen (y down) is that of det[A B C], since w > 0 for all that is visible.
-Integer determinant(const std::array<ScreenCorner, 3>& t)
-{
-    const auto& [a, b, c] = t;
-    return a.x * (b.y * c.w - c.y * b.w) + a.y * (c.x * b.w - b.x * c.w) + a.w * (b.x * c.y - c.x * b.y);
-}
 
 Piece makePiece(const std::array<ScreenCorner, 3>& t, const Integer& det, const ExactOptions& options,
                 std::int64_t unit, std::int32_t face)
@@ -200,7 +60,7 @@ public:
             const Linear& weight = piece.weights[i];
             m_rising[i] = weight.perColumn.sign() >= 0;
             starts[i] = scaled(weight.at(m_rising[i] ? columns.begin : last, row));
-            steps[i] = scaled(mp::abs(weight.perColumn));
+            steps[i] = scaled(boost::multiprecision::abs(weight.perColumn));
             base = std::max({base, starts[i].exponent, steps[i].exponent});
         }
         for (std::size_t i = 0; i < 3; ++i) {
@@ -310,188 +170,11 @@ private:
 
     DepthTest m_test;
     int m_clear;
-    int m_codeMax = 0;  // 0: exact depths
+    int m_codeMax = 0; // 0: exact depths
     std::vector<int> m_owners;
     std::vector<Piece> m_pieces;
     ExactFrame& m_frame;
 };
-
-/// The positions as integers with one common exponent. in: finite
-std::array<Corner, 3> integerCorners(const ClipTriangle& triangle)
-{
-    constexpr int kMantissaBits = 53;
-    std::array<std::array<std::int64_t, 4>, 3> mantissas{};
-    std::array<std::array<int, 4>, 3> exponents{};
-    int lowest = std::numeric_limits<int>::max();
-    for (std::size_t v = 0; v < 3; ++v)
-        for (std::size_t k = 0; k < 4; ++k) {
-            const double value = triangle.vertices[v].positionClip[static_cast<int>(k)];
-            if (value == 0)
-                continue;
-            int exponent = 0;
-            auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent), kMantissaBits));
-            exponent -= kMantissaBits;
-            for (; mantissa % 2 == 0; mantissa /= 2)
-                ++exponent;
-            mantissas[v][k] = mantissa;
-            exponents[v][k] = exponent;
-            lowest = std::min(lowest, exponent);
-        }
-    std::array<Corner, 3> corners;
-    for (std::size_t v = 0; v < 3; ++v) {
-        corners[v].weights[v] = 1;
-        for (std::size_t k = 0; k < 4; ++k)
-            if (mantissas[v][k] != 0)
-                corners[v].position[k] = Integer(mantissas[v][k]) << (exponents[v][k] - lowest);
-    }
-    return corners;
-}
-
-/// How far a corner is inside each plane, times w: x, y, z; the one at -w (z: at the near plane) first.
-Integer planeDistance(const Corner& corner, int plane, ClipZ clipZ)
-{
-    const Integer& value = corner.position[static_cast<std::size_t>(plane / 2)];
-    const Integer& w = corner.position[3];
-    if (plane == 4 && clipZ == ClipZ::D3d)
-        return value;
-    return plane % 2 == 0 ? Integer(w + value) : Integer(w - value);
-}
-
-/// The point of the segment on the plane that lies `a` inside and `b` outside of it; positive multiples only.
-Corner cut(const Corner& first, const Integer& firstDistance, const Corner& second, const Integer& secondDistance)
-{
-    const Integer a = mp::abs(secondDistance);
-    const Integer b = mp::abs(firstDistance);
-    Corner result;
-    for (std::size_t k = 0; k < 4; ++k)
-        result.position[k] = first.position[k] * a + second.position[k] * b;
-    for (std::size_t k = 0; k < 3; ++k)
-        result.weights[k] = first.weights[k] * a + second.weights[k] * b;
-
-    Integer common = 0;
-    for (const Integer& value : result.position)
-        common = mp::gcd(common, value);
-    for (const Integer& value : result.weights)
-        common = mp::gcd(common, value);
-    for (Integer& value : result.position)
-        value /= common;
-    for (Integer& value : result.weights)
-        value /= common;
-    return result;
-}
-
-std::vector<Corner> clipExactly(const std::array<Corner, 3>& corners, ClipZ clipZ)
-{
-    std::vector<Corner> polygon(corners.begin(), corners.end());
-    for (int plane = 0; plane < 6 && polygon.size() >= 3; ++plane) {
-        std::vector<Integer> distances;
-        for (const Corner& corner : polygon)
-            distances.push_back(planeDistance(corner, plane, clipZ));
-        if (std::all_of(distances.begin(), distances.end(), [](const Integer& d) { return d.sign() >= 0; }))
-            continue;
-        std::vector<Corner> kept;
-        for (std::size_t i = 0; i < polygon.size(); ++i) {
-            const std::size_t next = (i + 1) % polygon.size();
-            if (distances[i].sign() >= 0)
-                kept.push_back(polygon[i]);
-            if (distances[i].sign() * distances[next].sign() < 0)
-                kept.push_back(cut(polygon[i], distances[i], polygon[next], distances[next]));
-        }
-        polygon = std::move(kept);
-    }
-    if (polygon.size() < 3)
-        polygon.clear();
-    return polygon;
-}
-
-/// Clip space to the lattice, homogeneous and without rounding.
-ScreenCorner toScreen(const Corner& corner, const ClipTriangle& triangle, const Lattice& lattice)
-{
-    const auto& [x, y, z, w] = corner.position;
-    ScreenCorner screen;
-    screen.x = (x + w) * (lattice.size.width() * lattice.grid * lattice.unit);
-    screen.y = (w - y) * (lattice.size.height() * lattice.grid * lattice.unit);
-    screen.z = z;
-    screen.w = w;
-    screen.scale = corner.weights[0] + corner.weights[1] + corner.weights[2];
-    screen.color = glm::dvec3(0);
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Varyings& varyings = triangle.vertices[i].varyings;
-        screen.color += ratio(corner.weights[i], screen.scale) * glm::dvec3(varyings[0], varyings[1], varyings[2]);
-    }
-    return screen;
-}
-
-/// A corner of a snapped polygon on the lattice.
-struct Snapped {
-    std::int64_t x;
-    std::int64_t y;
-};
-
-/// Rounds the screen position to 1/2^bits pixel. in: w > 0
-Snapped snap(ScreenCorner& corner, const Lattice& lattice)
-{
-    // lattice units a subpixel
-    const std::int64_t step = 2 * lattice.grid;
-    const Integer denominator = corner.w * step;
-    const Integer x = roundHalfToEven(corner.x, denominator) * step;
-    const Integer y = roundHalfToEven(corner.y, denominator) * step;
-    corner.x = x * corner.w;
-    corner.y = y * corner.w;
-    return {static_cast<std::int64_t>(x), static_cast<std::int64_t>(y)};
-}
-
-/// Twice the area; positive where the polygon runs clockwise on the screen (y down).
-std::int64_t doubledArea(std::span<const Snapped> polygon)
-{
-    std::int64_t sum = 0;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Snapped& a = polygon[i];
-        const Snapped& b = polygon[(i + 1) % polygon.size()];
-        sum += a.x * b.y - b.x * a.y;
-    }
-    return sum;
-}
-
-/// The columns of one row of samples where the polygon winds round the sample in the sense of its area.
-std::vector<Columns> windingColumns(std::span<const Snapped> polygon, int sign, int row, Columns columns,
-                                    const Lattice& lattice)
-{
-    struct Crossing {
-        int column;
-        int winding;
-    };
-    std::vector<Crossing> crossings;
-    const std::int64_t y = (2 * row + 1) * lattice.unit;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        Snapped a = polygon[i];
-        Snapped b = polygon[(i + 1) % polygon.size()];
-        if (a.y == b.y)
-            continue;
-        // clockwise on the screen: an edge going up has the inside on its right
-        const int winding = b.y < a.y ? 1 : -1;
-        if (b.y < a.y)
-            std::swap(a, b);
-        if (y < a.y || y >= b.y)
-            continue;
-        // column >= (x - unit) / (2 unit) with x on the edge
-        const std::int64_t height = b.y - a.y;
-        const std::int64_t numerator = (a.x - lattice.unit) * height + (y - a.y) * (b.x - a.x);
-        const std::int64_t denominator = 2 * lattice.unit * height;
-        const std::int64_t ceiling = numerator / denominator + (numerator > 0 && numerator % denominator != 0 ? 1 : 0);
-        crossings.push_back({columnAtOrRightOf(ceiling, columns), winding * sign});
-    }
-    std::sort(crossings.begin(), crossings.end(), [](const auto& a, const auto& b) { return a.column < b.column; });
-
-    std::vector<Columns> inside;
-    int winding = 0;
-    for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
-        winding += crossings[i].winding;
-        if (winding > 0 && crossings[i].column < crossings[i + 1].column)
-            inside.push_back({crossings[i].column, crossings[i + 1].column});
-    }
-    return inside;
-}
 
 /// Samples of the window, as columns and rows of the whole viewport.
 struct SampleWindow {
@@ -507,7 +190,7 @@ public:
         : m_options(options), m_frame(frame), m_depth(options, frame)
     {
         const int bits = options.snap ? options.subpixelBits : 0;
-        m_lattice = {options.size, options.sampleGrid, bits, std::int64_t{1} << bits};
+        m_lattice = {options.size, options.sampleGrid, std::int64_t{1} << bits};
         const PixelRect& w = frame.window;
         const int n = options.sampleGrid;
         m_window = {{w.x * n, (w.x + w.width) * n}, {w.y * n, (w.y + w.height) * n}};
@@ -556,11 +239,11 @@ private:
         for (int row = rows.begin; row < rows.end; ++row) {
             Columns columns = m_window.columns;
             for (const Linear& weight : m_depth.piece(index).weights)
-                if (columns.begin < columns.end)
+                if (!columns.empty())
                     keepPositive(weight, row, columns);
-            if (columns.begin < columns.end)
+            if (!columns.empty())
                 keepPositive(nearSide, row, columns);
-            if (columns.begin < columns.end)
+            if (!columns.empty())
                 keepPositive(farSide, row, columns);
             owns |= drawColumns(index, row, columns);
         }
@@ -576,8 +259,8 @@ private:
             if (corner.w.sign() <= 0)
                 return m_window.rows;
             const Integer row = floorDivide(corner.y, corner.w * (2 * m_lattice.unit));
-            rows.begin = std::min(rows.begin, columnAtOrRightOf(Integer(row - 1), m_window.rows));
-            rows.end = std::max(rows.end, columnAtOrRightOf(Integer(row + 1), m_window.rows));
+            rows.begin = std::min(rows.begin, clampedTo(m_window.rows, Integer(row - 1)));
+            rows.end = std::max(rows.end, clampedTo(m_window.rows, Integer(row + 1)));
         }
         return rows;
     }
@@ -641,9 +324,9 @@ private:
             for (const Columns& gap : open) {
                 Columns held = gap;
                 for (const Linear& weight : m_depth.piece(index).weights)
-                    if (held.begin < held.end)
+                    if (!held.empty())
                         keepPositive(weight, row, held);
-                if (held.begin >= held.end) {
+                if (held.empty()) {
                     left.push_back(gap);
                     continue;
                 }
@@ -662,13 +345,13 @@ private:
     /// out: whether any sample passed the depth test
     bool drawColumns(int pieceIndex, int row, Columns columns)
     {
-        if (columns.begin >= columns.end)
+        if (columns.empty())
             return false;
         const Piece& piece = m_depth.piece(pieceIndex);
         const RowValues values(piece, row, columns);
         bool owns = false;
-        const std::size_t rowStart = static_cast<std::size_t>(row - m_window.rows.begin) *
-                                     static_cast<std::size_t>(m_frame.width);
+        const std::size_t rowStart =
+            static_cast<std::size_t>(row - m_window.rows.begin) * static_cast<std::size_t>(m_frame.width);
         for (int column = columns.begin; column < columns.end; ++column) {
             const std::size_t sample = rowStart + static_cast<std::size_t>(column - m_window.columns.begin);
             ++m_frame.cover[sample];
@@ -712,7 +395,7 @@ ExactFrame emptyFrame(const ExactOptions& options)
     return frame;
 }
 
-}  // namespace
+} // namespace
 
 ExactFrame exactReference(std::span<const ClipTriangle> triangles, const ExactOptions& options)
 {
@@ -758,4 +441,4 @@ std::vector<ClipTriangle> clipSpaceTriangles(const Scene& scene)
     return triangles;
 }
 
-}  // namespace rasterlens
+} // namespace rasterlens

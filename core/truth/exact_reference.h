@@ -11,42 +11,43 @@
 #include <span>
 #include <vector>
 
-namespace rasterlens {
+namespace rasterlens
+{
 
 /// What the exact reference is asked for. Default-constructed = what a correct rasterizer with 24.8 fixed point draws.
 struct ExactOptions {
-    QSize size{256, 256};  ///< viewport in pixels, 1..16384 each
-    bool snap = true;      ///< false: vertices stay where they are (`exact` in case files)
-    int subpixelBits = 8;  ///< 0..8; vertices snap to 1/2^bits pixel, half to even
+    QSize size{256, 256}; ///< viewport in pixels, 1..16384 each
+    bool snap = true;     ///< false: vertices stay where they are (`exact` in case files)
+    int subpixelBits = 8; ///< 0..8; vertices snap to 1/2^bits pixel, half to even
     ClipZ clipZ = ClipZ::Gl;
     Culling culling = Culling::None;
     Winding winding = Winding::CounterClockwise;
     DepthTest depthTest = DepthTest::Less;
-    DepthFormat depthFormat = DepthFormat::Float32;  ///< Float32: depths are compared exactly; Unorm: codes, half up
-    int sampleGrid = 1;                              ///< 1..4 samples a pixel along each axis; vertices snap to pixels
-    std::optional<PixelRect> window;                 ///< the part of the viewport to compute
-    bool edgeDistance = false;                       ///< fill ExactFrame::edgeDistance
+    DepthFormat depthFormat = DepthFormat::Float32; ///< Float32: depths are compared exactly; Unorm: codes, half up
+    int sampleGrid = 1;                             ///< 1..4 samples a pixel along each axis; vertices snap to pixels
+    std::optional<PixelRect> window;                ///< the part of the viewport to compute
+    bool edgeDistance = false;                      ///< fill ExactFrame::edgeDistance
 };
 
 /// The truth about a picture. Arrays are row by row from the top, one entry a sample.
 struct ExactFrame {
-    PixelRect window;    ///< the part of the viewport the arrays hold
-    int sampleGrid = 1;  ///< samples a pixel along each axis
-    int width = 0;       ///< samples: window.width * sampleGrid
-    int height = 0;      ///< samples: window.height * sampleGrid
+    PixelRect window;   ///< the part of the viewport the arrays hold
+    int sampleGrid = 1; ///< samples a pixel along each axis
+    int width = 0;      ///< samples: window.width * sampleGrid
+    int height = 0;     ///< samples: window.height * sampleGrid
 
-    std::vector<std::uint32_t> cover;   ///< how many faces cover the sample, before the depth test
-    std::vector<std::int32_t> id;       ///< face that won the depth test, -1 none
-    std::vector<double> depth;          ///< its depth 0..1 (unorm formats: the stored code's value); depthClear where none
-    std::vector<glm::dvec3> color;      ///< its colour, not clamped; 0 where none
-    std::vector<float> edgeDistance;    ///< pixels from the sample to the nearest unsnapped edge inside the viewport
+    std::vector<std::uint32_t> cover; ///< how many faces cover the sample, before the depth test
+    std::vector<std::int32_t> id;     ///< face that won the depth test, -1 none
+    std::vector<double> depth;       ///< its depth 0..1 (unorm formats: the stored code's value); depthClear where none
+    std::vector<glm::dvec3> color;   ///< its colour, not clamped; 0 where none
+    std::vector<float> edgeDistance; ///< pixels from the sample to the nearest unsnapped edge inside the viewport
 
-    double depthClear = 1;    ///< 0 for DepthTest::Greater, else 1
-    int nonFinite = 0;        ///< faces dropped because a position is NaN or infinite
-    int culled = 0;           ///< faces dropped by their facing
-    int degenerate = 0;       ///< faces without area that were inside the view volume
-    int outside = 0;          ///< faces wholly outside the view volume (snapped frames only)
-    int maxClipVertices = 3;  ///< most corners a clipped face had (snapped frames only)
+    double depthClear = 1;   ///< 0 for DepthTest::Greater, else 1
+    int nonFinite = 0;       ///< faces dropped because a position is NaN or infinite
+    int culled = 0;          ///< faces dropped by their facing
+    int degenerate = 0;      ///< faces without area that were inside the view volume
+    int outside = 0;         ///< faces wholly outside the view volume (snapped frames only)
+    int maxClipVertices = 3; ///< most corners a clipped face had (snapped frames only)
 };
 
 /// Coverage, winner, depth and perspective-correct colour of clip-space triangles by exact integer arithmetic.
@@ -84,4 +85,4 @@ struct ExactFrame {
 /// The faces of a scene whose positions are clip space already (SceneSpace::Clip), with their colours.
 [[nodiscard]] std::vector<ClipTriangle> clipSpaceTriangles(const Scene& scene);
 
-}  // namespace rasterlens
+} // namespace rasterlens
