@@ -1,5 +1,6 @@
 #include "core/truth/exact_reference.h"
 
+#include "core/truth/edge_distance.h"
 #include "core/truth/exact_geometry.h"
 
 #include <algorithm>
@@ -213,11 +214,23 @@ private:
             ++m_frame.degenerate;
             return true;
         }
+        m_frame.culled += culls(areaSign);
+        return culls(areaSign);
+    }
+
+    [[nodiscard]] bool culls(int areaSign) const
+    {
         const bool counterClockwise = areaSign < 0;
         const bool front = counterClockwise == (m_options.winding == Winding::CounterClockwise);
-        const bool culled = m_options.culling == (front ? Culling::Front : Culling::Back);
-        m_frame.culled += culled;
-        return culled;
+        return m_options.culling == (front ? Culling::Front : Culling::Back);
+    }
+
+    static bool hasArea(const std::vector<ScreenCorner>& polygon)
+    {
+        for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+            if (determinant({polygon[0], polygon[i], polygon[i + 1]}).sign() != 0)
+                return true;
+        return false;
     }
 
     void drawUnsnapped(const ClipTriangle& triangle, const std::array<Corner, 3>& corners)
@@ -228,6 +241,8 @@ private:
         const Integer det = determinant(screen);
         if (refused(det.sign()))
             return;
+        if (m_options.edgeDistance)
+            noteEdges(screenPolygon(clipExactly(corners, m_options.clipZ), triangle));
         Piece piece = makePiece(screen, det, m_options, m_lattice.unit, static_cast<std::int32_t>(triangle.face));
         const Linear nearSide = piece.depthNumerator;
         Linear farSide = nearSide * Integer(-1);
@@ -273,21 +288,44 @@ private:
             return;
         }
         m_frame.maxClipVertices = std::max(m_frame.maxClipVertices, static_cast<int>(clipped.size()));
-        std::vector<ScreenCorner> screen;
-        std::vector<Snapped> polygon;
-        for (const Corner& corner : clipped) {
-            // only (0, 0, 0, 0) is inside all planes with w = 0: the face is seen edge-on
-            if (corner.position[3].sign() == 0) {
-                ++m_frame.degenerate;
-                return;
-            }
-            screen.push_back(toScreen(corner, triangle, m_lattice));
-            polygon.push_back(snap(screen.back(), m_lattice));
+        std::vector<ScreenCorner> screen = screenPolygon(clipped, triangle);
+        // only (0, 0, 0, 0) is inside all planes with w = 0: the face is seen edge-on
+        const auto atEye = [](const ScreenCorner& corner) { return corner.w.sign() == 0; };
+        if (std::any_of(screen.begin(), screen.end(), atEye)) {
+            ++m_frame.degenerate;
+            return;
         }
+        const std::vector<ScreenCorner> unsnapped = screen;
+        std::vector<Snapped> polygon;
+        for (ScreenCorner& corner : screen)
+            polygon.push_back(snap(corner, m_lattice));
         const std::int64_t area = doubledArea(polygon);
         const int sign = (area > 0) - (area < 0);
-        if (!refused(sign))
-            drawPolygon(screen, polygon, sign, static_cast<std::int32_t>(triangle.face));
+        // a face whose area vanishes on snapping still has true edges
+        if (m_options.edgeDistance && (sign != 0 ? !culls(sign) : hasArea(unsnapped)))
+            noteEdges(unsnapped);
+        if (refused(sign))
+            return;
+        drawPolygon(screen, polygon, sign, static_cast<std::int32_t>(triangle.face));
+    }
+
+    [[nodiscard]] std::vector<ScreenCorner> screenPolygon(const std::vector<Corner>& clipped,
+                                                          const ClipTriangle& triangle) const
+    {
+        std::vector<ScreenCorner> screen;
+        for (const Corner& corner : clipped)
+            screen.push_back(toScreen(corner, triangle, m_lattice));
+        return screen;
+    }
+
+    void noteEdges(const std::vector<ScreenCorner>& polygon)
+    {
+        const auto pixels = [this](const ScreenCorner& corner) {
+            const Integer denominator = corner.w * m_lattice.unitsPerPixel();
+            return glm::dvec2(ratio(corner.x, denominator), ratio(corner.y, denominator));
+        };
+        for (std::size_t i = 0; i < polygon.size(); ++i)
+            lowerEdgeDistance(m_frame, pixels(polygon[i]), pixels(polygon[(i + 1) % polygon.size()]));
     }
 
     void drawPolygon(const std::vector<ScreenCorner>& screen, const std::vector<Snapped>& polygon, int sign,
@@ -392,6 +430,8 @@ ExactFrame emptyFrame(const ExactOptions& options)
     frame.id.assign(samples, -1);
     frame.depth.assign(samples, 1);
     frame.color.assign(samples, glm::dvec3(0));
+    if (options.edgeDistance)
+        frame.edgeDistance.assign(samples, kFarFromEdges);
     return frame;
 }
 

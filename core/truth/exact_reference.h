@@ -38,9 +38,11 @@ struct ExactFrame {
 
     std::vector<std::uint32_t> cover; ///< how many faces cover the sample, before the depth test
     std::vector<std::int32_t> id;     ///< face that won the depth test, -1 none
-    std::vector<double> depth;       ///< its depth 0..1 (unorm formats: the stored code's value); depthClear where none
-    std::vector<glm::dvec3> color;   ///< its colour, not clamped; 0 where none
-    std::vector<float> edgeDistance; ///< pixels from the sample to the nearest unsnapped edge inside the viewport
+    std::vector<double> depth;     ///< its depth 0..1 (unorm formats: the stored code's value); depthClear where none
+    std::vector<glm::dvec3> color; ///< its colour, not clamped; 0 where none
+    /// Pixels to the nearest edge of the clipped, unsnapped faces that are drawn, where that is below kEdgeBandPixels;
+    /// empty unless asked for (edge_distance.h).
+    std::vector<float> edgeDistance;
 
     double depthClear = 1;   ///< 0 for DepthTest::Greater, else 1
     int nonFinite = 0;       ///< faces dropped because a position is NaN or infinite
@@ -71,7 +73,7 @@ struct ExactFrame {
 ///         taken before snapping
 /// order   depth tests run in submission order; DepthTest::None and Always let the last face win
 /// cost    a few big-integer operations a face and row, a few doubles a covered sample; 256 x 256 samples and 2,000
-///         faces take well below 5 s. Edge distances cost samples x edges.
+///         faces take well below 5 s. Edge distances cost their length.
 /// exact   cover and id; depth to 1e-15; colour to some 1e-15 of the largest corner value
 /// errors  faces with a non-finite position are dropped and counted
 /// source  Olano & Greer, Triangle scan conversion using 2D homogeneous coordinates, Graphics Hardware 1997.
