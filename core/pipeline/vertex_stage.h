@@ -6,7 +6,8 @@
 
 #include <vector>
 
-namespace rasterlens {
+namespace rasterlens
+{
 
 /// Takes every vertex of the mesh to clip space and computes what the shading interpolates.
 ///
@@ -15,4 +16,4 @@ namespace rasterlens {
 /// covers  `reversedZ` of clip-space scenes, by mirroring z
 [[nodiscard]] std::vector<ClipVertex> shadeVertices(const Scene& scene, const Matrices& matrices, const Rules& rules);
 
-}  // namespace rasterlens
+} // namespace rasterlens
