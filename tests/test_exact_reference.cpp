@@ -1,6 +1,6 @@
 // The exact reference against answers known by hand, against itself, and against the shared results.
 #include "core/truth/exact_reference.h"
-#include "tests/case_reader.h"
+#include "core/case_file.h"
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -17,7 +17,7 @@ namespace {
 
 /// The numbers of a NumPy file. in: 4- and 8-byte little-endian types
 template <typename T>
-std::vector<T> readNpy(const QString& path)
+std::vector<T> npyValues(const QString& path)
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
@@ -55,12 +55,12 @@ void TestExactReference::sharedCases()
     if (name.isEmpty())
         QSKIP("the shared cases are not there");
     const QString folder = QStringLiteral(RASTERLENS_SHARED "/cases/");
-    std::optional<Scene> scene = readCase(folder + name + QStringLiteral(".case"));
+    const std::optional<Scene> scene = loadCase(folder + name + QStringLiteral(".case")).scene;
     QVERIFY(scene);
-    const std::vector<ClipTriangle> triangles = clipSpaceTriangles(*scene);
+    const std::vector<ClipTriangle> triangles = exactTriangles(*scene, scene->defaults);
     for (const bool snap : {true, false}) {
         const QString prefix = folder + QStringLiteral("expected/") + name + (snap ? QString() : QStringLiteral(".exact"));
-        const auto cover = readNpy<std::uint32_t>(prefix + ".cover.npy");
+        const auto cover = npyValues<std::uint32_t>(prefix + ".cover.npy");
         if (cover.empty()) {
             qDebug("no arrays: %s", qPrintable(prefix));
             continue;
@@ -72,10 +72,10 @@ void TestExactReference::sharedCases()
         timer.start();
         const ExactFrame frame = exactReference(triangles, options);
         const qint64 ms = timer.elapsed();
-        const auto id = readNpy<std::int32_t>(prefix + ".id.npy");
-        const auto depth = readNpy<double>(prefix + ".depth.npy");
-        const auto color = readNpy<double>(prefix + ".color.npy");
-        const auto edge = readNpy<float>(prefix + ".edge.npy");
+        const auto id = npyValues<std::int32_t>(prefix + ".id.npy");
+        const auto depth = npyValues<double>(prefix + ".depth.npy");
+        const auto color = npyValues<double>(prefix + ".color.npy");
+        const auto edge = npyValues<float>(prefix + ".edge.npy");
         QCOMPARE(cover.size(), frame.cover.size());
         int badCover = 0, badId = 0;
         double depthError = 0, colorError = 0, edgeError = 0;

@@ -1,5 +1,7 @@
 #include "core/truth/exact_reference.h"
 
+#include "core/camera.h"
+#include "core/pipeline/vertex_stage.h"
 #include "core/truth/edge_distance.h"
 #include "core/truth/exact_geometry.h"
 
@@ -103,13 +105,12 @@ class DepthBuffer
 {
 public:
     DepthBuffer(const ExactOptions& options, ExactFrame& frame)
-        : m_test(options.depthTest), m_clear(options.depthTest == DepthTest::Greater ? 0 : 1),
-          m_owners(frame.cover.size(), -1), m_frame(frame)
+        : m_compare(options.depthCompare), m_clear(options.depthClear > 0 ? 1 : 0), m_owners(frame.cover.size(), -1),
+          m_frame(frame)
     {
         if (options.depthFormat != DepthFormat::Float32)
             m_codeMax = options.depthFormat == DepthFormat::Unorm16 ? 0xffff : 0xffffff;
-        frame.depthClear = m_clear;
-        std::fill(frame.depth.begin(), frame.depth.end(), frame.depthClear);
+        std::fill(frame.depth.begin(), frame.depth.end(), m_clear);
     }
 
     int addPiece(Piece piece)
@@ -134,10 +135,17 @@ public:
 private:
     bool passes(std::size_t sample, int pieceIndex, int column, int row, double value) const
     {
-        if (m_test == DepthTest::Always || m_test == DepthTest::None)
+        if (m_compare == DepthCompare::Always)
             return true;
         const int order = compare(sample, pieceIndex, column, row, value);
-        return m_test == DepthTest::Less ? order < 0 : m_test == DepthTest::LessEqual ? order <= 0 : order > 0;
+        switch (m_compare) {
+        case DepthCompare::Less: return order < 0;
+        case DepthCompare::LessEqual: return order <= 0;
+        case DepthCompare::Greater: return order > 0;
+        case DepthCompare::GreaterEqual: return order >= 0;
+        case DepthCompare::Always: break;
+        }
+        return true;
     }
 
     /// The sign of new - stored.
@@ -157,19 +165,19 @@ private:
             .compare(Integer(stored.depthNumerator.at(column, row) * mine.depthDenominator));
     }
 
-    /// The nearest unorm code, half up.
+    /// The nearest unorm code, half to even.
     double code(int pieceIndex, int column, int row, double depth) const
     {
         constexpr double kFilter = 1e-6;
-        const double scaledUp = depth * m_codeMax + 0.5;
-        if (std::abs(scaledUp - std::round(scaledUp)) > kFilter)
-            return std::floor(scaledUp);
+        const double above = depth * m_codeMax - std::floor(depth * m_codeMax);
+        if (std::abs(above - 0.5) > kFilter)
+            return std::round(depth * m_codeMax);
         const Piece& p = piece(pieceIndex);
-        const Integer numerator = p.depthNumerator.at(column, row) * (2 * m_codeMax) + p.depthDenominator;
-        return static_cast<double>(static_cast<std::int64_t>(floorDivide(numerator, 2 * p.depthDenominator)));
+        const Integer numerator = p.depthNumerator.at(column, row) * m_codeMax;
+        return static_cast<double>(static_cast<std::int64_t>(roundHalfToEven(numerator, p.depthDenominator)));
     }
 
-    DepthTest m_test;
+    DepthCompare m_compare;
     int m_clear;
     int m_codeMax = 0; // 0: exact depths
     std::vector<int> m_owners;
@@ -437,6 +445,24 @@ ExactFrame emptyFrame(const ExactOptions& options)
 
 } // namespace
 
+std::size_t ExactFrame::sampleNearestCentre(int x, int y) const
+{
+    return static_cast<std::size_t>(y * sampleGrid + sampleGrid / 2) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(x * sampleGrid + sampleGrid / 2);
+}
+
+glm::dvec3 ExactFrame::pixelColor(int x, int y, glm::vec3 background) const
+{
+    glm::dvec3 sum(0);
+    for (int row = y * sampleGrid; row < (y + 1) * sampleGrid; ++row)
+        for (int column = x * sampleGrid; column < (x + 1) * sampleGrid; ++column) {
+            const std::size_t i =
+                static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
+            sum += id[i] >= 0 ? glm::clamp(color[i], 0.0, 1.0) : glm::dvec3(background);
+        }
+    return sum / static_cast<double>(sampleGrid * sampleGrid);
+}
+
 ExactFrame exactReference(std::span<const ClipTriangle> triangles, const ExactOptions& options)
 {
     ExactFrame frame = emptyFrame(options);
@@ -452,33 +478,45 @@ ExactFrame exactReference(std::span<const ClipTriangle> triangles, const ExactOp
 
 ExactOptions exactOptions(const Scene& scene, const Settings& settings)
 {
+    Settings correct = settings;
+    correct.visibility = Visibility::ZBuffer;
+    correct.mistakes.clear();
+    const Rules rules = rulesFor(scene, correct);
+
     ExactOptions options;
     options.size = settings.size;
-    options.snap = !scene.exact && settings.numberType == NumberType::Fixed;
+    options.snap = !scene.exact;
     options.subpixelBits = settings.subpixelBits;
     options.clipZ = settings.clipZ;
     options.culling = settings.culling;
     options.winding = settings.winding;
-    options.depthTest = settings.depthTest;
+    options.depthCompare = rules.depthTested ? rules.depthCompare : DepthCompare::Always;
+    options.depthClear = static_cast<double>(rules.depthClear);
     options.depthFormat = settings.depthFormat;
-    options.sampleGrid = sampleGrid(settings.samples);
+    options.sampleGrid = rules.sampleGrid;
     options.window = scene.window;
     return options;
 }
 
-std::vector<ClipTriangle> clipSpaceTriangles(const Scene& scene)
+std::vector<ClipTriangle> exactTriangles(const Scene& scene, const Settings& settings)
 {
+    Settings gouraud = settings;
+    gouraud.shading = Shading::Gouraud;
+    gouraud.mistakes.clear();
+    const std::vector<ClipVertex> vertices =
+        shadeVertices(scene, cameraMatrices(scene, gouraud), rulesFor(scene, gouraud));
     std::vector<ClipTriangle> triangles(scene.mesh.faceCount());
     for (std::size_t face = 0; face < triangles.size(); ++face) {
         triangles[face].face = static_cast<std::uint32_t>(face);
-        for (std::size_t i = 0; i < 3; ++i) {
-            const MeshVertex& vertex = scene.mesh.vertices[scene.mesh.indices[3 * face + i]];
-            ClipVertex& out = triangles[face].vertices[i];
-            out.positionClip = glm::dvec4(vertex.position);
-            out.varyings = {vertex.color.r, vertex.color.g, vertex.color.b};
-        }
+        for (std::size_t i = 0; i < 3; ++i)
+            triangles[face].vertices[i] = vertices[scene.mesh.indices[3 * face + i]];
     }
     return triangles;
+}
+
+ExactFrame exactReference(const Scene& scene, const Settings& settings)
+{
+    return exactReference(exactTriangles(scene, settings), exactOptions(scene, settings));
 }
 
 } // namespace rasterlens

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/pipeline/types.h"
+#include "core/rules.h"
 #include "core/scene.h"
 #include "core/settings.h"
 
@@ -22,11 +23,12 @@ struct ExactOptions {
     ClipZ clipZ = ClipZ::Gl;
     Culling culling = Culling::None;
     Winding winding = Winding::CounterClockwise;
-    DepthTest depthTest = DepthTest::Less;
-    DepthFormat depthFormat = DepthFormat::Float32; ///< Float32: depths are compared exactly; Unorm: codes, half up
-    int sampleGrid = 1;                             ///< 1..4 samples a pixel along each axis; vertices snap to pixels
-    std::optional<PixelRect> window;                ///< the part of the viewport to compute
-    bool edgeDistance = false;                      ///< fill ExactFrame::edgeDistance
+    DepthCompare depthCompare = DepthCompare::Less;
+    double depthClear = 1;                          ///< 0 or 1
+    DepthFormat depthFormat = DepthFormat::Float32; ///< Float32: compared exactly; unorm: nearest code, half to even
+    int sampleGrid = 1;              ///< 1..4 samples a pixel along each axis; vertices still snap to pixels
+    std::optional<PixelRect> window; ///< the part of the viewport to compute
+    bool edgeDistance = false;       ///< fill ExactFrame::edgeDistance
 };
 
 /// The truth about a picture. Arrays are row by row from the top, one entry a sample.
@@ -44,12 +46,16 @@ struct ExactFrame {
     /// empty unless asked for (edge_distance.h).
     std::vector<float> edgeDistance;
 
-    double depthClear = 1;   ///< 0 for DepthTest::Greater, else 1
     int nonFinite = 0;       ///< faces dropped because a position is NaN or infinite
     int culled = 0;          ///< faces dropped by their facing
     int degenerate = 0;      ///< faces without area that were inside the view volume
     int outside = 0;         ///< faces wholly outside the view volume (snapped frames only)
     int maxClipVertices = 3; ///< most corners a clipped face had (snapped frames only)
+
+    /// The sample nearest the centre of a pixel of the window (the lower right of the middle four of an even grid).
+    [[nodiscard]] std::size_t sampleNearestCentre(int x, int y) const;
+    /// The mean of a pixel's samples over a background, each channel held within 0..1.
+    [[nodiscard]] glm::dvec3 pixelColor(int x, int y, glm::vec3 background) const;
 };
 
 /// Coverage, winner, depth and perspective-correct colour of clip-space triangles by exact integer arithmetic.
@@ -71,7 +77,7 @@ struct ExactFrame {
 /// out     depth z/w mapped to 0..1 is linear between the snapped corners. A clipped face is interpolated over the fan
 ///         round its first corner (walking A, B, C; planes in the order x, y, z, the one at -w first), corner values
 ///         taken before snapping
-/// order   depth tests run in submission order; DepthTest::None and Always let the last face win
+/// order   depth tests run in submission order; with DepthCompare::Always the last face wins
 /// cost    a few big-integer operations a face and row, a few doubles a covered sample; 256 x 256 samples and 2,000
 ///         faces take well below 5 s. Edge distances cost their length.
 /// exact   cover and id; depth to 1e-15; colour to some 1e-15 of the largest corner value
@@ -81,10 +87,15 @@ struct ExactFrame {
 ///         does not show for the 100 to 300 bits of common input.
 [[nodiscard]] ExactFrame exactReference(std::span<const ClipTriangle> triangles, const ExactOptions& options);
 
-/// The options that mean the same as `settings`; window and `exact` come from the scene.
+/// What these settings ought to draw: z-buffer visibility, the top-left rule, culling by the snapped area and correct
+/// rules whatever the settings say about algorithm, clipping, visibility, ties, interpolation and mistakes. Vertices
+/// snap unless the scene is `exact`; the window is that of the scene.
 [[nodiscard]] ExactOptions exactOptions(const Scene& scene, const Settings& settings);
 
-/// The faces of a scene whose positions are clip space already (SceneSpace::Clip), with their colours.
-[[nodiscard]] std::vector<ClipTriangle> clipSpaceTriangles(const Scene& scene);
+/// The faces of a scene as the vertex stage hands them on, with Gouraud colours.
+[[nodiscard]] std::vector<ClipTriangle> exactTriangles(const Scene& scene, const Settings& settings);
+
+/// The truth about a scene.
+[[nodiscard]] ExactFrame exactReference(const Scene& scene, const Settings& settings);
 
 } // namespace rasterlens
