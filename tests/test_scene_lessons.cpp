@@ -59,6 +59,7 @@ class TestSceneLessons : public QObject
 
 private Q_SLOTS:
     void squareIsCoveredOnce();
+    void triangle600CoversWhatItShould();
     void fanIsCoveredOnce();
     void depthTestHidesWhatIsBehind_data();
     void depthTestHidesWhatIsBehind();
@@ -87,6 +88,14 @@ void TestSceneLessons::squareIsCoveredOnce()
     QCOMPARE(inclusive.statistics.pixels.coveredTwice, 8U);
     const Shot exclusive = draw(scene, [](Settings& s) { s.tieRule = TieRule::Exclusive; });
     QCOMPARE(emptyPixels(exclusive), 8);
+}
+
+void TestSceneLessons::triangle600CoversWhatItShould()
+{
+    // All three edges run through pixel centres. Counted in whole numbers: 39,800 centres inside, 300 owned on edges.
+    const Shot shot = draw(make("triangle-600"));
+    QCOMPARE(shot.statistics.pixels.covered, 40'100U);
+    QCOMPARE(shot.statistics.pixels.coveredTwice, 0U);
 }
 
 void TestSceneLessons::fanIsCoveredOnce()
