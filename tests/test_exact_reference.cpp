@@ -1,6 +1,6 @@
 // The exact reference against answers known by hand, against itself, and against the shared results.
-#include "core/truth/exact_reference.h"
 #include "core/case_file.h"
+#include "core/truth/exact_reference.h"
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -13,7 +13,8 @@
 
 using namespace rasterlens;
 
-namespace {
+namespace
+{
 
 /// The numbers of a NumPy file. in: 4- and 8-byte little-endian types
 template <typename T>
@@ -29,9 +30,10 @@ std::vector<T> npyValues(const QString& path)
     return values;
 }
 
-}  // namespace
+} // namespace
 
-class TestExactReference : public QObject {
+class TestExactReference : public QObject
+{
     Q_OBJECT
 
 private Q_SLOTS:
@@ -59,7 +61,8 @@ void TestExactReference::sharedCases()
     QVERIFY(scene);
     const std::vector<ClipTriangle> triangles = exactTriangles(*scene, scene->defaults);
     for (const bool snap : {true, false}) {
-        const QString prefix = folder + QStringLiteral("expected/") + name + (snap ? QString() : QStringLiteral(".exact"));
+        const QString prefix =
+            folder + QStringLiteral("expected/") + name + (snap ? QString() : QStringLiteral(".exact"));
         const auto cover = npyValues<std::uint32_t>(prefix + ".cover.npy");
         if (cover.empty()) {
             qDebug("no arrays: %s", qPrintable(prefix));
@@ -85,11 +88,13 @@ void TestExactReference::sharedCases()
             depthError = std::max(depthError, std::abs(depth[i] - frame.depth[i]));
             for (int k = 0; k < 3; ++k)
                 colorError = std::max(colorError, std::abs(color[3 * i + std::size_t(k)] - frame.color[i][k]));
-            if (std::min(edge[i],frame.edgeDistance[i]) < 1.5 && std::abs(edge[i]-frame.edgeDistance[i])>1e-4) qDebug("%d: want %g have %g", int(i),double(edge[i]), double(frame.edgeDistance[i]));
- if (std::min(edge[i],frame.edgeDistance[i]) < 1.5)
+            if (std::min(edge[i], frame.edgeDistance[i]) < 1.5 && std::abs(edge[i] - frame.edgeDistance[i]) > 1e-4)
+                qDebug("%d: want %g have %g", int(i), double(edge[i]), double(frame.edgeDistance[i]));
+            if (std::min(edge[i], frame.edgeDistance[i]) < 1.5)
                 edgeError = std::max(edgeError, double(std::abs(edge[i] - frame.edgeDistance[i])));
         }
-        qDebug("%s snap %d: cover %d id %d depth %g color %g edge %g  %lld ms", qPrintable(name), snap, badCover, badId, depthError, colorError, edgeError, ms);
+        qDebug("%s snap %d: cover %d id %d depth %g color %g edge %g  %lld ms", qPrintable(name), snap, badCover, badId,
+               depthError, colorError, edgeError, ms);
     }
 }
 

@@ -1,4 +1,5 @@
-// The hard cases beside the project: every rasterizer against the exact result, as ../shared/cases/README.md defines it.
+// The hard cases beside the project: every rasterizer against the exact result, as ../shared/cases/README.md defines
+// it.
 #include "core/case_file.h"
 #include "core/render.h"
 
@@ -66,12 +67,12 @@ bool anyVertexOutside(const Scene& scene)
 
 /// One rasterizer's answer beside the exact one.
 struct Comparison {
-    int wrongCoverage = 0;          ///< pixels whose count differs
+    int wrongCoverage = 0; ///< pixels whose count differs
     int wrongCoverageOutsideBand = 0;
     int wrongIds = 0;
     int wrongIdsOutsideBand = 0;
-    double depthError = 0;  ///< largest, outside the band
-    double colorError = 0;  ///< largest, outside the band, in 8-bit steps
+    double depthError = 0; ///< largest, outside the band
+    double colorError = 0; ///< largest, outside the band, in 8-bit steps
 };
 
 Comparison compare(const Scene& scene, const Frame& frame, const QString& expected)
@@ -104,9 +105,8 @@ Comparison compare(const Scene& scene, const Frame& frame, const QString& expect
             const QRgb pixel = frame.image.pixel(x, y);
             const std::array<int, 3> channels{qRed(pixel), qGreen(pixel), qBlue(pixel)};
             for (std::size_t k = 0; k < 3; ++k)
-                result.colorError =
-                    std::max(result.colorError,
-                             std::abs(channels[k] - 255 * std::clamp(color.values[3 * i + k], 0.0, 1.0)));
+                result.colorError = std::max(
+                    result.colorError, std::abs(channels[k] - 255 * std::clamp(color.values[3 * i + k], 0.0, 1.0)));
         }
     return result;
 }

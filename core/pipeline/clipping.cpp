@@ -93,7 +93,7 @@ ClipVerdict clipVerdict(Clipping mode, const Outcode& a, const Outcode& b, const
 /// faces at an edge decide alike.
 glm::dvec4 cutPosition(const glm::dvec4& inside, const glm::dvec4& outside, double t, const PlaneEquation& plane)
 {
-    constexpr double kLongest = 0x1p20;  // in units of the new w; double then keeps 2^-33 of it
+    constexpr double kLongest = 0x1p20; // in units of the new w; double then keeps 2^-33 of it
     const glm::dvec4 cut = inside + t * (outside - inside);
     double longest = 0;
     for (int k = 0; k < 4; ++k)
