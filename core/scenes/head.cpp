@@ -140,6 +140,9 @@ Scene makeHead()
     Scene scene = objectScene(true);
     const auto place = [&](glm::dvec3 point) { return headGridPoint(point / glm::dvec3(cells)); };
     scene.mesh = surfaceNets({cells, place, 0.03}, headDistance, headColor);
+    // A texture is thrown onto the face from the front.
+    for (MeshVertex& vertex : scene.mesh.vertices)
+        vertex.uv = glm::vec2(vertex.position) / 3.0F + 0.5F;
     scene.defaults.view = fitFrom(20, 5);
     return scene;
 }
