@@ -3,13 +3,14 @@
 
 #include <span>
 
-namespace rasterlens {
+namespace rasterlens
+{
 
 struct BuiltinScene {
-    const char* name;   ///< stable id, used as `builtin:NAME`
-    const char* title;  ///< marked with QT_TRANSLATE_NOOP("BuiltinScene", ...)
-    const char* note;   ///< what to look at, marked likewise
-    Scene (*make)();    ///< fills mesh, space, lit and defaults; id, title, note and bounds are set by the caller
+    const char* name;  ///< stable id, used as `builtin:NAME`
+    const char* title; ///< marked with QT_TRANSLATE_NOOP("BuiltinScene", ...)
+    const char* note;  ///< what to look at, marked likewise
+    Scene (*make)();   ///< fills mesh, space, lit and defaults; id, title, note and bounds are set by the caller
 };
 
 /// All built-in scenes, in the order of the menu. Made by code, no files.
@@ -23,4 +24,4 @@ struct BuiltinScene {
 /// in   the size in pixels the triangles are laid out for
 [[nodiscard]] SceneLoad makeStressScene(const QString& name, QSize size);
 
-}  // namespace rasterlens
+} // namespace rasterlens

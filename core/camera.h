@@ -3,15 +3,16 @@
 
 #include <glm/glm.hpp>
 
-namespace rasterlens {
+namespace rasterlens
+{
 
 /// The matrices of one frame, named to-From-from.
 struct Matrices {
-    glm::mat4 clipFromObject{1};    ///< float32, as a vertex buffer's consumer sees it
+    glm::mat4 clipFromObject{1}; ///< float32, as a vertex buffer's consumer sees it
     glm::dmat4 viewFromObject{1};
     glm::dmat4 clipFromView{1};
-    glm::dvec3 eyeWorld{0, 0, 0};   ///< object space = world space
-    double near = 0;                ///< the distances in use
+    glm::dvec3 eyeWorld{0, 0, 0}; ///< object space = world space
+    double near = 0;              ///< the distances in use
     double far = 0;
 };
 
@@ -22,4 +23,4 @@ struct Matrices {
 /// exact   for the default view, the matrix of the peer harness bit for bit
 [[nodiscard]] Matrices cameraMatrices(const Scene& scene, const Settings& settings);
 
-}  // namespace rasterlens
+} // namespace rasterlens

@@ -1,7 +1,8 @@
 #pragma once
 #include "core/scene.h"
 
-namespace rasterlens {
+namespace rasterlens
+{
 
 /// Reads a `.case` file: clip-space triangles and the few settings a hard case needs (docs/CONVENTIONS.md).
 ///
@@ -12,4 +13,4 @@ namespace rasterlens {
 /// The same from text; `name` stands for the file in diagnostics.
 [[nodiscard]] SceneLoad parseCase(const QByteArray& text, const QString& name);
 
-}  // namespace rasterlens
+} // namespace rasterlens

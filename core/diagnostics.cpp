@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-namespace rasterlens {
+namespace rasterlens
+{
 
 QString Diagnostic::text() const
 {
@@ -17,4 +18,4 @@ bool hasErrors(const Diagnostics& diagnostics)
                        [](const Diagnostic& d) { return d.severity == Severity::Error; });
 }
 
-}  // namespace rasterlens
+} // namespace rasterlens

@@ -3,7 +3,8 @@
 
 #include <vector>
 
-namespace rasterlens {
+namespace rasterlens
+{
 
 enum class Severity { Warning, Error };
 
@@ -11,7 +12,7 @@ enum class Severity { Warning, Error };
 struct Diagnostic {
     Severity severity = Severity::Error;
     QString file;
-    int line = 0;  ///< counted from 1; 0 = the file as a whole
+    int line = 0; ///< counted from 1; 0 = the file as a whole
     QString message;
 
     /// `FILE:LINE: message`, or `FILE: message` where no line is known. Not translated.
@@ -22,4 +23,4 @@ using Diagnostics = std::vector<Diagnostic>;
 
 [[nodiscard]] bool hasErrors(const Diagnostics& diagnostics);
 
-}  // namespace rasterlens
+} // namespace rasterlens

@@ -1,7 +1,8 @@
 #pragma once
 #include "core/scene.h"
 
-namespace rasterlens {
+namespace rasterlens
+{
 
 /// Reads a Wavefront OBJ with its MTL files and textures (PNG, JPEG, TGA).
 ///
@@ -12,4 +13,4 @@ namespace rasterlens {
 ///         fewer than three corners; a missing MTL or texture is a warning and the rest is loaded
 [[nodiscard]] SceneLoad loadObj(const QString& path, const LoadOptions& options = {});
 
-}  // namespace rasterlens
+} // namespace rasterlens

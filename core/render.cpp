@@ -1,11 +1,46 @@
 #include "core/render.h"
 
-namespace rasterlens {
+#include "core/camera.h"
+#include "core/draw.h"
+#include "core/observe/counting_observer.h"
+#include "core/rasterizers/registry.h"
 
-std::optional<QString> unsupported(const Scene&, const Settings&) { return std::nullopt; }
+namespace rasterlens
+{
+namespace
+{
 
-void render(const Scene&, const Settings&, Frame&, Outputs, std::stop_token) {}
+/// 2 GiB of colour and depth: the largest viewport with one sample a pixel.
+constexpr std::int64_t kMaxSamples = std::int64_t(kMaxViewport) * kMaxViewport;
 
-Statistics renderCounted(const Scene&, const Settings&, Frame&, Outputs, std::stop_token) { return {}; }
+} // namespace
 
-}  // namespace rasterlens
+std::optional<QString> unsupported(const Scene& scene, const Settings& settings)
+{
+    if (settings.cullSpace == CullSpace::View && scene.space == SceneSpace::Clip)
+        return QStringLiteral("cull-space view needs object-space positions; this scene is given in clip space");
+    const std::int64_t grid = sampleGrid(settings.samples);
+    if (std::int64_t(settings.size.width()) * settings.size.height() * grid * grid > kMaxSamples)
+        return QStringLiteral("%1x%2 pixels with %3 samples each need more than %4 million samples")
+            .arg(settings.size.width())
+            .arg(settings.size.height())
+            .arg(grid * grid)
+            .arg(kMaxSamples / 1000000);
+    return rasterizerSupports(rulesFor(scene, settings));
+}
+
+void render(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs, std::stop_token stop)
+{
+    NullObserver observer;
+    drawScene(scene, settings, frame, outputs, observer, stop);
+}
+
+Statistics renderCounted(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs,
+                         std::stop_token stop)
+{
+    CountingObserver observer(settings.size.width() * sampleGrid(settings.samples));
+    drawScene(scene, settings, frame, outputs, observer, stop);
+    return observer.statistics();
+}
+
+} // namespace rasterlens

@@ -10,7 +10,8 @@
 #include <stop_token>
 #include <vector>
 
-namespace rasterlens {
+namespace rasterlens
+{
 
 /// What a frame is asked for beside the picture. Nothing that is not asked for is written.
 struct Outputs {
@@ -21,10 +22,10 @@ struct Outputs {
 
 /// A finished picture. All arrays are row by row from the top, width * height of the image.
 struct Frame {
-    QImage image;                          ///< Format_RGB32
-    std::vector<float> depth;              ///< depth buffer, 0..1; with several samples that of the sample nearest the centre
-    std::vector<std::int32_t> ids;         ///< face that was written last, -1 none; likewise
-    std::vector<std::uint16_t> coverage;   ///< how many faces covered it, before the depth test; likewise
+    QImage image;                  ///< Format_RGB32
+    std::vector<float> depth;      ///< depth buffer, 0..1; with several samples that of the sample nearest the centre
+    std::vector<std::int32_t> ids; ///< face that was written last, -1 none; likewise
+    std::vector<std::uint16_t> coverage; ///< how many faces covered it, before the depth test; likewise
     StageTimes times;
 };
 
@@ -36,10 +37,11 @@ struct Frame {
 /// in      settings for which unsupported() is empty; `frame` may hold an earlier picture, whose memory is used again
 /// cost    linear in faces and covered samples
 /// errors  none; `stop` ends the work early and leaves an unfinished picture
-void render(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs = {}, std::stop_token stop = {});
+void render(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs = {},
+            std::stop_token stop = {});
 
 /// The same picture bit for bit, and what was done for it.
 [[nodiscard]] Statistics renderCounted(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs = {},
                                        std::stop_token stop = {});
 
-}  // namespace rasterlens
+} // namespace rasterlens

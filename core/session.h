@@ -1,11 +1,12 @@
 #pragma once
 #include "core/scene.h"
 
-namespace rasterlens {
+namespace rasterlens
+{
 
 /// What the window was doing: a scene by name and the settings. A `.json` file.
 struct Session {
-    QString scene;  ///< as loadScene takes it; relative paths are relative to the session file
+    QString scene; ///< as loadScene takes it; relative paths are relative to the session file
     Settings settings;
 };
 
@@ -24,4 +25,4 @@ struct SessionLoad {
 /// errors  a sentence why it could not be written
 [[nodiscard]] std::optional<QString> saveSession(const Session& session, const QString& path);
 
-}  // namespace rasterlens
+} // namespace rasterlens

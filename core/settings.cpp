@@ -8,13 +8,16 @@
 #include <cstring>
 #include <type_traits>
 
-namespace rasterlens {
-namespace {
+namespace rasterlens
+{
+namespace
+{
 
 #define TITLE(text) QT_TRANSLATE_NOOP("Settings", text)
 
-constexpr Choice kAlgorithms[] = {
-    {"edge-equation", TITLE("Edge equation")}, {"edge-walking", TITLE("Edge walking")}, {"tiled", TITLE("Tiled (fast)")}};
+constexpr Choice kAlgorithms[] = {{"edge-equation", TITLE("Edge equation")},
+                                  {"edge-walking", TITLE("Edge walking")},
+                                  {"tiled", TITLE("Tiled (fast)")}};
 constexpr Choice kNumberTypes[] = {
     {"fixed", TITLE("Fixed point")}, {"float32", TITLE("Float, 32 bit")}, {"float64", TITLE("Float, 64 bit")}};
 constexpr Choice kSteppings[] = {{"incremental", TITLE("Incremental")}, {"direct", TITLE("Direct")}};
@@ -27,10 +30,12 @@ constexpr Choice kClippings[] = {{"frustum", TITLE("Frustum, 6 planes")},
                                  {"near-far-reject", TITLE("Near / far reject")},
                                  {"cohen-sutherland", TITLE("Cohen-Sutherland")},
                                  {"none", TITLE("None")}};
-constexpr Choice kCullings[] = {{"back", TITLE("Back faces")}, {"front", TITLE("Front faces")}, {"none", TITLE("None")}};
+constexpr Choice kCullings[] = {
+    {"back", TITLE("Back faces")}, {"front", TITLE("Front faces")}, {"none", TITLE("None")}};
 constexpr Choice kWindings[] = {{"ccw", TITLE("Counter-clockwise")}, {"cw", TITLE("Clockwise")}};
-constexpr Choice kCullSpaces[] = {
-    {"screen", TITLE("Screen area")}, {"clip", TITLE("Clip-space determinant")}, {"view", TITLE("Normal against gaze")}};
+constexpr Choice kCullSpaces[] = {{"screen", TITLE("Screen area")},
+                                  {"clip", TITLE("Clip-space determinant")},
+                                  {"view", TITLE("Normal against gaze")}};
 constexpr Choice kDepthTests[] = {{"less", TITLE("Less")},
                                   {"lequal", TITLE("Less or equal")},
                                   {"greater", TITLE("Greater")},
@@ -38,7 +43,8 @@ constexpr Choice kDepthTests[] = {{"less", TITLE("Less")},
                                   {"none", TITLE("None")}};
 constexpr Choice kDepthFormats[] = {
     {"float32", TITLE("Float, 32 bit")}, {"unorm24", TITLE("24 bit")}, {"unorm16", TITLE("16 bit")}};
-constexpr Choice kDepthOrders[] = {{"before-shading", TITLE("Before shading")}, {"after-shading", TITLE("After shading")}};
+constexpr Choice kDepthOrders[] = {{"before-shading", TITLE("Before shading")},
+                                   {"after-shading", TITLE("After shading")}};
 constexpr Choice kClipZs[] = {{"gl", TITLE("-w to w (OpenGL)")}, {"d3d", TITLE("0 to w (Direct3D)")}};
 constexpr Choice kVisibilities[] = {{"z-buffer", TITLE("Z-buffer")},
                                     {"painter", TITLE("Painter's algorithm")},
@@ -47,7 +53,8 @@ constexpr Choice kInterpolations[] = {{"perspective", TITLE("Perspective-correct
 constexpr Choice kAttributePaths[] = {{"planes", TITLE("Barycentric")}, {"edge-then-span", TITLE("Edge, then span")}};
 constexpr Choice kTieRules[] = {
     {"top-left", TITLE("Top-left")}, {"inclusive", TITLE("All inclusive")}, {"exclusive", TITLE("All exclusive")}};
-constexpr Choice kSamples[] = {{"1", TITLE("1")}, {"2x2", TITLE("2 x 2")}, {"3x3", TITLE("3 x 3")}, {"4x4", TITLE("4 x 4")}};
+constexpr Choice kSamples[] = {
+    {"1", TITLE("1")}, {"2x2", TITLE("2 x 2")}, {"3x3", TITLE("3 x 3")}, {"4x4", TITLE("4 x 4")}};
 constexpr Choice kShadings[] = {{"gouraud", TITLE("Gouraud")},
                                 {"flat", TITLE("Flat")},
                                 {"random-flat", TITLE("Random flat colour")},
@@ -59,8 +66,12 @@ constexpr Choice kShadings[] = {{"gouraud", TITLE("Gouraud")},
                                 {"overdraw", TITLE("Overdraw")},
                                 {"triangle-id", TITLE("Triangle id")}};
 constexpr Choice kTextureFilters[] = {{"nearest", TITLE("Nearest")}, {"bilinear", TITLE("Bilinear")}};
-constexpr Choice kSimds[] = {{"auto", TITLE("Best available")}, {"scalar", TITLE("Scalar")}, {"sse4", "SSE4"},
-                             {"avx2", "AVX2"},                  {"avx512", "AVX-512"},      {"neon", "NEON"}};
+constexpr Choice kSimds[] = {{"auto", TITLE("Best available")},
+                             {"scalar", TITLE("Scalar")},
+                             {"sse4", "SSE4"},
+                             {"avx2", "AVX2"},
+                             {"avx512", "AVX-512"},
+                             {"neon", "NEON"}};
 
 /// A row for the member `Member`, whose type tells the kind.
 template <auto Member>
@@ -77,16 +88,35 @@ void setMember(Settings& settings, int value)
 }
 
 template <auto Member>
-constexpr SettingsField choice(const char* id, Stage stage, std::span<const Choice> choices, const char* title, const char* help)
+constexpr SettingsField choice(const char* id, Stage stage, std::span<const Choice> choices, const char* title,
+                               const char* help)
 {
-    return {id,    title, help, stage, SettingsField::Kind::Choice, choices, 0, static_cast<int>(choices.size()) - 1,
-            getMember<Member>, setMember<Member>};
+    return {id,
+            title,
+            help,
+            stage,
+            SettingsField::Kind::Choice,
+            choices,
+            0,
+            static_cast<int>(choices.size()) - 1,
+            getMember<Member>,
+            setMember<Member>};
 }
 
 template <auto Member>
-constexpr SettingsField integer(const char* id, Stage stage, int minimum, int maximum, const char* title, const char* help)
+constexpr SettingsField integer(const char* id, Stage stage, int minimum, int maximum, const char* title,
+                                const char* help)
 {
-    return {id, title, help, stage, SettingsField::Kind::Integer, {}, minimum, maximum, getMember<Member>, setMember<Member>};
+    return {id,
+            title,
+            help,
+            stage,
+            SettingsField::Kind::Integer,
+            {},
+            minimum,
+            maximum,
+            getMember<Member>,
+            setMember<Member>};
 }
 
 template <auto Member>
@@ -102,8 +132,9 @@ constexpr SettingsField kFields[] = {
                          TITLE("What happens to triangles that leave the view volume.")),
     choice<&S::clipZ>("clip-z", Stage::Clip, kClipZs, TITLE("Depth range in clip space"),
                       TITLE("The near plane is z = -w in OpenGL and z = 0 in Direct3D.")),
-    flag<&S::reversedZ>("reversed-z", Stage::Clip, TITLE("Reversed z"),
-                        TITLE("The near plane maps to 1 and the far plane to 0, which spends float's precision where it is needed.")),
+    flag<&S::reversedZ>(
+        "reversed-z", Stage::Clip, TITLE("Reversed z"),
+        TITLE("The near plane maps to 1 and the far plane to 0, which spends float's precision where it is needed.")),
     integer<&S::subpixelBits>("subpixel-bits", Stage::Screen, 0, 8, TITLE("Subpixel bits"),
                               TITLE("Screen vertices snap to 1/2^bits of a pixel before anything is drawn.")),
     choice<&S::numberType>("number-type", Stage::Screen, kNumberTypes, TITLE("Number type"),
@@ -112,8 +143,10 @@ constexpr SettingsField kFields[] = {
     choice<&S::winding>("winding", Stage::Cull, kWindings, TITLE("Front faces wind"),
                         TITLE("The order of the vertices of a face that looks at us, with y up.")),
     choice<&S::cullSpace>("cull-space", Stage::Cull, kCullSpaces, TITLE("Facing decided by"),
-                          TITLE("The sign that tells front from back: snapped screen area, det[x y w] before clipping, or the normal against the gaze.")),
-    choice<&S::fill>("fill", Stage::Cover, kFills, TITLE("Fill"), TITLE("Whole triangles, their outlines, or their corners.")),
+                          TITLE("The sign that tells front from back: snapped screen area, det[x y w] before clipping, "
+                                "or the normal against the gaze.")),
+    choice<&S::fill>("fill", Stage::Cover, kFills, TITLE("Fill"),
+                     TITLE("Whole triangles, their outlines, or their corners.")),
     choice<&S::algorithm>("algorithm", Stage::Cover, kAlgorithms, TITLE("Algorithm"),
                           TITLE("How the covered pixels of a triangle are found.")),
     choice<&S::stepping>("stepping", Stage::Cover, kSteppings, TITLE("Stepping"),
@@ -121,20 +154,24 @@ constexpr SettingsField kFields[] = {
     choice<&S::tieRule>("tie-rule", Stage::Cover, kTieRules, TITLE("Tie rule"),
                         TITLE("Who owns a pixel centre that lies exactly on an edge.")),
     choice<&S::line>("line", Stage::Cover, kLines, TITLE("Lines"), TITLE("How the lines of the wireframe are drawn.")),
-    choice<&S::samples>("samples", Stage::Cover, kSamples, TITLE("Samples a pixel"),
-                        TITLE("Super-sampling: every sample keeps its own colour and depth, and the box filter averages them.")),
-    choice<&S::visibility>("visibility", Stage::Depth, kVisibilities, TITLE("Visibility"),
-                           TITLE("Who is in front: a depth for every pixel, faces sorted from far to near, or the order of the file.")),
+    choice<&S::samples>(
+        "samples", Stage::Cover, kSamples, TITLE("Samples a pixel"),
+        TITLE("Super-sampling: every sample keeps its own colour and depth, and the box filter averages them.")),
+    choice<&S::visibility>(
+        "visibility", Stage::Depth, kVisibilities, TITLE("Visibility"),
+        TITLE("Who is in front: a depth for every pixel, faces sorted from far to near, or the order of the file.")),
     choice<&S::depthTest>("depth-test", Stage::Depth, kDepthTests, TITLE("Depth test"),
                           TITLE("A fragment is kept if its depth compares like this with the stored one.")),
     choice<&S::depthFormat>("depth-format", Stage::Depth, kDepthFormats, TITLE("Depth format"),
                             TITLE("The numbers the depth buffer stores.")),
-    choice<&S::depthOrder>("depth-order", Stage::Depth, kDepthOrders, TITLE("Depth test happens"),
-                           TITLE("Testing before shading spares the work for hidden fragments; the picture is the same.")),
+    choice<&S::depthOrder>(
+        "depth-order", Stage::Depth, kDepthOrders, TITLE("Depth test happens"),
+        TITLE("Testing before shading spares the work for hidden fragments; the picture is the same.")),
     choice<&S::interpolation>("interpolation", Stage::Shade, kInterpolations, TITLE("Interpolation"),
                               TITLE("Attributes divided by w on the way, or straight across the screen.")),
     choice<&S::attributePath>("attribute-path", Stage::Shade, kAttributePaths, TITLE("Attribute path"),
-                              TITLE("Barycentric weights at every pixel, or along the edges first and then along the span (edge walking only).")),
+                              TITLE("Barycentric weights at every pixel, or along the edges first and then along the "
+                                    "span (edge walking only).")),
     choice<&S::shading>("shading", Stage::Shade, kShadings, TITLE("Shading"), TITLE("What colours a fragment.")),
     choice<&S::textureFilter>("texture-filter", Stage::Shade, kTextureFilters, TITLE("Texture filter"),
                               TITLE("The nearest texel, or a blend of the four around the point.")),
@@ -150,8 +187,7 @@ QString valueList(const SettingsField& field)
 {
     switch (field.kind) {
     case SettingsField::Kind::Flag: return QStringLiteral("true, false");
-    case SettingsField::Kind::Integer:
-        return QStringLiteral("%1 to %2").arg(field.minimum).arg(field.maximum);
+    case SettingsField::Kind::Integer: return QStringLiteral("%1 to %2").arg(field.minimum).arg(field.maximum);
     case SettingsField::Kind::Choice: break;
     }
     QStringList ids;
@@ -186,7 +222,8 @@ struct Reader {
 
     void number(const QString& key, const QJsonValue& value, double& out, double minimum, double maximum)
     {
-        if (value.isDouble() && std::isfinite(value.toDouble()) && value.toDouble() >= minimum && value.toDouble() <= maximum)
+        if (value.isDouble() && std::isfinite(value.toDouble()) && value.toDouble() >= minimum &&
+            value.toDouble() <= maximum)
             out = value.toDouble();
         else
             errors << QStringLiteral("\"%1\" takes a number from %2 to %3").arg(key).arg(minimum).arg(maximum);
@@ -268,7 +305,7 @@ struct Reader {
     }
 };
 
-}  // namespace
+} // namespace
 
 std::span<const SettingsField> settingsFields() { return kFields; }
 
@@ -371,4 +408,4 @@ std::optional<QSize> parseSize(const QString& text)
     return size;
 }
 
-}  // namespace rasterlens
+} // namespace rasterlens

@@ -9,7 +9,8 @@
 #include <span>
 #include <vector>
 
-namespace rasterlens {
+namespace rasterlens
+{
 
 // The choices a user has. The order of the enumerators is the order of the choices in the field table (settings.cpp).
 enum class Algorithm { EdgeEquation, EdgeWalking, Tiled };
@@ -47,16 +48,16 @@ struct PixelRect {
 /// Where the camera is. `fit` frames the scene's bounding sphere; otherwise eye, target and up are used as they are.
 struct View {
     bool fit = true;
-    double yaw = 0;                 ///< fit: degrees the eye goes round the world's y axis
-    double pitch = 0;               ///< fit: degrees the eye rises, -90..90
-    double distance = 1;            ///< fit: factor on the distance at which the sphere touches the frustum, > 0
-    glm::dvec2 pan{0, 0};           ///< fit: target moves right and up, in bounding-sphere radii
-    glm::dvec3 eye{0, 0, 3};        ///< world space
-    glm::dvec3 target{0, 0, 0};     ///< world space
-    glm::dvec3 up{0, 1, 0};         ///< world space
-    double fov = 45;                ///< full vertical angle, degrees, 0 < fov < 180
-    std::optional<double> near;     ///< distance > 0; empty: from the bounding sphere
-    std::optional<double> far;      ///< distance > near; empty: from the bounding sphere
+    double yaw = 0;             ///< fit: degrees the eye goes round the world's y axis
+    double pitch = 0;           ///< fit: degrees the eye rises, -90..90
+    double distance = 1;        ///< fit: factor on the distance at which the sphere touches the frustum, > 0
+    glm::dvec2 pan{0, 0};       ///< fit: target moves right and up, in bounding-sphere radii
+    glm::dvec3 eye{0, 0, 3};    ///< world space
+    glm::dvec3 target{0, 0, 0}; ///< world space
+    glm::dvec3 up{0, 1, 0};     ///< world space
+    double fov = 45;            ///< full vertical angle, degrees, 0 < fov < 180
+    std::optional<double> near; ///< distance > 0; empty: from the bounding sphere
+    std::optional<double> far;  ///< distance > near; empty: from the bounding sphere
 
     friend bool operator==(const View&, const View&) = default;
 };
@@ -64,11 +65,11 @@ struct View {
 /// The value a user edits. Default-constructed = correct graphics.
 /// A lesson, a command-line run, a benchmark row, a test case and an undo step are each one Settings.
 struct Settings {
-    QSize size{1920, 1080};  ///< viewport in pixels, 1..16384 each
+    QSize size{1920, 1080}; ///< viewport in pixels, 1..16384 each
     View view;
     Algorithm algorithm = Algorithm::EdgeEquation;
     NumberType numberType = NumberType::Fixed;
-    int subpixelBits = 8;  ///< 0..8
+    int subpixelBits = 8; ///< 0..8
     Stepping stepping = Stepping::Incremental;
     Fill fill = Fill::Solid;
     LineAlgorithm line = LineAlgorithm::Bresenham;
@@ -89,16 +90,16 @@ struct Settings {
     Shading shading = Shading::Gouraud;
     TextureFilter textureFilter = TextureFilter::Nearest;
     Simd simd = Simd::Auto;
-    int threads = 0;          ///< 0 = as many as the machine has
-    QStringList mistakes;     ///< ids of the mistake table, each once, in the order they were switched on
+    int threads = 0;      ///< 0 = as many as the machine has
+    QStringList mistakes; ///< ids of the mistake table, each once, in the order they were switched on
 
     friend bool operator==(const Settings&, const Settings&) = default;
 };
 
 /// One value a field may take.
 struct Choice {
-    const char* id;     ///< stable: command line, JSON
-    const char* title;  ///< QT_TRANSLATE_NOOP("Settings", ...)
+    const char* id;    ///< stable: command line, JSON
+    const char* title; ///< QT_TRANSLATE_NOOP("Settings", ...)
 };
 
 /// What the pipeline panel groups by, in pipeline order.
@@ -109,16 +110,16 @@ enum class Stage { Scene, Clip, Screen, Cull, Cover, Depth, Shade, Image };
 struct SettingsField {
     enum class Kind { Choice, Integer, Flag };
 
-    const char* id;     ///< JSON key and option name without the dashes
-    const char* title;  ///< QT_TRANSLATE_NOOP("Settings", ...)
-    const char* help;   ///< one sentence, QT_TRANSLATE_NOOP("Settings", ...)
+    const char* id;    ///< JSON key and option name without the dashes
+    const char* title; ///< QT_TRANSLATE_NOOP("Settings", ...)
+    const char* help;  ///< one sentence, QT_TRANSLATE_NOOP("Settings", ...)
     Stage stage;
     Kind kind;
-    std::span<const Choice> choices;  ///< Kind::Choice only
+    std::span<const Choice> choices; ///< Kind::Choice only
     int minimum;
     int maximum;
     int (*get)(const Settings&);
-    void (*set)(Settings&, int);  ///< in: minimum <= value <= maximum
+    void (*set)(Settings&, int); ///< in: minimum <= value <= maximum
 };
 
 /// Every field but size, view and mistakes, in pipeline order.
@@ -153,4 +154,4 @@ struct SettingsParse {
 
 constexpr int kMaxViewport = 16384;
 
-}  // namespace rasterlens
+} // namespace rasterlens

@@ -6,7 +6,8 @@
 
 using namespace rasterlens;
 
-class TestSettings : public QObject {
+class TestSettings : public QObject
+{
     Q_OBJECT
 
 private Q_SLOTS:
@@ -59,9 +60,9 @@ void TestSettings::badValuesNameTheFieldAndItsValues()
     const auto error = setFromText(*findSettingsField(QStringLiteral("culling")), QStringLiteral("sideways"), settings);
     QVERIFY(error && error->contains(QLatin1String("culling")) && error->contains(QLatin1String("back, front, none")));
     QVERIFY(settings == Settings());
-    for (const char* json : {R"({"size": "0x5"})", R"({"subpixel-bits": 9})", R"({"subpixel-bits": 1.5})",
-                             R"({"view": {"fov": 180}})", R"({"view": {"near": 2, "far": 1}})", R"({"nonsense": 1})",
-                             R"({"mistakes": "one"})"}) {
+    for (const char* json :
+         {R"({"size": "0x5"})", R"({"subpixel-bits": 9})", R"({"subpixel-bits": 1.5})", R"({"view": {"fov": 180}})",
+          R"({"view": {"near": 2, "far": 1}})", R"({"nonsense": 1})", R"({"mistakes": "one"})"}) {
         const SettingsParse read = settingsFromJson(QJsonDocument::fromJson(json).object());
         QVERIFY2(!read.errors.isEmpty(), json);
         QVERIFY2(read.settings == Settings(), json);

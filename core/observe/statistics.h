@@ -3,7 +3,8 @@
 
 #include <cstdint>
 
-namespace rasterlens {
+namespace rasterlens
+{
 
 struct Settings;
 
@@ -19,8 +20,8 @@ struct Statistics {
         std::uint64_t culledFront = 0;
         std::uint64_t degenerate = 0;
         std::uint64_t nonFinite = 0;
-        std::uint64_t clipped = 0;            ///< cut by at least one plane
-        std::uint64_t createdByClipping = 0;  ///< triangles drawn for cut faces
+        std::uint64_t clipped = 0;           ///< cut by at least one plane
+        std::uint64_t createdByClipping = 0; ///< triangles drawn for cut faces
         std::uint64_t rasterized = 0;
         friend bool operator==(const Faces&, const Faces&) = default;
     } faces;
@@ -33,7 +34,7 @@ struct Statistics {
         std::uint64_t depthFailed = 0;
         std::uint64_t shaded = 0;
         std::uint64_t written = 0;
-        std::uint64_t coveredTwice = 0;  ///< hit by both faces at an edge they share; 0 under the top-left rule
+        std::uint64_t coveredTwice = 0; ///< hit by both faces at an edge they share; 0 under the top-left rule
         friend bool operator==(const Pixels&, const Pixels&) = default;
     } pixels;
 
@@ -42,13 +43,13 @@ struct Statistics {
 
 /// Wall-clock time of the stages of one frame, milliseconds.
 struct StageTimes {
-    double vertex = 0;    ///< vertex stage
-    double geometry = 0;  ///< assembly, clipping, viewport, culling, set-up
-    double raster = 0;    ///< coverage, depth, shading, resolve
-    double total = 0;     ///< clear + frame into the QImage
+    double vertex = 0;   ///< vertex stage
+    double geometry = 0; ///< assembly, clipping, viewport, culling, set-up
+    double raster = 0;   ///< coverage, depth, shading, resolve
+    double total = 0;    ///< clear + frame into the QImage
 };
 
 /// The statistics document of the command line.
 [[nodiscard]] QJsonObject toJson(const Statistics& statistics, const StageTimes& times, const Settings& settings);
 
-}  // namespace rasterlens
+} // namespace rasterlens

@@ -1,0 +1,98 @@
+#include "app/cli/input.h"
+
+#include "app/cli/failure.h"
+#include "app/cli/settings_options.h"
+#include "core/builtin_scenes.h"
+#include "core/session.h"
+
+#include <cstdio>
+
+namespace rasterlens::cli
+{
+namespace
+{
+
+void printWarnings(const Diagnostics& diagnostics)
+{
+    for (const Diagnostic& diagnostic : diagnostics)
+        if (diagnostic.severity == Severity::Warning)
+            std::fprintf(stderr, "%s\n", qUtf8Printable(diagnostic.text()));
+}
+
+[[noreturn]] void failDiagnostics(const Diagnostics& diagnostics)
+{
+    QStringList lines;
+    for (const Diagnostic& diagnostic : diagnostics)
+        lines << diagnostic.text();
+    failInput(lines.join(QLatin1Char('\n')));
+}
+
+SceneLoad openScene(const QString& name, const LoadOptions& options)
+{
+    SceneLoad load = loadScene(name, options);
+    if (!load.scene)
+        failDiagnostics(load.diagnostics);
+    printWarnings(load.diagnostics);
+    return load;
+}
+
+Session openSession(const QString& path)
+{
+    const SessionLoad load = loadSession(path);
+    if (!load.session)
+        failDiagnostics(load.diagnostics);
+    printWarnings(load.diagnostics);
+    if (const QStringList unknown = unknownMistakes(load.session->settings); !unknown.isEmpty())
+        failInput(
+            QStringLiteral("%1: there is no mistake \"%2\"; \"rasterlens-cli render --list-mistakes\" lists those "
+                           "there are")
+                .arg(path, unknown.first()));
+    return *load.session;
+}
+
+} // namespace
+
+Input openInput(const QString& name, const Arguments& arguments)
+{
+    LoadOptions options;
+    options.peerMesh = arguments.isOn(QStringLiteral("--peer-mesh"));
+    options.texture = arguments.value(QStringLiteral("--texture")).value_or(QString());
+    options.size = withOptions(Settings(), arguments).size;
+    if (!name.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)) {
+        SceneLoad load = openScene(name, options);
+        const Settings settings = withOptions(load.scene->defaults, arguments);
+        return {std::move(*load.scene), settings, std::move(load.diagnostics)};
+    }
+    const Session session = openSession(name);
+    const Settings settings = withOptions(session.settings, arguments);
+    options.size = settings.size;
+    SceneLoad load = openScene(session.scene, options);
+    return {std::move(*load.scene), settings, std::move(load.diagnostics)};
+}
+
+QList<Option> inputOptions()
+{
+    return {
+        {QStringLiteral("--texture"), Option::Kind::Value, QStringLiteral("FILE"),
+         QStringLiteral("A picture used in place of the materials' textures (see --shading texture).")},
+        {QStringLiteral("--peer-mesh"),
+         Option::Kind::Switch,
+         {},
+         QStringLiteral("Normals and texture coordinates of an OBJ file exactly as the peers' harness makes them.")}};
+}
+
+QString sceneHelp()
+{
+    QStringList names;
+    for (const BuiltinScene& scene : builtinScenes())
+        names << QLatin1String(scene.name);
+    return QStringLiteral("SCENE is an OBJ file with its MTL files and textures (.obj), a hard case (.case), a session "
+                          "saved by the "
+                          "window (.json: its scene and its settings, which the options then change), builtin:NAME or "
+                          "stress:NAME.\n"
+                          "  builtin: %1\n"
+                          "  stress: tiny, medium, large, fill-front-to-back, fill-back-to-front")
+        .arg(names.join(QStringLiteral(", ")));
+}
+
+} // namespace rasterlens::cli

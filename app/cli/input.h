@@ -1,0 +1,28 @@
+#pragma once
+#include "app/cli/options.h"
+#include "core/scene.h"
+
+namespace rasterlens::cli
+{
+
+/// A scene and what to draw it with.
+struct Input {
+    Scene scene;
+    Settings settings;       ///< those of the scene or of the session that named it, changed by the command line
+    Diagnostics diagnostics; ///< warnings of the loader
+};
+
+/// Opens what the command line calls SCENE: all that loadScene takes, and session files.
+/// Warnings go to stderr.
+///
+/// in      the options of inputOptions() and settingsOptionGroups()
+/// errors  throws Failure: bad values, the diagnostics of the loader
+[[nodiscard]] Input openInput(const QString& name, const Arguments& arguments);
+
+/// `--texture` and `--peer-mesh`.
+[[nodiscard]] QList<Option> inputOptions();
+
+/// The paragraph of the help about SCENE.
+[[nodiscard]] QString sceneHelp();
+
+} // namespace rasterlens::cli

@@ -1,0 +1,49 @@
+#pragma once
+#include <QByteArray>
+#include <QImage>
+#include <QString>
+#include <QStringList>
+
+#include <vector>
+
+namespace rasterlens::cli
+{
+
+/// Prints UTF-8 to stdout.
+///
+/// errors  throws Failure when stdout cannot take it
+void printText(const QString& text);
+
+/// The files of one run: all of them are written whole, or none is touched.
+/// `-` is stdout. Devices and pipes are written to as they are, before any file is replaced.
+class OutputFiles
+{
+public:
+    void add(const QString& path, const QByteArray& bytes) { m_files.push_back({path, bytes}); }
+
+    /// errors  throws Failure when one cannot be written
+    void write() const;
+
+private:
+    struct File {
+        QString path;
+        QByteArray bytes;
+    };
+    std::vector<File> m_files;
+};
+
+/// errors  throws Failure when two of the outputs have one name
+void checkOutputNames(const QStringList& paths);
+
+/// The formats a picture can be written in, by suffix: `png, ppm, bmp, jpg, jpeg`.
+[[nodiscard]] QString imageSuffixes();
+
+/// The format of a picture's file name; PNG for `-` and for names without suffix.
+///
+/// errors  throws Failure for a suffix that is none of imageSuffixes()
+[[nodiscard]] QByteArray imageFormat(const QString& path);
+
+/// The picture as a file in that format.
+[[nodiscard]] QByteArray imageBytes(const QImage& image, const QByteArray& format);
+
+} // namespace rasterlens::cli

@@ -1,0 +1,115 @@
+#include "core/render.h"
+#include "app/cli/input.h"
+#include "app/cli/options.h"
+#include "app/cli/output.h"
+#include "app/cli/settings_options.h"
+#include "app/cli/verbs.h"
+#include "core/npy.h"
+
+#include <QJsonDocument>
+
+namespace rasterlens::cli
+{
+namespace
+{
+
+Usage usage()
+{
+    const auto file = [](const char* name, const char* valueName, const char* help) {
+        return Option{QString::fromLatin1(name), Option::Kind::Value, QString::fromLatin1(valueName),
+                      QString::fromLatin1(help)};
+    };
+    const OptionGroup outputs{
+        QStringLiteral("Outputs (- is stdout):"),
+        {file("-o", "FILE", "The picture; default out.png. The suffix tells the format: png, ppm, bmp, jpg, jpeg."),
+         file("--depth", "F.npy", "The depth buffer: float32, 0 to 1."),
+         file("--ids", "F.npy",
+              "The face seen at each pixel: int32, counted from 0 in the order of the file, -1 none."),
+         file("--coverage", "F.npy", "How many faces cover each pixel's centre, before the depth test: uint16."),
+         file("--stats", "F.json",
+              "Counters, times and settings. The frame is drawn twice: once counted, once timed without counting.")}};
+    const Option listMistakes{QStringLiteral("--list-mistakes"),
+                              Option::Kind::Switch,
+                              {},
+                              QStringLiteral("Print the ids for --mistake and end.")};
+    const OptionGroup input{QStringLiteral("Input:"), inputOptions() << listMistakes};
+    return {
+        QStringLiteral("render"),
+        QStringLiteral("rasterlens-cli render SCENE [-o out.png] [options]"),
+        QStringLiteral("Draws SCENE into a picture, and on request into arrays and counters.\n\n") + sceneHelp(),
+        {QStringLiteral("SCENE")},
+        QList<OptionGroup>{outputs, input} + settingsOptionGroups(),
+        QStringLiteral("The .npy files are NumPy arrays of shape (height, width), row 0 on top.\n"
+                       "All outputs are written, each of them whole, or none is. An option given twice counts as given "
+                       "last.\n\n"
+                       "Exit codes: 0 drawn; 2 bad arguments, or settings that cannot be combined; 3 input that cannot "
+                       "be read, or output that cannot be written.")};
+}
+
+/// The files asked for; an empty name is a file nobody asked for.
+struct OutputNames {
+    QString image;
+    QByteArray imageFormat;
+    QString depth;
+    QString ids;
+    QString coverage;
+    QString stats;
+
+    explicit OutputNames(const Arguments& arguments)
+        : image(arguments.value(QStringLiteral("-o")).value_or(QStringLiteral("out.png"))),
+          imageFormat(cli::imageFormat(image)), depth(arguments.value(QStringLiteral("--depth")).value_or(QString())),
+          ids(arguments.value(QStringLiteral("--ids")).value_or(QString())),
+          coverage(arguments.value(QStringLiteral("--coverage")).value_or(QString())),
+          stats(arguments.value(QStringLiteral("--stats")).value_or(QString()))
+    {
+        QStringList names{image, depth, ids, coverage, stats};
+        names.removeAll(QString());
+        checkOutputNames(names);
+    }
+};
+
+template <typename T>
+void addArray(OutputFiles& files, const QString& path, const std::vector<T>& values, QSize size)
+{
+    if (!path.isEmpty())
+        files.add(path, npyBytes(std::span<const T>(values), size.height(), size.width()));
+}
+
+void renderTo(const Scene& scene, const Settings& settings, const OutputNames& names)
+{
+    const bool counted = !names.stats.isEmpty();
+    Frame frame;
+    const Statistics statistics = counted ? renderCounted(scene, settings, frame) : Statistics();
+    render(scene, settings, frame, {!names.depth.isEmpty(), !names.ids.isEmpty(), !names.coverage.isEmpty()});
+
+    OutputFiles files;
+    files.add(names.image, imageBytes(frame.image, names.imageFormat));
+    addArray(files, names.depth, frame.depth, settings.size);
+    addArray(files, names.ids, frame.ids, settings.size);
+    addArray(files, names.coverage, frame.coverage, settings.size);
+    if (counted)
+        files.add(names.stats, QJsonDocument(toJson(statistics, frame.times, settings)).toJson());
+    files.write();
+}
+
+} // namespace
+
+ExitCode runRender(const QStringList& words)
+{
+    if (words.contains(QStringLiteral("--list-mistakes"))) {
+        printText(mistakeList());
+        return ExitCode::Fine;
+    }
+    const auto arguments = parseArguments(usage(), words);
+    if (!arguments)
+        return ExitCode::Fine;
+
+    const OutputNames names(*arguments);
+    const Input input = openInput(arguments->operands.first(), *arguments);
+    if (const auto reason = unsupported(input.scene, input.settings))
+        failArguments(QStringLiteral("rasterlens-cli render: %1").arg(*reason));
+    renderTo(input.scene, input.settings, names);
+    return ExitCode::Fine;
+}
+
+} // namespace rasterlens::cli

@@ -1,0 +1,264 @@
+#include "app/cli/settings_options.h"
+
+#include "app/cli/failure.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rasterlens::cli
+{
+namespace
+{
+
+// The same limits as in session files.
+constexpr double kMinFovDegrees = 1e-3;
+constexpr double kMaxFovDegrees = 179.9;
+constexpr double kMaxDistance = 1e30;
+
+const View kFit;
+
+/// The mistake table, as far as the command line needs it.
+QStringList mistakeIds() { return {}; }
+
+QString optionName(const SettingsField& field) { return QStringLiteral("--") + QLatin1String(field.id); }
+
+/// `--threads auto` says what the number 0 means.
+bool isAutoThreads(const SettingsField& field, const QString& text)
+{
+    return text == QLatin1String("auto") && field.id == QLatin1String("threads");
+}
+
+QString valueHelp(const SettingsField& field)
+{
+    if (isAutoThreads(field, QStringLiteral("auto")))
+        return QStringLiteral("auto (default), or 1 to %1").arg(field.maximum);
+    const QString preset = valueId(field, Settings());
+    if (field.kind == SettingsField::Kind::Integer)
+        return QStringLiteral("%1 to %2; default %3").arg(field.minimum).arg(field.maximum).arg(preset);
+    if (field.kind == SettingsField::Kind::Flag)
+        return QStringLiteral("a switch, also true or false; default %1").arg(preset);
+    QStringList ids;
+    for (const Choice& choice : field.choices)
+        ids << QLatin1String(choice.id) +
+                   (preset == QLatin1String(choice.id) ? QStringLiteral(" (default)") : QString());
+    return ids.join(QStringLiteral(", "));
+}
+
+QList<Option> fieldOptions()
+{
+    QList<Option> options;
+    for (const SettingsField& field : settingsFields()) {
+        const bool isFlag = field.kind == SettingsField::Kind::Flag;
+        const QString valueName =
+            field.kind == SettingsField::Kind::Integer ? QStringLiteral("N") : QStringLiteral("ID");
+        options << Option{optionName(field), isFlag ? Option::Kind::Switch : Option::Kind::Value,
+                          isFlag ? QString() : valueName,
+                          QString::fromUtf8(field.help) + QLatin1Char('\n') + valueHelp(field)};
+    }
+    return options;
+}
+
+[[noreturn]] void failValue(const QString& option, const QString& value, const QString& takes)
+{
+    failArguments(QStringLiteral("%1: \"%2\" is not a value of %3, which takes: %4")
+                      .arg(option, value, QString(option).remove(QStringLiteral("--")), takes));
+}
+
+/// `count` finite numbers with commas between them.
+std::vector<double> numbers(const QString& option, const QString& text, qsizetype count, const QString& takes)
+{
+    std::vector<double> values;
+    const QStringList parts = text.split(QLatin1Char(','));
+    for (const QString& part : parts) {
+        bool good = false;
+        const double value = part.toDouble(&good);
+        if (!good || !std::isfinite(value) || std::abs(value) > kMaxDistance || parts.size() != count)
+            failValue(option, text, takes);
+        values.push_back(value);
+    }
+    return values;
+}
+
+/// Reads the options of the camera into a View.
+class ViewReader
+{
+public:
+    ViewReader(const View& view, const Arguments& arguments) : m_view(view), m_arguments(arguments) {}
+
+    View read()
+    {
+        checkCombination();
+        if (const auto text = m_arguments.value(QStringLiteral("--view")); text && *text != QLatin1String("fit"))
+            failValue(QStringLiteral("--view"), *text, QStringLiteral("fit"));
+        if (m_arguments.has(QStringLiteral("--view")) || m_arguments.has(QStringLiteral("--orbit")))
+            m_view = kFit;
+        readOrbit();
+        if (m_arguments.has(QStringLiteral("--eye")))
+            readLookAt();
+        readLens();
+        return m_view;
+    }
+
+private:
+    View m_view;
+    const Arguments& m_arguments;
+
+    void checkCombination() const
+    {
+        const bool eye = m_arguments.has(QStringLiteral("--eye"));
+        for (const QString& other : {QStringLiteral("--view"), QStringLiteral("--orbit")})
+            if (eye && m_arguments.has(other))
+                failArguments(
+                    QStringLiteral("--eye: cannot be combined with %1; one of the two is expected").arg(other));
+        for (const QString& other : {QStringLiteral("--target"), QStringLiteral("--up")})
+            if (!eye && m_arguments.has(other))
+                failArguments(QStringLiteral("%1: needs --eye beside it").arg(other));
+    }
+
+    void readOrbit()
+    {
+        const QString option = QStringLiteral("--orbit");
+        const auto text = m_arguments.value(option);
+        if (!text)
+            return;
+        const QString takes = QStringLiteral("yaw,pitch in degrees, the pitch from -90 to 90");
+        const std::vector<double> degrees = numbers(option, *text, 2, takes);
+        if (std::abs(degrees[0]) > 1e6 || std::abs(degrees[1]) > 90)
+            failValue(option, *text, takes);
+        m_view.yaw = degrees[0];
+        m_view.pitch = degrees[1];
+    }
+
+    void readLookAt()
+    {
+        m_view.fit = false;
+        readVector(QStringLiteral("--eye"), m_view.eye);
+        readVector(QStringLiteral("--target"), m_view.target);
+        readVector(QStringLiteral("--up"), m_view.up);
+        const glm::dvec3 gaze = m_view.target - m_view.eye;
+        if (glm::length(gaze) == 0)
+            failArguments(QStringLiteral("--eye: the eye is where the target is; two different points are expected"));
+        if (glm::length(glm::cross(gaze, m_view.up)) <= 1e-12 * glm::length(gaze) * glm::length(m_view.up))
+            failArguments(QStringLiteral("--up: points along the gaze; another direction is expected"));
+    }
+
+    void readVector(const QString& option, glm::dvec3& out) const
+    {
+        if (const auto text = m_arguments.value(option)) {
+            const std::vector<double> xyz = numbers(option, *text, 3, QStringLiteral("three numbers x,y,z"));
+            out = {xyz[0], xyz[1], xyz[2]};
+        }
+    }
+
+    void readLens()
+    {
+        if (const auto text = m_arguments.value(QStringLiteral("--fov"))) {
+            const QString takes =
+                QStringLiteral("the vertical angle in degrees, %1 to %2").arg(kMinFovDegrees).arg(kMaxFovDegrees);
+            m_view.fov = numbers(QStringLiteral("--fov"), *text, 1, takes)[0];
+            if (m_view.fov < kMinFovDegrees || m_view.fov > kMaxFovDegrees)
+                failValue(QStringLiteral("--fov"), *text, takes);
+        }
+        readDistance(QStringLiteral("--near"), m_view.near);
+        readDistance(QStringLiteral("--far"), m_view.far);
+        if (m_view.near && m_view.far && !(*m_view.near < *m_view.far))
+            failArguments(QStringLiteral("--near: the near plane (%1) is not nearer than the far plane (%2)")
+                              .arg(*m_view.near)
+                              .arg(*m_view.far));
+    }
+
+    void readDistance(const QString& option, std::optional<double>& out) const
+    {
+        if (const auto text = m_arguments.value(option)) {
+            const QString takes = QStringLiteral("a distance greater than 0");
+            out = numbers(option, *text, 1, takes)[0];
+            if (!(*out > 0))
+                failValue(option, *text, takes);
+        }
+    }
+};
+
+void readMistakes(const QStringList& ids, QStringList& out)
+{
+    for (const QString& id : ids) {
+        if (!mistakeIds().contains(id)) {
+            const auto similar = mostSimilar(id, mistakeIds());
+            const QString hint = similar ? QStringLiteral("did you mean %1?").arg(*similar)
+                                         : QStringLiteral("--list-mistakes lists those there are");
+            failArguments(QStringLiteral("--mistake: there is no mistake \"%1\"; %2").arg(id, hint));
+        }
+        if (!out.contains(id))
+            out << id;
+    }
+}
+
+} // namespace
+
+QList<OptionGroup> settingsOptionGroups()
+{
+    const auto value = [](const char* name, const char* valueName, const QString& help) {
+        return Option{QString::fromLatin1(name), Option::Kind::Value, QString::fromLatin1(valueName), help};
+    };
+    const QList<Option> camera{
+        value("--size", "WxH",
+              QStringLiteral("Width and height of the picture in pixels, 1 to %1 each. Case files and built-in scenes "
+                             "bring their own; for all others the default is 1920x1080.")
+                  .arg(kMaxViewport)),
+        value("--view", "fit",
+              QStringLiteral(
+                  "Look along -z so that the scene's bounding sphere just touches the frustum (default, unless "
+                  "the scene brings a camera).")),
+        value("--orbit", "YAW,PITCH",
+              QStringLiteral(
+                  "The view fit, with the eye moved round the scene: degrees round the y axis, degrees upward.")),
+        value("--eye", "X,Y,Z", QStringLiteral("Where the camera is, in world space (right-handed, y up).")),
+        value("--target", "X,Y,Z", QStringLiteral("The point it looks at; default 0,0,0. Needs --eye.")),
+        value("--up", "X,Y,Z", QStringLiteral("The direction that is up in the picture; default 0,1,0. Needs --eye.")),
+        value("--fov", "DEGREES",
+              QStringLiteral("Full vertical angle of view, %1 to %2; default 45.")
+                  .arg(kMinFovDegrees)
+                  .arg(kMaxFovDegrees)),
+        value("--near", "N",
+              QStringLiteral("Distance of the near plane, greater than 0; default: in front of the scene.")),
+        value("--far", "F", QStringLiteral("Distance of the far plane, greater than N; default: behind the scene.")),
+    };
+    QList<Option> pipeline = fieldOptions();
+    pipeline << Option{QStringLiteral("--mistake"), Option::Kind::List, QStringLiteral("ID"),
+                       QStringLiteral("Make a mistake on purpose. May be given several times; see --list-mistakes.")};
+    return {{QStringLiteral("Picture and camera:"), camera},
+            {QStringLiteral("Pipeline, from first stage to last:"), pipeline}};
+}
+
+Settings withOptions(Settings settings, const Arguments& arguments)
+{
+    const QString sizeOption = QStringLiteral("--size");
+    if (const auto text = arguments.value(sizeOption)) {
+        const auto size = parseSize(*text);
+        if (!size)
+            failValue(sizeOption, *text, QStringLiteral("WIDTHxHEIGHT in pixels, 1 to %1 each").arg(kMaxViewport));
+        settings.size = *size;
+    }
+    settings.view = ViewReader(settings.view, arguments).read();
+    for (const SettingsField& field : settingsFields())
+        if (const auto text = arguments.value(optionName(field)))
+            if (const auto error =
+                    setFromText(field, isAutoThreads(field, *text) ? QStringLiteral("0") : *text, settings))
+                failArguments(optionName(field) + QStringLiteral(": ") + *error);
+    readMistakes(arguments.values(QStringLiteral("--mistake")), settings.mistakes);
+    return settings;
+}
+
+QStringList unknownMistakes(const Settings& settings)
+{
+    QStringList unknown;
+    for (const QString& id : settings.mistakes)
+        if (!mistakeIds().contains(id))
+            unknown << id;
+    return unknown;
+}
+
+QString mistakeList() { return mistakeIds().join(QLatin1Char('\n')); }
+
+} // namespace rasterlens::cli

@@ -1,0 +1,22 @@
+#pragma once
+#include "app/cli/options.h"
+#include "core/settings.h"
+
+namespace rasterlens::cli
+{
+
+/// `--size`, the camera's options, and an option for every row of the field table.
+[[nodiscard]] QList<OptionGroup> settingsOptionGroups();
+
+/// Changes those of the settings that the command line names.
+///
+/// errors  throws Failure: a value that its option does not take, options that contradict each other
+[[nodiscard]] Settings withOptions(Settings settings, const Arguments& arguments);
+
+/// The mistakes of these settings that are not in the mistake table.
+[[nodiscard]] QStringList unknownMistakes(const Settings& settings);
+
+/// Two columns: the id and the title of every mistake.
+[[nodiscard]] QString mistakeList();
+
+} // namespace rasterlens::cli

@@ -1,0 +1,20 @@
+#pragma once
+#include "app/cli/failure.h"
+
+#include <QStringList>
+
+namespace rasterlens::cli
+{
+
+/// One verb of the program: `rasterlens-cli NAME ARGUMENTS`.
+struct Verb {
+    const char* name;
+    const char* summary;                       ///< one line for --help
+    ExitCode (*run)(const QStringList& words); ///< the words after the verb; throws Failure
+};
+
+ExitCode runDiff(const QStringList& words);
+ExitCode runInfo(const QStringList& words);
+ExitCode runRender(const QStringList& words);
+
+} // namespace rasterlens::cli

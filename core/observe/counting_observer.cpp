@@ -1,0 +1,74 @@
+#include "core/observe/counting_observer.h"
+
+#include "core/pipeline/interpolation.h"
+
+#include <bit>
+#include <cmath>
+
+namespace rasterlens
+{
+namespace
+{
+
+/// Samples this close to an edge, in samples, are looked at for a second hit from the other side. Under the fixed-point
+/// rules only points exactly on an edge could be; floating point errs by far less than this.
+constexpr double kNearEdge = 1.0 / 64;
+
+} // namespace
+
+void CountingObserver::onFace(std::uint32_t, FaceFate fate)
+{
+    Statistics::Faces& faces = m_statistics.faces;
+    ++faces.submitted;
+    switch (fate) {
+    case FaceFate::Rejected: ++faces.rejected; break;
+    case FaceFate::CulledBack: ++faces.culledBack; break;
+    case FaceFate::CulledFront: ++faces.culledFront; break;
+    case FaceFate::Degenerate: ++faces.degenerate; break;
+    case FaceFate::NonFinite: ++faces.nonFinite; break;
+    case FaceFate::Rasterized: ++faces.rasterized; break;
+    }
+}
+
+void CountingObserver::onClipped(std::uint32_t, int pieces)
+{
+    ++m_statistics.faces.clipped;
+    m_statistics.faces.createdByClipping += static_cast<std::uint64_t>(pieces);
+}
+
+void CountingObserver::onTriangle(const ScreenTriangle& triangle)
+{
+    for (std::size_t i = 0; i < 3; ++i)
+        m_positions[i] = triangle.vertices[i].position;
+    const double area2 = std::abs(twiceArea(m_positions[0], m_positions[1], m_positions[2]));
+    for (std::size_t i = 0; i < 3; ++i)
+        m_nearEdge[i] = kNearEdge * glm::distance(m_positions[(i + 1) % 3], m_positions[(i + 2) % 3]) / area2;
+}
+
+void CountingObserver::onFragment(const Fragment& fragment, bool passedDepth)
+{
+    Statistics::Pixels& pixels = m_statistics.pixels;
+    ++pixels.covered;
+    ++(passedDepth ? pixels.depthPassed : pixels.depthFailed);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (fragment.screen[i] > m_nearEdge[i])
+            continue;
+        const glm::dvec2 from = m_positions[(i + 1) % 3];
+        const glm::dvec2 to = m_positions[(i + 2) % 3];
+        const std::uint64_t sample = static_cast<std::uint64_t>(fragment.y) * static_cast<std::uint64_t>(m_columns) +
+                                     static_cast<std::uint64_t>(fragment.x);
+        m_hits.insert({from, to, sample});
+        if (m_hits.contains({to, from, sample}) && m_hitTwice.insert(sample).second)
+            ++pixels.coveredTwice;
+    }
+}
+
+std::size_t CountingObserver::EdgeHitHash::operator()(const EdgeHit& hit) const
+{
+    std::uint64_t h = hit.sample;
+    for (const double v : {hit.from.x, hit.from.y, hit.to.x, hit.to.y})
+        h = (h ^ std::bit_cast<std::uint64_t>(v)) * 0x9e3779b97f4a7c15U + (h >> 29);
+    return h;
+}
+
+} // namespace rasterlens

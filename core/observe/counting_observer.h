@@ -1,0 +1,50 @@
+#pragma once
+#include "core/observe/observer.h"
+#include "core/observe/statistics.h"
+
+#include <unordered_map>
+#include <unordered_set>
+
+namespace rasterlens
+{
+
+/// Counts what happens into Statistics.
+class CountingObserver : public NullObserver
+{
+public:
+    /// in  columns of the sample grid
+    explicit CountingObserver(int columns) : m_columns(columns) {}
+
+    void onFace(std::uint32_t, FaceFate fate);
+    void onClipped(std::uint32_t, int pieces);
+    void onTriangle(const ScreenTriangle& triangle);
+    void onSpan(int, int xBegin, int xEnd) { m_statistics.pixels.tested += static_cast<std::uint64_t>(xEnd - xBegin); }
+    void onSample(int, int, const EdgeValues&, bool) { ++m_statistics.pixels.tested; }
+    void onFragment(const Fragment& fragment, bool passedDepth);
+    void onShade(const Fragment&) { ++m_statistics.pixels.shaded; }
+    void onWrite(int, int, Pixel, Pixel) { ++m_statistics.pixels.written; }
+
+    [[nodiscard]] const Statistics& statistics() const { return m_statistics; }
+
+private:
+    /// A directed edge of the screen, the sample it was hit at, and nothing else: neighbours walk it in opposite
+    /// directions.
+    struct EdgeHit {
+        glm::dvec2 from;
+        glm::dvec2 to;
+        std::uint64_t sample;
+        bool operator==(const EdgeHit&) const = default;
+    };
+    struct EdgeHitHash {
+        std::size_t operator()(const EdgeHit& hit) const;
+    };
+
+    int m_columns;
+    Statistics m_statistics;
+    std::array<glm::dvec2, 3> m_positions{};
+    Weights m_nearEdge{}; ///< weights below these are close to the edge opposite the vertex
+    std::unordered_set<EdgeHit, EdgeHitHash> m_hits;
+    std::unordered_set<std::uint64_t> m_hitTwice;
+};
+
+} // namespace rasterlens

@@ -1,0 +1,36 @@
+#pragma once
+#include "core/rules.h"
+
+#include <cmath>
+
+namespace rasterlens
+{
+
+/// The nearest value the depth format can store, held within 0..1; NaN gives 0.
+///
+/// out   unorm formats as the float32 nearest to n / (2^bits - 1), which keeps order and distinctness
+[[nodiscard]] inline float storedDepth(double depth, DepthFormat format)
+{
+    const double held = depth >= 1 ? 1 : depth > 0 ? depth : 0;
+    switch (format) {
+    case DepthFormat::Float32: break;
+    case DepthFormat::Unorm24: return static_cast<float>(std::nearbyint(held * 0xffffff) / 0xffffff);
+    case DepthFormat::Unorm16: return static_cast<float>(std::nearbyint(held * 0xffff) / 0xffff);
+    }
+    return static_cast<float>(held);
+}
+
+/// Whether a fragment of this depth replaces the stored one.
+[[nodiscard]] inline bool depthPasses(float depth, float stored, DepthCompare compare)
+{
+    switch (compare) {
+    case DepthCompare::Less: return depth < stored;
+    case DepthCompare::LessEqual: return depth <= stored;
+    case DepthCompare::Greater: return depth > stored;
+    case DepthCompare::GreaterEqual: return depth >= stored;
+    case DepthCompare::Always: break;
+    }
+    return true;
+}
+
+} // namespace rasterlens

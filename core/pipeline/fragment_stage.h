@@ -1,0 +1,106 @@
+#pragma once
+#include "core/framebuffer.h"
+#include "core/observe/observer.h"
+#include "core/pipeline/depth_test.h"
+#include "core/pipeline/interpolation.h"
+#include "core/pipeline/shading.h"
+#include "core/rules.h"
+
+namespace rasterlens
+{
+
+/// Depth and weights that an algorithm brought along edges and spans itself (edge-then-span).
+struct Interpolants {
+    double depth;
+    Weights screen;
+    Weights weights;
+};
+
+/// What happens to a covered sample, for every algorithm: interpolate, depth test, shade, write.
+template <class Observer>
+class FragmentStage
+{
+public:
+    FragmentStage(const Rules& rules, const SampleBuffer& samples, const glm::vec3& eyeWorld, Observer& observer)
+        : m_rules(&rules), m_samples(samples), m_eyeWorld(eyeWorld), m_observer(&observer)
+    {
+    }
+
+    /// The triangle the following samples belong to; both must outlive them.
+    void begin(const FaceInterpolation& interpolation, const FaceUniforms& uniforms)
+    {
+        m_interpolation = &interpolation;
+        m_uniforms = &uniforms;
+    }
+
+    /// A sample covered by the area of the triangle.
+    void operator()(int x, int y)
+    {
+        const Weights screen = m_interpolation->weightsAt(x, y);
+        process(x, y, m_interpolation->depthAt(x, y, screen), screen, nullptr);
+    }
+
+    /// A sample on one of the triangle's lines or corners, inside the target or not.
+    void operator()(int x, int y, const Weights& screen)
+    {
+        if (x >= 0 && y >= 0 && x < m_samples.columns && y < m_samples.rows)
+            process(x, y, m_interpolation->depthOf(screen), screen, nullptr);
+    }
+
+    void operator()(int x, int y, const Interpolants& interpolants)
+    {
+        process(x, y, interpolants.depth, interpolants.screen, &interpolants.weights);
+    }
+
+private:
+    void process(int x, int y, double depth, const Weights& screen, const Weights* weights)
+    {
+        const std::size_t at = m_samples.index(x, y);
+        if (m_samples.coverage != nullptr && m_samples.coverage[at] != 0xffff)
+            ++m_samples.coverage[at];
+        Fragment fragment;
+        fragment.x = x;
+        fragment.y = y;
+        fragment.face = m_interpolation->triangle().face;
+        fragment.depth = storedDepth(depth, m_rules->depthFormat);
+        fragment.screen = screen;
+
+        const bool passed =
+            !m_rules->depthTested || depthPasses(fragment.depth, m_samples.depth[at], m_rules->depthCompare);
+        const bool shaded = passed || !m_rules->depthBeforeShading;
+        std::uint32_t color = 0;
+        if (shaded) {
+            if (m_rules->varyingCount > 0) {
+                fragment.weights = weights != nullptr ? *weights : m_interpolation->perspective(screen);
+                m_interpolation->varyings(fragment.weights, fragment.varyings);
+            }
+            color = shadeFragment(*m_rules, *m_uniforms, fragment.varyings, fragment.depth, m_eyeWorld);
+        }
+        m_observer->onFragment(fragment, passed);
+        if (shaded)
+            m_observer->onShade(fragment);
+        if (passed)
+            write(at, fragment, color);
+    }
+
+    void write(std::size_t at, const Fragment& fragment, std::uint32_t color)
+    {
+        const bool writesDepth = m_rules->depthTested;
+        const Pixel before{m_samples.color[at], writesDepth ? m_samples.depth[at] : m_rules->depthClear};
+        m_samples.color[at] = color;
+        if (writesDepth)
+            m_samples.depth[at] = fragment.depth;
+        if (m_samples.ids != nullptr)
+            m_samples.ids[at] = static_cast<std::int32_t>(fragment.face);
+        m_observer->onWrite(fragment.x, fragment.y, before, {color, writesDepth ? fragment.depth : before.depth});
+    }
+
+    const Rules* m_rules;
+    SampleBuffer m_samples;
+    glm::vec3 m_eyeWorld;
+    Observer* m_observer;
+    const FaceInterpolation* m_interpolation = nullptr;
+    const FaceUniforms* m_uniforms = nullptr;
+};
+
+} // namespace rasterlens

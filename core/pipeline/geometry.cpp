@@ -1,0 +1,98 @@
+#include "core/pipeline/geometry.h"
+
+#include "core/pipeline/interpolation.h"
+#include "core/pipeline/vertex_stage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace rasterlens
+{
+namespace
+{
+
+bool isFinite(const glm::dvec4& p)
+{
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w);
+}
+
+/// Fan triangles of a polygon seen from one of its corners, as indices.
+struct FanTriangle {
+    std::array<std::size_t, 3> corners;
+    double area2;
+};
+
+std::vector<FanTriangle> fanFrom(std::size_t apex, std::span<const ScreenVertex> polygon)
+{
+    std::vector<FanTriangle> fan;
+    const std::size_t n = polygon.size();
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+        const std::array<std::size_t, 3> c{apex, (apex + i) % n, (apex + i + 1) % n};
+        const double area2 = twiceArea(polygon[c[0]].position, polygon[c[1]].position, polygon[c[2]].position);
+        if (area2 != 0)
+            fan.push_back({c, area2});
+    }
+    return fan;
+}
+
+} // namespace
+
+Geometry::Geometry(const Scene& scene, const Matrices& matrices, const Rules& rules)
+    : m_scene(&scene), m_rules(rules), m_eyeWorld(matrices.eyeWorld), m_volume(clipVolume(rules))
+{
+    const std::vector<ClipVertex> clipVertices = shadeVertices(scene, matrices, rules);
+    m_vertices.resize(clipVertices.size());
+    for (std::size_t i = 0; i < clipVertices.size(); ++i) {
+        ProcessedVertex& v = m_vertices[i];
+        v.clip = clipVertices[i];
+        v.finite = isFinite(v.clip.positionClip);
+        if (!v.finite)
+            continue;
+        v.outcode = outcode(v.clip.positionClip, m_volume);
+        if (v.outcode.cut == 0)
+            v.screen = toScreen(v.clip, m_rules);
+    }
+}
+
+int Geometry::appendFan(std::uint32_t face, std::span<const ScreenVertex> polygon, std::vector<ScreenTriangle>& out)
+{
+    const double area2 = twicePolygonArea(polygon);
+    const auto sameWay = [&](const FanTriangle& t) { return (t.area2 > 0) == (area2 > 0); };
+    std::vector<FanTriangle> fan;
+    for (std::size_t apex = 0; apex < polygon.size(); ++apex) {
+        fan = fanFrom(apex, polygon);
+        if (std::all_of(fan.begin(), fan.end(), sameWay))
+            break;
+    }
+    int pieces = 0;
+    for (const FanTriangle& t : fan)
+        if (sameWay(t)) {
+            out.push_back({{polygon[t.corners[0]], polygon[t.corners[1]], polygon[t.corners[2]]}, face});
+            ++pieces;
+        }
+    return pieces;
+}
+
+std::vector<std::uint32_t> Geometry::order() const
+{
+    std::vector<std::uint32_t> order(m_scene->mesh.faceCount());
+    std::iota(order.begin(), order.end(), 0U);
+    if (!m_rules.painter)
+        return order;
+    // Distance: w is the depth in view space of a perspective camera; clip-space scenes have their z/w.
+    const bool perspective = m_scene->space == SceneSpace::Object;
+    const double sign = m_rules.mirrorClipZ ? -1 : 1;
+    std::vector<double> distance(order.size());
+    for (const std::uint32_t face : order)
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const glm::dvec4& p = corner(face, i).clip.positionClip;
+            const double d = perspective ? p.w : sign * p.z / p.w;
+            distance[face] += std::isfinite(d) ? d : 0;
+        }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return distance[a] > distance[b]; });
+    return order;
+}
+
+} // namespace rasterlens

@@ -1,0 +1,106 @@
+#include "core/pipeline/interpolation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rasterlens
+{
+namespace
+{
+
+/// Coefficients may be off by this much over the whole bounds before the plane is given up: well below the last bit
+/// of float32 depth, 2^-24.
+constexpr double kPlaneError = 0x1p-30;
+
+/// Rounds to a multiple of `quantum`, a power of two.
+double roundTo(double value, double quantum)
+{
+    const double magic = quantum * 0x1.8p52;
+    return (value + magic) - magic;
+}
+
+} // namespace
+
+DepthPlane depthPlane(const ScreenTriangle& triangle, double area2, const Rules& rules)
+{
+    const auto& [a, b, c] = triangle.vertices;
+    const glm::dvec2 ab = b.position - a.position;
+    const glm::dvec2 ac = c.position - a.position;
+    const double zb = b.depth - a.depth;
+    const double zc = c.depth - a.depth;
+    const double perX = (zc * ab.y - zb * ac.y) / area2;
+    const double perY = (zb * ac.x - zc * ab.x) / area2;
+
+    // Where the plane is evaluated: the bounds of the triangle inside the target, and a few samples around for
+    // algorithms that work on blocks.
+    constexpr double kMargin = 4;
+    const glm::dvec2 low = glm::max(glm::min(glm::min(a.position, b.position), c.position), 0.0) - kMargin;
+    const glm::dvec2 high =
+        glm::min(glm::max(glm::max(a.position, b.position), c.position), glm::dvec2(rules.columns(), rules.rows())) +
+        kMargin;
+    const double originAtZero = a.depth + perX * (0.5 - a.position.x) + perY * (0.5 - a.position.y);
+    const double largest = std::abs(originAtZero) + std::abs(perX) * std::max(std::abs(high.x), kMargin) +
+                           std::abs(perY) * std::max(std::abs(high.y), kMargin);
+    if (!std::isfinite(largest))
+        return {.needle = true};
+    const double quantum = std::ldexp(1, std::ilogb(std::max(largest, 0x1p-900)) - 51);
+    const double extent = (high.x - low.x) + (high.y - low.y) + 1;
+    // What rounding in the gradients themselves may add, seen from vertex a.
+    const double steepness = (std::abs(zc * ab.y) + std::abs(zb * ac.y) + std::abs(zb * ac.x) + std::abs(zc * ab.x)) /
+                             std::abs(area2) * 0x1p-52;
+    if (!((quantum + steepness) * extent < kPlaneError))
+        return {.needle = true};
+    DepthPlane plane{0, roundTo(perX, quantum), roundTo(perY, quantum), false};
+    // Anchored at the vertex with the rounded gradients, so that their rounding does not grow with the distance from
+    // the screen's corner.
+    plane.origin = roundTo(a.depth + plane.perX * (0.5 - a.position.x) + plane.perY * (0.5 - a.position.y), quantum);
+    return plane;
+}
+
+FaceInterpolation::FaceInterpolation(const ScreenTriangle& triangle, double area2, const Rules& rules)
+    : m_triangle(&triangle), m_inverseArea2(1 / area2), m_depth(depthPlane(triangle, area2, rules)),
+      m_varyingCount(static_cast<std::size_t>(rules.varyingCount)), m_perspectiveCorrect(rules.perspectiveCorrect)
+{
+}
+
+Weights FaceInterpolation::weightsAt(int x, int y) const
+{
+    const auto& [a, b, c] = m_triangle->vertices;
+    const glm::dvec2 p(x + 0.5, y + 0.5);
+    const double wa = twiceArea(b.position, c.position, p) * m_inverseArea2;
+    const double wb = twiceArea(c.position, a.position, p) * m_inverseArea2;
+    return {wa, wb, 1 - wa - wb};
+}
+
+double FaceInterpolation::depthAt(int x, int y, const Weights& screen) const
+{
+    return m_depth.needle ? depthOf(screen) : m_depth.origin + m_depth.perX * x + m_depth.perY * y;
+}
+
+double FaceInterpolation::depthOf(const Weights& screen) const
+{
+    const auto& [a, b, c] = m_triangle->vertices;
+    return a.depth + (screen[1] * (b.depth - a.depth) + screen[2] * (c.depth - a.depth));
+}
+
+Weights FaceInterpolation::perspective(const Weights& screen) const
+{
+    if (!m_perspectiveCorrect)
+        return screen;
+    const auto& [a, b, c] = m_triangle->vertices;
+    const double wa = screen[0] * a.invW;
+    const double wb = screen[1] * b.invW;
+    const double wc = screen[2] * c.invW;
+    const double w = 1 / (wa + wb + wc);
+    return {wa * w, wb * w, wc * w};
+}
+
+void FaceInterpolation::varyings(const Weights& weights, Varyings& out) const
+{
+    const auto& [a, b, c] = m_triangle->vertices;
+    for (std::size_t k = 0; k < m_varyingCount; ++k)
+        out[k] =
+            static_cast<float>(weights[0] * a.varyings[k] + weights[1] * b.varyings[k] + weights[2] * c.varyings[k]);
+}
+
+} // namespace rasterlens

@@ -1,0 +1,65 @@
+#pragma once
+#include "core/pipeline/types.h"
+#include "core/rules.h"
+
+namespace rasterlens
+{
+
+/// Twice the signed area of a screen triangle, in samples squared; positive is counter-clockwise seen with y up.
+///
+/// exact   for snapped positions
+[[nodiscard]] inline double twiceArea(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
+{
+    return (b.y - a.y) * (c.x - a.x) - (b.x - a.x) * (c.y - a.y);
+}
+
+/// Depth over a triangle as a plane whose coefficients are rounded so that every value at a sample inside the
+/// triangle's bounds is exact in double, in whatever order the terms are added: all rasterizers, stepping or not,
+/// get the same depth bit for bit.
+///
+/// in      sample (x, y); the plane is evaluated at its centre
+/// covers  needles, whose gradient is too steep for that, by barycentric weights of exact edge values
+struct DepthPlane {
+    double origin = 0; ///< at the centre of sample (0, 0)
+    double perX = 0;
+    double perY = 0;
+    bool needle = false;
+};
+
+[[nodiscard]] DepthPlane depthPlane(const ScreenTriangle& triangle, double area2, const Rules& rules);
+
+/// Everything needed to evaluate depth and varyings of one triangle at a sample.
+class FaceInterpolation
+{
+public:
+    /// in   a triangle whose area2 != 0
+    FaceInterpolation(const ScreenTriangle& triangle, double area2, const Rules& rules);
+
+    /// Screen-space barycentric weights at the centre of sample (x, y): edge value over area.
+    [[nodiscard]] Weights weightsAt(int x, int y) const;
+
+    /// Depth at the centre of the sample; linear on the screen.
+    ///
+    /// in   the weights of the same sample
+    [[nodiscard]] double depthAt(int x, int y, const Weights& screen) const;
+
+    /// Depth of a point known by its weights alone (lines).
+    [[nodiscard]] double depthOf(const Weights& screen) const;
+
+    /// b_i / w_i over their sum; the weights as they are if perspective correction is off.
+    [[nodiscard]] Weights perspective(const Weights& screen) const;
+
+    /// The first rules.varyingCount floats: sum of weight times the vertices' varyings.
+    void varyings(const Weights& weights, Varyings& out) const;
+
+    [[nodiscard]] const ScreenTriangle& triangle() const { return *m_triangle; }
+
+private:
+    const ScreenTriangle* m_triangle;
+    double m_inverseArea2;
+    DepthPlane m_depth;
+    std::size_t m_varyingCount;
+    bool m_perspectiveCorrect;
+};
+
+} // namespace rasterlens

@@ -1,0 +1,216 @@
+#include "core/pipeline/shading.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr float kAmbient = 0.2F;
+constexpr float kDiffuse = 0.8F;
+
+glm::vec3 lightDirection()
+{
+    static const glm::vec3 direction = glm::vec3(glm::normalize(glm::dvec3(0.3, 0.5, 1)));
+    return direction;
+}
+
+float lambert(const glm::vec3& normal)
+{
+    const glm::vec3 l = lightDirection();
+    return kAmbient + kDiffuse * std::max(normal.x * l.x + normal.y * l.y + normal.z * l.z, 0.0F);
+}
+
+void put(Varyings& out, int at, const glm::vec3& v)
+{
+    for (int i = 0; i < 3; ++i)
+        out[static_cast<std::size_t>(at + i)] = v[i];
+}
+
+glm::vec3 get(const Varyings& v, std::size_t at) { return {v[at], v[at + 1], v[at + 2]}; }
+
+/// Texel index along one axis; any coordinate, also infinite or NaN, lands inside.
+int wrapTexel(double texel, int size)
+{
+    const double wrapped = texel - std::floor(texel / size) * size;
+    return wrapped >= 0 && wrapped < size ? static_cast<int>(wrapped) : 0;
+}
+
+glm::vec3 texelColor(const Texture& texture, int x, int y)
+{
+    return unpackColor(texture.texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(texture.width) +
+                                      static_cast<std::size_t>(x)]);
+}
+
+glm::vec3 faceNormal(const Mesh& mesh, std::uint32_t face)
+{
+    const auto position = [&](std::uint32_t corner) {
+        return glm::vec3(mesh.vertices[mesh.indices[3 * face + corner]].position);
+    };
+    const glm::vec3 normal = glm::cross(position(1) - position(0), position(2) - position(0));
+    const float length = glm::length(normal);
+    return length > 0 ? normal / length : glm::vec3(0, 0, 1);
+}
+
+glm::vec3 phong(const Rules& rules, const FaceUniforms& uniforms, const Varyings& v, const glm::vec3& eyeWorld)
+{
+    glm::vec3 color = get(v, kVaryingColor);
+    if (uniforms.texture != nullptr)
+        color *= sampleTexture(*uniforms.texture, {v[kVaryingUv], v[kVaryingUv + 1]}, rules.textureFilter);
+    if (!rules.lit)
+        return color;
+    const glm::vec3 normal = glm::normalize(get(v, kVaryingNormal));
+    const glm::vec3 toEye = glm::normalize(eyeWorld - get(v, kVaryingPosition));
+    const glm::vec3 halfway = glm::normalize(lightDirection() + toEye);
+    const float shine = std::pow(std::max(glm::dot(normal, halfway), 0.0F), uniforms.material->shininess);
+    return color * lambert(normal) + uniforms.material->specular * shine;
+}
+
+} // namespace
+
+int varyingCount(Shading shading)
+{
+    switch (shading) {
+    case Shading::Gouraud:
+    case Shading::Normals: return 3;
+    case Shading::Texture: return kVaryingUv + 2;
+    case Shading::Phong: return kVaryingPosition + 3;
+    case Shading::Uv: return 2;
+    case Shading::Flat:
+    case Shading::RandomFlat:
+    case Shading::Depth:
+    case Shading::Overdraw:
+    case Shading::TriangleId: break;
+    }
+    return 0;
+}
+
+void shadeVertex(const Scene& scene, const MeshVertex& vertex, Shading shading, Varyings& out)
+{
+    switch (shading) {
+    case Shading::Phong:
+        put(out, kVaryingNormal, vertex.normal);
+        put(out, kVaryingPosition, glm::vec3(vertex.position));
+        out[kVaryingUv] = vertex.uv.x;
+        out[kVaryingUv + 1] = vertex.uv.y;
+        put(out, kVaryingColor, vertex.color);
+        break;
+    case Shading::Texture:
+        out[kVaryingUv] = vertex.uv.x;
+        out[kVaryingUv + 1] = vertex.uv.y;
+        [[fallthrough]];
+    case Shading::Gouraud:
+        put(out, kVaryingColor, scene.lit ? vertex.color * lambert(vertex.normal) : vertex.color);
+        break;
+    case Shading::Normals: put(out, 0, vertex.normal); break;
+    case Shading::Uv:
+        out[0] = vertex.uv.x;
+        out[1] = vertex.uv.y;
+        break;
+    case Shading::Flat:
+    case Shading::RandomFlat:
+    case Shading::Depth:
+    case Shading::Overdraw:
+    case Shading::TriangleId: break;
+    }
+}
+
+FaceUniforms faceUniforms(const Scene& scene, std::uint32_t face, Shading shading)
+{
+    FaceUniforms uniforms;
+    const Mesh& mesh = scene.mesh;
+    switch (shading) {
+    case Shading::Flat: {
+        const glm::vec3 color = mesh.vertices[mesh.indices[3 * face]].color;
+        uniforms.color = packColor(scene.lit ? color * lambert(faceNormal(mesh, face)) : color);
+        break;
+    }
+    case Shading::RandomFlat: uniforms.color = colorOfId(face * 2654435761U + 12345U); break;
+    case Shading::TriangleId: uniforms.color = colorOfId(face); break;
+    case Shading::Texture:
+    case Shading::Phong: {
+        const std::size_t material = mesh.faceMaterial.empty() ? 0 : mesh.faceMaterial[face];
+        uniforms.material = &scene.materials[material];
+        if (uniforms.material->texture >= 0)
+            uniforms.texture = &scene.textures[static_cast<std::size_t>(uniforms.material->texture)];
+        else if (shading == Shading::Texture)
+            uniforms.texture = &checkerTexture();
+        break;
+    }
+    default: break;
+    }
+    return uniforms;
+}
+
+std::uint32_t shadeFragment(const Rules& rules, const FaceUniforms& uniforms, const Varyings& v, float depth,
+                            const glm::vec3& eyeWorld)
+{
+    switch (rules.shading) {
+    case Shading::Gouraud: return packColor(get(v, kVaryingColor));
+    case Shading::Texture:
+        return packColor(get(v, kVaryingColor) *
+                         sampleTexture(*uniforms.texture, {v[kVaryingUv], v[kVaryingUv + 1]}, rules.textureFilter));
+    case Shading::Phong: return packColor(phong(rules, uniforms, v, eyeWorld));
+    case Shading::Depth: return packColor(glm::vec3(depth));
+    case Shading::Normals: return packColor(0.5F * glm::normalize(get(v, 0)) + 0.5F);
+    case Shading::Uv: return packColor({v[0] - std::floor(v[0]), v[1] - std::floor(v[1]), 0});
+    case Shading::Flat:
+    case Shading::RandomFlat:
+    case Shading::TriangleId:
+    case Shading::Overdraw: break;
+    }
+    return uniforms.color;
+}
+
+std::uint32_t packColor(const glm::vec3& color)
+{
+    const auto channel = [](float c) {
+        return c >= 1.0F ? 255U : c > 0.0F ? static_cast<std::uint32_t>(c * 255.0F + 0.5F) : 0U;
+    };
+    return 0xff000000U | channel(color.r) << 16 | channel(color.g) << 8 | channel(color.b);
+}
+
+glm::vec3 unpackColor(std::uint32_t color)
+{
+    return glm::vec3(float(color >> 16 & 255U), float(color >> 8 & 255U), float(color & 255U)) * (1.0F / 255.0F);
+}
+
+glm::vec3 sampleTexture(const Texture& texture, const glm::vec2& uv, TextureFilter filter)
+{
+    const double u = double(uv.x) * texture.width;
+    const double v = double(uv.y) * texture.height;
+    if (filter == TextureFilter::Nearest)
+        return texelColor(texture, wrapTexel(std::floor(u), texture.width), wrapTexel(std::floor(v), texture.height));
+    // The four texel centres around the point.
+    const double left = std::floor(u - 0.5);
+    const double below = std::floor(v - 0.5);
+    const float s = static_cast<float>(u - 0.5 - left);
+    const float t = static_cast<float>(v - 0.5 - below);
+    const int x0 = wrapTexel(left, texture.width);
+    const int x1 = wrapTexel(left + 1, texture.width);
+    const int y0 = wrapTexel(below, texture.height);
+    const int y1 = wrapTexel(below + 1, texture.height);
+    return glm::mix(glm::mix(texelColor(texture, x0, y0), texelColor(texture, x1, y0), s),
+                    glm::mix(texelColor(texture, x0, y1), texelColor(texture, x1, y1), s), t);
+}
+
+std::uint32_t colorOfId(std::uint32_t id)
+{
+    // Finalizer of MurmurHash3, then channels kept away from black.
+    std::uint32_t h = id + 0x9e3779b9U;
+    h = (h ^ (h >> 16)) * 0x85ebca6bU;
+    h = (h ^ (h >> 13)) * 0xc2b2ae35U;
+    h ^= h >> 16;
+    return 0xff000000U | ((h & 0x00bfbfbfU) + 0x00404040U);
+}
+
+std::uint32_t overdrawColor(std::uint32_t count)
+{
+    constexpr std::uint32_t kColors[] = {0xff000000, 0xff08306b, 0xff2171b5, 0xff41b6c4, 0xff7fcdbb,
+                                         0xffc7e9b4, 0xffffeda0, 0xfffeb24c, 0xfff03b20};
+    return kColors[std::min<std::size_t>(count, std::size(kColors) - 1)];
+}
+
+} // namespace rasterlens

@@ -1,0 +1,54 @@
+#pragma once
+#include "core/camera.h"
+#include "core/pipeline/types.h"
+#include "core/rules.h"
+#include "core/scene.h"
+
+#include <cstdint>
+
+namespace rasterlens
+{
+
+// Which float of Varyings means what. A shading carries a prefix of this list, or three floats of its own.
+constexpr int kVaryingColor = 0;    ///< rgb: gouraud, texture, phong
+constexpr int kVaryingUv = 3;       ///< texture, phong
+constexpr int kVaryingNormal = 5;   ///< phong
+constexpr int kVaryingPosition = 8; ///< world space: phong
+
+/// How many floats this shading interpolates.
+[[nodiscard]] int varyingCount(Shading shading);
+
+/// What the vertex stage computes for this shading: lit colour (gouraud, texture), attributes (the others).
+///
+/// source  ambient 0.2 and diffuse 0.8 * max(0, n . l), l = normalize(0.3, 0.5, 1) in world space
+void shadeVertex(const Scene& scene, const MeshVertex& vertex, Shading shading, Varyings& out);
+
+/// What is the same for all fragments of a face.
+struct FaceUniforms {
+    std::uint32_t color = 0; ///< flat, random-flat, triangle-id: 0xffRRGGBB
+    const Texture* texture = nullptr;
+    const Material* material = nullptr;
+};
+
+[[nodiscard]] FaceUniforms faceUniforms(const Scene& scene, std::uint32_t face, Shading shading);
+
+/// A fragment's colour as 0xffRRGGBB.
+///
+/// in   varyings as the shading lays them out; depth 0..1; eye in world space (phong)
+[[nodiscard]] std::uint32_t shadeFragment(const Rules& rules, const FaceUniforms& uniforms, const Varyings& varyings,
+                                          float depth, const glm::vec3& eyeWorld);
+
+/// round(255 * clamp(c, 0, 1)) for each channel; NaN gives 0.
+[[nodiscard]] std::uint32_t packColor(const glm::vec3& color);
+[[nodiscard]] glm::vec3 unpackColor(std::uint32_t color);
+
+/// The texture's colour at uv; coordinates repeat.
+[[nodiscard]] glm::vec3 sampleTexture(const Texture& texture, const glm::vec2& uv, TextureFilter filter);
+
+/// A colour that differs for neighbouring numbers: what random-flat and triangle-id show.
+[[nodiscard]] std::uint32_t colorOfId(std::uint32_t id);
+
+/// The colour of a pixel that `count` faces covered: black, then from blue over green and yellow to red at 8 and more.
+[[nodiscard]] std::uint32_t overdrawColor(std::uint32_t count);
+
+} // namespace rasterlens

@@ -1,0 +1,61 @@
+#pragma once
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace rasterlens
+{
+
+// One struct for each state of a vertex, one for each state of a triangle. Nothing in here has a constructor that
+// writes: a stage fills what it hands on.
+
+constexpr int kMaxVaryings = 12;
+
+/// What the vertex stage hands to the fragments; the shading says which float means what (shading.h).
+using Varyings = std::array<float, kMaxVaryings>;
+
+/// Clip space, before the divide. Positions of the vertex stage are float32 values; cuts are computed in double.
+struct ClipVertex {
+    glm::dvec4 positionClip;
+    Varyings varyings;
+};
+
+struct ClipTriangle {
+    std::array<ClipVertex, 3> vertices;
+    std::uint32_t face; ///< index of the face in the mesh
+};
+
+/// Convex polygon left of a triangle by clipping.
+struct ClipPolygon {
+    static constexpr int kMaxVertices = 16; // Sutherland-Hodgman needs 3 and seven planes, Cohen-Sutherland 14 points
+    std::array<ClipVertex, kMaxVertices> vertices;
+    int count;
+
+    [[nodiscard]] std::span<const ClipVertex> span() const
+    {
+        return {vertices.data(), static_cast<std::size_t>(count)};
+    }
+};
+
+/// Screen space, y down, in samples: pixels times the side of the sample grid. With fixed point a multiple of 1/256.
+struct ScreenVertex {
+    glm::dvec2 position;
+    double depth; ///< z/w mapped to 0..1
+    double invW;  ///< 1 / w of clip space
+    Varyings varyings;
+};
+
+struct ScreenTriangle {
+    std::array<ScreenVertex, 3> vertices;
+    std::uint32_t face;
+};
+
+/// Screen-space barycentric weights of the vertices A, B, C; they sum to 1.
+using Weights = std::array<double, 3>;
+
+/// What became of a face. Every submitted face has exactly one fate.
+enum class FaceFate { Rejected, CulledBack, CulledFront, Degenerate, NonFinite, Rasterized };
+
+} // namespace rasterlens

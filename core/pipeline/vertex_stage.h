@@ -1,0 +1,19 @@
+#pragma once
+#include "core/camera.h"
+#include "core/pipeline/types.h"
+#include "core/rules.h"
+#include "core/scene.h"
+
+#include <vector>
+
+namespace rasterlens
+{
+
+/// Takes every vertex of the mesh to clip space and computes what the shading interpolates.
+///
+/// in      object space (or clip space already: Matrices is then the identity)
+/// out     clip space, one for each vertex of the mesh, in its order; float32 values
+/// covers  `reversedZ` of clip-space scenes, by mirroring z
+[[nodiscard]] std::vector<ClipVertex> shadeVertices(const Scene& scene, const Matrices& matrices, const Rules& rules);
+
+} // namespace rasterlens

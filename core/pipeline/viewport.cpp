@@ -1,0 +1,58 @@
+#include "core/pipeline/viewport.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rasterlens
+{
+namespace
+{
+
+/// Vertices further out than this are moved: edge values must fit 64 bits even where nothing is clipped.
+constexpr double kFarthestPixel = 1 << 19;
+
+double hold(double pixels) { return std::isnan(pixels) ? 0 : std::clamp(pixels, -kFarthestPixel, kFarthestPixel); }
+
+/// The screen coordinate in pixels, not snapped.
+double toPixels(double p, double w, int size) { return hold((p / w * 0.5 + 0.5) * size); }
+
+} // namespace
+
+double snapToGrid(double p, double w, int size, int bits)
+{
+    const double unitsPerPixel = double(1 << bits);
+    const double halfSize = size * unitsPerPixel / 2; // in units
+    const double limit = kFarthestPixel * unitsPerPixel;
+    const double estimate = (p + w) / w * halfSize;
+    if (!(std::abs(estimate) < limit))
+        return hold(estimate / unitsPerPixel) * unitsPerPixel;
+    const double below = std::floor(estimate);
+    const double fraction = estimate - below;
+    if (std::abs(fraction - 0.5) > 1e-6)
+        return fraction < 0.5 ? below : below + 1;
+    // Close to a tie: compare with below + 1/2 by a sum of two products that are exact in double for float32 p and w.
+    const double difference = p * halfSize + w * (halfSize - (below + 0.5));
+    if (difference == 0)
+        return std::fmod(below, 2) == 0 ? below : below + 1;
+    return (difference > 0) == (w > 0) ? below + 1 : below;
+}
+
+ScreenVertex toScreen(const ClipVertex& vertex, const Rules& rules)
+{
+    const glm::dvec4& p = vertex.positionClip;
+    ScreenVertex out;
+    if (rules.numberType == NumberType::Fixed) {
+        const double samplesPerUnit = double(rules.sampleGrid) / (1 << rules.subpixelBits);
+        out.position = {snapToGrid(p.x, p.w, rules.width, rules.subpixelBits) * samplesPerUnit,
+                        snapToGrid(-p.y, p.w, rules.height, rules.subpixelBits) * samplesPerUnit};
+    } else {
+        out.position = {toPixels(p.x, p.w, rules.width) * rules.sampleGrid,
+                        toPixels(-p.y, p.w, rules.height) * rules.sampleGrid};
+    }
+    out.depth = rules.clipZ == ClipZ::Gl ? (p.w + p.z) / (2 * p.w) : p.z / p.w;
+    out.invW = 1 / p.w;
+    out.varyings = vertex.varyings;
+    return out;
+}
+
+} // namespace rasterlens

@@ -1,0 +1,296 @@
+#pragma once
+#include "core/observe/observer.h"
+#include "core/pipeline/fragment_stage.h"
+#include "core/pipeline/triangle_setup.h"
+#include "core/rasterizers/registry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rasterlens
+{
+
+/// What ceil(v - 0.5) and its counterpart make of the point v where an edge crosses the centre line of a row.
+struct RowCrossing {
+    std::int64_t atOrAfter; ///< first sample whose centre is not left of the edge
+    std::int64_t after;     ///< first sample whose centre is right of the edge
+};
+
+/// Follows one edge down, row by row.
+///
+/// in   upper.y < lower.y
+template <class T>
+class EdgeWalker
+{
+public:
+    EdgeWalker(Point<T> upper, Point<T> lower, int firstRow, Stepping stepping)
+        : m_upper(upper), m_slope((lower.x - upper.x) / (lower.y - upper.y)), m_stepping(stepping)
+    {
+        jumpTo(firstRow);
+    }
+
+    [[nodiscard]] RowCrossing crossing() const
+    {
+        const T v = m_x - Grid<T>::kCentre;
+        return {hold(std::ceil(v)), hold(std::floor(v)) + 1};
+    }
+
+    /// The next row down: one addition, or the line equation anew.
+    void step()
+    {
+        if (m_stepping == Stepping::Incremental)
+            m_x += m_slope;
+        else
+            jumpTo(m_row + 1);
+    }
+
+private:
+    static std::int64_t hold(T sample)
+    {
+        constexpr T kFar = 1 << 30;
+        return sample > -kFar ? static_cast<std::int64_t>(std::min(sample, kFar)) : -(1 << 30); // also NaN
+    }
+
+    void jumpTo(int row)
+    {
+        m_row = row;
+        m_x = m_upper.x + (TriangleSetup<T>::centre(0, row).y - m_upper.y) * m_slope;
+    }
+
+    Point<T> m_upper;
+    T m_slope; ///< samples a row
+    T m_x = 0; ///< where the edge crosses the centre line of the row
+    int m_row = 0;
+    Stepping m_stepping;
+};
+
+/// Fixed point: the crossing is a fraction of integers, stepped as quotient and remainder, so it is exact.
+template <>
+class EdgeWalker<std::int64_t>
+{
+public:
+    using T = std::int64_t;
+
+    EdgeWalker(Point<T> upper, Point<T> lower, int firstRow, Stepping stepping)
+        : m_upper(upper), m_dx(lower.x - upper.x), m_dy(lower.y - upper.y), m_stepping(stepping)
+    {
+        const Fraction perRow = divide(Grid<T>::kUnit * m_dx);
+        m_perRow = perRow;
+        jumpTo(firstRow);
+    }
+
+    [[nodiscard]] RowCrossing crossing() const { return {m_x.floor + (m_x.rest > 0 ? 1 : 0), m_x.floor + 1}; }
+
+    void step()
+    {
+        if (m_stepping == Stepping::Direct) {
+            jumpTo(m_row + 1);
+            return;
+        }
+        m_x.floor += m_perRow.floor;
+        m_x.rest += m_perRow.rest;
+        if (m_x.rest >= denominator()) {
+            m_x.rest -= denominator();
+            ++m_x.floor;
+        }
+    }
+
+private:
+    /// floor + rest / denominator, 0 <= rest < denominator
+    struct Fraction {
+        T floor;
+        T rest;
+    };
+
+    [[nodiscard]] T denominator() const { return Grid<T>::kUnit * m_dy; }
+
+    [[nodiscard]] Fraction divide(T numerator) const
+    {
+        Fraction f{numerator / denominator(), numerator % denominator()};
+        if (f.rest < 0) {
+            f.rest += denominator();
+            --f.floor;
+        }
+        return f;
+    }
+
+    void jumpTo(int row)
+    {
+        m_row = row;
+        const T down = TriangleSetup<T>::centre(0, row).y - m_upper.y;
+        m_x = divide((m_upper.x - Grid<T>::kCentre) * m_dy + down * m_dx);
+    }
+
+    Point<T> m_upper;
+    T m_dx;
+    T m_dy;
+    Stepping m_stepping;
+    Fraction m_perRow{}; ///< samples
+    Fraction m_x{};      ///< samples, measured from the first centre
+    int m_row = 0;
+};
+
+/// The fraction of the way in space that belongs to the fraction m of the way on the screen, from a point at depth w1
+/// to one at w2.
+///
+/// source  Heckbert & Moreton, Interpolation for Polygon Texture Mapping and Shading, 1991
+[[nodiscard]] inline double perspectiveFraction(double m, double w1, double w2)
+{
+    return m * w1 / ((1 - m) * w2 + m * w1);
+}
+
+/// What edge-then-span carries along an edge and then along a span.
+struct CarriedPoint {
+    double x; ///< samples
+    double w;
+    Interpolants values;
+
+    [[nodiscard]] CarriedPoint towards(const CarriedPoint& other, double m, bool perspectiveCorrect) const
+    {
+        const double n = perspectiveCorrect ? perspectiveFraction(m, w, other.w) : m;
+        CarriedPoint p;
+        p.x = std::lerp(x, other.x, m);
+        p.w = std::lerp(w, other.w, n);
+        p.values.depth = std::lerp(values.depth, other.values.depth, m);
+        for (std::size_t i = 0; i < 3; ++i) {
+            p.values.screen[i] = std::lerp(values.screen[i], other.values.screen[i], m);
+            p.values.weights[i] = std::lerp(values.weights[i], other.values.weights[i], n);
+        }
+        return p;
+    }
+};
+
+/// Sorts the vertices by y, follows the long edge and the two short ones down, and fills the spans between them.
+struct EdgeWalking {
+    static constexpr RasterizerInfo info{Algorithm::EdgeWalking, "Foley & van Dam, Computer Graphics, section 3.6"};
+
+    [[nodiscard]] static std::optional<QString> supports(const Rules&) { return std::nullopt; }
+
+    /// Calls emit(x, y) for every covered sample, row by row from the top, left to right; with edge-then-span also
+    /// what was interpolated on the way.
+    template <class T, class Emit, class Observer>
+    static void cover(const TriangleSetup<T>& setup, const FaceInterpolation& interpolation, const Rules& rules,
+                      Emit& emit, Observer& observer)
+    {
+        const Sorted<T> s = sortByY(setup);
+        const Rows rows = rowsOf(s, setup.bounds, rules);
+        const T middle = s.vertices[1].y;
+        int y = rows.first;
+        // Upper half: long edge and upper short edge. The row through the middle vertex belongs to the lower half
+        // unless there is none.
+        const bool flatBottom = s.vertices[2].y == middle;
+        const auto upperHalf = [&](int row) {
+            const T centre = TriangleSetup<T>::centre(0, row).y;
+            return flatBottom || centre < middle;
+        };
+        if (y <= rows.last && upperHalf(y)) {
+            EdgeWalker<T> longEdge(s.vertices[0], s.vertices[2], y, rules.stepping);
+            EdgeWalker<T> shortEdge(s.vertices[0], s.vertices[1], y, rules.stepping);
+            for (; y <= rows.last && upperHalf(y); ++y, longEdge.step(), shortEdge.step())
+                fillSpan(y, longEdge.crossing(), shortEdge.crossing(), s, setup, interpolation, rules, emit, observer);
+        }
+        if (y <= rows.last) {
+            EdgeWalker<T> longEdge(s.vertices[0], s.vertices[2], y, rules.stepping);
+            EdgeWalker<T> shortEdge(s.vertices[1], s.vertices[2], y, rules.stepping);
+            for (; y <= rows.last; ++y, longEdge.step(), shortEdge.step())
+                fillSpan(y, longEdge.crossing(), shortEdge.crossing(), s, setup, interpolation, rules, emit, observer);
+        }
+    }
+
+private:
+    template <class T>
+    struct Sorted {
+        std::array<Point<T>, 3> vertices;   ///< top, middle, bottom
+        std::array<std::uint8_t, 3> source; ///< which vertex of the screen triangle each of them is
+        bool longEdgeIsLeft;
+    };
+
+    struct Rows {
+        int first;
+        int last;
+    };
+
+    template <class T>
+    static Sorted<T> sortByY(const TriangleSetup<T>& setup)
+    {
+        std::array<std::uint8_t, 3> order{0, 1, 2};
+        std::sort(order.begin(), order.end(), [&](std::uint8_t i, std::uint8_t j) {
+            const Point<T>& a = setup.vertices[i];
+            const Point<T>& b = setup.vertices[j];
+            return a.y != b.y ? a.y < b.y : a.x < b.x;
+        });
+        Sorted<T> s;
+        for (std::size_t i = 0; i < 3; ++i) {
+            s.vertices[i] = setup.vertices[order[i]];
+            s.source[i] = setup.source[order[i]];
+        }
+        // The middle vertex lies right of the long edge if the long edge is the left one.
+        const auto& [top, middle, bottom] = s.vertices;
+        s.longEdgeIsLeft = (bottom.y - top.y) * (middle.x - top.x) > (bottom.x - top.x) * (middle.y - top.y);
+        return s;
+    }
+
+    /// The rows of the bounds, less one whose centre lies on a horizontal edge that does not own its points.
+    template <class T>
+    static Rows rowsOf(const Sorted<T>& s, const PixelRect& bounds, const Rules& rules)
+    {
+        Rows rows{bounds.y, bounds.y + bounds.height - 1};
+        const auto& [top, middle, bottom] = s.vertices;
+        if (top.y == middle.y && rules.tie.owner > 0 && TriangleSetup<T>::centre(0, rows.first).y <= top.y)
+            ++rows.first;
+        if (bottom.y == middle.y && rules.tie.other > 0 && TriangleSetup<T>::centre(0, rows.last).y >= bottom.y)
+            --rows.last;
+        return rows;
+    }
+
+    template <class T, class Emit, class Observer>
+    static void fillSpan(int y, const RowCrossing& longEdge, const RowCrossing& shortEdge, const Sorted<T>& s,
+                         const TriangleSetup<T>& setup, const FaceInterpolation& interpolation, const Rules& rules,
+                         Emit& emit, Observer& observer)
+    {
+        const RowCrossing& left = s.longEdgeIsLeft ? longEdge : shortEdge;
+        const RowCrossing& right = s.longEdgeIsLeft ? shortEdge : longEdge;
+        // Start inclusive, end exclusive: a left edge owns its points, a right one does not.
+        const std::int64_t begin = rules.tie.owner > 0 ? left.after : left.atOrAfter;
+        const std::int64_t end = rules.tie.other > 0 ? right.atOrAfter : right.after;
+        const std::int64_t boundsEnd = std::int64_t(setup.bounds.x) + setup.bounds.width;
+        const int xBegin = static_cast<int>(std::clamp<std::int64_t>(begin, setup.bounds.x, boundsEnd));
+        const int xEnd = static_cast<int>(std::clamp<std::int64_t>(end, xBegin, boundsEnd));
+        observer.onSpan(y, xBegin, xEnd);
+        if (rules.attributePath == AttributePath::Planes) {
+            for (int x = xBegin; x < xEnd; ++x)
+                emit(x, y);
+        } else if (xBegin < xEnd) {
+            emitCarried(y, xBegin, xEnd, s, interpolation, rules, emit);
+        }
+    }
+
+    /// Interpolates along the long and the short edge to the row, then along the span to every sample.
+    template <class T, class Emit>
+    static void emitCarried(int y, int xBegin, int xEnd, const Sorted<T>& s, const FaceInterpolation& interpolation,
+                            const Rules& rules, Emit& emit)
+    {
+        const ScreenTriangle& triangle = interpolation.triangle();
+        const auto point = [&](std::size_t i) {
+            const ScreenVertex& v = triangle.vertices[s.source[i]];
+            CarriedPoint p{v.position.x, 1 / v.invW, {v.depth, {0, 0, 0}, {0, 0, 0}}};
+            p.values.screen[s.source[i]] = p.values.weights[s.source[i]] = 1;
+            return p;
+        };
+        const auto onEdge = [&](std::size_t i, std::size_t j) {
+            const double upper = triangle.vertices[s.source[i]].position.y;
+            const double lower = triangle.vertices[s.source[j]].position.y;
+            return point(i).towards(point(j), (y + 0.5 - upper) / (lower - upper), rules.perspectiveCorrect);
+        };
+        const double middle = triangle.vertices[s.source[1]].position.y;
+        const bool upperHalf = y + 0.5 < middle || s.vertices[1].y == s.vertices[2].y;
+        const CarriedPoint a = onEdge(0, 2);
+        const CarriedPoint b = upperHalf ? onEdge(0, 1) : onEdge(1, 2);
+        for (int x = xBegin; x < xEnd; ++x) {
+            const double m = a.x != b.x ? (x + 0.5 - a.x) / (b.x - a.x) : 0;
+            emit(x, y, a.towards(b, m, rules.perspectiveCorrect).values);
+        }
+    }
+};
+
+} // namespace rasterlens

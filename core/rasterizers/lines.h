@@ -1,0 +1,102 @@
+#pragma once
+#include "core/pipeline/types.h"
+#include "core/rules.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace rasterlens
+{
+
+/// A sample of the grid.
+struct GridPoint {
+    int x;
+    int y;
+};
+
+/// Calls plot(x, y, t) for every sample of the line, both ends included; t is the fraction of the way, 0..1.
+///
+/// covers  all octants: a step along the longer axis always, along the shorter one when the decision variable says
+///         that the upper candidate is nearer, p = 2 dy - dx to begin with
+/// exact   integers only
+/// source  Bresenham, IBM Systems Journal 4(1), 1965
+template <class Plot>
+void bresenhamLine(GridPoint from, GridPoint to, Plot&& plot)
+{
+    const int stepX = to.x < from.x ? -1 : 1;
+    const int stepY = to.y < from.y ? -1 : 1;
+    const int dx = std::abs(to.x - from.x);
+    const int dy = std::abs(to.y - from.y);
+    const bool steep = dy > dx;
+    const int longer = std::max(dx, dy);
+    const int shorter = std::min(dx, dy);
+    int decision = 2 * shorter - longer;
+    GridPoint p = from;
+    for (int i = 0; i <= longer; ++i) {
+        plot(p.x, p.y, longer > 0 ? double(i) / longer : 0.0);
+        const bool sideways = decision > 0;
+        if (sideways) {
+            (steep ? p.x : p.y) += steep ? stepX : stepY;
+            decision -= 2 * longer;
+        }
+        (steep ? p.y : p.x) += steep ? stepY : stepX;
+        decision += 2 * shorter;
+    }
+}
+
+/// The same line by adding the slope in floating point and rounding.
+///
+/// source  digital differential analyzer: Foley & van Dam, Computer Graphics, section 3.2.1
+template <class Plot>
+void ddaLine(GridPoint from, GridPoint to, Plot&& plot)
+{
+    const int steps = std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
+    const double perStepX = steps > 0 ? double(to.x - from.x) / steps : 0;
+    const double perStepY = steps > 0 ? double(to.y - from.y) / steps : 0;
+    double x = from.x;
+    double y = from.y;
+    for (int i = 0; i <= steps; ++i, x += perStepX, y += perStepY)
+        plot(static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y)), steps > 0 ? double(i) / steps : 0.0);
+}
+
+/// The sample that holds a point of the screen.
+[[nodiscard]] inline GridPoint sampleOf(const glm::dvec2& position)
+{
+    return {static_cast<int>(std::floor(position.x)), static_cast<int>(std::floor(position.y))};
+}
+
+/// Draws the three edges of a triangle: emit(x, y, weights) for every sample, also off the target.
+template <class Emit>
+void drawWireframe(const ScreenTriangle& triangle, LineAlgorithm algorithm, Emit& emit)
+{
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3;
+        const auto plot = [&](int x, int y, double t) {
+            Weights weights{0, 0, 0};
+            weights[i] = 1 - t;
+            weights[j] = t;
+            emit(x, y, weights);
+        };
+        const GridPoint from = sampleOf(triangle.vertices[i].position);
+        const GridPoint to = sampleOf(triangle.vertices[j].position);
+        if (algorithm == LineAlgorithm::Bresenham)
+            bresenhamLine(from, to, plot);
+        else
+            ddaLine(from, to, plot);
+    }
+}
+
+/// Draws the three corners of a triangle.
+template <class Emit>
+void drawPoints(const ScreenTriangle& triangle, Emit& emit)
+{
+    for (std::size_t i = 0; i < 3; ++i) {
+        Weights weights{0, 0, 0};
+        weights[i] = 1;
+        const GridPoint p = sampleOf(triangle.vertices[i].position);
+        emit(p.x, p.y, weights);
+    }
+}
+
+} // namespace rasterlens

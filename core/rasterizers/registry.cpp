@@ -1,0 +1,18 @@
+#include "core/rasterizers/registry.h"
+
+#include "core/rasterizers/list.h"
+
+namespace rasterlens
+{
+
+std::optional<QString> rasterizerSupports(const Rules& rules)
+{
+    std::optional<QString> reason = QStringLiteral("this algorithm is not built in");
+    forEachRasterizer([&](auto rasterizer) {
+        if (rasterizer.info.algorithm == rules.algorithm)
+            reason = rasterizer.supports(rules);
+    });
+    return reason;
+}
+
+} // namespace rasterlens

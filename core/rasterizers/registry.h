@@ -1,0 +1,20 @@
+#pragma once
+#include "core/rules.h"
+
+#include <QString>
+
+#include <optional>
+
+namespace rasterlens
+{
+
+/// What a rasterizer says of itself. Title and id are those of the choice in the field table.
+struct RasterizerInfo {
+    Algorithm algorithm;
+    const char* source;
+};
+
+/// Why the algorithm of these rules cannot draw them, or nothing.
+[[nodiscard]] std::optional<QString> rasterizerSupports(const Rules& rules);
+
+} // namespace rasterlens

@@ -1,0 +1,41 @@
+#pragma once
+#include "core/scene.h"
+
+namespace rasterlens
+{
+
+// One function a built-in scene. Each fills mesh, space, lit, background, materials, textures and defaults.
+
+// From the classroom texts: small, with exact numbers.
+[[nodiscard]] Scene makeTriangle();
+[[nodiscard]] Scene makeSquareDiagonal();
+[[nodiscard]] Scene makeTriangle600();
+[[nodiscard]] Scene makeGames101();
+[[nodiscard]] Scene makeTileSquare();
+[[nodiscard]] Scene makeFan();
+[[nodiscard]] Scene makeLines();
+
+// Solids and surfaces.
+[[nodiscard]] Scene makeCube();
+[[nodiscard]] Scene makeSphere();
+[[nodiscard]] Scene makeLetterF();
+[[nodiscard]] Scene makeLeaf();
+[[nodiscard]] Scene makeTorusKnot();
+[[nodiscard]] Scene makeTeapot();
+[[nodiscard]] Scene makeHead();
+
+// What clipping is for.
+[[nodiscard]] Scene makeFloor();
+[[nodiscard]] Scene makeTunnel();
+[[nodiscard]] Scene makeBehindCamera();
+[[nodiscard]] Scene makeCovering();
+[[nodiscard]] Scene makeEdgeGuardband();
+[[nodiscard]] Scene makeSlivers();
+
+// What the depth test is for.
+[[nodiscard]] Scene makePainterCycle();
+[[nodiscard]] Scene makePiercing();
+[[nodiscard]] Scene makeZFighting();
+[[nodiscard]] Scene makeFourZ();
+
+} // namespace rasterlens

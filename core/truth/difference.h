@@ -1,0 +1,41 @@
+#pragma once
+#include <QImage>
+
+#include <cstdint>
+#include <span>
+
+namespace rasterlens
+{
+
+/// How far two pictures are from each other. A channel is red, green or blue in 8-bit steps; alpha is not looked at.
+struct Difference {
+    std::uint64_t pixels = 0;    ///< compared
+    std::uint64_t differing = 0; ///< pixels of which at least one channel differs
+    int max = 0;                 ///< largest difference of a channel, 0..255
+    double mean = 0;             ///< mean difference of a channel, over all pixels
+    double psnrDb = 0;           ///< 10 log10(255^2 / mean squared difference); infinite for equal pictures
+
+    friend bool operator==(const Difference&, const Difference&) = default;
+};
+
+/// in      pictures of one size, any format
+/// exact   counts and max; the sums behind mean and psnrDb are integers
+[[nodiscard]] Difference difference(const QImage& a, const QImage& b);
+
+/// One class of the heat map: pixels whose largest channel difference is at least `steps`.
+struct HeatClass {
+    int steps;
+    QRgb color;
+};
+
+/// The colours of the heat map from small to large: 1, 2, 4 .. 128 steps, the lighter the further apart.
+[[nodiscard]] std::span<const HeatClass> heatScale();
+
+/// Where two pictures differ: a pixel that differs has the colour of its class, so that a single step is as easy to
+/// find as a wrong pixel; all others show `a` as a dark grey.
+///
+/// in      pictures of one size, any format
+/// out     Format_RGB32
+[[nodiscard]] QImage heatMap(const QImage& a, const QImage& b);
+
+} // namespace rasterlens
