@@ -40,9 +40,10 @@ void CountingObserver::onTriangle(const ScreenTriangle& triangle)
 {
     for (std::size_t i = 0; i < 3; ++i)
         m_positions[i] = triangle.vertices[i].position;
-    const double area2 = std::abs(twiceArea(m_positions[0], m_positions[1], m_positions[2]));
+    const double area2 = twiceArea(m_positions[0], m_positions[1], m_positions[2]);
+    m_counterClockwise = area2 > 0;
     for (std::size_t i = 0; i < 3; ++i)
-        m_nearEdge[i] = kNearEdge * glm::distance(m_positions[(i + 1) % 3], m_positions[(i + 2) % 3]) / area2;
+        m_nearEdge[i] = kNearEdge * glm::distance(m_positions[(i + 1) % 3], m_positions[(i + 2) % 3]) / std::abs(area2);
 }
 
 void CountingObserver::onFragment(const Fragment& fragment, bool passedDepth)
@@ -53,8 +54,10 @@ void CountingObserver::onFragment(const Fragment& fragment, bool passedDepth)
     for (std::size_t i = 0; i < 3; ++i) {
         if (fragment.screen[i] > m_nearEdge[i])
             continue;
-        const glm::dvec2 from = m_positions[(i + 1) % 3];
-        const glm::dvec2 to = m_positions[(i + 2) % 3];
+        glm::dvec2 from = m_positions[(i + 1) % 3];
+        glm::dvec2 to = m_positions[(i + 2) % 3];
+        if (!m_counterClockwise)
+            std::swap(from, to);
         const std::uint64_t sample = static_cast<std::uint64_t>(fragment.y) * static_cast<std::uint64_t>(m_columns) +
                                      static_cast<std::uint64_t>(fragment.x);
         m_hits.insert({from, to, sample});
