@@ -82,8 +82,8 @@ FieldRow::FieldRow(const SettingsField& field, const Language& language, QWidget
     m_key->setAlignment(Qt::AlignCenter);
     m_key->setMinimumWidth(14);
     row->addWidget(m_dot);
-    row->addWidget(m_name, 10);
-    row->addWidget(m_editor, 11);
+    row->addWidget(m_name, 9);
+    row->addWidget(m_editor, 12);
     row->addWidget(m_key);
     connect(m_dot, &ChangeDot::clicked, this, &FieldRow::resetRequested);
     retranslate();

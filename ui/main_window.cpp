@@ -34,7 +34,7 @@ namespace rasterlens
 namespace
 {
 
-constexpr int kPipelineWidth = 282;
+constexpr int kPipelineWidth = 300;
 constexpr int kStatisticsWidth = 236;
 constexpr int kActivityDelayMs = 150;
 constexpr int kLayoutVersion = 1;

@@ -185,8 +185,8 @@ void PipelinePanel::addSize(QVBoxLayout* group)
     auto* room = new QLabel;
     room->setMinimumWidth(14);
     row->addWidget(dot);
-    row->addWidget(m_sizeLabel, 10);
-    row->addWidget(m_sizeBox, 11);
+    row->addWidget(m_sizeLabel, 9);
+    row->addWidget(m_sizeBox, 12);
     row->addWidget(room);
     group->addWidget(widget);
 }

@@ -169,7 +169,7 @@ QString StageStrip::figure(Stage stage) const
     const Statistics& counts = m_counted ? m_counted->statistics : kNothing;
     const auto shading = findSettingsField(QStringLiteral("shading"));
     switch (stage) {
-    case Stage::Scene: return tr("%1 faces").arg(grouped(m_faceCount));
+    case Stage::Scene: return m_faceCount == 1 ? tr("1 face") : tr("%1 faces").arg(grouped(m_faceCount));
     case Stage::Clip: return tr("%1 cut").arg(grouped(counts.faces.clipped));
     case Stage::Screen: return tr("snapped 1/%1").arg(1 << m_settings.subpixelBits);
     case Stage::Cull: return tr("%1 culled").arg(grouped(counts.faces.culledBack + counts.faces.culledFront));

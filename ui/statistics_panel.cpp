@@ -97,7 +97,7 @@ StatisticsPanel::StatisticsPanel(QWidget* parent)
     auto* grid = new QGridLayout(content);
     grid->setContentsMargins(0, 0, 4, 0);
     grid->setHorizontalSpacing(16);
-    grid->setVerticalSpacing(1);
+    grid->setVerticalSpacing(2);
     grid->setColumnStretch(0, 1);
     int line = 0;
     const auto addHeading = [&] {

@@ -10,8 +10,18 @@ namespace rasterlens
 namespace
 {
 
-constexpr qreal kPointSize = 9;
+constexpr qreal kPointSize = 9.5;
 constexpr qreal kPresentationPointSize = 18;
+
+/// A compact face where there is one: panels are narrow. Otherwise the system's.
+QString textFamily()
+{
+    const QStringList installed = QFontDatabase::families();
+    for (const char* family : {"Inter", "Noto Sans", "Segoe UI", "Noto Sans CJK SC"})
+        if (installed.contains(QLatin1String(family)))
+            return QLatin1String(family);
+    return QFontDatabase::systemFont(QFontDatabase::GeneralFont).family();
+}
 
 QPalette paletteOf(const ThemeColors& colors)
 {
@@ -49,7 +59,7 @@ QString styleSheetOf(const ThemeColors& colors)
 QMainWindow, QMainWindow::separator { background: @window; }
 QMainWindow::separator { width: 7px; height: 7px; }
 QMainWindow::separator:hover { background: @border; }
-QMenuBar { background: @card; color: @text; padding: 2px 6px; }
+QMenuBar { background: @window; color: @text; padding: 2px 0; }
 QMenuBar::item { padding: 5px 10px; border-radius: 5px; background: transparent; }
 QMenuBar::item:selected { background: @accentSoft; }
 QMenu { background: @card; color: @text; border: 1px solid @border; padding: 4px; }
@@ -140,8 +150,8 @@ void applyLook(QApplication& application, const Look& look)
 {
     const ThemeColors& colors = themeColors(look.kind);
     application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-    QFont font(QFontDatabase::systemFont(QFontDatabase::GeneralFont).family());
-    font.setFamilies({font.family(), QStringLiteral("Noto Sans CJK SC"), QStringLiteral("PingFang SC"),
+    QFont font;
+    font.setFamilies({textFamily(), QStringLiteral("Noto Sans CJK SC"), QStringLiteral("PingFang SC"),
                       QStringLiteral("Microsoft YaHei")});
     font.setPointSizeF(look.presentation ? kPresentationPointSize : kPointSize);
     application.setFont(font);
