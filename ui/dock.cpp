@@ -1,8 +1,5 @@
 #include "ui/dock.h"
 
-#include "ui/theme.h"
-
-#include <QEvent>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -22,7 +19,7 @@ Dock::Dock(const QString& id, QWidget* panel, QWidget* parent) : QDockWidget(par
     m_titleRow->setContentsMargins(12, 8, 8, 4);
     m_titleRow->setSpacing(2);
     m_title = new QLabel;
-    m_title->setFont(textFont(1, true));
+    m_title->setObjectName(QStringLiteral("title"));
     m_titleRow->addWidget(m_title, 1);
     setTitleBarWidget(title);
 
@@ -47,13 +44,6 @@ QToolButton* Dock::addLink()
     link->setCursor(Qt::PointingHandCursor);
     m_titleRow->addWidget(link);
     return link;
-}
-
-void Dock::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::ApplicationFontChange)
-        m_title->setFont(textFont(1, true));
-    QDockWidget::changeEvent(event);
 }
 
 } // namespace rasterlens

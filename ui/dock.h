@@ -20,9 +20,6 @@ public:
     void setTitle(const QString& title);
     QToolButton* addLink();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     QLabel* m_title = nullptr;
     QHBoxLayout* m_titleRow = nullptr;

@@ -1,7 +1,6 @@
 #include "ui/field_row.h"
 
 #include "ui/applicability.h"
-#include "ui/theme.h"
 
 #include <QAbstractItemView>
 #include <QCheckBox>
@@ -78,12 +77,12 @@ FieldRow::FieldRow(const SettingsField& field, const Language& language, QWidget
     makeEditor();
     m_editor->setObjectName(QStringLiteral("field-") + QLatin1String(field.id));
     m_key = new QLabel;
-    m_key->setObjectName(QStringLiteral("muted"));
+    m_key->setObjectName(QStringLiteral("keyHint"));
     m_key->setAlignment(Qt::AlignCenter);
     m_key->setMinimumWidth(14);
     row->addWidget(m_dot);
     row->addWidget(m_name, 9);
-    row->addWidget(m_editor, 12);
+    row->addWidget(m_editor, 13);
     row->addWidget(m_key);
     connect(m_dot, &ChangeDot::clicked, this, &FieldRow::resetRequested);
     retranslate();
@@ -106,7 +105,6 @@ void FieldRow::makeEditor()
         spin->setRange(m_field.minimum, m_field.maximum);
         spin->setKeyboardTracking(false);
         spin->setFocusPolicy(Qt::StrongFocus);
-        spin->setButtonSymbols(QAbstractSpinBox::PlusMinus);
         connect(spin, &QSpinBox::valueChanged, this, &FieldRow::chosen);
         m_editor = spin;
         break;
@@ -166,7 +164,6 @@ void FieldRow::retranslate()
     if (auto* combo = qobject_cast<QComboBox*>(m_editor))
         for (int i = 0; i < combo->count(); ++i)
             combo->setItemText(i, translated(m_field.choices[static_cast<std::size_t>(i)].title));
-    m_key->setFont(textFont(-1));
     updateToolTip();
 }
 

@@ -34,8 +34,8 @@ namespace rasterlens
 namespace
 {
 
-constexpr int kPipelineWidth = 300;
-constexpr int kStatisticsWidth = 236;
+constexpr int kPipelineWidth = 298;
+constexpr int kStatisticsWidth = 220;
 constexpr int kActivityDelayMs = 150;
 constexpr int kLayoutVersion = 1;
 
@@ -59,6 +59,7 @@ QString zoomText(double zoom)
 
 MainWindow::MainWindow(Memory memory, QWidget* parent) : QMainWindow(parent), m_memory(memory)
 {
+    applyLook(*qApp, m_look);
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
@@ -82,7 +83,7 @@ void MainWindow::buildLayout()
 {
     auto* central = new QWidget;
     auto* column = new QVBoxLayout(central);
-    column->setContentsMargins(0, 7, 0, 0);
+    column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(7);
     auto* stripCard = new QFrame;
     stripCard->setObjectName(QStringLiteral("card"));

@@ -4,7 +4,6 @@
 #include "core/render.h"
 #include "ui/field_row.h"
 #include "ui/stage_strip.h"
-#include "ui/theme.h"
 
 #include <QAbstractItemView>
 #include <QCoreApplication>
@@ -66,7 +65,7 @@ PipelinePanel::PipelinePanel(Document& document, const Language& language, QWidg
     addScene(top);
     auto* header = new QHBoxLayout;
     m_heading = new QLabel;
-    m_heading->setObjectName(QStringLiteral("heading"));
+    m_heading->setObjectName(QStringLiteral("title"));
     m_reset = linkButton();
     connect(m_reset, &QToolButton::clicked, this, [this] { m_document.resetSettings(); });
     header->addWidget(m_heading, 1);
@@ -186,7 +185,7 @@ void PipelinePanel::addSize(QVBoxLayout* group)
     room->setMinimumWidth(14);
     row->addWidget(dot);
     row->addWidget(m_sizeLabel, 9);
-    row->addWidget(m_sizeBox, 12);
+    row->addWidget(m_sizeBox, 13);
     row->addWidget(room);
     group->addWidget(widget);
 }
@@ -288,7 +287,6 @@ void PipelinePanel::syncSettings()
 void PipelinePanel::retranslate()
 {
     m_heading->setText(tr("Pipeline"));
-    m_heading->setFont(textFont(1, true));
     m_open->setText(tr("Open\u2026"));
     m_reset->setToolTip(tr("Put back every value to what the scene asks for"));
     m_sizeLabel->setText(tr("Size in pixels"));
@@ -296,7 +294,6 @@ void PipelinePanel::retranslate()
         tr("Width and height of the picture, 1 to %1 each. The window only magnifies it.").arg(kMaxViewport));
     for (const auto& [stage, heading] : m_groupHeadings) {
         heading->setText(stageTitle(stage));
-        heading->setFont(textFont(0, true));
     }
     for (FieldRow* row : m_rows)
         row->retranslate();
@@ -306,7 +303,7 @@ void PipelinePanel::retranslate()
 
 void PipelinePanel::changeEvent(QEvent* event)
 {
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::ApplicationFontChange)
+    if (event->type() == QEvent::LanguageChange)
         retranslate();
     QWidget::changeEvent(event);
 }

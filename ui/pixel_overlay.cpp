@@ -95,6 +95,16 @@ QFont cellFont(double zoom, int digits)
     return font;
 }
 
+/// Black or white, whichever stands out more (WCAG 2.1, relative luminance).
+QColor readableOn(QRgb color)
+{
+    const auto linear = [](int channel) { return std::pow(channel / 255.0, 2.2); };
+    const double luminance =
+        0.2126 * linear(qRed(color)) + 0.7152 * linear(qGreen(color)) + 0.0722 * linear(qBlue(color));
+    constexpr double kEqualContrast = 0.179;
+    return luminance > kEqualContrast ? QColor(10, 12, 16) : QColor(250, 251, 253);
+}
+
 void paintNumbers(QPainter& painter, const QRect& pixels, const CanvasTransform& transform, const Frame& frame)
 {
     constexpr double kDecimalsFromZoom = 64;
@@ -110,7 +120,7 @@ void paintNumbers(QPainter& painter, const QRect& pixels, const CanvasTransform&
         for (int x = pixels.left(); x <= pixels.right(); ++x) {
             const QRgb color = frame.image.pixel(x, y);
             const QRectF cell = transform.toCanvas(QRectF(x, y, 1, 1)).adjusted(2, 3, -2, -3);
-            painter.setPen(qGray(color) > 140 ? QColor(20, 24, 30) : QColor(245, 247, 250));
+            painter.setPen(readableOn(color));
             const QString text = decimals
                                      ? QStringLiteral("%1 %2 %3").arg(qRed(color)).arg(qGreen(color)).arg(qBlue(color))
                                      : QColor(color).name().toUpper();

@@ -36,9 +36,11 @@ public:
         setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     }
 
-    /// The short figure is shown where the long one has no room.
-    void setFigure(const QString& figure, const QString& shortFigure)
+    /// The short texts are shown where the long ones have no room.
+    void setTexts(const QString& name, const QString& shortName, const QString& figure, const QString& shortFigure)
     {
+        setText(name);
+        m_shortName = shortName;
         m_figure = figure;
         m_shortFigure = shortFigure;
         setAccessibleDescription(figure);
@@ -68,7 +70,7 @@ protected:
         const QRectF upper(box.left(), box.top() + 5, box.width(), QFontMetricsF(nameFont()).height());
         const QRectF lower(box.left(), upper.bottom() + 1, box.width(), QFontMetricsF(figureFont()).height());
         painter.setPen(palette().color(marked ? QPalette::HighlightedText : QPalette::Text));
-        drawFitting(painter, upper, nameFont(), {text()});
+        drawFitting(painter, upper, nameFont(), {text(), m_shortName});
         if (!marked)
             painter.setPen(palette().color(QPalette::PlaceholderText));
         drawFitting(painter, lower, figureFont(), {m_figure, m_shortFigure});
@@ -103,6 +105,7 @@ private:
         painter.drawText(box, Qt::AlignCenter, QFontMetricsF(font).elidedText(text, Qt::ElideRight, box.width()));
     }
 
+    QString m_shortName;
     QString m_figure;
     QString m_shortFigure;
     bool m_last;
@@ -188,7 +191,6 @@ void StageStrip::updateTexts()
     const Statistics counts = m_counted ? m_counted->statistics : Statistics{};
     for (const Stage stage : kStages) {
         StageChip* chip = m_chips[static_cast<std::size_t>(stage)];
-        chip->setText(stageTitle(stage));
         QString shortFigure = figure(stage);
         switch (stage) {
         case Stage::Scene: shortFigure = shortened(m_faceCount); break;
@@ -200,7 +202,8 @@ void StageStrip::updateTexts()
         case Stage::Shade:
         case Stage::Image: break;
         }
-        chip->setFigure(figure(stage), shortFigure);
+        const QString shortName = stage == Stage::Clip ? tr("Clip", "short for clip space") : stageTitle(stage);
+        chip->setTexts(stageTitle(stage), shortName, figure(stage), shortFigure);
         chip->setToolTip(QStringLiteral("%1: %2").arg(stageTitle(stage), figure(stage)));
     }
 }

@@ -1,7 +1,6 @@
 #include "ui/statistics_panel.h"
 
 #include "ui/numbers.h"
-#include "ui/theme.h"
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -95,7 +94,7 @@ StatisticsPanel::StatisticsPanel(QWidget* parent)
     auto* content = new QWidget;
     content->setObjectName(QStringLiteral("panelContent"));
     auto* grid = new QGridLayout(content);
-    grid->setContentsMargins(0, 0, 4, 0);
+    grid->setContentsMargins(0, 0, 2, 0);
     grid->setHorizontalSpacing(16);
     grid->setVerticalSpacing(2);
     grid->setColumnStretch(0, 1);
@@ -107,10 +106,11 @@ StatisticsPanel::StatisticsPanel(QWidget* parent)
         grid->addWidget(label, line++, 0, 1, 2);
         return label;
     };
-    const auto addRow = [&](QLabel*& name, QLabel*& value) {
+    const auto addRow = [&](QLabel*& name, QLabel*& value, const char* look) {
         name = new QLabel;
         name->setObjectName(QStringLiteral("muted"));
         value = new QLabel(QStringLiteral("\u2013"));
+        value->setObjectName(QLatin1String(look));
         value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         value->setTextInteractionFlags(Qt::TextSelectableByMouse);
         grid->addWidget(name, line, 0);
@@ -118,12 +118,12 @@ StatisticsPanel::StatisticsPanel(QWidget* parent)
     };
     for (Row& row : m_rows)
         if (row.get)
-            addRow(row.name, row.value);
+            addRow(row.name, row.value, "counter");
         else
             row.name = addHeading();
     m_timesHeading = addHeading();
     for (TimeRow& row : m_timeRows)
-        addRow(row.name, row.value);
+        addRow(row.name, row.value, "time");
     grid->setRowStretch(line, 1);
     m_scroll->setWidget(content);
     column->addWidget(m_scroll, 1);
@@ -159,7 +159,7 @@ void StatisticsPanel::setFrame(const FramePtr& frame)
 /// No counter is ever cut off: the panel is as wide as its widest row.
 void StatisticsPanel::keepWideEnough()
 {
-    constexpr int kScrollBarRoom = 10;
+    constexpr int kScrollBarRoom = 12;
     const int needed = m_scroll->widget()->sizeHint().width() + kScrollBarRoom;
     if (m_scroll->minimumWidth() < needed)
         m_scroll->setMinimumWidth(needed);
@@ -229,22 +229,21 @@ QString StatisticsPanel::shown(const QString& counter) const
 void StatisticsPanel::retranslate()
 {
     const auto translated = [](const char* text) { return QCoreApplication::translate("StatisticsPanel", text); };
-    m_fps->setFont(textFont(7, true));
-    m_fpsUnit->setText(translated(QT_TRANSLATE_NOOP("StatisticsPanel", "frames per second (FPS)")));
+    m_fpsUnit->setText(QStringLiteral("FPS"));
+    m_fpsUnit->setToolTip(translated(QT_TRANSLATE_NOOP(
+        "StatisticsPanel",
+        "Frames per second: counted while frames keep coming, else what the last frame's time allows.")));
+    m_fps->setToolTip(m_fpsUnit->toolTip());
     m_timesHeading->setText(translated(QT_TRANSLATE_NOOP("StatisticsPanel", "Milliseconds")));
-    QFont bold = numberFont();
-    bold.setBold(true);
     for (const Row& row : m_rows) {
         row.name->setText(translated(row.title));
         if (!row.get)
             continue;
-        row.value->setFont(bold);
         row.name->setToolTip(translated(row.help));
         row.value->setToolTip(row.name->toolTip());
     }
     for (const TimeRow& row : m_timeRows) {
         row.name->setText(translated(row.title));
-        row.value->setFont(numberFont());
     }
     m_scroll->setMinimumWidth(0);
     keepWideEnough();
@@ -252,8 +251,7 @@ void StatisticsPanel::retranslate()
 
 void StatisticsPanel::changeEvent(QEvent* event)
 {
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::ApplicationFontChange ||
-        event->type() == QEvent::FontChange)
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::StyleChange)
         retranslate();
     QWidget::changeEvent(event);
 }

@@ -75,8 +75,15 @@ QWidget#dockTitle { background: @card; border: 1px solid @border; border-bottom:
                     border-top-left-radius: 8px; border-top-right-radius: 8px; }
 QFrame#dockBody { background: @card; border: 1px solid @border; border-top: none;
                   border-bottom-left-radius: 8px; border-bottom-right-radius: 8px; }
-QLabel#heading { font-weight: 600; }
-QLabel#muted { color: @muted; }
+QLabel#heading, QLabel#groupHeading { font-weight: bold; }
+QLabel#title { font-weight: bold; font-size: @ptTitle; }
+QLabel#muted, QLabel#keyHint { color: @muted; }
+QLabel#keyHint { font-size: @ptSmall; }
+QLabel#fps { font-weight: bold; font-size: @ptHuge; }
+QLabel#counter { font-family: "@mono"; font-weight: bold; }
+QLabel#counter:disabled { color: @muted; }
+QLabel#time, QLabel#readout { font-family: "@mono"; }
+QLabel#caption { background: @card; color: @text; border-top: 1px solid @border; }
 QScrollArea, QScrollArea > QWidget > QWidget#panelContent { background: transparent; border: none; }
 QScrollBar:vertical { background: transparent; width: 9px; margin: 0; }
 QScrollBar::handle:vertical { background: @border; border-radius: 4px; min-height: 24px; }
@@ -92,7 +99,18 @@ QComboBox::down-arrow { image: url(:/rasterlens/icons/chevron-@kind.png); width:
 QComboBox::down-arrow:disabled { image: none; }
 QComboBox QAbstractItemView { background: @card; color: @text; border: 1px solid @border; outline: none;
                               selection-background-color: @accentSoft; selection-color: @text; }
-QCheckBox { color: @text; spacing: 6px; }
+QSpinBox::up-button, QSpinBox::down-button { border: none; background: transparent; width: 16px;
+                                             subcontrol-origin: border; }
+QSpinBox::up-button { subcontrol-position: top right; margin-top: 2px; }
+QSpinBox::down-button { subcontrol-position: bottom right; margin-bottom: 2px; }
+QSpinBox::up-arrow { image: url(:/rasterlens/icons/chevron-up-@kind.png); width: 8px; height: 8px; }
+QSpinBox::down-arrow { image: url(:/rasterlens/icons/chevron-@kind.png); width: 8px; height: 8px; }
+QCheckBox { color: @text; spacing: 6px; padding: 2px 0; }
+QCheckBox::indicator { width: 14px; height: 14px; border: 1px solid @muted; border-radius: 4px; background: @card; }
+QCheckBox::indicator:hover, QCheckBox::indicator:focus { border-color: @accent; }
+QCheckBox::indicator:checked { background: @accent; border-color: @accent;
+                               image: url(:/rasterlens/icons/check-@kind.png); }
+QCheckBox::indicator:disabled { border-color: @border; }
 QPushButton, QToolButton#flat { background: @accentSoft; color: @text; border: 1px solid @border; border-radius: 5px;
                                 padding: 3px 10px; }
 QPushButton:hover { border-color: @accent; }
@@ -157,6 +175,11 @@ void applyLook(QApplication& application, const Look& look)
     application.setFont(font);
     application.setPalette(paletteOf(colors));
     QString sheet = styleSheetOf(colors);
+    const auto points = [&](qreal delta) { return QStringLiteral("%1pt").arg(font.pointSizeF() + delta); };
+    sheet.replace(QLatin1String("@ptTitle"), points(1));
+    sheet.replace(QLatin1String("@ptSmall"), points(-1));
+    sheet.replace(QLatin1String("@ptHuge"), points(7));
+    sheet.replace(QLatin1String("@mono"), QFontDatabase::systemFont(QFontDatabase::FixedFont).family());
     sheet.replace(QLatin1String("@kind"),
                   look.kind == ThemeKind::Light ? QLatin1String("light") : QLatin1String("dark"));
     application.setStyleSheet(sheet);
