@@ -4,7 +4,6 @@
 
 #include <bit>
 #include <cmath>
-#include <utility>
 
 namespace rasterlens
 {
@@ -41,11 +40,10 @@ void CountingObserver::onTriangle(const ScreenTriangle& triangle)
 {
     for (std::size_t i = 0; i < 3; ++i)
         m_positions[i] = triangle.vertices[i].position;
-    const double signedArea2 = twiceArea(m_positions[0], m_positions[1], m_positions[2]);
-    m_reversed = signedArea2 < 0;
-    const double area2 = std::abs(signedArea2);
+    const double area2 = twiceArea(m_positions[0], m_positions[1], m_positions[2]);
+    m_counterClockwise = area2 > 0;
     for (std::size_t i = 0; i < 3; ++i)
-        m_nearEdge[i] = kNearEdge * glm::distance(m_positions[(i + 1) % 3], m_positions[(i + 2) % 3]) / area2;
+        m_nearEdge[i] = kNearEdge * glm::distance(m_positions[(i + 1) % 3], m_positions[(i + 2) % 3]) / std::abs(area2);
 }
 
 void CountingObserver::onFragment(const Fragment& fragment, bool passedDepth)
@@ -58,7 +56,7 @@ void CountingObserver::onFragment(const Fragment& fragment, bool passedDepth)
             continue;
         glm::dvec2 from = m_positions[(i + 1) % 3];
         glm::dvec2 to = m_positions[(i + 2) % 3];
-        if (m_reversed)
+        if (!m_counterClockwise)
             std::swap(from, to);
         const std::uint64_t sample = static_cast<std::uint64_t>(fragment.y) * static_cast<std::uint64_t>(m_columns) +
                                      static_cast<std::uint64_t>(fragment.x);

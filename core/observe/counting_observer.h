@@ -20,6 +20,7 @@ public:
     void onTriangle(const ScreenTriangle& triangle);
     void onSpan(int, int xBegin, int xEnd) { m_statistics.pixels.tested += static_cast<std::uint64_t>(xEnd - xBegin); }
     void onSample(int, int, const EdgeValues&, bool) { ++m_statistics.pixels.tested; }
+    void onLineSample(int, int, bool) { ++m_statistics.pixels.tested; }
     void onFragment(const Fragment& fragment, bool passedDepth);
     void onShade(const Fragment&) { ++m_statistics.pixels.shaded; }
     void onWrite(int, int, Pixel, Pixel) { ++m_statistics.pixels.written; }
@@ -27,8 +28,8 @@ public:
     [[nodiscard]] const Statistics& statistics() const { return m_statistics; }
 
 private:
-    /// An edge of the screen, directed as its triangle runs when turned to us, and the sample it was hit at. Neighbours
-    /// on both sides of an edge walk it in opposite directions; at a fold, where both lie on one side, in the same.
+    /// An edge of the screen with the triangle on its left, and a sample the triangle covers close to it: triangles on
+    /// opposite sides of an edge have it in opposite directions.
     struct EdgeHit {
         glm::dvec2 from;
         glm::dvec2 to;
@@ -42,8 +43,8 @@ private:
     int m_columns;
     Statistics m_statistics;
     std::array<glm::dvec2, 3> m_positions{};
-    bool m_reversed = false; ///< the triangle shows its back
-    Weights m_nearEdge{};    ///< weights below these are close to the edge opposite the vertex
+    bool m_counterClockwise = true;
+    Weights m_nearEdge{}; ///< weights below these are close to the edge opposite the vertex
     std::unordered_set<EdgeHit, EdgeHitHash> m_hits;
     std::unordered_set<std::uint64_t> m_hitTwice;
 };

@@ -46,8 +46,8 @@ Scene makeTunnel()
         for (int side = 0; side < kSides; ++side) {
             const float light = 1 - 0.8F * static_cast<float>(ring) / kRings;
             const glm::vec3 color = (side + ring) % 2 == 0 ? glm::vec3(0.95F, 0.92F, 0.85F) : rainbow(ring / 12.0);
-            addFlatQuad(scene.mesh, point(side + 1, ring), point(side, ring), point(side, ring + 1),
-                        point(side + 1, ring + 1), light * color);
+            addFlatQuad(scene.mesh, point(side, ring), point(side + 1, ring), point(side + 1, ring + 1),
+                        point(side, ring + 1), light * color);
         }
     scene.defaults.view = viewFrom({0.25, -0.2, 0}, {0.1, 0, -10}, 0.1, 100);
     return scene;
@@ -95,7 +95,7 @@ Scene makeEdgeGuardband()
             return center + radius * glm::dvec2(std::cos(turn), -std::sin(turn));
         };
         const glm::vec3 color = rainbow(static_cast<double>(blade) / kBlades);
-        addClipTriangle(scene.mesh, cornerAtPixel(polar(angle, 120), size, kWhite),
+        addClipTriangle(scene.mesh, cornerAtPixel(polar(angle, 120), size, color),
                         cornerAtPixel(polar(angle - halfAngle, reach), size, color),
                         cornerAtPixel(polar(angle + halfAngle, reach), size, color));
     }

@@ -1,0 +1,263 @@
+#include "core/truth/exact_geometry.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace mp = boost::multiprecision;
+
+namespace rasterlens::exact
+{
+
+Integer floorDivide(const Integer& numerator, const Integer& denominator)
+{
+    assert(denominator > 0);
+    Integer quotient;
+    Integer remainder;
+    mp::divide_qr(numerator, denominator, quotient, remainder);
+    return remainder.sign() < 0 ? Integer(quotient - 1) : quotient;
+}
+
+Integer roundHalfToEven(const Integer& numerator, const Integer& denominator)
+{
+    const Integer low = floorDivide(numerator, denominator);
+    const Integer twice = 2 * (numerator - low * denominator);
+    const bool up = twice > denominator || (twice == denominator && mp::bit_test(mp::abs(low), 0));
+    return up ? Integer(low + 1) : low;
+}
+
+double Scaled::value(int base) const { return std::ldexp(mantissa, exponent - base); }
+
+Scaled scaled(const Integer& value)
+{
+    const auto& backend = value.backend();
+    const int limbs = static_cast<int>(backend.size());
+    double mantissa = 0;
+    const int first = std::max(0, limbs - 3);
+    for (int i = limbs - 1; i >= first; --i)
+        mantissa = mantissa * 0x1p64 + static_cast<double>(backend.limbs()[i]);
+    Scaled result;
+    result.mantissa = std::frexp(value.sign() < 0 ? -mantissa : mantissa, &result.exponent);
+    result.exponent += 64 * first;
+    return result;
+}
+
+double ratio(const Integer& numerator, const Integer& denominator)
+{
+    const Scaled top = scaled(numerator);
+    const Scaled bottom = scaled(denominator);
+    return std::ldexp(top.mantissa / bottom.mantissa, top.exponent - bottom.exponent);
+}
+
+Linear operator*(const Linear& f, const Integer& factor)
+{
+    return {f.perColumn * factor, f.perRow * factor, f.origin * factor};
+}
+
+Linear operator+(const Linear& f, const Linear& g)
+{
+    return {f.perColumn + g.perColumn, f.perRow + g.perRow, f.origin + g.origin};
+}
+
+void keepPositive(const Linear& f, int row, Columns& columns)
+{
+    const Integer onRow = f.onRow(row);
+    const int slope = f.perColumn.sign();
+    if (slope == 0) {
+        if (onRow.sign() < 0 || (onRow.sign() == 0 && f.perRow.sign() < 0))
+            columns.end = columns.begin;
+        return;
+    }
+    // f crosses zero at -onRow / perColumn
+    const Integer ceiling = slope > 0 ? Integer(-floorDivide(onRow, f.perColumn))
+                                      : Integer(-floorDivide(Integer(-onRow), Integer(-f.perColumn)));
+    const int crossing = clampedTo(columns, ceiling);
+    (slope > 0 ? columns.begin : columns.end) = crossing;
+}
+
+std::array<Corner, 3> integerCorners(const ClipTriangle& triangle)
+{
+    constexpr int kMantissaBits = 53;
+    std::array<std::array<std::int64_t, 4>, 3> mantissas{};
+    std::array<std::array<int, 4>, 3> exponents{};
+    int lowest = std::numeric_limits<int>::max();
+    for (std::size_t v = 0; v < 3; ++v)
+        for (std::size_t k = 0; k < 4; ++k) {
+            const double value = triangle.vertices[v].positionClip[static_cast<int>(k)];
+            if (value == 0)
+                continue;
+            int exponent = 0;
+            auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent), kMantissaBits));
+            exponent -= kMantissaBits;
+            for (; mantissa % 2 == 0; mantissa /= 2)
+                ++exponent;
+            mantissas[v][k] = mantissa;
+            exponents[v][k] = exponent;
+            lowest = std::min(lowest, exponent);
+        }
+    std::array<Corner, 3> corners;
+    for (std::size_t v = 0; v < 3; ++v) {
+        corners[v].weights[v] = 1;
+        for (std::size_t k = 0; k < 4; ++k)
+            if (mantissas[v][k] != 0)
+                corners[v].position[k] = Integer(mantissas[v][k]) << (exponents[v][k] - lowest);
+    }
+    return corners;
+}
+
+namespace
+{
+
+/// How far a corner is inside each plane, times w: x, y, z; the one at -w (z: at the near plane) first.
+Integer planeDistance(const Corner& corner, int plane, ClipZ clipZ)
+{
+    const Integer& value = corner.position[static_cast<std::size_t>(plane / 2)];
+    const Integer& w = corner.position[3];
+    if (plane == 4 && clipZ == ClipZ::D3d)
+        return value;
+    return plane % 2 == 0 ? Integer(w + value) : Integer(w - value);
+}
+
+/// The point of the segment on the plane that lies `a` inside and `b` outside of it; positive multiples only.
+Corner cut(const Corner& first, const Integer& firstDistance, const Corner& second, const Integer& secondDistance)
+{
+    const Integer a = mp::abs(secondDistance);
+    const Integer b = mp::abs(firstDistance);
+    Corner result;
+    for (std::size_t k = 0; k < 4; ++k)
+        result.position[k] = first.position[k] * a + second.position[k] * b;
+    for (std::size_t k = 0; k < 3; ++k)
+        result.weights[k] = first.weights[k] * a + second.weights[k] * b;
+
+    Integer common = 0;
+    for (const Integer& value : result.position)
+        common = mp::gcd(common, value);
+    for (const Integer& value : result.weights)
+        common = mp::gcd(common, value);
+    for (Integer& value : result.position)
+        value /= common;
+    for (Integer& value : result.weights)
+        value /= common;
+    return result;
+}
+
+} // namespace
+
+std::vector<Corner> clipExactly(const std::array<Corner, 3>& corners, ClipZ clipZ)
+{
+    std::vector<Corner> polygon(corners.begin(), corners.end());
+    for (int plane = 0; plane < 6 && polygon.size() >= 3; ++plane) {
+        std::vector<Integer> distances;
+        for (const Corner& corner : polygon)
+            distances.push_back(planeDistance(corner, plane, clipZ));
+        if (std::all_of(distances.begin(), distances.end(), [](const Integer& d) { return d.sign() >= 0; }))
+            continue;
+        std::vector<Corner> kept;
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const std::size_t next = (i + 1) % polygon.size();
+            if (distances[i].sign() >= 0)
+                kept.push_back(polygon[i]);
+            if (distances[i].sign() * distances[next].sign() < 0)
+                kept.push_back(cut(polygon[i], distances[i], polygon[next], distances[next]));
+        }
+        polygon = std::move(kept);
+    }
+    if (polygon.size() < 3)
+        polygon.clear();
+    return polygon;
+}
+
+ScreenCorner toScreen(const Corner& corner, const ClipTriangle& triangle, const Lattice& lattice)
+{
+    const auto& [x, y, z, w] = corner.position;
+    ScreenCorner screen;
+    screen.x = (x + w) * (lattice.size.width() * lattice.grid * lattice.unit);
+    screen.y = (w - y) * (lattice.size.height() * lattice.grid * lattice.unit);
+    screen.z = z;
+    screen.w = w;
+    screen.scale = corner.weights[0] + corner.weights[1] + corner.weights[2];
+    screen.color = glm::dvec3(0);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Varyings& varyings = triangle.vertices[i].varyings;
+        screen.color += ratio(corner.weights[i], screen.scale) * glm::dvec3(varyings[0], varyings[1], varyings[2]);
+    }
+    return screen;
+}
+
+Snapped snap(ScreenCorner& corner, const Lattice& lattice)
+{
+    // lattice units a subpixel
+    const std::int64_t step = 2 * lattice.grid;
+    const Integer denominator = corner.w * step;
+    const Integer x = roundHalfToEven(corner.x, denominator) * step;
+    const Integer y = roundHalfToEven(corner.y, denominator) * step;
+    corner.x = x * corner.w;
+    corner.y = y * corner.w;
+    return {static_cast<std::int64_t>(x), static_cast<std::int64_t>(y)};
+}
+
+std::int64_t doubledArea(std::span<const Snapped> polygon)
+{
+    std::int64_t sum = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Snapped& a = polygon[i];
+        const Snapped& b = polygon[(i + 1) % polygon.size()];
+        sum += a.x * b.y - b.x * a.y;
+    }
+    return sum;
+}
+
+std::vector<Columns> windingColumns(std::span<const Snapped> polygon, int sign, int row, Columns columns,
+                                    const Lattice& lattice)
+{
+    struct Crossing {
+        int column;
+        int winding;
+    };
+    std::vector<Crossing> crossings;
+    const std::int64_t y = (2 * row + 1) * lattice.unit;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        Snapped a = polygon[i];
+        Snapped b = polygon[(i + 1) % polygon.size()];
+        if (a.y == b.y)
+            continue;
+        // clockwise on the screen: an edge going up has the inside on its right
+        const int winding = b.y < a.y ? 1 : -1;
+        if (b.y < a.y)
+            std::swap(a, b);
+        if (y < a.y || y >= b.y)
+            continue;
+        // column >= (x - unit) / (2 unit) with x on the edge
+        const std::int64_t height = b.y - a.y;
+        const std::int64_t numerator = (a.x - lattice.unit) * height + (y - a.y) * (b.x - a.x);
+        const std::int64_t denominator = 2 * lattice.unit * height;
+        const std::int64_t ceiling = numerator / denominator + (numerator > 0 && numerator % denominator != 0 ? 1 : 0);
+        crossings.push_back({clampedTo(columns, ceiling), winding * sign});
+    }
+    std::sort(crossings.begin(), crossings.end(), [](const auto& a, const auto& b) { return a.column < b.column; });
+
+    std::vector<Columns> inside;
+    int winding = 0;
+    for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+        winding += crossings[i].winding;
+        if (winding > 0 && crossings[i].column < crossings[i + 1].column)
+            inside.push_back({crossings[i].column, crossings[i + 1].column});
+    }
+    return inside;
+}
+
+Linear determinantWith(const ScreenCorner& b, const ScreenCorner& c, std::int64_t unit)
+{
+    const Integer x = (b.y * c.w - c.y * b.w) * unit;
+    const Integer y = (c.x * b.w - b.x * c.w) * unit;
+    return {2 * x, 2 * y, x + y + b.x * c.y - c.x * b.y};
+}
+
+Integer determinant(const std::array<ScreenCorner, 3>& t)
+{
+    const auto& [a, b, c] = t;
+    return a.x * (b.y * c.w - c.y * b.w) + a.y * (c.x * b.w - b.x * c.w) + a.w * (b.x * c.y - c.x * b.y);
+}
+
+} // namespace rasterlens::exact

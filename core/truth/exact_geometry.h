@@ -1,0 +1,129 @@
+#pragma once
+#include "core/pipeline/types.h"
+#include "core/settings.h"
+
+#include <QSize>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+// The integer geometry below exact_reference.cpp; nobody else includes it.
+
+namespace rasterlens::exact
+{
+
+/// Integers of any length; the first 512 bits need no allocation.
+using Integer =
+    boost::multiprecision::number<boost::multiprecision::cpp_int_backend<
+                                      512, 0, boost::multiprecision::signed_magnitude, boost::multiprecision::unchecked,
+                                      std::allocator<boost::multiprecision::limb_type>>,
+                                  boost::multiprecision::et_off>;
+
+/// in: denominator > 0
+[[nodiscard]] Integer floorDivide(const Integer& numerator, const Integer& denominator);
+[[nodiscard]] Integer roundHalfToEven(const Integer& numerator, const Integer& denominator);
+
+/// A double with an exponent of its own: mantissa * 2^exponent, good to 2^-52.
+struct Scaled {
+    double mantissa = 0;
+    int exponent = 0;
+
+    [[nodiscard]] double value(int base) const; ///< divided by 2^base
+};
+[[nodiscard]] Scaled scaled(const Integer& value);
+[[nodiscard]] double ratio(const Integer& numerator, const Integer& denominator);
+
+/// A linear function on the lattice of samples: perColumn * column + perRow * row + origin.
+struct Linear {
+    Integer perColumn;
+    Integer perRow;
+    Integer origin;
+
+    [[nodiscard]] Integer onRow(int row) const { return perRow * row + origin; }
+    [[nodiscard]] Integer at(int column, int row) const { return perColumn * column + onRow(row); }
+};
+[[nodiscard]] Linear operator*(const Linear& f, const Integer& factor);
+[[nodiscard]] Linear operator+(const Linear& f, const Linear& g);
+
+/// Columns (or rows) [begin, end).
+struct Columns {
+    int begin;
+    int end;
+
+    [[nodiscard]] bool empty() const { return begin >= end; }
+};
+
+/// `column` moved into begin..end.
+template <typename Number>
+[[nodiscard]] int clampedTo(Columns columns, const Number& column)
+{
+    if (column <= columns.begin)
+        return columns.begin;
+    return column >= columns.end ? columns.end : static_cast<int>(column);
+}
+
+/// Keeps the columns of a row whose displaced sample has f >= 0. The displacement (e, e^2) decides where f is 0: by
+/// the slope along the row, then by the slope down; where f is 0 everywhere the sample stays.
+void keepPositive(const Linear& f, int row, Columns& columns);
+
+/// A corner in clip space as integers with a common exponent, and the weights of A, B, C it is made of.
+struct Corner {
+    std::array<Integer, 4> position; ///< x, y, z, w
+    std::array<Integer, 3> weights;
+};
+
+/// A corner on the screen, homogeneous: x and y in lattice units times w.
+struct ScreenCorner {
+    Integer x;
+    Integer y;
+    Integer z;
+    Integer w;
+    Integer scale; ///< z and w are those of clip space times this
+    glm::dvec3 color;
+};
+
+/// Where the samples lie: sample (column, row) is at ((2 column + 1) * unit, (2 row + 1) * unit).
+struct Lattice {
+    QSize size;        ///< pixels
+    int grid;          ///< samples a pixel along each axis
+    std::int64_t unit; ///< 2^subpixelBits; 1 when nothing snaps
+
+    [[nodiscard]] std::int64_t unitsPerPixel() const { return 2 * grid * unit; }
+};
+
+/// A corner of a snapped polygon on the lattice.
+struct Snapped {
+    std::int64_t x;
+    std::int64_t y;
+};
+
+/// The positions as integers with one common exponent. in: finite
+[[nodiscard]] std::array<Corner, 3> integerCorners(const ClipTriangle& triangle);
+
+/// What is left inside the six planes; empty when nothing is. The first corner is the first met walking A, B, C.
+[[nodiscard]] std::vector<Corner> clipExactly(const std::array<Corner, 3>& corners, ClipZ clipZ);
+
+/// Clip space to the lattice, homogeneous and without rounding.
+[[nodiscard]] ScreenCorner toScreen(const Corner& corner, const ClipTriangle& triangle, const Lattice& lattice);
+
+/// Rounds the screen position to 1/2^bits pixel. in: w > 0
+[[nodiscard]] Snapped snap(ScreenCorner& corner, const Lattice& lattice);
+
+/// det[P B C] for the sample P of a column and a row.
+[[nodiscard]] Linear determinantWith(const ScreenCorner& b, const ScreenCorner& c, std::int64_t unit);
+
+/// det[A B C]: where w > 0 its sign is that of the area on the screen (y down).
+[[nodiscard]] Integer determinant(const std::array<ScreenCorner, 3>& t);
+
+/// Twice the area; positive where the polygon runs clockwise on the screen (y down).
+[[nodiscard]] std::int64_t doubledArea(std::span<const Snapped> polygon);
+
+/// The columns of one row of samples where the polygon winds round the sample in the sense of its area.
+[[nodiscard]] std::vector<Columns> windingColumns(std::span<const Snapped> polygon, int sign, int row, Columns columns,
+                                                  const Lattice& lattice);
+
+} // namespace rasterlens::exact
