@@ -92,7 +92,7 @@ InputBytes readInput(const QString& path)
     QFile file(path);
     InputBytes input;
     if (file.open(QIODevice::ReadOnly))
-        input.bytes = file.read(kLargestFile);
+        input.bytes = file.readAll();
     if (file.error() != QFileDevice::NoError)
         return {{}, QStringLiteral("the file cannot be read: %1").arg(file.errorString())};
     if (input.bytes.isEmpty())
