@@ -1,6 +1,7 @@
 #pragma once
 #include "core/observe/observer.h"
 #include "core/observe/statistics.h"
+#include "core/rules.h"
 
 #include <unordered_map>
 #include <unordered_set>
@@ -12,8 +13,7 @@ namespace rasterlens
 class CountingObserver : public NullObserver
 {
 public:
-    /// in  columns of the sample grid
-    explicit CountingObserver(int columns) : m_columns(columns) {}
+    explicit CountingObserver(const Rules& rules);
 
     void onFace(std::uint32_t, FaceFate fate);
     void onClipped(std::uint32_t, int pieces);
@@ -41,6 +41,7 @@ private:
     };
 
     int m_columns;
+    double m_nearDistance; ///< samples covered so close to an edge, in samples, are looked at for a second hit
     Statistics m_statistics;
     std::array<glm::dvec2, 3> m_positions{};
     bool m_counterClockwise = true;
