@@ -87,12 +87,14 @@ InputBytes readInput(const QString& path)
         return {{}, QStringLiteral("there is no such file")};
     if (info.isDir())
         return {{}, QStringLiteral("this is a directory; a file is expected")};
+    if (!info.isFile())
+        return {{}, QStringLiteral("this is a device or a pipe; a file is expected")};
     if (info.size() > kLargestFile)
         return {{}, QStringLiteral("the file is larger than 2 GB")};
     QFile file(path);
     InputBytes input;
     if (file.open(QIODevice::ReadOnly))
-        input.bytes = file.read(kLargestFile);
+        input.bytes = file.readAll();
     if (file.error() != QFileDevice::NoError)
         return {{}, QStringLiteral("the file cannot be read: %1").arg(file.errorString())};
     if (input.bytes.isEmpty())

@@ -279,7 +279,7 @@ void TestObjLoader::junkNeverCrashes()
         return bytes;
     };
     const Folder folder;
-    for (int i = 0; i < 1500; ++i) {
+    for (int i = 0; i < 500; ++i) {
         folder.write(QStringLiteral("a.mtl"), i % 3 == 1 ? mutated(mtl) : mtl);
         folder.write(QStringLiteral("x.tga"), i % 3 == 2 ? mutated(image) : image);
         const QString path = folder.write(QStringLiteral("a.obj"), i % 3 == 0 ? mutated(good) : good);
@@ -294,16 +294,16 @@ void TestObjLoader::junkNeverCrashes()
     }
 }
 
-/// A million corners in no order: nearly every one is reflex or in the way.
+/// Hundreds of thousands of corners in no order: nearly every one is reflex or in the way.
 void TestObjLoader::hugePolygonEndsInTime()
 {
     QByteArray text = "v 0 0 0\nv 9 1 0\nv 1 9 0\nv 7 7 0\nv 3 2 0\nf";
-    for (int i = 0; i < 1'000'000; ++i)
+    for (int i = 0; i < 300'000; ++i)
         text += i % 7 < 3 ? " 1 2" : " 5 3 4";
     const Folder folder;
     const SceneLoad load = loadObj(folder.write(QStringLiteral("huge.obj"), text));
     QVERIFY(load.scene);
-    QVERIFY(load.scene->mesh.faceCount() > 2'000'000);
+    QVERIFY(load.scene->mesh.faceCount() > 600'000);
     QCOMPARE(load.scene->mesh.vertices.size(), std::size_t{5});
 }
 
