@@ -87,6 +87,8 @@ InputBytes readInput(const QString& path)
         return {{}, QStringLiteral("there is no such file")};
     if (info.isDir())
         return {{}, QStringLiteral("this is a directory; a file is expected")};
+    if (!info.isFile())
+        return {{}, QStringLiteral("this is a device or a pipe; a file is expected")};
     if (info.size() > kLargestFile)
         return {{}, QStringLiteral("the file is larger than 2 GB")};
     QFile file(path);
