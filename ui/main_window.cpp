@@ -313,13 +313,9 @@ QString MainWindow::message() const
 
 void MainWindow::syncCanvasHeader()
 {
-    const Scene& scene = *m_document.scene();
-    QStringList parts{m_pipelinePanel->sceneBox()->currentText()};
-    if (parts.first().isEmpty())
-        parts.first() = scene.title;
+    QStringList parts{zoomText(m_viewport->transform().zoom)};
     if (const auto pixel = m_viewport->selectedPixel())
         parts << tr("pixel (%1, %2)").arg(pixel->x()).arg(pixel->y());
-    parts << zoomText(m_viewport->transform().zoom);
     m_canvasTitle->setText(parts.join(QStringLiteral("  \u00b7  ")));
 }
 
@@ -370,6 +366,7 @@ void MainWindow::toggleGoToPixel()
 {
     const bool opening = m_goToEdit->isHidden();
     m_goToEdit->setVisible(opening);
+    m_goToButton->setVisible(!opening);
     if (!opening) {
         m_viewport->setFocus();
         return;
@@ -394,8 +391,7 @@ void MainWindow::goToTypedPixel()
         return;
     }
     m_message->hide();
-    m_goToEdit->hide();
-    m_viewport->setFocus();
+    toggleGoToPixel();
     m_viewport->goToPixel(pixel);
 }
 
