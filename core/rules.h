@@ -50,7 +50,7 @@ struct Rules {
 
     // Depth
     bool painter = false;    ///< faces from far to near
-    bool depthTested = true; ///< false: every fragment passes and depth is not written
+    bool depthTested = true; ///< false: every fragment passes, and depth is kept only if someone asks for it
     DepthCompare depthCompare = DepthCompare::Less;
     float depthClear = 1;
     DepthFormat depthFormat = DepthFormat::Float32;

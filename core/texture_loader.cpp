@@ -1,5 +1,9 @@
 #include "core/texture_loader.h"
 
+#include "core/text_input.h"
+#include "core/tga.h"
+
+#include <QBuffer>
 #include <QFileInfo>
 #include <QImage>
 #include <QImageReader>
@@ -36,14 +40,33 @@ QString sizeProblem(QSize size)
     return {};
 }
 
-QString readProblem(const QImageReader& reader, const QString& path)
+bool isTga(const QString& path) { return path.endsWith(QLatin1String(".tga"), Qt::CaseInsensitive); }
+
+struct ImageLoad {
+    QImage image;
+    QString problem;
+};
+
+ImageLoad loadTga(const QByteArray& bytes)
 {
-    const QString suffix = QFileInfo(path).suffix().toLower();
-    const bool known = suffix.isEmpty() || QImageReader::supportedImageFormats().contains(suffix.toLatin1());
-    QString problem = QStringLiteral("the image cannot be read: %1").arg(reader.errorString());
-    if (!known)
-        problem += QStringLiteral(" (no Qt plugin for .%1 is installed; see qt6-image-formats-plugins)").arg(suffix);
-    return problem;
+    if (const QString problem = sizeProblem(tgaSize(bytes).value_or(QSize())); !problem.isEmpty())
+        return {{}, problem};
+    TgaImage tga = readTga(bytes);
+    if (!tga.problem.isEmpty())
+        tga.problem.prepend(QStringLiteral("the image cannot be read: "));
+    return {tga.image, tga.problem};
+}
+
+ImageLoad loadWithQt(QByteArray& bytes)
+{
+    QBuffer buffer(&bytes);
+    QImageReader reader(&buffer);
+    if (const QString problem = sizeProblem(reader.size()); !problem.isEmpty())
+        return {{}, problem};
+    ImageLoad load{reader.read(), {}};
+    if (load.image.isNull())
+        load.problem = QStringLiteral("the image cannot be read: %1").arg(reader.errorString());
+    return load;
 }
 
 Texture textureOf(const QImage& image, const QString& path)
@@ -64,20 +87,13 @@ Texture textureOf(const QImage& image, const QString& path)
 
 TextureLoad loadTexture(const QString& path)
 {
-    const QFileInfo info(path);
-    if (!info.exists())
-        return {std::nullopt, QStringLiteral("there is no such file")};
-    if (info.isDir())
-        return {std::nullopt, QStringLiteral("this is a directory; an image is expected")};
-    if (info.size() == 0)
-        return {std::nullopt, QStringLiteral("the file is empty")};
-    QImageReader reader(path);
-    if (const QString problem = sizeProblem(reader.size()); !problem.isEmpty())
-        return {std::nullopt, problem};
-    const QImage image = reader.read();
-    if (image.isNull())
-        return {std::nullopt, readProblem(reader, path)};
-    return {textureOf(image, path), {}};
+    InputBytes input = readInput(path);
+    if (!input.problem.isEmpty())
+        return {std::nullopt, input.problem};
+    const ImageLoad load = isTga(path) ? loadTga(input.bytes) : loadWithQt(input.bytes);
+    if (!load.problem.isEmpty())
+        return {std::nullopt, load.problem};
+    return {textureOf(load.image, path), {}};
 }
 
 } // namespace rasterlens

@@ -11,7 +11,7 @@ struct TextureLoad {
     QString problem; ///< why there is none: a sentence without the file name
 };
 
-/// Reads an image of any format that Qt knows, row 0 to lie at v = 0 (the bottom row of the image).
+/// Reads a TGA image or one of a format that Qt knows (PNG, JPEG), row 0 to lie at v = 0 (the bottom row of the image).
 ///
 /// out     opaque texels; transparency is left out
 /// errors  no such file, a directory, not an image, more than 16384 texels a side or than Qt's allocation limit

@@ -408,6 +408,10 @@ void TestCli::sessionIsTheBase()
     QCOMPARE(changed.settings.culling, Culling::None);
     QCOMPARE(changed.settings.view.yaw, 0.0);
 
+    writeFile(path("folder/s.json"), R"({"rasterlens": 1, "scene": "../a.case", "settings": {}})");
+    const Run below = call(QStringLiteral("info folder/s.json"));
+    QVERIFY2(below.exitCode == 0, qPrintable(below.err));
+
     writeFile(path("s.json"), R"({"rasterlens": 1, "scene": "a.case", "settings": {"mistakes": ["nonsense"]}})");
     const Run bad = call(QStringLiteral("render s.json"));
     QCOMPARE(bad.exitCode, 3);
@@ -440,9 +444,12 @@ void TestCli::countersAreConserved()
                                     face("non_finite") + face("rasterized"));
     QVERIFY(face("clipped") >= 0 && face("clipped") <= face("submitted") && face("created_by_clipping") >= 0);
     QCOMPARE(pixel("covered"), pixel("depth_passed") + pixel("depth_failed"));
-    QVERIFY(pixel("covered") >= 0 && pixel("covered") <= pixel("tested"));
+    // Lines and points are covered without a test, and neighbours draw the line between them twice.
+    if (statistics["settings"].toObject()["fill"] == QLatin1String("solid")) {
+        QVERIFY(pixel("covered") <= pixel("tested"));
+        QCOMPARE(pixel("covered_twice"), 0);
+    }
     QVERIFY(pixel("written") >= 0 && pixel("shaded") >= 0);
-    QCOMPARE(pixel("covered_twice"), 0);
     for (const char* key : {"vertex", "geometry", "raster", "total"})
         QVERIFY2(statistics["milliseconds"][QLatin1String(key)].toDouble(-1) >= 0, key);
 }
@@ -475,7 +482,7 @@ void TestCli::diffOfPictures()
     QCOMPARE(equal.out, QByteArray("differing 0 of 16 (0 %)\nmax 0\nmean 0\npsnr inf\n"));
     QCOMPARE(equal.exitCode, 0);
     const Run different = call(QStringLiteral("diff 4x4.png b.png -o heat.png"));
-    QCOMPARE(different.out, QByteArray("differing 1 of 16 (6.25 %)\nmax 9\nmean 0.25\npsnr 45.4017\n"));
+    QCOMPARE(different.out, QByteArray("differing 1 of 16 (6.25 %)\nmax 9\nmean 0.25\npsnr 45.4008\n"));
     QCOMPARE(different.exitCode, 1);
     const QImage heat(path("heat.png"));
     QCOMPARE(heat.size(), QSize(4, 4));

@@ -49,6 +49,8 @@ struct NullObserver {
     constexpr void onTriangle(const ScreenTriangle&) {}
     constexpr void onSpan(int /*y*/, int /*xBegin*/, int /*xEnd*/) {}
     constexpr void onSample(int /*x*/, int /*y*/, const EdgeValues&, bool /*covered*/) {}
+    /// A sample of a line or a corner; off the target nothing is drawn.
+    constexpr void onLineSample(int /*x*/, int /*y*/, bool /*onTarget*/) {}
     constexpr void onFragment(const Fragment&, bool /*passedDepth*/) {}
     constexpr void onShade(const Fragment&) {}
     constexpr void onWrite(int /*x*/, int /*y*/, Pixel /*before*/, Pixel /*after*/) {}

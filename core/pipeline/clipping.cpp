@@ -89,6 +89,18 @@ ClipVerdict clipVerdict(Clipping mode, const Outcode& a, const Outcode& b, const
     return crossed != 0 ? ClipVerdict::Cut : ClipVerdict::Keep;
 }
 
+/// Where an edge crosses a plane. Whether the short way is good enough is decided by the edge alone, so that both
+/// faces at an edge decide alike.
+glm::dvec4 cutPosition(const glm::dvec4& inside, const glm::dvec4& outside, double t, const PlaneEquation& plane)
+{
+    constexpr double kLongest = 0x1p20; // in units of the new w; double then keeps 2^-33 of it
+    const glm::dvec4 cut = inside + t * (outside - inside);
+    double longest = 0;
+    for (int k = 0; k < 4; ++k)
+        longest = std::max({longest, std::abs(inside[k]), std::abs(outside[k])});
+    return longest <= kLongest * cut.w ? cut : cutExactly(inside, outside, plane);
+}
+
 double cutParameter(const glm::dvec4& a, const glm::dvec4& b, const PlaneEquation& plane)
 {
     const double da = plane.distance(a);
@@ -112,7 +124,7 @@ ClipPolygon clipByPlane(const ClipPolygon& polygon, const PlaneEquation& plane, 
         assert(out.count < ClipPolygon::kMaxVertices);
         ClipVertex& cut = out.vertices[static_cast<std::size_t>(out.count++)];
         const double t = cutParameter(inside.positionClip, outside.positionClip, plane);
-        cut.positionClip = inside.positionClip + t * (outside.positionClip - inside.positionClip);
+        cut.positionClip = cutPosition(inside.positionClip, outside.positionClip, t, plane);
         const float s = static_cast<float>(t);
         for (std::size_t k = 0; k < static_cast<std::size_t>(varyingCount); ++k)
             cut.varyings[k] = inside.varyings[k] + s * (outside.varyings[k] - inside.varyings[k]);

@@ -62,6 +62,12 @@ enum class ClipVerdict { Reject, Keep, Cut };
 /// How far along the edge from a (inside) to b (outside) the plane is crossed, 0..1.
 [[nodiscard]] double cutParameter(const glm::dvec4& a, const glm::dvec4& b, const PlaneEquation& plane);
 
+/// The point where the edge crosses the plane, by rational arithmetic: for edges so long that the difference of their
+/// ends would swallow the point between them.
+///
+/// exact   each coordinate to a few units of its own last place
+[[nodiscard]] glm::dvec4 cutExactly(const glm::dvec4& inside, const glm::dvec4& outside, const PlaneEquation& plane);
+
 [[nodiscard]] ClipPolygon polygonOf(const ClipTriangle& triangle);
 
 /// Clips the projected polygon by the four sides of the viewport, edge by edge, and rebuilds it from what is left of

@@ -43,7 +43,9 @@ public:
     /// A sample on one of the triangle's lines or corners, inside the target or not.
     void operator()(int x, int y, const Weights& screen)
     {
-        if (x >= 0 && y >= 0 && x < m_samples.columns && y < m_samples.rows)
+        const bool onTarget = x >= 0 && y >= 0 && x < m_samples.columns && y < m_samples.rows;
+        m_observer->onLineSample(x, y, onTarget);
+        if (onTarget)
             process(x, y, m_interpolation->depthOf(screen), screen, nullptr);
     }
 
@@ -85,7 +87,7 @@ private:
 
     void write(std::size_t at, const Fragment& fragment, std::uint32_t color)
     {
-        const bool writesDepth = m_rules->depthTested;
+        const bool writesDepth = m_samples.depth != nullptr;
         const Pixel before{m_samples.color[at], writesDepth ? m_samples.depth[at] : m_rules->depthClear};
         m_samples.color[at] = color;
         if (writesDepth)

@@ -12,8 +12,8 @@ Scene makeFloor()
     constexpr int kColumns = 8;
     constexpr int kRows = 16;
     constexpr double kHalfWidth = 160;
-    constexpr double kBehind = 20;
-    constexpr double kAhead = 300;
+    constexpr double kBehind = 10;
+    constexpr double kAhead = 310;
     constexpr double kTexturesPerUnit = 0.25;
     Scene scene = objectScene(false);
     scene.background = {0.55F, 0.72F, 0.90F};
@@ -24,6 +24,7 @@ Scene makeFloor()
     });
     setTexture(scene, checkerboard(QStringLiteral("floor"), 64, 4, 0xffece5d8, 0xff5b4a42));
     scene.defaults.view = viewFrom({0, 1.6, 0}, {0, 1.1, -4}, 0.1, 400);
+    scene.defaults.culling = Culling::None;
     return scene;
 }
 
@@ -46,8 +47,8 @@ Scene makeTunnel()
         for (int side = 0; side < kSides; ++side) {
             const float light = 1 - 0.8F * static_cast<float>(ring) / kRings;
             const glm::vec3 color = (side + ring) % 2 == 0 ? glm::vec3(0.95F, 0.92F, 0.85F) : rainbow(ring / 12.0);
-            addFlatQuad(scene.mesh, point(side + 1, ring), point(side, ring), point(side, ring + 1),
-                        point(side + 1, ring + 1), light * color);
+            addFlatQuad(scene.mesh, point(side, ring), point(side + 1, ring), point(side + 1, ring + 1),
+                        point(side, ring + 1), light * color);
         }
     scene.defaults.view = viewFrom({0.25, -0.2, 0}, {0.1, 0, -10}, 0.1, 100);
     return scene;
@@ -95,7 +96,7 @@ Scene makeEdgeGuardband()
             return center + radius * glm::dvec2(std::cos(turn), -std::sin(turn));
         };
         const glm::vec3 color = rainbow(static_cast<double>(blade) / kBlades);
-        addClipTriangle(scene.mesh, cornerAtPixel(polar(angle, 120), size, kWhite),
+        addClipTriangle(scene.mesh, cornerAtPixel(polar(angle, 120), size, color),
                         cornerAtPixel(polar(angle - halfAngle, reach), size, color),
                         cornerAtPixel(polar(angle + halfAngle, reach), size, color));
     }

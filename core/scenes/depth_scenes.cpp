@@ -17,7 +17,7 @@ Scene makePainterCycle()
             const double angle = 2 * kPi * i / 3;
             return glm::dvec3(std::cos(angle) * x - std::sin(angle) * y, std::sin(angle) * x + std::cos(angle) * y, z);
         };
-        addFlatTriangle(scene.mesh, turned(-1.25, -0.85, 0.4), turned(1.6, -0.5, -0.4), turned(-1.25, -0.15, 0.4),
+        addFlatTriangle(scene.mesh, turned(-1.25, -0.85, 0.4), turned(1.9, -0.5, -0.4), turned(-1.25, -0.15, 0.4),
                         kColors[static_cast<std::size_t>(i)]);
     }
     return scene;
@@ -36,9 +36,9 @@ Scene makeZFighting()
     constexpr double kDistance = 100;
     constexpr double kGap = 0.1;
     Scene scene = objectScene(false);
-    // A wall that leans back, and in front of it, a hand's breadth away everywhere, a panel.
+    // A wall that leans back a little, and before it, a hand's breadth away everywhere, a panel.
     const auto wall = [&](double x, double y, double gap) {
-        return glm::dvec3(x, y, -kDistance - 0.35 * y - 0.15 * x + gap);
+        return glm::dvec3(x, y, -kDistance - 0.08 * y - 0.03 * x + gap);
     };
     const auto quad = [&](double halfWidth, double halfHeight, double gap, glm::vec3 color) {
         addFlatQuad(scene.mesh, wall(-halfWidth, -halfHeight, gap), wall(halfWidth, -halfHeight, gap),
@@ -46,7 +46,7 @@ Scene makeZFighting()
     };
     quad(40, 30, 0, {0.20F, 0.45F, 0.75F});
     quad(28, 20, kGap, {0.95F, 0.60F, 0.15F});
-    scene.defaults.view = viewFrom({0, 0, 0}, {0, 0, -1}, 0.005, 1000);
+    scene.defaults.view = viewFrom({0, 0, 0}, {0, 0, -1}, 0.003, 1000);
     return scene;
 }
 
@@ -60,10 +60,13 @@ Scene makeFourZ()
     const auto seenAt = [&](double x, double y, double depth) {
         return glm::dvec3(x * halfHeight * depth, y * halfHeight * depth, -depth);
     };
-    const auto corner = [&](double x, double y, double depth) {
+    const auto colorAt = [&](double depth) {
         const float fraction = static_cast<float>((depth - kNearest) / (kFarthest - kNearest));
-        return addVertex(scene.mesh, seenAt(x, y, depth), {0, 0, 1}, {1 - fraction, 0.3F, fraction},
-                         {fraction, (y + 1) / 2});
+        return glm::vec3(1 - fraction, 0.3F, fraction);
+    };
+    const auto corner = [&](double x, double y, double depth) {
+        const double fraction = (depth - kNearest) / (kFarthest - kNearest);
+        return addVertex(scene.mesh, seenAt(x, y, depth), {0, 0, 1}, colorAt(depth), {fraction, (y + 1) / 2});
     };
     // The board goes from the left, near, to the right, far. On the screen it is a rectangle about the middle.
     const std::uint32_t first = corner(-1, -0.3, kNearest);
@@ -80,7 +83,7 @@ Scene makeFourZ()
         constexpr double kHalf = 0.12;
         addFlatQuad(scene.mesh, seenAt(x - kHalf, 0.45, depth), seenAt(x + kHalf, 0.45, depth),
                     seenAt(x + kHalf, 0.45 + 2 * kHalf, depth), seenAt(x - kHalf, 0.45 + 2 * kHalf, depth),
-                    kWhite * (1 - 0.25F * static_cast<float>(i)));
+                    colorAt(depth));
     }
     // Odd sides, so that the middle of the screen is the centre of pixel (320, 240).
     scene.defaults.size = QSize(641, 481);

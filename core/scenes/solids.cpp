@@ -83,42 +83,53 @@ namespace
 /// A point of the leaf: `along` from the stalk (0) to the tip (1), `across` from edge to edge (-1 to 1).
 glm::dvec3 leafPoint(double along, double across)
 {
-    const double halfWidth = 0.02 + 0.85 * std::pow(std::sin(kPi * std::pow(along, 0.75)), 0.9) * (1 - 0.02 * along);
-    // The rib rises from the stalk, arches over and curls under itself, so that the tip turns its back to the viewer.
-    const double turn = 1.25 * kPi * along * along;
-    const double bow = 1.1 + 0.9 * (1 - along);
-    const glm::dvec2 rib{bow * std::sin(turn) - 0.6, 1.4 * along + bow * std::cos(turn) - bow};
-    const double fold = 0.3 * halfWidth * across * across;
-    const glm::dvec2 upwards{std::sin(turn), std::cos(turn)};
-    return {halfWidth * across, rib.y + fold * upwards.y, rib.x + fold * upwards.x};
+    // The rib goes straight up and from the middle on in an arc towards the viewer and down again.
+    constexpr double kStraight = 1.1;
+    constexpr double kArcRadius = 0.55;
+    constexpr double kArcAngle = 3.5;
+    const double turn = kArcAngle * std::max(0.0, 2 * along - 1);
+    const double rise = kStraight * std::min(1.0, 2 * along) + kArcRadius * std::sin(turn);
+    const double forward = kArcRadius * (1 - std::cos(turn));
+    const double halfWidth = 0.02 * (1 - along) + 0.75 * std::pow(4 * along * (1 - along), 0.7) * (1.1 - 0.3 * along);
+    // Both halves are folded up, towards the front side.
+    const double fold = 0.45 * halfWidth * across * across;
+    return {halfWidth * across, rise - fold * std::sin(turn), forward + fold * std::cos(turn)};
 }
 
 glm::dvec3 leafNormal(double along, double across)
 {
     constexpr double kStep = 1e-4;
     const double t = std::clamp(along, 0.01, 0.99);
-    const glm::dvec3 alongStep = leafPoint(t + kStep, across) - leafPoint(t - kStep, across);
     const glm::dvec3 acrossStep = leafPoint(t, across + kStep) - leafPoint(t, across - kStep);
-    return glm::cross(alongStep, acrossStep);
+    const glm::dvec3 alongStep = leafPoint(t + kStep, across) - leafPoint(t - kStep, across);
+    return glm::cross(acrossStep, alongStep);
+}
+
+/// Light along the rib and the veins that leave it.
+glm::vec3 leafColor(double along, double across)
+{
+    constexpr glm::vec3 kVein{0.72F, 0.85F, 0.42F};
+    constexpr glm::vec3 kBlade{0.25F, 0.62F, 0.22F};
+    const double rib = std::exp(-120 * across * across);
+    const double veins = 0.5 * std::pow(0.5 + 0.5 * std::cos(2 * kPi * 8 * (along - 0.12 * std::abs(across))), 6);
+    return glm::mix(kBlade, kVein, static_cast<float>(std::max(rib, veins)));
 }
 
 } // namespace
 
 Scene makeLeaf()
 {
-    constexpr int kAcross = 16;
-    constexpr int kAlong = 40;
-    constexpr glm::vec3 kRib{0.80F, 0.90F, 0.50F};
-    constexpr glm::vec3 kBlade{0.25F, 0.60F, 0.22F};
+    constexpr int kAcross = 24;
+    constexpr int kAlong = 80;
     Scene scene = objectScene(true);
-    addGrid(scene.mesh, kAlong, kAcross, [&](int column, int row) {
-        const double along = static_cast<double>(column) / kAlong;
-        const double across = 2.0 * row / kAcross - 1;
-        const float fromRib = static_cast<float>(std::min(1.0, 3 * std::abs(across)));
-        return addVertex(scene.mesh, leafPoint(along, across), leafNormal(along, across),
-                         glm::mix(kRib, kBlade, fromRib), {along, (across + 1) / 2});
+    scene.background = {0.80F, 0.84F, 0.88F};
+    addGrid(scene.mesh, kAcross, kAlong, [&](int column, int row) {
+        const double along = static_cast<double>(row) / kAlong;
+        const double across = 2.0 * column / kAcross - 1;
+        return addVertex(scene.mesh, leafPoint(along, across), leafNormal(along, across), leafColor(along, across),
+                         {(across + 1) / 2, along});
     });
-    scene.defaults.view = fitFrom(35, 20);
+    scene.defaults.view = fitFrom(40, 15);
     return scene;
 }
 

@@ -12,9 +12,9 @@ constexpr std::uint32_t kNoCorner = 0xffffffff;
 class SurfaceNets
 {
 public:
-    SurfaceNets(const CellBox& box, const std::function<double(glm::dvec3)>& distance,
+    SurfaceNets(const CellGrid& grid, const std::function<double(glm::dvec3)>& distance,
                 const std::function<glm::vec3(glm::dvec3)>& colorAt)
-        : m_box(box), m_points(box.cells + 1), m_distance(distance), m_colorAt(colorAt)
+        : m_grid(grid), m_points(grid.cells + 1), m_distance(distance), m_colorAt(colorAt)
     {
     }
 
@@ -27,7 +27,6 @@ public:
     }
 
 private:
-    glm::dvec3 place(glm::dvec3 point) const { return m_box.low + m_box.cell * point; }
     std::size_t index(glm::ivec3 at) const
     {
         return static_cast<std::size_t>((at.z * m_points.y + at.y) * m_points.x + at.x);
@@ -47,12 +46,12 @@ private:
     void sampleField()
     {
         m_field.resize(index(m_points - 1) + 1);
-        forEach({0, 0, 0}, m_points, [&](glm::ivec3 at) { m_field[index(at)] = m_distance(place(at)); });
+        forEach({0, 0, 0}, m_points, [&](glm::ivec3 at) { m_field[index(at)] = m_distance(m_grid.place(at)); });
     }
 
     glm::dvec3 gradient(glm::dvec3 p) const
     {
-        const double h = 0.25 * m_box.cell;
+        const double h = 0.25 * m_grid.smallestCell;
         const auto along = [&](glm::dvec3 step) { return m_distance(p + step) - m_distance(p - step); };
         return glm::dvec3(along({h, 0, 0}), along({0, h, 0}), along({0, 0, h})) / (2 * h);
     }
@@ -83,18 +82,18 @@ private:
     {
         const glm::dvec3 slope = gradient(p);
         const glm::dvec3 step = -m_distance(p) * slope / std::max(glm::dot(slope, slope), 0.1);
-        const double limit = 0.5 * m_box.cell / std::max(glm::length(step), 0.5 * m_box.cell);
+        const double limit = 0.5 * m_grid.smallestCell / std::max(glm::length(step), 0.5 * m_grid.smallestCell);
         return p + limit * step;
     }
 
     void addCorners()
     {
         m_corners.assign(m_field.size(), kNoCorner);
-        forEach({0, 0, 0}, m_box.cells, [&](glm::ivec3 cell) {
+        forEach({0, 0, 0}, m_grid.cells, [&](glm::ivec3 cell) {
             const std::optional<glm::dvec3> centre = cutCentre(cell);
             if (!centre)
                 return;
-            const glm::dvec3 p = ontoSurface(place(*centre));
+            const glm::dvec3 p = ontoSurface(m_grid.place(*centre));
             m_corners[index(cell)] = addVertex(m_mesh, p, gradient(p), m_colorAt(p));
         });
     }
@@ -102,7 +101,7 @@ private:
     /// A quad for every grid edge that the surface cuts, between the four cells around the edge.
     void addFaces()
     {
-        forEach({1, 1, 1}, m_box.cells, [&](glm::ivec3 from) {
+        forEach({1, 1, 1}, m_grid.cells, [&](glm::ivec3 from) {
             for (int axis = 0; axis < 3; ++axis) {
                 glm::ivec3 to = from;
                 ++to[axis];
@@ -133,7 +132,7 @@ private:
         addFace(m_mesh, corner(0), corner(2), corner(3));
     }
 
-    const CellBox& m_box;
+    const CellGrid& m_grid;
     const glm::ivec3 m_points;
     const std::function<double(glm::dvec3)>& m_distance;
     const std::function<glm::vec3(glm::dvec3)>& m_colorAt;
@@ -144,10 +143,10 @@ private:
 
 } // namespace
 
-Mesh surfaceNets(const CellBox& box, const std::function<double(glm::dvec3)>& distance,
+Mesh surfaceNets(const CellGrid& grid, const std::function<double(glm::dvec3)>& distance,
                  const std::function<glm::vec3(glm::dvec3)>& colorAt)
 {
-    return SurfaceNets(box, distance, colorAt).run();
+    return SurfaceNets(grid, distance, colorAt).run();
 }
 
 } // namespace rasterlens

@@ -115,18 +115,15 @@ Cubic<glm::dvec3> crossCurve(const HalfTube& tube, std::size_t patch, std::size_
 }
 
 /// A half tube and its mirror image.
-///
-/// in  side: 1 where the stored half turns clockwise seen along the tube, else -1
-void addTube(Mesh& mesh, const HalfTube& tube, int side)
+void addTube(Mesh& mesh, const HalfTube& tube)
 {
     constexpr int kRound = 2 * kSteps;
     constexpr int kAlong = 2 * kSteps;
     addGrid(mesh, kRound, kAlong, [&](int column, int row) {
         const PatchStep along = patchStep(row, 2);
         // Round the tube and back: the mirrored half takes the same parameters the other way.
-        const int step = side > 0 ? column : kRound - column;
-        const bool mirrored = step > kSteps;
-        const double across = static_cast<double>(mirrored ? kRound - step : step) / kSteps;
+        const bool mirrored = column > kSteps;
+        const double across = static_cast<double>(mirrored ? kRound - column : column) / kSteps;
         Cubic<glm::dvec3> points;
         Cubic<glm::dvec3> slopes;
         for (std::size_t i = 0; i < 4; ++i) {
@@ -134,7 +131,7 @@ void addTube(Mesh& mesh, const HalfTube& tube, int side)
             slopes[i] = slopeOn(crossCurve(tube, along.patch, i), across);
         }
         glm::dvec3 position = pointOn(points, along.t);
-        glm::dvec3 normal = static_cast<double>(side) * glm::cross(pointOn(slopes, along.t), slopeOn(points, along.t));
+        glm::dvec3 normal = glm::cross(pointOn(slopes, along.t), slopeOn(points, along.t));
         if (mirrored) {
             position.y = -position.y;
             normal.y = -normal.y;
@@ -151,8 +148,8 @@ Scene makeTeapot()
     Scene scene = objectScene(true);
     addRevolved(scene.mesh, kBodyProfile);
     addRevolved(scene.mesh, kLidProfile);
-    addTube(scene.mesh, kHandle, 1);
-    addTube(scene.mesh, kSpout, -1);
+    addTube(scene.mesh, kHandle);
+    addTube(scene.mesh, kSpout);
     scene.defaults.view = fitFrom(20, 20);
     scene.defaults.culling = Culling::None;
     return scene;
