@@ -424,7 +424,8 @@ std::shared_ptr<const StepLog> StepRecorder::finish(bool stopped)
     if (m_full || stopped) {
         log.m_effects.resize(gapBegin());
     } else {
-        m_filter = {.kinds = kAllSteps, .cap = log.m_events.size() + 1};
+        m_filter = {};
+        m_filter.cap = log.m_events.size() + 1;
         m_face = m_triangle = StepEvent::kNone;
         storeFaceEvent(StepKind::End);
     }
