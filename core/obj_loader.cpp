@@ -158,9 +158,9 @@ private:
             return;
         }
         DiagnosticSink diagnostics(path);
-        for (MtlMaterial& material : parseMtl(std::move(input.bytes), path, diagnostics))
+        for (const MtlMaterial& material : parseMtl(std::move(input.bytes), path, diagnostics))
             if (!m_library.contains(material.name))
-                m_library.insert(material.name, std::move(material));
+                m_library.insert(material.name, material);
         append(m_otherDiagnostics, diagnostics.take());
     }
 

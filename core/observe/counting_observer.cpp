@@ -53,7 +53,7 @@ void CountingObserver::onTriangle(const ScreenTriangle& triangle)
             m_nearDistance * glm::distance(m_positions[(i + 1) % 3], m_positions[(i + 2) % 3]) / std::abs(area2);
 }
 
-void CountingObserver::onFragment(const Fragment& fragment, bool passedDepth)
+void CountingObserver::onFragment(const Fragment& fragment, float, bool passedDepth)
 {
     Statistics::Pixels& pixels = m_statistics.pixels;
     ++pixels.covered;

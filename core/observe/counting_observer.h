@@ -18,11 +18,14 @@ public:
     void onFace(std::uint32_t, FaceFate fate);
     void onClipped(std::uint32_t, int pieces);
     void onTriangle(const ScreenTriangle& triangle);
-    void onSpan(int, int xBegin, int xEnd) { m_statistics.pixels.tested += static_cast<std::uint64_t>(xEnd - xBegin); }
+    void onSpan(int, int xBegin, int xEnd, const SpanEnds&)
+    {
+        m_statistics.pixels.tested += static_cast<std::uint64_t>(xEnd - xBegin);
+    }
     void onSample(int, int, const EdgeValues&, bool) { ++m_statistics.pixels.tested; }
     void onLineSample(int, int, bool) { ++m_statistics.pixels.tested; }
-    void onFragment(const Fragment& fragment, bool passedDepth);
-    void onShade(const Fragment&) { ++m_statistics.pixels.shaded; }
+    void onFragment(const Fragment& fragment, float storedDepth, bool passedDepth);
+    void onShade(const Fragment&, std::uint32_t) { ++m_statistics.pixels.shaded; }
     void onWrite(int, int, Pixel, Pixel) { ++m_statistics.pixels.written; }
 
     [[nodiscard]] const Statistics& statistics() const { return m_statistics; }
