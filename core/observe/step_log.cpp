@@ -129,7 +129,7 @@ std::size_t StepLog::step(std::size_t position, StepLevel level, StepDirection d
     return p;
 }
 
-std::optional<std::size_t> StepLog::find(std::size_t from, StepDirection direction, const StepStop& stop) const
+std::optional<std::size_t> StepLog::findStop(std::size_t from, StepDirection direction, const StepStop& stop) const
 {
     return find(from, direction, [&](const StepEvent& event) { return stops(event, stop, m_grid); });
 }

@@ -315,8 +315,8 @@ public:
         return std::nullopt;
     }
     /// "Run until": the index of the next event that stops the run. The position to go to is one more.
-    [[nodiscard]] std::optional<std::size_t> find(std::size_t from, StepDirection direction,
-                                                  const StepStop& stop) const;
+    [[nodiscard]] std::optional<std::size_t> findStop(std::size_t from, StepDirection direction,
+                                                      const StepStop& stop) const;
     /// The first event of a face at a pixel (x, y in pixels), or of the face at all if it has none there.
     [[nodiscard]] std::optional<std::size_t> firstEventOf(std::uint32_t face, int x, int y) const;
 
