@@ -482,7 +482,7 @@
     </message>
     <message>
         <source>Gouraud</source>
-        <translation>Gouraud 着色</translation>
+        <translation>Gouraud</translation>
     </message>
     <message>
         <source>Flat</source>
@@ -498,7 +498,7 @@
     </message>
     <message>
         <source>Phong</source>
-        <translation>Phong 着色</translation>
+        <translation>Phong</translation>
     </message>
     <message>
         <source>Depth</source>
