@@ -69,6 +69,201 @@
     </message>
 </context>
 <context>
+    <name>BuiltinScene</name>
+    <message>
+        <source>Triangle</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>One triangle with a red, a green and a blue corner.</source>
+        <translation>一个三角形，三个顶点分别为红、绿、蓝。</translation>
+    </message>
+    <message>
+        <source>Square cut by its diagonal</source>
+        <translation>被对角线切开的正方形</translation>
+    </message>
+    <message>
+        <source>The diagonal runs through the centres of 8 pixels. Each of them must belong to one triangle, not to both and not to none.</source>
+        <translation>对角线正好穿过 8 个像素的中心。每个像素必须恰好属于一个三角形，既不能重复，也不能遗漏。</translation>
+    </message>
+    <message>
+        <source>Triangle on 600 x 600</source>
+        <translation>600 × 600 上的三角形</translation>
+    </message>
+    <message>
+        <source>The corners (100, 200), (300, 400) and (400, 100), with y counted upwards as in tinyrenderer. On the screen, where y runs down, they are (100, 400), (300, 200) and (400, 500); the order is clockwise.</source>
+        <translation>顶点 (100, 200)、(300, 400)、(400, 100)，与 tinyrenderer 一样 y 轴向上。屏幕上 y 轴向下，因此是 (100, 400)、(300, 200)、(400, 500)，环绕方向为顺时针。</translation>
+    </message>
+    <message>
+        <source>GAMES101: two triangles</source>
+        <translation>GAMES101：两个三角形</translation>
+    </message>
+    <message>
+        <source>The front triangle is sent first. Without a depth test the back one is painted over it.</source>
+        <translation>前面的三角形先提交。没有深度测试时，后面的三角形会画在它上面。</translation>
+    </message>
+    <message>
+        <source>4 x 4 tiles in perspective</source>
+        <translation>透视下的 4 × 4 瓷砖</translation>
+    </message>
+    <message>
+        <source>Two triangles. With affine interpolation the tiles and the white middle line break at the diagonal.</source>
+        <translation>两个三角形。使用仿射插值时，瓷砖和白色中线会在对角线处折断。</translation>
+    </message>
+    <message>
+        <source>Head with an open mouth</source>
+        <translation>张嘴的头像</translation>
+    </message>
+    <message>
+        <source>Faces are sent from the front to the back. Without the depth test the cavity behind the lips shows through, although back faces are culled.</source>
+        <translation>面按从前到后的顺序提交。没有深度测试时，即使剔除了背面，嘴唇后面的口腔也会透出来。</translation>
+    </message>
+    <message>
+        <source>Utah teapot</source>
+        <translation>犹他茶壶</translation>
+    </message>
+    <message>
+        <source>32 Bezier patches. The published model is open between lid and body and at the spout, so back faces are kept.</source>
+        <translation>32 个贝塞尔曲面片。公开的模型在壶盖与壶身之间以及壶嘴处是开口的，所以保留背面。</translation>
+    </message>
+    <message>
+        <source>Torus knot</source>
+        <translation>环面纽结</translation>
+    </message>
+    <message>
+        <source>A closed surface that hides itself many times.</source>
+        <translation>一个多次遮挡自身的封闭曲面。</translation>
+    </message>
+    <message>
+        <source>Floor to the horizon</source>
+        <translation>延伸到地平线的地面</translation>
+    </message>
+    <message>
+        <source>The floor passes under and behind the camera. Without near clipping the foreground is lost; with the depth test off as well, what lies behind hangs upside down in the sky.</source>
+        <translation>地面从摄像机下方一直延伸到身后。不做近平面裁剪会丢失前景；如果深度测试也关闭，身后的部分会上下颠倒地悬在空中。</translation>
+    </message>
+    <message>
+        <source>Letter F</source>
+        <translation>字母 F</translation>
+    </message>
+    <message>
+        <source>Orange in front, blue at the back. An F shows every flip, and every mistake of winding.</source>
+        <translation>正面橙色，背面蓝色。字母 F 能显示每一种翻转和每一个环绕方向错误。</translation>
+    </message>
+    <message>
+        <source>Leaf</source>
+        <translation>叶片</translation>
+    </message>
+    <message>
+        <source>An open surface: where the leaf turns its back, back-face culling tears a hole into it. Turn culling off.</source>
+        <translation>开放曲面：叶片背对我们的地方会被背面剔除挖出空洞。请关闭剔除。</translation>
+    </message>
+    <message>
+        <source>Fan</source>
+        <translation>扇形</translation>
+    </message>
+    <message>
+        <source>16 triangles meet at the centre of the middle pixel. Under the top-left rule exactly one of them owns it.</source>
+        <translation>16 个三角形在中间像素的中心相接。按左上规则，恰好只有一个三角形拥有它。</translation>
+    </message>
+    <message>
+        <source>Tunnel through the camera</source>
+        <translation>穿过摄像机的隧道</translation>
+    </message>
+    <message>
+        <source>The tube starts behind the camera: its first rings lie behind the eye or cross its plane, where w is 0.</source>
+        <translation>管道从摄像机后面开始：前几圈在眼睛后面，或穿过 w 为 0 的平面。</translation>
+    </message>
+    <message>
+        <source>Cube</source>
+        <translation>立方体</translation>
+    </message>
+    <message>
+        <source>Closed and convex, one colour a face. Culling alone hides what is hidden.</source>
+        <translation>封闭的凸体，每个面一种颜色。只靠剔除就能隐藏被遮挡的部分。</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>球体</translation>
+    </message>
+    <message>
+        <source>Closed and convex, with smooth normals. Compare flat, Gouraud and Phong shading.</source>
+        <translation>封闭的凸体，法线平滑。请比较平面着色、Gouraud 着色和 Phong 着色。</translation>
+    </message>
+    <message>
+        <source>Three blades in a circle</source>
+        <translation>首尾相压的三片叶片</translation>
+    </message>
+    <message>
+        <source>Each lies over the next, so no order of painting is right. The depth test decides pixel by pixel.</source>
+        <translation>每一片都压在下一片上，因此没有正确的绘制顺序。深度测试逐像素地决定。</translation>
+    </message>
+    <message>
+        <source>Two triangles that pierce each other</source>
+        <translation>互相穿插的两个三角形</translation>
+    </message>
+    <message>
+        <source>Each is in front in one half. The painter's algorithm shows one of them whole.</source>
+        <translation>每个三角形各有一半在前面。画家算法会把其中一个完整地显示出来。</translation>
+    </message>
+    <message>
+        <source>Z-fighting</source>
+        <translation>深度冲突（Z-fighting）</translation>
+    </message>
+    <message>
+        <source>The orange panel is in front everywhere. The near plane is so close that depth cannot tell it from the wall.</source>
+        <translation>橙色面板处处在前面。近平面太近，深度值无法把它和墙面区分开。</translation>
+    </message>
+    <message>
+        <source>Sheaf of needles</source>
+        <translation>一束细针</translation>
+    </message>
+    <message>
+        <source>Triangles thinner than a pixel: most centres fall between them. Try more samples.</source>
+        <translation>比一个像素还细的三角形：多数像素中心落在它们之间。请增加采样数。</translation>
+    </message>
+    <message>
+        <source>A corner behind the camera</source>
+        <translation>摄像机后面的顶点</translation>
+    </message>
+    <message>
+        <source>The green corner lies behind the eye. The division by its negative w turns the triangle inside out unless it is clipped first.</source>
+        <translation>绿色顶点在眼睛后面。如果不先裁剪，除以负的 w 会把三角形翻转。</translation>
+    </message>
+    <message>
+        <source>Larger than the screen</source>
+        <translation>比屏幕还大</translation>
+    </message>
+    <message>
+        <source>All corners of the large triangle lie outside, yet it covers the screen. Rejecting faces without a corner inside loses it.</source>
+        <translation>大三角形的所有顶点都在屏幕外，但它覆盖了整个屏幕。按“没有顶点在内部就丢弃”的做法会丢掉它。</translation>
+    </message>
+    <message>
+        <source>Blades over the border</source>
+        <translation>越过边界的叶片</translation>
+    </message>
+    <message>
+        <source>They leave the screen on all sides, every third beyond the guard band. Compare how many faces are clipped.</source>
+        <translation>叶片从四面越出屏幕，每三片有一片超出保护带。请比较被裁剪的面数。</translation>
+    </message>
+    <message>
+        <source>Lines in all directions</source>
+        <translation>各个方向的直线</translation>
+    </message>
+    <message>
+        <source>A star in wireframe: slopes 0, 1/3, 1 and 3 in all octants, from pixel centre to pixel centre.</source>
+        <translation>线框星形：所有八分区内斜率为 0、1/3、1 和 3 的直线，从像素中心到像素中心。</translation>
+    </message>
+    <message>
+        <source>Board for four z values</source>
+        <translation>四个 z 值的木板</translation>
+    </message>
+    <message>
+        <source>The board goes from distance 1 on the left to 10 on the right, the markers stand at thirds of the screen. In the middle z/w is 0.8938 and the distance 1.818: z/w is linear on the screen, the distance is not. Board and markers have equal colours at equal distances, unless interpolation is affine.</source>
+        <translation>木板左端距离为 1，右端为 10，标记位于屏幕的三等分处。正中间 z/w 为 0.8938，距离为 1.818：z/w 在屏幕上是线性的，距离则不是。木板和标记在相同距离处颜色相同，除非使用仿射插值。</translation>
+    </message>
+</context>
+<context>
     <name>ImageExport</name>
     <message>
         <source>%1 could not be written: %2</source>
