@@ -85,8 +85,37 @@ constexpr BuiltinScene kScenes[] = {
     {"four-z", TEXT("Board for four z values"),
      TEXT(
          "The board goes from distance 1 on the left to 10 on the right, the markers stand at thirds of the screen. In "
-         "the middle z/w is 0.8938 and the distance 1.818: z/w is linear on the screen, the distance is not."),
+         "the middle z/w is 0.8938 and the distance 1.818: z/w is linear on the screen, the distance is not. The white "
+         "tile lies in "
+         "front of the board, a yellow one is hidden behind it."),
      makeFourZ},
+    {"square-counted", TEXT("The square, hits counted"),
+     TEXT("The square cut by its diagonal; colours tell how many triangles cover a pixel. It must be one."),
+     makeSquareCounted},
+    {"three-layers", TEXT("Near, far, middle"),
+     TEXT("Three rectangles, sent in this order: orange in front, blue at the back, green between them."),
+     makeThreeLayers},
+    {"two-windings", TEXT("Two squares, two windings"),
+     TEXT("The left square is counter-clockwise, the right one clockwise. A rule must treat both alike. "
+          "Colours tell how many triangles cover a pixel."),
+     makeTwoWindings},
+    {"tiny-tiles", TEXT("Tiles smaller than a pixel"),
+     TEXT("From half a pixel on the left to several on the right. However small they are, together they cover every "
+          "pixel once."),
+     makeTinyTiles},
+    {"samples", TEXT("Edges between samples"),
+     TEXT("2 x 2 samples a pixel. The orange triangle is nearer and sent first; the white square is cut by its "
+          "diagonal, of which nothing may be seen."),
+     makeSamples},
+    {"zero-area", TEXT("Triangles without area"),
+     TEXT("Three triangles are flattened to lines through pixel centres. They must not be seen."), makeZeroArea},
+    {"long-sliver", TEXT("Two needles of 4,000 pixels"),
+     TEXT("They share a long edge. What is added up along it must not drift."), makeLongSliver},
+    {"huge-triangle", TEXT("A triangle of 60,000 pixels"),
+     TEXT("Not clipped: on the left half of the screen an edge value needs more than 32 bits."), makeHugeTriangle},
+    {"overhang", TEXT("Over the right border"),
+     TEXT("With a guard band the triangle is not clipped; the bounding box alone keeps it on the screen."),
+     makeOverhang},
 };
 
 #undef TEXT

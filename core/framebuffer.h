@@ -14,6 +14,7 @@ namespace rasterlens
 struct SampleBuffer {
     int columns = 0;
     int rows = 0;
+    int stride = 0;                 ///< samples from one row to the next
     std::uint32_t* color = nullptr; ///< 0xffRRGGBB
     float* depth = nullptr;
     std::int32_t* ids = nullptr;
@@ -21,7 +22,7 @@ struct SampleBuffer {
 
     [[nodiscard]] std::size_t index(int x, int y) const
     {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x);
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(stride) + static_cast<std::size_t>(x);
     }
 };
 
@@ -39,6 +40,14 @@ public:
 
 private:
     void resolveColor();
+    void blackenAllButLastFace();
+    [[nodiscard]] bool isDirect() const;
+    [[nodiscard]] std::size_t sampleCount() const;
+    /// Where a sample is read from: what is stored elsewhere (rules.strideIsRows) is not found.
+    [[nodiscard]] std::size_t readIndex(int x, int y) const
+    {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(m_samples.columns) + static_cast<std::size_t>(x);
+    }
 
     Frame* m_frame;
     Rules m_rules;

@@ -7,6 +7,7 @@
 #include "core/rules.h"
 #include "core/scene.h"
 
+#include <cmath>
 #include <vector>
 
 namespace rasterlens
@@ -30,10 +31,11 @@ public:
     ///
     /// out   0 triangles, 1, or as many as the fan of the clipped polygon has
     template <class Observer>
-    void process(std::uint32_t face, std::vector<ScreenTriangle>& out, Observer& observer) const
+    FaceFate process(std::uint32_t face, std::vector<ScreenTriangle>& out, Observer& observer) const
     {
         const FaceFate fate = processFace(face, out, observer);
         observer.onFace(face, fate);
+        return fate;
     }
 
     /// Faces from far to near by the mean depth of their corners (painter's algorithm), or in the order of the mesh.
@@ -62,7 +64,7 @@ private:
         ClipPolygon clipped =
             clip(triangle, m_volume, a.outcode.cut | b.outcode.cut | c.outcode.cut, m_rules.varyingCount, observer);
         if (m_rules.clipping == Clipping::CohenSutherland && clipped.count > 0)
-            clipped = clipCohenSutherland(clipped, m_rules.varyingCount);
+            clipped = clipCohenSutherland(clipped, m_rules);
         if (clipped.count == 0)
             return FaceFate::Rejected;
         return drawClipped(face, clipped, out, observer);
@@ -76,11 +78,15 @@ private:
         for (const ClipVertex& vertex : clipped.span()) {
             if (!(vertex.positionClip.w > 0))
                 return FaceFate::Degenerate; // the plane of the face runs through the eye
-            polygon.push_back(toScreen(vertex, m_rules));
+            polygon.push_back(screenVertex(vertex));
         }
         const FaceFate fate = facing(face, polygon, observer);
-        if (fate == FaceFate::Rasterized)
-            observer.onClipped(face, appendFan(face, polygon, out));
+        if (fate == FaceFate::Rasterized) {
+            const int pieces = appendFan(face, polygon, out);
+            observer.onClipped(face, pieces);
+            if (!m_rules.clipUpdatesW)
+                giveWOfCorners(face, std::span(out).last(static_cast<std::size_t>(pieces)));
+        }
         return fate;
     }
 
@@ -90,16 +96,22 @@ private:
     {
         const double area2 = twicePolygonArea(polygon);
         observer.onFacing(face, area2 / 2);
-        if (area2 == 0)
+        if ((area2 == 0 && m_rules.rejectsZeroArea) || std::abs(area2) < m_rules.smallestArea2)
             return FaceFate::Degenerate;
-        switch (m_rules.cullSpace) {
-        case CullSpace::Screen: break;
-        case CullSpace::Clip:
-            return cull(clipDeterminant({{corner(face, 0).clip, corner(face, 1).clip, corner(face, 2).clip}, face}),
-                        m_rules);
-        case CullSpace::View: return cull(viewFacing(m_scene->mesh, face, m_eyeWorld), m_rules);
-        }
-        return cull(area2, m_rules);
+        if (area2 == 0)
+            return FaceFate::Rasterized;
+        return cull(m_rules.facing == Facing::ScreenArea ? area2 : facingElsewhere(face), m_rules);
+    }
+
+    /// Which way a face looks by what is not the area on the screen.
+    [[nodiscard]] double facingElsewhere(std::uint32_t face) const;
+
+    [[nodiscard]] ScreenVertex screenVertex(const ClipVertex& vertex) const
+    {
+        ScreenVertex out = toScreen(vertex, m_rules);
+        if (m_rules.depthIsDistance)
+            out.depth = (vertex.positionClip.w - m_near) / (m_far - m_near);
+        return out;
     }
 
     [[nodiscard]] const ProcessedVertex& corner(std::uint32_t face, std::uint32_t i) const
@@ -112,9 +124,14 @@ private:
     /// out   the number of triangles
     static int appendFan(std::uint32_t face, std::span<const ScreenVertex> polygon, std::vector<ScreenTriangle>& out);
 
+    /// Gives the pieces of a cut face the w of the face's vertices, as if there had been no cut.
+    void giveWOfCorners(std::uint32_t face, std::span<ScreenTriangle> pieces) const;
+
     const Scene* m_scene;
     Rules m_rules;
     glm::dvec3 m_eyeWorld;
+    double m_near;
+    double m_far;
     ClipVolume m_volume;
     std::vector<ProcessedVertex> m_vertices;
 };
