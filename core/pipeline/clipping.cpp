@@ -20,7 +20,7 @@ constexpr double kGuardBandPixels = 32768;
 /// Half-width of the guard band in units of w, for a viewport of so many pixels.
 double guardFactor(int pixels) { return 2 * kGuardBandPixels / pixels - 1; }
 
-PlaneTable planeTable(double gx, double gy, ClipZ clipZ)
+PlaneTable planeTable(double gx, double gy, const Rules& rules)
 {
     PlaneTable table;
     const auto plane = [&](ClipPlane p) -> PlaneEquation& { return table[static_cast<std::size_t>(p)]; };
@@ -29,8 +29,10 @@ PlaneTable planeTable(double gx, double gy, ClipZ clipZ)
     plane(ClipPlane::Left) = {{1, 0, 0, gx}};
     plane(ClipPlane::Top) = {{0, -1, 0, gy}};
     plane(ClipPlane::Bottom) = {{0, 1, 0, gy}};
-    plane(ClipPlane::Near) = {{0, 0, 1, clipZ == ClipZ::Gl ? 1.0 : 0.0}};
+    plane(ClipPlane::Near) = {{0, 0, 1, rules.clipZ == ClipZ::Gl ? 1.0 : 0.0}};
     plane(ClipPlane::Far) = {{0, 0, -1, 1}};
+    for (PlaneEquation& equation : table)
+        equation.offset += rules.clipInset;
     return table;
 }
 
@@ -48,9 +50,9 @@ ClipPlanes outside(const glm::dvec4& position, const PlaneTable& planes, ClipPla
 ClipVolume clipVolume(const Rules& rules)
 {
     ClipVolume volume;
-    volume.view = planeTable(1, 1, rules.clipZ);
+    volume.view = planeTable(1, 1, rules);
     volume.cut = rules.clipping == Clipping::GuardBand
-                     ? planeTable(guardFactor(rules.width), guardFactor(rules.height), rules.clipZ)
+                     ? planeTable(guardFactor(rules.width), guardFactor(rules.height), rules)
                      : volume.view;
     volume.known = kNearFar | kSides;
     switch (rules.clipping) {
