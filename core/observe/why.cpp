@@ -115,6 +115,7 @@ public:
         m_report.sampleY = y * grid + grid / 2;
         m_report.depthTest = settings.depthTest;
         m_report.reversedZ = settings.reversedZ;
+        m_margin = 1.0 + grid;
         m_centre = glm::dvec2(m_report.sampleX, m_report.sampleY) + 0.5;
         m_ndc = {2 * m_centre.x / m_rules.columns() - 1, 1 - 2 * m_centre.y / m_rules.rows()};
     }
@@ -134,12 +135,13 @@ private:
         FaceWatch watch(m_volume);
         m_batch.clear();
         m_geometry.process(face, m_batch, watch);
-        if (watch.fate == FaceFate::Rasterized && watch.boundsHold(m_centre, 1.0 + m_rules.sampleGrid))
+        if (watch.fate == FaceFate::Rasterized && watch.boundsHold(m_centre, m_margin))
             m_toDraw.push_back(face);
 
         const bool drawn = watch.fate == FaceFate::Rasterized;
         const bool cutAway = watch.cutBy != 0 && (drawn || watch.fate == FaceFate::Rejected);
-        const bool concerned = watch.fate == FaceFate::NonFinite || watch.boundsHold(m_centre, 0) ||
+        const bool concerned = watch.fate == FaceFate::NonFinite ||
+                               watch.boundsHold(m_centre, m_rules.fill == Fill::Solid ? 0 : m_margin) ||
                                ((cutAway || watch.fate == FaceFate::Rejected) && watch.isMetBy(m_ndc));
         if (!concerned)
             return;
@@ -179,9 +181,8 @@ private:
     [[nodiscard]] bool isNear(const ScreenTriangle& triangle) const
     {
         const auto& [a, b, c] = triangle.vertices;
-        const double margin = 1.0 + m_rules.sampleGrid;
-        const glm::dvec2 low = glm::min(glm::min(a.position, b.position), c.position) - margin;
-        const glm::dvec2 high = glm::max(glm::max(a.position, b.position), c.position) + margin;
+        const glm::dvec2 low = glm::min(glm::min(a.position, b.position), c.position) - m_margin;
+        const glm::dvec2 high = glm::max(glm::max(a.position, b.position), c.position) + m_margin;
         return glm::all(glm::lessThanEqual(low, m_centre)) && glm::all(glm::lessThanEqual(m_centre, high));
     }
 
@@ -296,6 +297,7 @@ private:
     std::shared_ptr<const StepLog> m_log;
     glm::dvec2 m_centre; ///< samples
     glm::dvec2 m_ndc;
+    double m_margin = 0; ///< samples: what lies as near as this may draw into the pixel, also as lines
     WhyReport m_report;
 };
 
