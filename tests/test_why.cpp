@@ -74,7 +74,11 @@ void TestWhy::agreesWithThePicture()
             QVERIFY2(!report.visibleFace || report.find(*report.visibleFace) != nullptr, what.constData());
             const auto got = std::ranges::count_if(
                 report.faces, [](const WhyFace& f) { return f.verdict >= WhyVerdict::FailedDepth; });
-            if (settings.fill == Fill::Solid) // a line may come back to a sample
+            // Pieces of a clipped face may both hit a sample under other rules; a line may come back to one.
+            if (settings.fill == Fill::Solid)
+                QVERIFY2(got <= frame.coverage[at], what.constData());
+            const bool onceEach = settings.tieRule == TieRule::TopLeft && settings.numberType == NumberType::Fixed;
+            if (settings.fill == Fill::Solid && onceEach)
                 QVERIFY2(got == frame.coverage[at], what.constData());
             covered += got > 0 ? 1 : 0;
         }

@@ -92,6 +92,10 @@ private:
 
     [[nodiscard]] bool isFaceWanted() const { return !m_full && (!m_filter.face || *m_filter.face == m_face); }
     [[nodiscard]] bool isPending() const { return m_filter.pixels && !(m_faceKept && m_triangleKept); }
+    [[nodiscard]] bool isRowWanted(int y) const
+    {
+        return isFaceWanted() && (!m_filter.pixels || (y >= m_samples.y && y < m_samples.y + m_samples.height));
+    }
     [[nodiscard]] Mark mark() const;
     void rollBack(const Mark& mark);
     void beginFace(std::uint32_t face);

@@ -100,6 +100,30 @@ WhyVerdict verdictOf(FaceFate fate)
     return WhyVerdict::OutsideEdge;
 }
 
+/// Hands on what falls into one pixel: the others need no fragments.
+class PixelStage
+{
+public:
+    PixelStage(FragmentStage<StepRecorder>& stage, const PixelRect& samples) : m_stage(&stage), m_samples(samples) {}
+
+    void begin(const FaceInterpolation& interpolation, const FaceUniforms& uniforms)
+    {
+        m_stage->begin(interpolation, uniforms);
+    }
+
+    template <class... Known>
+    void operator()(int x, int y, const Known&... known)
+    {
+        if (x >= m_samples.x && x < m_samples.x + m_samples.width && y >= m_samples.y &&
+            y < m_samples.y + m_samples.height)
+            (*m_stage)(x, y, known...);
+    }
+
+private:
+    FragmentStage<StepRecorder>* m_stage;
+    PixelRect m_samples;
+};
+
 /// Finds what concerns the pixel, then draws that alone with the recorder.
 class Inquiry
 {
@@ -163,12 +187,14 @@ private:
         Framebuffer framebuffer(frame, m_rules, {}, packColor(m_scene.background));
         const std::size_t sample = framebuffer.samples().index(m_report.sampleX, m_report.sampleY);
         FragmentStage<StepRecorder> stage(m_rules, framebuffer.samples(), glm::vec3(m_matrices.eyeWorld), recorder);
+        const int grid = m_rules.sampleGrid;
+        PixelStage pixelStage(stage, {m_report.x * grid, m_report.y * grid, grid, grid});
         for (const std::uint32_t face : m_toDraw) {
             m_batch.clear();
             m_geometry.process(face, m_batch, recorder);
             for (const ScreenTriangle& triangle : m_batch)
                 if (isNear(triangle))
-                    drawTriangle(m_scene, triangle, m_rules, stage, recorder);
+                    drawTriangle(m_scene, triangle, m_rules, pixelStage, recorder);
         }
         m_report.depth =
             framebuffer.samples().depth != nullptr ? framebuffer.samples().depth[sample] : m_rules.depthClear;
