@@ -92,6 +92,10 @@ constexpr BuiltinScene kScenes[] = {
     {"square-counted", TEXT("The square, hits counted"),
      TEXT("The square cut by its diagonal; colours tell how many triangles cover a pixel. It must be one."),
      makeSquareCounted},
+    {"thin-gap", TEXT("A panel close before a wall"),
+     TEXT("As in z-fighting, but with the near plane at 0.5: 32-bit depth can tell panel and wall apart, 16 bits "
+          "cannot."),
+     makeThinGap},
     {"three-layers", TEXT("Near, far, middle"),
      TEXT("Three rectangles, sent in this order: orange in front, blue at the back, green between them."),
      makeThreeLayers},
