@@ -134,6 +134,12 @@ constexpr BuiltinScene kScenes[] = {
          "BuiltinScene",
          "The square cut by its diagonal; colours tell how many triangles cover a pixel. It must be one."),
      makeSquareCounted},
+    {"thin-gap", QT_TRANSLATE_NOOP("BuiltinScene", "A panel close before a wall"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "As in z-fighting, but with the near plane at 0.5: 32-bit depth can tell panel and wall apart, 16 bits "
+         "cannot."),
+     makeThinGap},
     {"three-layers", QT_TRANSLATE_NOOP("BuiltinScene", "Near, far, middle"),
      QT_TRANSLATE_NOOP("BuiltinScene",
                        "Three rectangles, sent in this order: orange in front, blue at the back, green between them."),

@@ -40,14 +40,8 @@ void coverTriangle(const ScreenTriangle& triangle, const FaceInterpolation& inte
     if (!setup)
         return;
     forEachRasterizer([&](auto rasterizer) {
-        if (rasterizer.info.algorithm != rules.algorithm)
-            return;
-        if (SampleRouter<Stage>::wanted(rules)) {
-            SampleRouter<Stage> router(rules, stage);
-            rasterizer.cover(*setup, interpolation, rules, router, observer);
-        } else {
+        if (rasterizer.info.algorithm == rules.algorithm)
             rasterizer.cover(*setup, interpolation, rules, stage, observer);
-        }
     });
 }
 
@@ -91,6 +85,8 @@ void drawScene(const Scene& scene, const Settings& settings, Frame& frame, Outpu
     times.vertex += watch.lap();
 
     FragmentStage<Observer> stage(rules, framebuffer.samples(), glm::vec3(matrices.eyeWorld), observer);
+    SampleRouter<Observer> router(rules, framebuffer.samples(), glm::vec3(matrices.eyeWorld), observer);
+    const bool routed = SampleRouter<Observer>::wanted(rules);
     std::vector<ScreenTriangle> batch;
     for (std::size_t i = 0; i < order.size() && !stop.stop_requested();) {
         batch.clear();
@@ -103,7 +99,12 @@ void drawScene(const Scene& scene, const Settings& settings, Frame& frame, Outpu
         for (ScreenTriangle& triangle : batch) {
             if (rules.cornerData != CornerData::Own)
                 triangle = withCornerData(triangle, rules.cornerData);
-            drawTriangle(scene, triangle, rules, stage, observer);
+            if (routed) {
+                drawTriangle(scene, triangle, rules, router, observer);
+                router.finish();
+            } else {
+                drawTriangle(scene, triangle, rules, stage, observer);
+            }
         }
         times.raster += watch.lap();
     }

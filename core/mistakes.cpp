@@ -68,8 +68,8 @@ constexpr Mistake kMistakes[] = {
      "triangle-600", Proof::WrongPixels, Change::Rises, [](Rules& r) { r.cornerData = CornerData::Unsorted; }},
     {"height-plus-one", "M12", TEXT("+1 on the height of an edge"),
      TEXT("The short edges end beside the middle corner: a kink, and an outline that is off by up to a pixel."),
-     TEXT("slope = (b.x - a.x) / (b.y - a.y + 1)"), TEXT("It avoids dividing by zero."), "triangle-600",
-     Proof::WrongPixels, Change::Rises,
+     TEXT("slope = (b.x - a.x) / (b.y - a.y + 1)"), TEXT("It avoids dividing by zero."), "tiny-tiles",
+     Proof::WrongFaces, Change::Rises,
      [](Rules& r) {
          r.algorithm = Algorithm::EdgeWalking;
          r.extraEdgeHeight = 1;
@@ -129,7 +129,7 @@ constexpr Mistake kMistakes[] = {
      [](Rules& r) { r.clipping = Clipping::NearFarReject; }},
     {"cut-corners", "M24", TEXT("Only edges are clipped"),
      TEXT("Where the triangle covers a corner of the screen, the corner is cut off."),
-     TEXT("polygon = what Cohen-Sutherland leaves of the edges"), TEXT("A triangle is its three edges."), "covering",
+     TEXT("polygon = what Cohen-Sutherland leaves of the edges"), TEXT("A triangle is its three edges."), "behind-camera",
      Proof::Holes, Change::Rises,
      [](Rules& r) {
          r.clipping = Clipping::CohenSutherland;
@@ -149,7 +149,7 @@ constexpr Mistake kMistakes[] = {
      [](Rules& r) { r.frontSign = -r.frontSign; }},
     {"cull-by-light", "M27", TEXT("Culled by the direction of the light"),
      TEXT("What faces the camera but not the light is missing."), TEXT("if (dot(normal, light) < 0) cull"),
-     TEXT("In the first example light and gaze are one direction."), "teapot", Proof::Holes, Change::Rises,
+     TEXT("In the first example light and gaze are one direction."), "torus-knot", Proof::Holes, Change::Rises,
      [](Rules& r) {
          r.culling = Culling::Back;
          r.facing = Facing::LightNormal;
@@ -184,8 +184,8 @@ constexpr Mistake kMistakes[] = {
      TEXT("zbuffer[i] = z stands below the if, not in it"), TEXT("A pair of braces."), "three-layers", Proof::WrongFaces,
      Change::Rises, [](Rules& r) { r.depthWrittenOnFail = true; }},
     {"few-depth-bits", "M31", TEXT("Few depth bits and a near plane close to the eye"),
-     TEXT("Surfaces close to each other flicker in stripes."), TEXT("16-bit depth, near = 0.005"),
-     TEXT("The nearer the near plane, the less is lost, one thinks; it takes most of the depth values."), "z-fighting",
+     TEXT("Surfaces close to each other flicker in stripes."), TEXT("16-bit depth, near = 0.5, far = 1000"),
+     TEXT("The nearer the near plane, the less is lost, one thinks; it takes most of the depth values."), "thin-gap",
      Proof::WrongFaces, Change::Rises, [](Rules& r) { r.depthFormat = DepthFormat::Unorm16; }},
     {"coverage-times-color", "M32", TEXT("Coverage times colour in place of stored samples"),
      TEXT("Dark lines along edges, also where two triangles of one colour meet."),

@@ -141,11 +141,11 @@ void TestBuiltinScenes::listIsStable()
                                "slivers",        "behind-camera",
                                "covering",       "edge-guardband",
                                "lines",          "four-z",
-                               "square-counted", "three-layers",
-                               "two-windings",   "tiny-tiles",
-                               "samples",        "zero-area",
-                               "long-sliver",    "huge-triangle",
-                               "overhang"};
+                               "square-counted", "thin-gap",
+                               "three-layers",   "two-windings",
+                               "tiny-tiles",     "samples",
+                               "zero-area",      "long-sliver",
+                               "huge-triangle",  "overhang"};
     QStringList names;
     for (const BuiltinScene& entry : builtinScenes())
         names << entry.name;

@@ -17,7 +17,8 @@ struct Interpolants {
 };
 
 /// What happens to a covered sample, for every algorithm: interpolate, depth test, shade, write.
-template <class Observer>
+/// `Caller` makes types of their own for callers other than the algorithms, so that these keep their inlined code.
+template <class Observer, class Caller = void>
 class FragmentStage
 {
 public:

@@ -40,6 +40,7 @@ namespace rasterlens
 
 // Where mistakes show that the others forgive.
 [[nodiscard]] Scene makeSquareCounted();
+[[nodiscard]] Scene makeThinGap();
 [[nodiscard]] Scene makeThreeLayers();
 [[nodiscard]] Scene makeTwoWindings();
 [[nodiscard]] Scene makeTinyTiles();

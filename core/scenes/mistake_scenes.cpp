@@ -36,6 +36,13 @@ Scene makeSquareCounted()
     return scene;
 }
 
+Scene makeThinGap()
+{
+    Scene scene = makeZFighting();
+    scene.defaults.view.near = 0.5;
+    return scene;
+}
+
 Scene makeThreeLayers()
 {
     Scene scene = clipScene(QSize(160, 120));
