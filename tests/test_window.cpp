@@ -399,6 +399,7 @@ private Q_SLOTS:
         QVERIFY(m_window->isSettled());
         QVERIFY(!m_window->message().isEmpty());
         QCOMPARE(viewport().frame(), before);
+        QVERIFY2(m_window->pipelinePanel().editor(QStringLiteral("cull-space"))->isEnabled(), "the way back is open");
         document().undo();
         QVERIFY(settle());
         QVERIFY(m_window->message().isEmpty());
@@ -498,6 +499,7 @@ private Q_SLOTS:
             QVERIFY2(isChinese(QCoreApplication::translate("BuiltinScene", scene.title)), scene.title);
             QVERIFY2(isChinese(QCoreApplication::translate("BuiltinScene", scene.note)), scene.note);
         }
+        document().clearRecentFiles();
         for (const QAction* action : m_window->findChildren<QAction*>())
             if (action->text().contains(QRegularExpression(QStringLiteral("[a-z]{4}"))))
                 QVERIFY2(isChinese(action->text()) || action->text() == QLatin1String("English"),

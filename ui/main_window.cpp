@@ -34,6 +34,7 @@ namespace rasterlens
 namespace
 {
 
+constexpr int kCardGap = 7;
 constexpr int kPipelineWidth = 298;
 constexpr int kStatisticsWidth = 220;
 constexpr int kActivityDelayMs = 150;
@@ -84,7 +85,7 @@ void MainWindow::buildLayout()
     auto* central = new QWidget;
     auto* column = new QVBoxLayout(central);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(7);
+    column->setSpacing(kCardGap);
     auto* stripCard = new QFrame;
     stripCard->setObjectName(QStringLiteral("card"));
     auto* stripRow = new QHBoxLayout(stripCard);
@@ -107,7 +108,7 @@ void MainWindow::buildLayout()
     m_copyJson->setText(QStringLiteral("JSON"));
     addDockWidget(Qt::RightDockWidgetArea, m_statisticsDock);
     resizeDocks({m_pipelineDock, m_statisticsDock}, {kPipelineWidth, kStatisticsWidth}, Qt::Horizontal);
-    setContentsMargins(7, 0, 7, 0);
+    setContentsMargins(kCardGap, 0, kCardGap, 0);
 }
 
 QWidget* MainWindow::buildCanvas()
@@ -420,6 +421,7 @@ void MainWindow::setPresentation(bool on)
     look.presentation = on;
     setLook(look);
     menuBar()->setVisible(!on);
+    centralWidget()->layout()->setContentsMargins(0, on ? kCardGap : 0, 0, 0);
     m_caption->setVisible(on);
     m_presentation->setChecked(on);
     if (on) {
