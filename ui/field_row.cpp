@@ -169,7 +169,7 @@ void FieldRow::retranslate()
 
 void FieldRow::updateToolTip()
 {
-    QString text = QStringLiteral("<p><b>%1</b> &nbsp;%2</p><p>%3</p>")
+    QString text = QStringLiteral("<p><b>%1</b><br/>%2</p><p>%3</p>")
                        .arg(translated(m_field.title).toHtmlEscaped(),
                             m_language.inOther("Settings", m_field.title).toHtmlEscaped(),
                             translated(m_field.help).toHtmlEscaped());

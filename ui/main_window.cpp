@@ -350,7 +350,7 @@ void MainWindow::syncTitle()
     setWindowModified(m_document.isDirty());
 }
 
-/// The caption of the presentation names the scene and what was changed about it.
+/// The caption of the presentation names the scene and what was changed about it, or else what there is to see.
 void MainWindow::syncCaption()
 {
     QStringList changes;
@@ -359,8 +359,8 @@ void MainWindow::syncCaption()
             changes << QStringLiteral("%1: %2").arg(QCoreApplication::translate("Settings", field.title),
                                                     valueTitle(field, m_document.settings()));
     const QString title = m_pipelinePanel->sceneBox()->currentText().toHtmlEscaped();
-    m_caption->setText(
-        QStringLiteral("<b>%1</b> &nbsp; %2").arg(title, changes.join(QStringLiteral(" \u00b7 ")).toHtmlEscaped()));
+    const QString text = changes.isEmpty() ? m_pipelinePanel->sceneNote() : changes.join(QStringLiteral(" \u00b7 "));
+    m_caption->setText(QStringLiteral("<b>%1</b> &nbsp; %2").arg(title, text.toHtmlEscaped()));
 }
 
 void MainWindow::toggleGoToPixel()
@@ -428,6 +428,7 @@ void MainWindow::setPresentation(bool on)
         for (Dock* dock : findChildren<Dock*>())
             dock->hide();
         showFullScreen();
+        m_viewport->setFocus();
     } else {
         restoreState(m_stateBeforePresentation, kLayoutVersion);
         showNormal();

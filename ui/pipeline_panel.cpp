@@ -234,6 +234,8 @@ QWidget* PipelinePanel::editor(const QString& fieldId) const
     return nullptr;
 }
 
+QString PipelinePanel::sceneNote() const { return m_sceneNote->text(); }
+
 int PipelinePanel::changedCount() const
 {
     const Settings& now = m_document.settings();
