@@ -404,8 +404,9 @@ void MainWindow::setLanguage(LanguageKind kind)
 
 void MainWindow::setLook(const Look& look)
 {
+    if (!(look == m_look))
+        applyLook(*qApp, look);
     m_look = look;
-    applyLook(*qApp, look);
     m_viewport->setCanvasColor(themeColors(look.kind).canvas);
     m_viewport->setThickLines(look.presentation);
     m_dark->setChecked(look.kind == ThemeKind::Dark);
@@ -448,7 +449,7 @@ void MainWindow::restoreMemory()
     const QSettings memory;
     restoreGeometry(memory.value(QStringLiteral("window/geometry")).toByteArray());
     restoreState(memory.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion);
-    m_look.kind = memory.value(QStringLiteral("window/dark")).toBool() ? ThemeKind::Dark : ThemeKind::Light;
+    setLook({memory.value(QStringLiteral("window/dark")).toBool() ? ThemeKind::Dark : ThemeKind::Light, false});
     const QString language = memory.value(QStringLiteral("window/language")).toString();
     setLanguage(language.isEmpty()                   ? Language::ofSystem()
                 : language == QLatin1String("zh_CN") ? LanguageKind::Chinese
