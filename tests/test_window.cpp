@@ -140,7 +140,7 @@ private Q_SLOTS:
     {
         QFETCH(QString, id);
         const SettingsField& field = *findSettingsField(id);
-        QVERIFY(open(QStringLiteral("builtin:cube")));
+        QVERIFY(openSmall(QStringLiteral("builtin:cube")));
         const int before = field.get(settings());
         const int panelCount = m_window->pipelinePanel().changedCount();
         for (int value = field.minimum; value <= std::min(field.maximum, field.minimum + 9); ++value) {
@@ -150,7 +150,7 @@ private Q_SLOTS:
         choose(id, before == field.maximum ? field.minimum : before + 1);
         QVERIFY(field.get(settings()) != before);
         QCOMPARE(m_window->pipelinePanel().changedCount(), panelCount + 1);
-        while (document().canUndo())
+        while (document().canUndo() && field.get(settings()) != before)
             document().undo();
         QCOMPARE(field.get(settings()), before);
         QCOMPARE(m_window->pipelinePanel().changedCount(), panelCount);
@@ -244,7 +244,7 @@ private Q_SLOTS:
     {
         QFETCH(Qt::Key, keyOfField);
         QFETCH(QString, id);
-        QVERIFY(open(QStringLiteral("builtin:cube")));
+        QVERIFY(openSmall(QStringLiteral("builtin:cube")));
         const SettingsField& field = *findSettingsField(id);
         const int first = field.get(settings());
         key(keyOfField);
@@ -283,7 +283,7 @@ private Q_SLOTS:
 
     void leftDragOrbitsObjectsAndIsOneUndoStep()
     {
-        QVERIFY(open(QStringLiteral("builtin:cube")));
+        QVERIFY(openSmall(QStringLiteral("builtin:cube")));
         const Settings before = settings();
         const QPoint middle = viewport().rect().center();
         QTest::mousePress(&viewport(), Qt::LeftButton, {}, middle);
@@ -312,7 +312,7 @@ private Q_SLOTS:
 
     void axisViewsAndHome()
     {
-        QVERIFY(open(QStringLiteral("builtin:cube")));
+        QVERIFY(openSmall(QStringLiteral("builtin:cube")));
         const View home = settings().view;
         key(Qt::Key_7);
         QCOMPARE(settings().view.pitch, 90.0);
@@ -399,6 +399,7 @@ private Q_SLOTS:
         QVERIFY(m_window->isSettled());
         QVERIFY(!m_window->message().isEmpty());
         QCOMPARE(viewport().frame(), before);
+        QVERIFY2(m_window->pipelinePanel().editor(QStringLiteral("cull-space"))->isEnabled(), "the way back is open");
         document().undo();
         QVERIFY(settle());
         QVERIFY(m_window->message().isEmpty());
@@ -498,6 +499,7 @@ private Q_SLOTS:
             QVERIFY2(isChinese(QCoreApplication::translate("BuiltinScene", scene.title)), scene.title);
             QVERIFY2(isChinese(QCoreApplication::translate("BuiltinScene", scene.note)), scene.note);
         }
+        document().clearRecentFiles();
         for (const QAction* action : m_window->findChildren<QAction*>())
             if (action->text().contains(QRegularExpression(QStringLiteral("[a-z]{4}"))))
                 QVERIFY2(isChinese(action->text()) || action->text() == QLatin1String("English"),
@@ -541,7 +543,7 @@ private Q_SLOTS:
 
     void helpListsLiveStates()
     {
-        QVERIFY(open(QStringLiteral("builtin:cube")));
+        QVERIFY(openSmall(QStringLiteral("builtin:cube")));
         const auto text = [this] {
             QString all;
             for (const QLabel* label : m_window->helpOverlay().findChildren<QLabel*>())

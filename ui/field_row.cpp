@@ -125,7 +125,7 @@ void FieldRow::setKeyHint(const QString& key)
     updateToolTip();
 }
 
-void FieldRow::sync(const Settings& settings, const Settings& defaults)
+void FieldRow::sync(const Settings& settings, const Settings& defaults, bool refused)
 {
     const QSignalBlocker blocked(m_editor);
     const int value = m_field.get(settings);
@@ -139,8 +139,8 @@ void FieldRow::sync(const Settings& settings, const Settings& defaults)
     m_dot->setChanged(value != m_field.get(defaults));
     m_dot->setToolTip(tr("The scene asks for: %1. Click to put it back.").arg(valueTitle(m_field, defaults)));
     m_whyInert = whyWithoutEffect(m_field, settings).value_or(QString());
-    m_editor->setEnabled(m_whyInert.isEmpty());
-    m_name->setEnabled(m_whyInert.isEmpty());
+    m_editor->setEnabled(refused || m_whyInert.isEmpty());
+    m_name->setEnabled(m_editor->isEnabled());
     updateToolTip();
 }
 
@@ -169,7 +169,7 @@ void FieldRow::retranslate()
 
 void FieldRow::updateToolTip()
 {
-    QString text = QStringLiteral("<p><b>%1</b> &nbsp;%2</p><p>%3</p>")
+    QString text = QStringLiteral("<p><b>%1</b><br/>%2</p><p>%3</p>")
                        .arg(translated(m_field.title).toHtmlEscaped(),
                             m_language.inOther("Settings", m_field.title).toHtmlEscaped(),
                             translated(m_field.help).toHtmlEscaped());

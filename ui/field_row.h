@@ -69,7 +69,8 @@ public:
     [[nodiscard]] const SettingsField& field() const { return m_field; }
     [[nodiscard]] QWidget* editor() const { return m_editor; }
     void setKeyHint(const QString& key);
-    void sync(const Settings& settings, const Settings& defaults);
+    /// in   whether the settings cannot be drawn: then every switch stays open, to find the way back
+    void sync(const Settings& settings, const Settings& defaults, bool refused);
     /// Greys out the values that `why` gives a reason against.
     void setValueReasons(const std::function<QString(int)>& why);
     void retranslate();

@@ -34,6 +34,7 @@ namespace rasterlens
 namespace
 {
 
+constexpr int kCardGap = 7;
 constexpr int kPipelineWidth = 298;
 constexpr int kStatisticsWidth = 220;
 constexpr int kActivityDelayMs = 150;
@@ -84,7 +85,7 @@ void MainWindow::buildLayout()
     auto* central = new QWidget;
     auto* column = new QVBoxLayout(central);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(7);
+    column->setSpacing(kCardGap);
     auto* stripCard = new QFrame;
     stripCard->setObjectName(QStringLiteral("card"));
     auto* stripRow = new QHBoxLayout(stripCard);
@@ -107,7 +108,7 @@ void MainWindow::buildLayout()
     m_copyJson->setText(QStringLiteral("JSON"));
     addDockWidget(Qt::RightDockWidgetArea, m_statisticsDock);
     resizeDocks({m_pipelineDock, m_statisticsDock}, {kPipelineWidth, kStatisticsWidth}, Qt::Horizontal);
-    setContentsMargins(7, 0, 7, 0);
+    setContentsMargins(kCardGap, 0, kCardGap, 0);
 }
 
 QWidget* MainWindow::buildCanvas()
@@ -349,7 +350,7 @@ void MainWindow::syncTitle()
     setWindowModified(m_document.isDirty());
 }
 
-/// The caption of the presentation names the scene and what was changed about it.
+/// The caption of the presentation names the scene and what was changed about it, or else what there is to see.
 void MainWindow::syncCaption()
 {
     QStringList changes;
@@ -358,8 +359,8 @@ void MainWindow::syncCaption()
             changes << QStringLiteral("%1: %2").arg(QCoreApplication::translate("Settings", field.title),
                                                     valueTitle(field, m_document.settings()));
     const QString title = m_pipelinePanel->sceneBox()->currentText().toHtmlEscaped();
-    m_caption->setText(
-        QStringLiteral("<b>%1</b> &nbsp; %2").arg(title, changes.join(QStringLiteral(" \u00b7 ")).toHtmlEscaped()));
+    const QString text = changes.isEmpty() ? m_pipelinePanel->sceneNote() : changes.join(QStringLiteral(" \u00b7 "));
+    m_caption->setText(QStringLiteral("<b>%1</b> &nbsp; %2").arg(title, text.toHtmlEscaped()));
 }
 
 void MainWindow::toggleGoToPixel()
@@ -403,8 +404,9 @@ void MainWindow::setLanguage(LanguageKind kind)
 
 void MainWindow::setLook(const Look& look)
 {
+    if (!(look == m_look))
+        applyLook(*qApp, look);
     m_look = look;
-    applyLook(*qApp, look);
     m_viewport->setCanvasColor(themeColors(look.kind).canvas);
     m_viewport->setThickLines(look.presentation);
     m_dark->setChecked(look.kind == ThemeKind::Dark);
@@ -420,12 +422,14 @@ void MainWindow::setPresentation(bool on)
     look.presentation = on;
     setLook(look);
     menuBar()->setVisible(!on);
+    centralWidget()->layout()->setContentsMargins(0, on ? kCardGap : 0, 0, 0);
     m_caption->setVisible(on);
     m_presentation->setChecked(on);
     if (on) {
         for (Dock* dock : findChildren<Dock*>())
             dock->hide();
         showFullScreen();
+        m_viewport->setFocus();
     } else {
         restoreState(m_stateBeforePresentation, kLayoutVersion);
         showNormal();
@@ -445,7 +449,7 @@ void MainWindow::restoreMemory()
     const QSettings memory;
     restoreGeometry(memory.value(QStringLiteral("window/geometry")).toByteArray());
     restoreState(memory.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion);
-    m_look.kind = memory.value(QStringLiteral("window/dark")).toBool() ? ThemeKind::Dark : ThemeKind::Light;
+    setLook({memory.value(QStringLiteral("window/dark")).toBool() ? ThemeKind::Dark : ThemeKind::Light, false});
     const QString language = memory.value(QStringLiteral("window/language")).toString();
     setLanguage(language.isEmpty()                   ? Language::ofSystem()
                 : language == QLatin1String("zh_CN") ? LanguageKind::Chinese

@@ -31,6 +31,10 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent)
     row->addWidget(m_sign, 0, Qt::AlignTop);
     row->addWidget(m_text, 1);
     row->addWidget(m_close, 0, Qt::AlignTop);
+    constexpr int kReadingTimeMs = 6000;
+    m_farewell.setSingleShot(true);
+    m_farewell.setInterval(kReadingTimeMs);
+    connect(&m_farewell, &QTimer::timeout, this, &QWidget::hide);
     hide();
 }
 
@@ -42,6 +46,10 @@ void MessageBar::show(MessageKind kind, const QString& text)
     m_text->setText(text);
     applyColors();
     setVisible(true);
+    if (kind == MessageKind::Info)
+        m_farewell.start();
+    else
+        m_farewell.stop();
 }
 
 void MessageBar::show(const Diagnostics& diagnostics)

@@ -2,6 +2,7 @@
 #include "core/diagnostics.h"
 
 #include <QFrame>
+#include <QTimer>
 
 class QLabel;
 class QToolButton;
@@ -35,6 +36,7 @@ private:
     QLabel* m_sign = nullptr;
     QLabel* m_text = nullptr;
     QToolButton* m_close = nullptr;
+    QTimer m_farewell; ///< good news leaves by itself
 };
 
 } // namespace rasterlens

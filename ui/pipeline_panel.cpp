@@ -25,6 +25,8 @@ namespace rasterlens
 namespace
 {
 
+constexpr int kReadableWidth = 288; ///< no name or value is cut off
+
 constexpr std::array kGroups{Stage::Clip,  Stage::Screen, Stage::Cull, Stage::Cover,
                              Stage::Depth, Stage::Shade,  Stage::Image};
 
@@ -55,6 +57,7 @@ QToolButton* linkButton()
 PipelinePanel::PipelinePanel(Document& document, const Language& language, QWidget* parent)
     : QWidget(parent), m_document(document), m_language(language)
 {
+    setMinimumWidth(kReadableWidth);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 2, 0, 6);
     outer->setSpacing(4);
@@ -231,6 +234,8 @@ QWidget* PipelinePanel::editor(const QString& fieldId) const
     return nullptr;
 }
 
+QString PipelinePanel::sceneNote() const { return m_sceneNote->text(); }
+
 int PipelinePanel::changedCount() const
 {
     const Settings& now = m_document.settings();
@@ -270,8 +275,9 @@ void PipelinePanel::syncSettings()
 {
     const Settings& settings = m_document.settings();
     const Settings& defaults = m_document.defaults();
+    const bool refused = unsupported(*m_document.scene(), settings).has_value();
     for (FieldRow* row : m_rows)
-        row->sync(settings, defaults);
+        row->sync(settings, defaults, refused);
     {
         const QSignalBlocker blocked(m_sizeBox);
         const QString text = sizeText(settings.size);

@@ -34,6 +34,7 @@ public:
     /// The switch of a field: a QComboBox, QSpinBox or QCheckBox.
     [[nodiscard]] QWidget* editor(const QString& fieldId) const;
     [[nodiscard]] QComboBox* sceneBox() const { return m_sceneBox; }
+    [[nodiscard]] QString sceneNote() const;
     [[nodiscard]] QComboBox* sizeBox() const { return m_sizeBox; }
     /// How many settings differ from what the scene asks for.
     [[nodiscard]] int changedCount() const;

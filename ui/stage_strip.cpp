@@ -20,6 +20,7 @@ namespace
 constexpr std::array kStages{Stage::Scene, Stage::Clip,  Stage::Screen, Stage::Cull,
                              Stage::Cover, Stage::Depth, Stage::Shade,  Stage::Image};
 constexpr int kArrowWidth = 14;
+constexpr int kWidthWithArrows = 690;
 
 } // namespace
 
@@ -58,7 +59,7 @@ protected:
     {
         QPainter painter(this);
         painter.setRenderHint(QPainter::Antialiasing);
-        const int arrow = m_last ? 0 : (width() > 84 ? kArrowWidth : 5);
+        const int arrow = m_last ? 0 : (parentWidget()->width() >= kWidthWithArrows ? kArrowWidth : 5);
         const QRectF box = QRectF(rect()).adjusted(0.5, 0.5, -0.5 - arrow, -0.5);
         const bool marked = isChecked();
         painter.setPen(

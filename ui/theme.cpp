@@ -94,7 +94,10 @@ QComboBox, QSpinBox, QLineEdit { background: @card; color: @text; border: 1px so
 QComboBox:hover, QSpinBox:hover, QLineEdit:hover { border-color: @accent; }
 QComboBox:focus, QSpinBox:focus, QLineEdit:focus { border: 2px solid @accent; padding: 1px 5px; }
 QComboBox:disabled, QSpinBox:disabled { color: @muted; background: @window; }
+QComboBox { combobox-popup: 0; }
 QComboBox::drop-down { border: none; width: 14px; }
+QComboBox QAbstractItemView::item { min-height: 1.7em; padding: 0 6px; }
+QComboBox QAbstractItemView::item:disabled { color: @muted; }
 QComboBox::down-arrow { image: url(:/rasterlens/icons/chevron-@kind.png); width: 9px; height: 9px; }
 QComboBox::down-arrow:disabled { image: none; }
 QComboBox QAbstractItemView { background: @card; color: @text; border: 1px solid @border; outline: none;
