@@ -40,8 +40,8 @@ constexpr BuiltinScene kScenes[] = {
      makeTeapot},
     {"torus-knot", TEXT("Torus knot"), TEXT("A closed surface that hides itself many times."), makeTorusKnot},
     {"floor", TEXT("Floor to the horizon"),
-     TEXT(
-         "The floor passes under and behind the camera. Without near clipping the part behind comes back upside down."),
+     TEXT("The floor passes under and behind the camera. Without near clipping the foreground is lost; with the depth "
+          "test off as well, what lies behind hangs upside down in the sky."),
      makeFloor},
     {"letter-f", TEXT("Letter F"),
      TEXT("Orange in front, blue at the back. An F shows every flip, and every mistake of winding."), makeLetterF},
@@ -85,7 +85,8 @@ constexpr BuiltinScene kScenes[] = {
     {"four-z", TEXT("Board for four z values"),
      TEXT(
          "The board goes from distance 1 on the left to 10 on the right, the markers stand at thirds of the screen. In "
-         "the middle z/w is 0.8938 and the distance 1.818: z/w is linear on the screen, the distance is not."),
+         "the middle z/w is 0.8938 and the distance 1.818: z/w is linear on the screen, the distance is not. "
+         "Board and markers have equal colours at equal distances, unless interpolation is affine."),
      makeFourZ},
 };
 

@@ -35,6 +35,7 @@ void coverTriangle(const ScreenTriangle& triangle, const FaceInterpolation& inte
                    Stage& stage, Observer& observer)
 {
     const std::optional<TriangleSetup<T>> setup = setupTriangle<T>(triangle, rules);
+    observer.onSetup(setup);
     if (!setup)
         return;
     forEachRasterizer([&](auto rasterizer) {
@@ -54,7 +55,7 @@ void drawTriangle(const Scene& scene, const ScreenTriangle& triangle, const Rule
     stage.begin(interpolation, uniforms);
     observer.onTriangle(triangle);
     switch (rules.fill) {
-    case Fill::Wireframe: drawWireframe(triangle, rules.line, stage); return;
+    case Fill::Wireframe: drawWireframe(triangle, rules.line, stage, observer); return;
     case Fill::Points: drawPoints(triangle, stage); return;
     case Fill::Solid: break;
     }

@@ -31,6 +31,23 @@ void pickCentres(const std::vector<T>& samples, std::vector<T>& pixels, int widt
 
 } // namespace
 
+std::uint32_t meanOfSamples(const std::uint32_t* color, int columns, int grid, int x, int y)
+{
+    const auto samplesPerPixel = static_cast<std::uint32_t>(grid * grid);
+    std::uint32_t red = samplesPerPixel / 2;
+    std::uint32_t green = red;
+    std::uint32_t blue = red;
+    for (int j = 0; j < grid; ++j) {
+        const std::uint32_t* row = color + std::size_t(y * grid + j) * std::size_t(columns) + std::size_t(x * grid);
+        for (int i = 0; i < grid; ++i) {
+            red += row[i] >> 16 & 255U;
+            green += row[i] >> 8 & 255U;
+            blue += row[i] & 255U;
+        }
+    }
+    return 0xff000000U | red / samplesPerPixel << 16 | green / samplesPerPixel << 8 | blue / samplesPerPixel;
+}
+
 Framebuffer::Framebuffer(Frame& frame, const Rules& rules, Outputs outputs, std::uint32_t clearColor)
     : m_frame(&frame), m_rules(rules), m_outputs(outputs)
 {
@@ -77,26 +94,12 @@ void Framebuffer::resolve()
         m_frame->coverage.clear();
 }
 
-/// The mean of a pixel's samples, channel by channel, rounded to nearest.
 void Framebuffer::resolveColor()
 {
-    const int grid = m_rules.sampleGrid;
-    const auto samplesPerPixel = static_cast<std::uint32_t>(grid * grid);
     auto* out = reinterpret_cast<std::uint32_t*>(m_frame->image.bits());
     for (int y = 0; y < m_rules.height; ++y)
-        for (int x = 0; x < m_rules.width; ++x) {
-            std::uint32_t red = samplesPerPixel / 2;
-            std::uint32_t green = red;
-            std::uint32_t blue = red;
-            for (int j = 0; j < grid; ++j)
-                for (int i = 0; i < grid; ++i) {
-                    const std::uint32_t c = m_color[m_samples.index(x * grid + i, y * grid + j)];
-                    red += c >> 16 & 255U;
-                    green += c >> 8 & 255U;
-                    blue += c & 255U;
-                }
-            *out++ = 0xff000000U | red / samplesPerPixel << 16 | green / samplesPerPixel << 8 | blue / samplesPerPixel;
-        }
+        for (int x = 0; x < m_rules.width; ++x)
+            *out++ = meanOfSamples(m_color.data(), m_samples.columns, m_rules.sampleGrid, x, y);
 }
 
 } // namespace rasterlens

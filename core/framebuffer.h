@@ -25,6 +25,9 @@ struct SampleBuffer {
     }
 };
 
+/// The mean of the samples of pixel (x, y), channel by channel, rounded to nearest.
+[[nodiscard]] std::uint32_t meanOfSamples(const std::uint32_t* color, int columns, int grid, int x, int y);
+
 /// Owns the memory of a frame while it is drawn. With one sample a pixel the samples are the frame's own arrays.
 class Framebuffer
 {

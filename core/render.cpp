@@ -38,7 +38,7 @@ void render(const Scene& scene, const Settings& settings, Frame& frame, Outputs 
 Statistics renderCounted(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs,
                          std::stop_token stop)
 {
-    CountingObserver observer(settings.size.width() * sampleGrid(settings.samples));
+    CountingObserver observer(rulesFor(scene, settings));
     drawScene(scene, settings, frame, outputs, observer, stop);
     return observer.statistics();
 }

@@ -259,6 +259,12 @@ QStringList unknownMistakes(const Settings& settings)
     return unknown;
 }
 
-QString mistakeList() { return mistakeIds().join(QLatin1Char('\n')); }
+QString mistakeList()
+{
+    QString text;
+    for (const QString& id : mistakeIds())
+        text += id + QLatin1Char('\n');
+    return text;
+}
 
 } // namespace rasterlens::cli

@@ -16,7 +16,7 @@ namespace rasterlens::cli
 /// The mistakes of these settings that are not in the mistake table.
 [[nodiscard]] QStringList unknownMistakes(const Settings& settings);
 
-/// Two columns: the id and the title of every mistake.
+/// The id of every mistake, a line each.
 [[nodiscard]] QString mistakeList();
 
 } // namespace rasterlens::cli

@@ -1,6 +1,7 @@
 #pragma once
 #include "core/observe/observer.h"
 #include "core/observe/statistics.h"
+#include "core/rules.h"
 
 #include <unordered_map>
 #include <unordered_set>
@@ -12,17 +13,19 @@ namespace rasterlens
 class CountingObserver : public NullObserver
 {
 public:
-    /// in  columns of the sample grid
-    explicit CountingObserver(int columns) : m_columns(columns) {}
+    explicit CountingObserver(const Rules& rules);
 
     void onFace(std::uint32_t, FaceFate fate);
     void onClipped(std::uint32_t, int pieces);
     void onTriangle(const ScreenTriangle& triangle);
-    void onSpan(int, int xBegin, int xEnd) { m_statistics.pixels.tested += static_cast<std::uint64_t>(xEnd - xBegin); }
+    void onSpan(int, int xBegin, int xEnd, const SpanEnds&)
+    {
+        m_statistics.pixels.tested += static_cast<std::uint64_t>(xEnd - xBegin);
+    }
     void onSample(int, int, const EdgeValues&, bool) { ++m_statistics.pixels.tested; }
     void onLineSample(int, int, bool) { ++m_statistics.pixels.tested; }
-    void onFragment(const Fragment& fragment, bool passedDepth);
-    void onShade(const Fragment&) { ++m_statistics.pixels.shaded; }
+    void onFragment(const Fragment& fragment, float storedDepth, bool passedDepth);
+    void onShade(const Fragment&, std::uint32_t) { ++m_statistics.pixels.shaded; }
     void onWrite(int, int, Pixel, Pixel) { ++m_statistics.pixels.written; }
 
     [[nodiscard]] const Statistics& statistics() const { return m_statistics; }
@@ -41,6 +44,7 @@ private:
     };
 
     int m_columns;
+    double m_nearDistance; ///< samples covered so close to an edge, in samples, are looked at for a second hit
     Statistics m_statistics;
     std::array<glm::dvec2, 3> m_positions{};
     bool m_counterClockwise = true;

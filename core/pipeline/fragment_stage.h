@@ -67,8 +67,8 @@ private:
         fragment.depth = storedDepth(depth, m_rules->depthFormat);
         fragment.screen = screen;
 
-        const bool passed =
-            !m_rules->depthTested || depthPasses(fragment.depth, m_samples.depth[at], m_rules->depthCompare);
+        const float stored = m_samples.depth != nullptr ? m_samples.depth[at] : m_rules->depthClear;
+        const bool passed = !m_rules->depthTested || depthPasses(fragment.depth, stored, m_rules->depthCompare);
         const bool shaded = passed || !m_rules->depthBeforeShading;
         std::uint32_t color = 0;
         if (shaded) {
@@ -78,9 +78,9 @@ private:
             }
             color = shadeFragment(*m_rules, *m_uniforms, fragment.varyings, fragment.depth, m_eyeWorld);
         }
-        m_observer->onFragment(fragment, passed);
+        m_observer->onFragment(fragment, stored, passed);
         if (shaded)
-            m_observer->onShade(fragment);
+            m_observer->onShade(fragment, color);
         if (passed)
             write(at, fragment, color);
     }

@@ -46,6 +46,8 @@ private:
         const ProcessedVertex& a = corner(face, 0);
         const ProcessedVertex& b = corner(face, 1);
         const ProcessedVertex& c = corner(face, 2);
+        for (std::uint32_t i = 0; i < 3; ++i)
+            observer.onVertex(face, static_cast<int>(i), meshVertex(face, i), corner(face, i).clip);
         if (!a.finite || !b.finite || !c.finite)
             return FaceFate::NonFinite;
         const ClipVerdict verdict = clipVerdict(m_rules.clipping, a.outcode, b.outcode, c.outcode);
@@ -53,6 +55,8 @@ private:
             return FaceFate::Rejected;
         if (verdict == ClipVerdict::Keep) {
             const std::array<ScreenVertex, 3> polygon{a.screen, b.screen, c.screen};
+            for (std::uint32_t i = 0; i < 3; ++i)
+                observer.onViewport(face, static_cast<int>(i), corner(face, i).clip, polygon[i]);
             const FaceFate fate = facing(face, polygon, observer);
             if (fate == FaceFate::Rasterized)
                 out.push_back({polygon, face});
@@ -61,8 +65,11 @@ private:
         const ClipTriangle triangle{{a.clip, b.clip, c.clip}, face};
         ClipPolygon clipped =
             clip(triangle, m_volume, a.outcode.cut | b.outcode.cut | c.outcode.cut, m_rules.varyingCount, observer);
-        if (m_rules.clipping == Clipping::CohenSutherland && clipped.count > 0)
-            clipped = clipCohenSutherland(clipped, m_rules.varyingCount);
+        if (m_rules.clipping == Clipping::CohenSutherland && clipped.count > 0) {
+            const ClipPolygon before = clipped;
+            clipped = clipCohenSutherland(before, m_rules.varyingCount);
+            observer.onCohenSutherland(face, before, clipped);
+        }
         if (clipped.count == 0)
             return FaceFate::Rejected;
         return drawClipped(face, clipped, out, observer);
@@ -77,6 +84,7 @@ private:
             if (!(vertex.positionClip.w > 0))
                 return FaceFate::Degenerate; // the plane of the face runs through the eye
             polygon.push_back(toScreen(vertex, m_rules));
+            observer.onViewport(face, static_cast<int>(polygon.size()) - 1, vertex, polygon.back());
         }
         const FaceFate fate = facing(face, polygon, observer);
         if (fate == FaceFate::Rasterized)
@@ -88,23 +96,35 @@ private:
     template <class Observer>
     FaceFate facing(std::uint32_t face, std::span<const ScreenVertex> polygon, Observer& observer) const
     {
-        const double area2 = twicePolygonArea(polygon);
-        observer.onFacing(face, area2 / 2);
-        if (area2 == 0)
-            return FaceFate::Degenerate;
+        FacingDecision decision;
+        decision.space = m_rules.cullSpace;
+        decision.screenArea = twicePolygonArea(polygon) / 2;
+        decision.value = signedFacing(face, decision.screenArea);
+        decision.fate = decision.screenArea == 0 ? FaceFate::Degenerate : cull(decision.value, m_rules);
+        observer.onFacing(face, decision);
+        return decision.fate;
+    }
+
+    /// The number whose sign tells front from back in the space the rules ask for.
+    [[nodiscard]] double signedFacing(std::uint32_t face, double screenArea) const
+    {
         switch (m_rules.cullSpace) {
         case CullSpace::Screen: break;
         case CullSpace::Clip:
-            return cull(clipDeterminant({{corner(face, 0).clip, corner(face, 1).clip, corner(face, 2).clip}, face}),
-                        m_rules);
-        case CullSpace::View: return cull(viewFacing(m_scene->mesh, face, m_eyeWorld), m_rules);
+            return clipDeterminant({{corner(face, 0).clip, corner(face, 1).clip, corner(face, 2).clip}, face});
+        case CullSpace::View: return viewFacing(m_scene->mesh, face, m_eyeWorld);
         }
-        return cull(area2, m_rules);
+        return screenArea;
+    }
+
+    [[nodiscard]] std::uint32_t meshVertex(std::uint32_t face, std::uint32_t i) const
+    {
+        return m_scene->mesh.indices[3 * face + i];
     }
 
     [[nodiscard]] const ProcessedVertex& corner(std::uint32_t face, std::uint32_t i) const
     {
-        return m_vertices[m_scene->mesh.indices[3 * face + i]];
+        return m_vertices[meshVertex(face, i)];
     }
 
     /// Cuts a convex polygon into triangles from a corner that sees all of it: snapping may have dented it a little.

@@ -35,6 +35,9 @@ public:
         return {hold(std::ceil(v)), hold(std::floor(v)) + 1};
     }
 
+    /// Where the edge crosses the centre line of the row, in samples.
+    [[nodiscard]] double position() const { return static_cast<double>(m_x); }
+
     /// The next row down: one addition, or the line equation anew.
     void step()
     {
@@ -80,6 +83,13 @@ public:
     }
 
     [[nodiscard]] RowCrossing crossing() const { return {m_x.floor + (m_x.rest > 0 ? 1 : 0), m_x.floor + 1}; }
+
+    /// Where the edge crosses the centre line of the row, in samples.
+    [[nodiscard]] double position() const
+    {
+        return static_cast<double>(m_x.floor) + static_cast<double>(m_x.rest) / static_cast<double>(denominator()) +
+               0.5;
+    }
 
     void step()
     {
@@ -174,26 +184,21 @@ struct EdgeWalking {
     {
         const Sorted<T> s = sortByY(setup);
         const Rows rows = rowsOf(s, setup.bounds, rules);
-        const T middle = s.vertices[1].y;
+        observer.onWalk(observed(s, rows));
         int y = rows.first;
         // Upper half: long edge and upper short edge. The row through the middle vertex belongs to the lower half
         // unless there is none.
-        const bool flatBottom = s.vertices[2].y == middle;
-        const auto upperHalf = [&](int row) {
-            const T centre = TriangleSetup<T>::centre(0, row).y;
-            return flatBottom || centre < middle;
-        };
-        if (y <= rows.last && upperHalf(y)) {
+        if (y <= rows.last && isUpperHalf(y, s)) {
             EdgeWalker<T> longEdge(s.vertices[0], s.vertices[2], y, rules.stepping);
             EdgeWalker<T> shortEdge(s.vertices[0], s.vertices[1], y, rules.stepping);
-            for (; y <= rows.last && upperHalf(y); ++y, longEdge.step(), shortEdge.step())
-                fillSpan(y, longEdge.crossing(), shortEdge.crossing(), s, setup, interpolation, rules, emit, observer);
+            for (; y <= rows.last && isUpperHalf(y, s); ++y, longEdge.step(), shortEdge.step())
+                fillSpan(y, longEdge, shortEdge, s, setup, interpolation, rules, emit, observer);
         }
         if (y <= rows.last) {
             EdgeWalker<T> longEdge(s.vertices[0], s.vertices[2], y, rules.stepping);
             EdgeWalker<T> shortEdge(s.vertices[1], s.vertices[2], y, rules.stepping);
             for (; y <= rows.last; ++y, longEdge.step(), shortEdge.step())
-                fillSpan(y, longEdge.crossing(), shortEdge.crossing(), s, setup, interpolation, rules, emit, observer);
+                fillSpan(y, longEdge, shortEdge, s, setup, interpolation, rules, emit, observer);
         }
     }
 
@@ -243,20 +248,44 @@ private:
         return rows;
     }
 
+    template <class T>
+    static bool isUpperHalf(int row, const Sorted<T>& s)
+    {
+        const T middle = s.vertices[1].y;
+        return s.vertices[2].y == middle || TriangleSetup<T>::centre(0, row).y < middle;
+    }
+
+    template <class T>
+    static WalkedTriangle observed(const Sorted<T>& s, const Rows& rows)
+    {
+        const auto inSamples = [](const Point<T>& p) {
+            return glm::dvec2(static_cast<double>(p.x), static_cast<double>(p.y)) / double(Grid<T>::kUnit);
+        };
+        return {{inSamples(s.vertices[0]), inSamples(s.vertices[1]), inSamples(s.vertices[2])},
+                s.source,
+                s.longEdgeIsLeft,
+                rows.first,
+                rows.last};
+    }
+
     template <class T, class Emit, class Observer>
-    static void fillSpan(int y, const RowCrossing& longEdge, const RowCrossing& shortEdge, const Sorted<T>& s,
+    static void fillSpan(int y, const EdgeWalker<T>& longEdge, const EdgeWalker<T>& shortEdge, const Sorted<T>& s,
                          const TriangleSetup<T>& setup, const FaceInterpolation& interpolation, const Rules& rules,
                          Emit& emit, Observer& observer)
     {
-        const RowCrossing& left = s.longEdgeIsLeft ? longEdge : shortEdge;
-        const RowCrossing& right = s.longEdgeIsLeft ? shortEdge : longEdge;
+        const EdgeWalker<T>& leftEdge = s.longEdgeIsLeft ? longEdge : shortEdge;
+        const EdgeWalker<T>& rightEdge = s.longEdgeIsLeft ? shortEdge : longEdge;
+        const RowCrossing left = leftEdge.crossing();
+        const RowCrossing right = rightEdge.crossing();
         // Start inclusive, end exclusive: a left edge owns its points, a right one does not.
         const std::int64_t begin = rules.tie.owner > 0 ? left.after : left.atOrAfter;
         const std::int64_t end = rules.tie.other > 0 ? right.atOrAfter : right.after;
         const std::int64_t boundsEnd = std::int64_t(setup.bounds.x) + setup.bounds.width;
         const int xBegin = static_cast<int>(std::clamp<std::int64_t>(begin, setup.bounds.x, boundsEnd));
         const int xEnd = static_cast<int>(std::clamp<std::int64_t>(end, xBegin, boundsEnd));
-        observer.onSpan(y, xBegin, xEnd);
+        observer.onSpan(y, xBegin, xEnd,
+                        {leftEdge.position(), rightEdge.position(), s.longEdgeIsLeft, isUpperHalf(y, s), begin, end,
+                         rules.tie.owner <= 0, rules.tie.other <= 0});
         if (rules.attributePath == AttributePath::Planes) {
             for (int x = xBegin; x < xEnd; ++x)
                 emit(x, y);

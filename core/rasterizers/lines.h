@@ -1,4 +1,5 @@
 #pragma once
+#include "core/observe/observer.h"
 #include "core/pipeline/types.h"
 #include "core/rules.h"
 
@@ -16,13 +17,14 @@ struct GridPoint {
 };
 
 /// Calls plot(x, y, t) for every sample of the line, both ends included; t is the fraction of the way, 0..1.
+/// The observer is told every decision.
 ///
 /// covers  all octants: a step along the longer axis always, along the shorter one when the decision variable says
 ///         that the upper candidate is nearer, p = 2 dy - dx to begin with
 /// exact   integers only
 /// source  Bresenham, IBM Systems Journal 4(1), 1965
-template <class Plot>
-void bresenhamLine(GridPoint from, GridPoint to, Plot&& plot)
+template <class Plot, class Observer>
+void bresenhamLine(GridPoint from, GridPoint to, Plot&& plot, Observer& observer)
 {
     const int stepX = to.x < from.x ? -1 : 1;
     const int stepY = to.y < from.y ? -1 : 1;
@@ -36,6 +38,8 @@ void bresenhamLine(GridPoint from, GridPoint to, Plot&& plot)
     for (int i = 0; i <= longer; ++i) {
         plot(p.x, p.y, longer > 0 ? double(i) / longer : 0.0);
         const bool sideways = decision > 0;
+        if (i < longer)
+            observer.onLineDecision({i, p.x, p.y, decision, longer, shorter, steep, sideways});
         if (sideways) {
             (steep ? p.x : p.y) += steep ? stepX : stepY;
             decision -= 2 * longer;
@@ -67,8 +71,8 @@ void ddaLine(GridPoint from, GridPoint to, Plot&& plot)
 }
 
 /// Draws the three edges of a triangle: emit(x, y, weights) for every sample, also off the target.
-template <class Emit>
-void drawWireframe(const ScreenTriangle& triangle, LineAlgorithm algorithm, Emit& emit)
+template <class Emit, class Observer>
+void drawWireframe(const ScreenTriangle& triangle, LineAlgorithm algorithm, Emit& emit, Observer& observer)
 {
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t j = (i + 1) % 3;
@@ -81,7 +85,7 @@ void drawWireframe(const ScreenTriangle& triangle, LineAlgorithm algorithm, Emit
         const GridPoint from = sampleOf(triangle.vertices[i].position);
         const GridPoint to = sampleOf(triangle.vertices[j].position);
         if (algorithm == LineAlgorithm::Bresenham)
-            bresenhamLine(from, to, plot);
+            bresenhamLine(from, to, plot, observer);
         else
             ddaLine(from, to, plot);
     }

@@ -431,6 +431,7 @@ ExactFrame emptyFrame(const ExactOptions& options)
     ExactFrame frame;
     frame.window = options.window.value_or(PixelRect{0, 0, options.size.width(), options.size.height()});
     frame.sampleGrid = options.sampleGrid;
+    frame.depthTested = options.depthTested;
     frame.width = frame.window.width * options.sampleGrid;
     frame.height = frame.window.height * options.sampleGrid;
     const std::size_t samples = static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
@@ -491,6 +492,7 @@ ExactOptions exactOptions(const Scene& scene, const Settings& settings)
     options.culling = settings.culling;
     options.winding = settings.winding;
     options.depthCompare = rules.depthTested ? rules.depthCompare : DepthCompare::Always;
+    options.depthTested = rules.depthTested;
     options.depthClear = static_cast<double>(rules.depthClear);
     options.depthFormat = settings.depthFormat;
     options.sampleGrid = rules.sampleGrid;

@@ -24,7 +24,8 @@ struct ExactOptions {
     Culling culling = Culling::None;
     Winding winding = Winding::CounterClockwise;
     DepthCompare depthCompare = DepthCompare::Less;
-    double depthClear = 1;                          ///< 0 or 1
+    double depthClear = 1;   ///< 0 or 1
+    bool depthTested = true; ///< false: a renderer need not keep depths; the truth's are those of the winners
     DepthFormat depthFormat = DepthFormat::Float32; ///< Float32: compared exactly; unorm: nearest code, half to even
     int sampleGrid = 1;              ///< 1..4 samples a pixel along each axis; vertices still snap to pixels
     std::optional<PixelRect> window; ///< the part of the viewport to compute
@@ -37,6 +38,8 @@ struct ExactFrame {
     int sampleGrid = 1; ///< samples a pixel along each axis
     int width = 0;      ///< samples: window.width * sampleGrid
     int height = 0;     ///< samples: window.height * sampleGrid
+
+    bool depthTested = true; ///< as asked for
 
     std::vector<std::uint32_t> cover; ///< how many faces cover the sample, before the depth test
     std::vector<std::int32_t> id;     ///< face that won the depth test, -1 none

@@ -1,0 +1,437 @@
+#include "core/observe/recorder.h"
+
+#include "core/pipeline/shading.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rasterlens
+{
+namespace
+{
+
+/// 320 MB: a log whose events lie far apart holds what happened in between.
+constexpr std::size_t kMaxEffects = std::size_t(1) << 24;
+
+template <class... Number>
+std::uint8_t finiteFlag(Number... numbers)
+{
+    return (std::isfinite(numbers) && ...) ? std::uint8_t(0) : StepEvent::kNonFinite;
+}
+
+std::uint8_t finiteFlag(const glm::dvec4& p) { return finiteFlag(p.x, p.y, p.z, p.w); }
+
+std::uint8_t flagIf(bool condition, std::uint8_t flag) { return condition ? flag : std::uint8_t(0); }
+
+std::vector<ClipVertex> corners(const ClipPolygon& polygon) { return {polygon.span().begin(), polygon.span().end()}; }
+
+/// The cuts of a plane in the order of the polygon's edges, matched with the corners they made.
+std::vector<ClipCut> cutsOf(const ClipStep& step, const PlaneEquation& plane)
+{
+    std::vector<ClipCut> cuts;
+    const int n = static_cast<int>(step.before.size());
+    int corner = 0; // corners of `after` come in the order of the walk round `before`
+    for (int i = 0; i < n; ++i) {
+        const int next = (i + 1) % n;
+        const bool isInside = step.distances[static_cast<std::size_t>(i)] >= 0;
+        const bool nextInside = step.distances[static_cast<std::size_t>(next)] >= 0;
+        corner += isInside ? 1 : 0;
+        if (isInside == nextInside)
+            continue;
+        ClipCut cut{isInside ? i : next, isInside ? next : i, 0, step.after.empty() ? -1 : corner};
+        cut.t = cutParameter(step.before[static_cast<std::size_t>(cut.inside)].positionClip,
+                             step.before[static_cast<std::size_t>(cut.outside)].positionClip, plane);
+        cuts.push_back(cut);
+        ++corner;
+    }
+    return cuts;
+}
+
+} // namespace
+
+StepRecorder::StepRecorder(const Scene& scene, const Settings& settings, const Rules& rules, const StepFilter& filter,
+                           std::stop_source full)
+    : m_scene(&scene), m_rules(rules), m_filter(filter), m_volume(clipVolume(rules)), m_stopDrawing(std::move(full)),
+      m_log(std::make_shared<StepLog>()), m_counter(rules)
+{
+    m_log->m_filter = filter;
+    m_log->m_settings = settings;
+    m_log->m_columns = rules.columns();
+    m_log->m_rows = rules.rows();
+    m_log->m_grid = rules.sampleGrid;
+    m_log->m_varyingCount = rules.varyingCount;
+    const bool overdraw = rules.shading == Shading::Overdraw;
+    m_log->m_clear = {overdraw ? overdrawColor(0) : packColor(scene.background), rules.depthClear};
+    m_log->m_checkpoints.push_back({});
+    const std::size_t samples = std::size_t(rules.columns()) * std::size_t(rules.rows());
+    m_lastEffect.resize(samples);
+    if (overdraw)
+        m_coverCount.resize(samples);
+    if (filter.pixels) {
+        const PixelRect& p = *filter.pixels;
+        m_samples = {p.x * rules.sampleGrid, p.y * rules.sampleGrid, p.width * rules.sampleGrid,
+                     p.height * rules.sampleGrid};
+    }
+}
+
+StepRecorder::Mark StepRecorder::mark() const
+{
+    Mark mark;
+    mark.events = m_log->m_events.size();
+    mark.triangles = m_log->m_triangles.size();
+    std::size_t i = 0;
+    std::apply([&](const auto&... payloads) { ((mark.payloads[i++] = payloads.size()), ...); }, m_log->m_payloads);
+    return mark;
+}
+
+void StepRecorder::rollBack(const Mark& mark)
+{
+    const bool hasEvents = m_log->m_events.size() > mark.events;
+    const std::size_t firstOwn = hasEvents ? m_log->m_events[mark.events].effects : m_log->m_effects.size();
+    m_log->m_events.resize(mark.events);
+    m_log->m_triangles.resize(mark.triangles);
+    std::size_t i = 0;
+    const auto shorten = [&](auto& payloads) {
+        payloads.erase(payloads.begin() + static_cast<std::ptrdiff_t>(mark.payloads[i++]), payloads.end());
+    };
+    std::apply([&](auto&... payloads) { (shorten(payloads), ...); }, m_log->m_payloads);
+    while (m_log->m_checkpoints.back().position > mark.events)
+        m_log->m_checkpoints.pop_back();
+    m_gap = m_gap || hasEvents;
+    // What happened since belongs to the next stored event: one effect a sample is enough.
+    const std::vector<StepEffect> later(m_log->m_effects.begin() + static_cast<std::ptrdiff_t>(firstOwn),
+                                        m_log->m_effects.end());
+    m_log->m_effects.resize(firstOwn);
+    for (const StepEffect& effect : later)
+        addEffect(effect);
+}
+
+void StepRecorder::dropPending()
+{
+    if (!m_filter.pixels || m_full)
+        return;
+    if (!m_triangleKept)
+        rollBack(m_triangleMark);
+    if (!m_faceKept)
+        rollBack(m_faceMark);
+}
+
+void StepRecorder::beginFace(std::uint32_t face)
+{
+    dropPending();
+    m_face = face;
+    m_triangle = StepEvent::kNone;
+    m_faceKept = false;
+    m_triangleKept = true;
+    if (m_filter.pixels)
+        m_faceMark = mark();
+}
+
+bool StepRecorder::admit(int y, int xBegin, int xEnd)
+{
+    if (!isFaceWanted())
+        return false;
+    if (!m_filter.pixels)
+        return true;
+    if (y < m_samples.y || y >= m_samples.y + m_samples.height || xEnd <= m_samples.x ||
+        xBegin >= m_samples.x + m_samples.width)
+        return false;
+    const bool wasPending = isPending();
+    m_faceKept = m_triangleKept = true;
+    if (wasPending && m_log->m_events.size() > m_filter.cap) {
+        m_log->m_events.resize(m_filter.cap);
+        while (m_log->m_checkpoints.back().position > m_filter.cap)
+            m_log->m_checkpoints.pop_back();
+        setFull();
+    }
+    return !m_full;
+}
+
+void StepRecorder::setFull()
+{
+    m_full = true;
+    m_log->m_truncated = true;
+    m_stopDrawing.request_stop();
+}
+
+StepEvent StepRecorder::faceEvent(StepKind kind, std::uint8_t flags) const
+{
+    StepEvent event;
+    event.kind = kind;
+    event.flags = flags;
+    event.face = m_face;
+    event.triangle = m_triangle;
+    return event;
+}
+
+StepEvent StepRecorder::sampleEvent(StepKind kind, int x, int y, std::uint8_t flags) const
+{
+    StepEvent event = faceEvent(kind, flags);
+    event.x = x;
+    event.y = y;
+    return event;
+}
+
+void StepRecorder::storeFaceEvent(StepKind kind, std::uint8_t flags) { store(faceEvent(kind, flags)); }
+
+template <class Payload>
+void StepRecorder::storePayload(StepEvent event, Payload&& payload)
+{
+    auto& payloads = std::get<std::vector<std::decay_t<Payload>>>(m_log->m_payloads);
+    event.payload = static_cast<std::uint32_t>(payloads.size());
+    const std::size_t before = m_log->m_events.size();
+    store(event);
+    if (m_log->m_events.size() > before)
+        payloads.push_back(std::forward<Payload>(payload));
+}
+
+void StepRecorder::store(StepEvent event)
+{
+    if (m_full || (m_filter.kinds & kindBit(event.kind)) == 0) {
+        m_gap = true;
+        return;
+    }
+    if (m_log->m_events.size() >= m_filter.cap && !isPending()) {
+        setFull();
+        return;
+    }
+    event.effects = static_cast<std::uint32_t>(m_log->m_effects.size());
+    m_log->m_events.push_back(event);
+    const std::size_t position = m_log->m_events.size();
+    if (m_gap || position - m_log->m_checkpoints.back().position >= StepLog::kCheckpointEvents)
+        m_log->m_checkpoints.push_back({static_cast<std::uint32_t>(position), m_counter.statistics()});
+    m_gap = false;
+}
+
+void StepRecorder::addEffect(const StepEffect& effect)
+{
+    if (m_full)
+        return;
+    std::vector<StepEffect>& effects = m_log->m_effects;
+    std::uint32_t& last = m_lastEffect[effect.sample];
+    if (last >= gapBegin() && last < effects.size() && effects[last].sample == effect.sample) {
+        effects[last].after = effect.after;
+        return;
+    }
+    if (effects.size() >= kMaxEffects) {
+        setFull();
+        return;
+    }
+    last = static_cast<std::uint32_t>(effects.size());
+    effects.push_back(effect);
+}
+
+void StepRecorder::onVertex(std::uint32_t face, int corner, std::uint32_t meshVertex, const ClipVertex& clip)
+{
+    if (face != m_face)
+        beginFace(face);
+    if (!isFaceWanted())
+        return;
+    storePayload(faceEvent(StepKind::Vertex, finiteFlag(clip.positionClip)),
+                 VertexStep{corner, meshVertex, glm::dvec4(m_scene->mesh.vertices[meshVertex].position), clip,
+                            outcode(clip.positionClip, m_volume).view});
+}
+
+void StepRecorder::onFace(std::uint32_t face, FaceFate fate)
+{
+    m_counter.onFace(face, fate);
+    if (!isFaceWanted()) {
+        m_gap = true;
+        return;
+    }
+    storePayload(faceEvent(StepKind::Fate, flagIf(fate == FaceFate::NonFinite, StepEvent::kNonFinite)), FateStep{fate});
+}
+
+void StepRecorder::onClipPlane(std::uint32_t, ClipPlane plane, const ClipPolygon& before, const ClipPolygon& after)
+{
+    if (!isFaceWanted())
+        return;
+    const PlaneEquation& equation = m_volume.cut[static_cast<std::size_t>(plane)];
+    ClipStep step{plane, corners(before), corners(after), {}, {}};
+    for (const ClipVertex& vertex : step.before)
+        step.distances.push_back(equation.distance(vertex.positionClip));
+    step.cuts = cutsOf(step, equation);
+    storePayload(faceEvent(StepKind::ClipPlane), std::move(step));
+}
+
+void StepRecorder::onCohenSutherland(std::uint32_t, const ClipPolygon& before, const ClipPolygon& after)
+{
+    if (!isFaceWanted())
+        return;
+    CohenSutherlandStep step{corners(before), corners(after), {}};
+    for (const ClipVertex& vertex : step.before)
+        step.regions.push_back(screenRegion(vertex.positionClip));
+    storePayload(faceEvent(StepKind::CohenSutherland), std::move(step));
+}
+
+void StepRecorder::onViewport(std::uint32_t, int corner, const ClipVertex& clip, const ScreenVertex& screen)
+{
+    if (!isFaceWanted())
+        return;
+    const glm::dvec4& p = clip.positionClip;
+    const glm::dvec2 unsnapped((p.x / p.w * 0.5 + 0.5) * m_log->m_columns, (0.5 - p.y / p.w * 0.5) * m_log->m_rows);
+    const std::uint8_t flags = finiteFlag(unsnapped.x, unsnapped.y, screen.depth, screen.invW);
+    storePayload(faceEvent(StepKind::Viewport, flags), ViewportStep{corner, p, unsnapped, screen});
+}
+
+void StepRecorder::onClipped(std::uint32_t face, int pieces)
+{
+    m_counter.onClipped(face, pieces);
+    if (!isFaceWanted()) {
+        m_gap = true;
+        return;
+    }
+    storePayload(faceEvent(StepKind::Clipped), FanStep{pieces});
+}
+
+void StepRecorder::onFacing(std::uint32_t, const FacingDecision& decision)
+{
+    if (isFaceWanted())
+        storePayload(faceEvent(StepKind::Facing, finiteFlag(decision.value)), FacingStep{decision});
+}
+
+void StepRecorder::onTriangle(const ScreenTriangle& triangle)
+{
+    m_counter.onTriangle(triangle);
+    m_previousX = m_previousY = -2;
+    if (!isFaceWanted())
+        return;
+    if (m_filter.pixels) {
+        if (!m_triangleKept)
+            rollBack(m_triangleMark);
+        m_triangleMark = mark();
+        m_triangleKept = false;
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+        m_invW[i] = triangle.vertices[i].invW;
+    m_triangle = static_cast<std::uint32_t>(m_log->m_triangles.size());
+    m_log->m_triangles.push_back({triangle, false, {}});
+    storeFaceEvent(StepKind::Triangle);
+}
+
+void StepRecorder::onWalk(const WalkedTriangle& walk)
+{
+    if (isFaceWanted())
+        storePayload(faceEvent(StepKind::Walk), WalkStep{walk});
+}
+
+void StepRecorder::onSpan(int y, int xBegin, int xEnd, const SpanEnds& ends)
+{
+    m_counter.onSpan(y, xBegin, xEnd, ends);
+    if (!admit(y, xBegin, xEnd)) {
+        m_gap = true;
+        return;
+    }
+    storePayload(sampleEvent(StepKind::Span, -1, y, finiteFlag(ends.left, ends.right)), SpanStep{xBegin, xEnd, ends});
+}
+
+void StepRecorder::onSample(int x, int y, const EdgeValues& values, bool covered)
+{
+    m_counter.onSample(x, y, values, covered);
+    std::array<int, 3> signs;
+    for (std::size_t i = 0; i < 3; ++i)
+        signs[i] = (values[i] > 0) - (values[i] < 0);
+    const bool hasLeft = m_previousX == x - 1 && m_previousY == y;
+    const bool changes = hasLeft && signs != m_previousSigns;
+    m_previousSigns = signs;
+    m_previousX = x;
+    m_previousY = y;
+    if (!admit(y, x, x + 1)) {
+        m_gap = true;
+        return;
+    }
+    const bool inside = std::ranges::all_of(signs, [](int sign) { return sign >= 0; });
+    const bool onEdge = std::ranges::any_of(signs, [](int sign) { return sign == 0; });
+    std::uint8_t flags = finiteFlag(values[0], values[1], values[2]);
+    flags |= flagIf(covered, StepEvent::kCovered);
+    flags |= flagIf(inside && onEdge && flags != StepEvent::kNonFinite, StepEvent::kTie);
+    flags |= flagIf(changes, StepEvent::kSignChange);
+    storePayload(sampleEvent(StepKind::Sample, x, y, flags), SampleStep{values});
+}
+
+void StepRecorder::onLineDecision(const LineDecision& decision)
+{
+    if (admit(decision.y, decision.x, decision.x + 1))
+        storePayload(sampleEvent(StepKind::LineDecision, decision.x, decision.y), LineStep{decision});
+}
+
+void StepRecorder::onLineSample(int x, int y, bool onTarget)
+{
+    m_counter.onLineSample(x, y, onTarget);
+    if (!admit(y, x, x + 1)) {
+        m_gap = true;
+        return;
+    }
+    store(sampleEvent(StepKind::LineSample, x, y, flagIf(onTarget, StepEvent::kCovered)));
+}
+
+void StepRecorder::onFragment(const Fragment& fragment, float storedDepth, bool passed)
+{
+    const std::uint64_t twice = m_counter.statistics().pixels.coveredTwice;
+    m_counter.onFragment(fragment, storedDepth, passed);
+    const std::uint32_t sample = sampleIndex(fragment.x, fragment.y);
+    if (!m_coverCount.empty() && m_coverCount[sample] != 0xffff) {
+        const std::uint32_t before = m_coverCount[sample]++;
+        addEffect({sample, {overdrawColor(before), storedDepth}, {overdrawColor(before + 1), storedDepth}});
+    }
+    if (!admit(fragment.y, fragment.x, fragment.x + 1)) {
+        m_gap = true;
+        return;
+    }
+    const bool shaded = passed || !m_rules.depthBeforeShading;
+    const bool interpolated = shaded && m_rules.varyingCount > 0;
+    FragmentStep step{
+        fragment.screen, interpolated ? fragment.weights : fragment.screen, 0, fragment.depth, storedDepth, {}, shaded};
+    for (std::size_t i = 0; i < 3; ++i)
+        step.invW += fragment.screen[i] * m_invW[i];
+    if (interpolated)
+        std::copy_n(fragment.varyings.begin(), m_rules.varyingCount, step.varyings.begin());
+    std::uint8_t flags = finiteFlag(step.weights[0], step.weights[1], step.weights[2], step.invW);
+    flags |= flagIf(passed, StepEvent::kPassed);
+    flags |= flagIf(m_counter.statistics().pixels.coveredTwice != twice, StepEvent::kHitTwice);
+    storePayload(sampleEvent(StepKind::Fragment, fragment.x, fragment.y, flags), step);
+}
+
+void StepRecorder::onShade(const Fragment& fragment, std::uint32_t color)
+{
+    m_counter.onShade(fragment, color);
+    if (!admit(fragment.y, fragment.x, fragment.x + 1)) {
+        m_gap = true;
+        return;
+    }
+    storePayload(sampleEvent(StepKind::Shade, fragment.x, fragment.y), ShadeStep{color});
+}
+
+void StepRecorder::onWrite(int x, int y, Pixel before, Pixel after)
+{
+    m_counter.onWrite(x, y, before, after);
+    const std::uint32_t sample = sampleIndex(x, y);
+    if (!m_coverCount.empty()) // the picture shows how often a sample was covered, whatever is written
+        before.color = after.color = overdrawColor(m_coverCount[sample]);
+    addEffect({sample, before, after});
+    if (!admit(y, x, x + 1)) {
+        m_gap = true;
+        return;
+    }
+    storePayload(sampleEvent(StepKind::Write, x, y), WriteStep{before, after});
+}
+
+std::shared_ptr<const StepLog> StepRecorder::finish(bool stopped)
+{
+    dropPending();
+    StepLog& log = *m_log;
+    log.m_stopped = stopped && !m_full;
+    if (m_full || stopped) {
+        log.m_effects.resize(gapBegin());
+    } else {
+        m_filter = {};
+        m_filter.cap = log.m_events.size() + 1;
+        m_face = m_triangle = StepEvent::kNone;
+        storeFaceEvent(StepKind::End);
+    }
+    for (std::size_t i = 0; i < log.m_events.size(); ++i)
+        log.m_byKind[static_cast<std::size_t>(log.m_events[i].kind)].push_back(static_cast<std::uint32_t>(i));
+    return std::move(m_log);
+}
+
+} // namespace rasterlens

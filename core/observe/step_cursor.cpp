@@ -1,0 +1,79 @@
+#include "core/observe/step_cursor.h"
+
+#include "core/framebuffer.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr int kNowhere = std::numeric_limits<int>::max();
+
+} // namespace
+
+StepCursor::StepCursor(std::shared_ptr<const StepLog> log) : m_log(std::move(log))
+{
+    const int grid = m_log->grid();
+    const std::size_t samples = std::size_t(m_log->columns()) * std::size_t(m_log->rows());
+    m_image = QImage(m_log->columns() / grid, m_log->rows() / grid, QImage::Format_RGB32);
+    m_image.fill(m_log->clear().color);
+    m_color.assign(samples, m_log->clear().color);
+    m_depth.assign(samples, m_log->clear().depth);
+    m_touched.assign(std::size_t(m_image.height()), {kNowhere, -1});
+}
+
+void StepCursor::moveTo(std::size_t position)
+{
+    position = std::min(position, m_log->size());
+    const std::span<const StepEffect> effects = m_log->effects();
+    const std::size_t from = m_log->effectsAt(m_position);
+    const std::size_t to = m_log->effectsAt(position);
+    for (std::size_t i = from; i < to; ++i)
+        put(effects[i].sample, effects[i].after);
+    for (std::size_t i = from; i > to; --i)
+        put(effects[i - 1].sample, effects[i - 1].before);
+    m_position = position;
+    m_changed = {};
+    if (from != to)
+        show();
+}
+
+void StepCursor::put(std::uint32_t sample, const Pixel& pixel)
+{
+    m_color[sample] = pixel.color;
+    m_depth[sample] = pixel.depth;
+    const auto columns = static_cast<std::uint32_t>(m_log->columns());
+    const auto grid = static_cast<std::uint32_t>(m_log->grid());
+    const int x = static_cast<int>(sample % columns / grid);
+    RowRange& row = m_touched[sample / columns / grid];
+    row.left = std::min(row.left, x);
+    row.right = std::max(row.right, x);
+}
+
+void StepCursor::show()
+{
+    int left = kNowhere;
+    int right = -1;
+    int top = kNowhere;
+    int bottom = -1;
+    uchar* const bits = m_image.bits();
+    for (int y = 0; y < m_image.height(); ++y) {
+        RowRange& row = m_touched[std::size_t(y)];
+        if (row.left > row.right)
+            continue;
+        auto* line = reinterpret_cast<std::uint32_t*>(bits + y * m_image.bytesPerLine());
+        for (int x = row.left; x <= row.right; ++x)
+            line[x] = meanOfSamples(m_color.data(), m_log->columns(), m_log->grid(), x, y);
+        left = std::min(left, row.left);
+        right = std::max(right, row.right);
+        top = std::min(top, y);
+        bottom = y;
+        row = {kNowhere, -1};
+    }
+    m_changed = {left, top, right - left + 1, bottom - top + 1};
+}
+
+} // namespace rasterlens

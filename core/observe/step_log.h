@@ -1,0 +1,373 @@
+#pragma once
+#include "core/observe/observer.h"
+#include "core/observe/statistics.h"
+#include "core/settings.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <vector>
+
+namespace rasterlens
+{
+
+/// What an event is about. The order is that of the pipeline.
+enum class StepKind : std::uint8_t {
+    Vertex,          ///< a face fetches a vertex: VertexStep
+    ClipPlane,       ///< ClipStep
+    CohenSutherland, ///< CohenSutherlandStep
+    Viewport,        ///< ViewportStep
+    Facing,          ///< FacingStep
+    Clipped,         ///< FanStep: a cut face is drawn as a fan
+    Fate,            ///< FateStep: what became of the face before coverage
+    Triangle,        ///< a screen triangle begins; see StepLog::triangle
+    Setup,           ///< its edge functions; see StepLog::triangle
+    Walk,            ///< edge walking sorts the corners: WalkStep
+    Span,            ///< edge walking fills a row: SpanStep
+    Sample,          ///< edge equation tests a sample: SampleStep
+    LineDecision,    ///< Bresenham: LineStep
+    LineSample,      ///< a sample of a line or corner
+    Fragment,        ///< interpolation and depth test: FragmentStep
+    Shade,           ///< ShadeStep
+    Write,           ///< WriteStep
+    End,             ///< the frame is finished
+};
+constexpr int kStepKinds = static_cast<int>(StepKind::End) + 1;
+
+/// A set of kinds, one bit a StepKind.
+using StepKinds = std::uint32_t;
+[[nodiscard]] constexpr StepKinds kindBit(StepKind kind) { return 1U << static_cast<unsigned>(kind); }
+constexpr StepKinds kAllSteps = (1U << kStepKinds) - 1;
+
+/// The stable name of a kind: `clip-plane`. Logs and JSON.
+[[nodiscard]] const char* stepKindId(StepKind kind);
+/// The stage of the pipeline strip the kind belongs to.
+[[nodiscard]] Stage stageOf(StepKind kind);
+
+/// Which events are stored. What is not stored still takes effect on pixels and counters: it counts as part of the next
+/// stored event.
+struct StepFilter {
+    std::optional<std::uint32_t> face; ///< only this face
+    /// Only what happens to samples of these pixels, and spans that hold one. Of what belongs to no pixel (vertices,
+    /// clipping, set-up) only that of faces and triangles to which something happens there.
+    std::optional<PixelRect> pixels;
+    StepKinds kinds = kAllSteps; ///< End is always stored
+    std::size_t cap = 1'000'000; ///< most events stored beside End; the drawing stops there
+};
+
+/// One event; what it holds beside this is its payload (StepLog::payload).
+struct StepEvent {
+    // Bits of `flags`.
+    static constexpr std::uint8_t kCovered = 1;    ///< Sample: inside. LineSample: on the target
+    static constexpr std::uint8_t kPassed = 2;     ///< Fragment: passed the depth test
+    static constexpr std::uint8_t kTie = 4;        ///< Sample: exactly on an edge of the triangle
+    static constexpr std::uint8_t kSignChange = 8; ///< Sample: a sign differs from the sample to the left
+    static constexpr std::uint8_t kNonFinite = 16; ///< one of its numbers is NaN or infinite
+    static constexpr std::uint8_t kHitTwice = 32;  ///< Fragment: the other face at this edge was here, too
+    static constexpr std::uint32_t kNone = 0xffffffff;
+
+    StepKind kind = StepKind::End;
+    std::uint8_t flags = 0;
+    std::uint32_t face = kNone;
+    std::uint32_t triangle = kNone; ///< index for StepLog::triangle, from Triangle on
+    std::int32_t x = -1;            ///< sample column; -1: the event belongs to no sample
+    std::int32_t y = -1;            ///< sample row; -1: the event belongs to no row
+    std::uint32_t payload = 0;
+    std::uint32_t effects = 0; ///< how many pixel effects there are up to and with this event
+
+    [[nodiscard]] bool has(std::uint8_t flag) const { return (flags & flag) != 0; }
+};
+
+/// Which edges of a triangle own their points, and why.
+enum class EdgeSide { Left, Top, Neither };
+[[nodiscard]] const char* edgeSideId(EdgeSide side);
+
+struct VertexStep {
+    static constexpr StepKind kKind = StepKind::Vertex;
+    int corner; ///< 0..2 = A, B, C
+    std::uint32_t meshVertex;
+    glm::dvec4 positionObject; ///< as the mesh has it
+    ClipVertex clip;
+    std::uint32_t outside; ///< planes of the view volume it is outside of, one bit a ClipPlane
+};
+
+/// Where an edge of the polygon crosses a plane.
+struct ClipCut {
+    int inside;  ///< corner of `before`
+    int outside; ///< corner of `before`
+    double t;    ///< fraction of the way from the inside to the outside corner
+    int corner;  ///< the new corner in `after`; -1 if nothing was left
+};
+
+struct ClipStep {
+    static constexpr StepKind kKind = StepKind::ClipPlane;
+    ClipPlane plane;
+    std::vector<ClipVertex> before;
+    std::vector<ClipVertex> after;
+    std::vector<double> distances; ///< of each corner of `before`; inside is >= 0
+    std::vector<ClipCut> cuts;
+};
+
+/// The nine regions of the projected plane: one bit a side of the screen.
+constexpr unsigned kRegionLeft = 1;
+constexpr unsigned kRegionRight = 2;
+constexpr unsigned kRegionBelow = 4;
+constexpr unsigned kRegionAbove = 8;
+[[nodiscard]] unsigned screenRegion(const glm::dvec4& positionClip);
+
+struct CohenSutherlandStep {
+    static constexpr StepKind kKind = StepKind::CohenSutherland;
+    std::vector<ClipVertex> before;
+    std::vector<ClipVertex> after;
+    std::vector<unsigned> regions; ///< of each corner of `before`
+};
+
+struct ViewportStep {
+    static constexpr StepKind kKind = StepKind::Viewport;
+    int corner; ///< of the polygon after clipping
+    glm::dvec4 positionClip;
+    glm::dvec2 unsnapped; ///< samples
+    ScreenVertex screen;  ///< snapped
+};
+
+struct FacingStep {
+    static constexpr StepKind kKind = StepKind::Facing;
+    FacingDecision decision;
+};
+
+struct FanStep {
+    static constexpr StepKind kKind = StepKind::Clipped;
+    int pieces;
+};
+
+struct FateStep {
+    static constexpr StepKind kKind = StepKind::Fate;
+    FaceFate fate;
+};
+
+struct WalkStep {
+    static constexpr StepKind kKind = StepKind::Walk;
+    WalkedTriangle walk;
+};
+
+struct SpanStep {
+    static constexpr StepKind kKind = StepKind::Span;
+    int xBegin; ///< samples [xBegin, xEnd) of the row
+    int xEnd;
+    SpanEnds ends;
+};
+
+struct SampleStep {
+    static constexpr StepKind kKind = StepKind::Sample;
+    EdgeValues values; ///< AB, BC, CA of the setup; in units of StepSetup::unitsPerArea
+};
+
+struct LineStep {
+    static constexpr StepKind kKind = StepKind::LineDecision;
+    LineDecision decision;
+
+    /// How far the ideal line is from the sample it may step to, and from the one it may stay at: 0..1.
+    [[nodiscard]] double dUpper() const { return 0.5 * (1 - double(decision.decision) / decision.longer); }
+    [[nodiscard]] double dLower() const { return 0.5 * (1 + double(decision.decision) / decision.longer); }
+};
+
+struct FragmentStep {
+    static constexpr StepKind kKind = StepKind::Fragment;
+    Weights screen;    ///< of the vertices A, B, C of the screen triangle
+    Weights weights;   ///< after perspective correction; as `screen` where nothing is interpolated
+    double invW;       ///< 1/w, linear on the screen
+    float depth;       ///< new, as the buffer stores it
+    float storedDepth; ///< what it was compared with
+    Varyings varyings; ///< what shading reads; 0 where it does not
+    bool shaded;       ///< weights and varyings are there
+};
+
+struct ShadeStep {
+    static constexpr StepKind kKind = StepKind::Shade;
+    std::uint32_t color; ///< 0xffRRGGBB
+};
+
+struct WriteStep {
+    static constexpr StepKind kKind = StepKind::Write;
+    Pixel before;
+    Pixel after;
+};
+
+/// E(x, y) = a (x - fromX) + b (y - fromY), positive inside, in the units of the number type.
+struct StepEdge {
+    double a;
+    double b;
+    double perX; ///< added for a step of one sample to the right
+    double perY; ///< added for a step of one sample down
+    glm::dvec2 from;
+    double threshold; ///< the smallest value that counts as inside
+    EdgeSide side;    ///< Left or Top: it owns its points under the top-left rule
+};
+
+/// The numbers coverage of one triangle is decided with.
+struct StepSetup {
+    std::array<StepEdge, 3> edges;      ///< AB, BC, CA, counter-clockwise with y up whatever the face's winding
+    std::array<glm::dvec2, 3> vertices; ///< samples
+    std::array<std::uint8_t, 3> source; ///< which vertex of the screen triangle each of them is
+    PixelRect bounds;                   ///< samples
+    double unitsPerSample = 1;          ///< 256 in fixed point
+    double unitsPerArea = 1;            ///< edge values are areas in samples times this: 65536 in fixed point
+    double area2 = 0;                   ///< the sum of the three edge values anywhere
+
+    /// The edge values at the centre of a sample, evaluated directly.
+    ///
+    /// exact  in fixed point, below 2^53
+    [[nodiscard]] EdgeValues at(int x, int y) const;
+};
+
+/// One triangle that is drawn: a whole face or a piece of a cut one.
+struct StepTriangle {
+    ScreenTriangle screen;
+    bool hasSetup = false; ///< false: its bounds hold no sample's centre, or it is drawn as lines or points
+    StepSetup setup;
+};
+
+/// How far a step goes.
+enum class StepLevel { Event, Row, Face, Stage };
+enum class StepDirection { Forward, Backward };
+
+/// Where a run stops.
+struct StepStop {
+    enum class Kind { Pixel, SignChange, Tie, DepthFail, Clip, NonFinite };
+    Kind kind = Kind::Pixel;
+    int x = 0; ///< Pixel only, pixels: anything that happens to one of its samples
+    int y = 0;
+};
+
+/// A change of one sample of the frame buffer.
+struct StepEffect {
+    std::uint32_t sample; ///< row * columns + column
+    Pixel before;
+    Pixel after;
+};
+
+/// Everything that happened while a frame was drawn, in order, filtered. Immutable once recorded; shared between
+/// threads as `std::shared_ptr<const StepLog>`.
+///
+/// A *position* k, 0..size(), is the moment after event k - 1; 0 is the cleared frame. Events that were not stored
+/// happen together with the next stored one. Unless the log is truncated its last event is End, and position size() is
+/// the finished picture.
+///
+/// covers  every algorithm; `tiled` is shown by edge-equation, which draws the same pixels
+class StepLog
+{
+public:
+    [[nodiscard]] std::size_t size() const { return m_events.size(); }
+    [[nodiscard]] const StepEvent& event(std::size_t i) const { return m_events[i]; }
+    [[nodiscard]] std::span<const StepEvent> events() const { return m_events; }
+
+    /// The payload of an event, of the type its kind names.
+    template <class Payload>
+    [[nodiscard]] const Payload& payload(const StepEvent& event) const
+    {
+        return std::get<std::vector<Payload>>(m_payloads)[event.payload];
+    }
+    /// The triangle an event belongs to; nothing before Triangle.
+    [[nodiscard]] const StepTriangle* triangle(const StepEvent& event) const
+    {
+        return event.triangle == StepEvent::kNone ? nullptr : &m_triangles[event.triangle];
+    }
+
+    /// The cap was reached: the log ends there, and so does the picture.
+    [[nodiscard]] bool truncated() const { return m_truncated; }
+    /// The drawing was stopped from outside.
+    [[nodiscard]] bool stopped() const { return m_stopped; }
+    [[nodiscard]] const StepFilter& filter() const { return m_filter; }
+    [[nodiscard]] const Settings& settings() const { return m_settings; }
+    [[nodiscard]] int columns() const { return m_columns; } ///< samples
+    [[nodiscard]] int rows() const { return m_rows; }       ///< samples
+    [[nodiscard]] int grid() const { return m_grid; }       ///< samples a pixel along each axis
+    [[nodiscard]] int varyingCount() const { return m_varyingCount; }
+    [[nodiscard]] Pixel clear() const { return m_clear; }
+
+    /// The events of a kind, ascending: pips of a scrubber.
+    [[nodiscard]] std::span<const std::uint32_t> eventsOf(StepKind kind) const
+    {
+        return m_byKind[static_cast<std::size_t>(kind)];
+    }
+
+    /// The position one step further (or back): past (or to the beginning of) the row, face or stage.
+    ///
+    /// The stages of a face are: vertices; clipping; screen and facing; set-up; coverage with all that follows for each
+    /// sample.
+    [[nodiscard]] std::size_t step(std::size_t position, StepLevel level, StepDirection direction) const;
+
+    /// The index of the next event at or after `from` (or the last one before `from`) for which test(event) holds.
+    template <class Test>
+    [[nodiscard]] std::optional<std::size_t> find(std::size_t from, StepDirection direction, Test&& test) const
+    {
+        if (direction == StepDirection::Forward) {
+            for (std::size_t i = from; i < m_events.size(); ++i)
+                if (test(m_events[i]))
+                    return i;
+        } else {
+            for (std::size_t i = from; i-- > 0;)
+                if (test(m_events[i]))
+                    return i;
+        }
+        return std::nullopt;
+    }
+    /// "Run until": the index of the next event that stops the run. The position to go to is one more.
+    [[nodiscard]] std::optional<std::size_t> findStop(std::size_t from, StepDirection direction,
+                                                      const StepStop& stop) const;
+    /// The first event of a face at a pixel (x, y in pixels), or of the face at all if it has none there.
+    [[nodiscard]] std::optional<std::size_t> firstEventOf(std::uint32_t face, int x, int y) const;
+
+    /// The counters at a position.
+    ///
+    /// cost  at most kCheckpointEvents events
+    [[nodiscard]] Statistics countersAt(std::size_t position) const;
+
+    [[nodiscard]] std::span<const StepEffect> effects() const { return m_effects; }
+    /// How many effects there are at a position.
+    [[nodiscard]] std::size_t effectsAt(std::size_t position) const
+    {
+        return position == 0 ? 0 : m_events[position - 1].effects;
+    }
+
+private:
+    friend class StepRecorder;
+
+    static constexpr std::size_t kCheckpointEvents = 256;
+
+    /// The counters after so many events.
+    struct Checkpoint {
+        std::uint32_t position;
+        Statistics statistics;
+    };
+
+    using Payloads =
+        std::tuple<std::vector<VertexStep>, std::vector<ClipStep>, std::vector<CohenSutherlandStep>,
+                   std::vector<ViewportStep>, std::vector<FacingStep>, std::vector<FanStep>, std::vector<FateStep>,
+                   std::vector<WalkStep>, std::vector<SpanStep>, std::vector<SampleStep>, std::vector<LineStep>,
+                   std::vector<FragmentStep>, std::vector<ShadeStep>, std::vector<WriteStep>>;
+
+    [[nodiscard]] bool isBoundary(std::size_t position, StepLevel level) const;
+    /// What this event alone adds to the counters.
+    void count(const StepEvent& event, Statistics& statistics) const;
+
+    StepFilter m_filter;
+    Settings m_settings;
+    int m_columns = 0;
+    int m_rows = 0;
+    int m_grid = 1;
+    int m_varyingCount = 0;
+    Pixel m_clear;
+    bool m_truncated = false;
+    bool m_stopped = false;
+    std::vector<StepEvent> m_events;
+    std::vector<StepTriangle> m_triangles;
+    Payloads m_payloads;
+    std::vector<StepEffect> m_effects;
+    std::vector<Checkpoint> m_checkpoints; ///< by position, the first at 0
+    std::array<std::vector<std::uint32_t>, kStepKinds> m_byKind;
+};
+
+} // namespace rasterlens
