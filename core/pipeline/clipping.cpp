@@ -49,15 +49,15 @@ ClipVolume clipVolume(const Rules& rules)
 {
     ClipVolume volume;
     volume.view = planeTable(1, 1, rules.clipZ);
-    volume.cut = rules.clipping == Clipping::GuardBand
-                     ? planeTable(guardFactor(rules.width), guardFactor(rules.height), rules.clipZ)
-                     : volume.view;
+    const bool hasGuardBand = rules.clipping == Clipping::GuardBand || rules.clipping == Clipping::CohenSutherland;
+    volume.cut =
+        hasGuardBand ? planeTable(guardFactor(rules.width), guardFactor(rules.height), rules.clipZ) : volume.view;
     volume.known = kNearFar | kSides;
     switch (rules.clipping) {
     case Clipping::FrustumW: volume.known |= planeBit(ClipPlane::W); [[fallthrough]];
     case Clipping::Frustum:
-    case Clipping::GuardBand: volume.cutBy = volume.known; break;
-    case Clipping::CohenSutherland: volume.cutBy = kNearFar; break;
+    case Clipping::GuardBand:
+    case Clipping::CohenSutherland: volume.cutBy = volume.known; break;
     case Clipping::AnyVertexInside:
     case Clipping::NearFarReject:
     case Clipping::None: volume.cutBy = 0; break;
