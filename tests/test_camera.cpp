@@ -4,14 +4,8 @@
 
 #include <QTest>
 
-#if __has_include(RASTERLENS_SHARED "/peers/scene.hpp")
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wconversion"
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#pragma GCC diagnostic ignored "-Wunused-function"
-#include RASTERLENS_SHARED "/peers/scene.hpp"
-#pragma GCC diagnostic pop
-#define RASTERLENS_HAS_PEERS
+#ifdef RASTERLENS_HAS_PEERS
+#include <scene.hpp>
 #endif
 
 using namespace rasterlens;

@@ -271,7 +271,8 @@ void TestClipping::scalingChangesNothing()
             const ClipPolygon q = clipped(triangleOf(scaled), rulesOf(mode));
             QCOMPARE(q.count, p.count);
             for (std::size_t k = 0; k < static_cast<std::size_t>(p.count); ++k) {
-                QVERIFY(q.vertices[k].positionClip == p.vertices[k].positionClip * factor);
+                QVERIFY2(q.vertices[k].positionClip == p.vertices[k].positionClip * factor,
+                         qPrintable(QStringLiteral("mode %1, vertex %2").arg(int(mode)).arg(k)));
                 for (std::size_t v = 0; v < 3; ++v)
                     QCOMPARE(q.vertices[k].varyings[v], p.vertices[k].varyings[v]);
             }
@@ -291,7 +292,8 @@ void TestClipping::polygonsAreConvexAndKeepTheirWinding()
             if (polygon.count == 0 || std::abs(areaOf(polygon)) < 1e-9)
                 continue;
             QVERIFY(polygon.count >= 3 && polygon.count <= 10);
-            QCOMPARE(areaOf(polygon) > 0, facing > 0);
+            QVERIFY2((areaOf(polygon) > 0) == (facing > 0),
+                     qPrintable(QStringLiteral("mode %1: %2, %3").arg(int(mode)).arg(areaOf(polygon)).arg(facing)));
             for (std::size_t k = 0; k < static_cast<std::size_t>(polygon.count); ++k) {
                 QVERIFY(polygon.vertices[k].positionClip.w > 0);
                 // The guard band is some 500 units wide: rounding grows with the square of that.
@@ -321,7 +323,7 @@ void TestClipping::theRegionIsTheExactOne()
     const double gx = guardBand ? 2 * 32768.0 / rules.width - 1 : 1;
     const double gy = guardBand ? 2 * 32768.0 / rules.height - 1 : 1;
     int drawn = 0;
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < 150; ++i) {
         std::array<glm::dvec4, 3> positions;
         for (glm::dvec4& p : positions)
             p = glm::dvec4(integer(random, -24, 24), integer(random, -24, 24), integer(random, -24, 24),
@@ -339,38 +341,37 @@ void TestClipping::theRegionIsTheExactOne()
         QVERIFY2(std::abs(found - expected) <= 1e-12 * std::max(1.0, gx * gy),
                  qPrintable(QStringLiteral("%1: %2, not %3").arg(i).arg(found).arg(expected)));
     }
-    QVERIFY(drawn > 50);
+    QVERIFY(drawn > 20);
 }
 
+/// The plane x + y + z = 0 cuts a hexagon out of the cube; the triangle cuts off every other corner of that.
 void TestClipping::nineVertices()
 {
-    Random random = seededRandom();
-    int most = 0;
-    for (int i = 0; i < 200000 && most < 9; ++i) {
-        // A plane through the middle of the volume that sees all six faces of the cube.
-        std::array<glm::dvec4, 3> positions;
-        const double turn = uniform(random, 0, 6.3);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double angle = turn + double(k) * 2 * M_PI / 3;
-            const double r = uniform(random, 2, 3.2);
-            const double x = r * std::cos(angle);
-            const double y = r * std::sin(angle);
-            positions[k] = {x, y, -x - y + uniform(random, -0.3, 0.3), 1};
-        }
-        most = std::max(most, clipped(triangleOf(positions), rulesOf(Clipping::Frustum)).count);
+    const glm::dvec3 u = glm::normalize(glm::dvec3(1, -1, 0));
+    const glm::dvec3 v = glm::normalize(glm::dvec3(1, 1, -2));
+    std::array<glm::dvec4, 3> positions;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double angle = (60 + 120 * double(k)) * M_PI / 180;
+        positions[k] = glm::dvec4(2.6 * (std::cos(angle) * u + std::sin(angle) * v), 1);
     }
-    QCOMPARE(most, 9);
+    for (const Clipping mode : {Clipping::Frustum, Clipping::FrustumW})
+        QCOMPARE(clipped(triangleOf(positions), rulesOf(mode)).count, 9);
+    QCOMPARE(clipped(triangleOf(positions), rulesOf(Clipping::CohenSutherland)).count, 9);
 }
 
 void TestClipping::nothingBehindTheEyeIsSeen()
 {
     Random random = seededRandom();
-    for (int i = 0; i < 5000; ++i) {
+    for (int i = 0; i < 2000; ++i) {
         auto positions = randomPositions(random);
         for (glm::dvec4& p : positions)
             p.w = i % 2 == 0 ? 0 : -std::abs(p.w);
-        for (const Clipping mode : kCutting)
-            QCOMPARE(clipped(triangleOf(positions), rulesOf(mode)).count, 0);
+        const Scene scene = soup({glm::vec4(positions[0]), glm::vec4(positions[1]), glm::vec4(positions[2])});
+        for (const Clipping mode : kCutting) {
+            Settings settings = plainSettings({256, 128});
+            settings.clipping = mode;
+            QVERIFY(process(scene, settings).triangles.empty());
+        }
     }
 }
 
@@ -417,7 +418,7 @@ void TestClipping::rowsOfPointsOnPlanesStayBounded()
     Random random = seededRandom();
     const std::array<double, 10> values{-2, -1, -1 - 0x1p-23, -1 + 0x1p-24, -0.0, 0, 1 - 0x1p-24, 1, 1 + 0x1p-23, 2};
     const auto value = [&] { return values[static_cast<std::size_t>(integer(random, 0, 9))]; };
-    for (int i = 0; i < 100000; ++i) {
+    for (int i = 0; i < 10000; ++i) {
         std::array<glm::dvec4, 3> positions;
         for (glm::dvec4& p : positions)
             p = {value(), value(), value(), value()};
@@ -434,7 +435,7 @@ void TestClipping::longEdgesAreCutExactly()
 {
     Random random = seededRandom();
     const PlaneEquation right{{-1, 0, 0, 1}};
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < 300; ++i) {
         const double reach = std::exp2(uniform(random, 0, 125));
         const glm::dvec4 inside(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1), 1);
         const glm::dvec4 outside(reach, uniform(random, -1, 1) * reach, uniform(random, -1, 1) * reach, 1);

@@ -362,14 +362,15 @@ void TestCoverage::permutedVerticesGiveTheSamePicture()
         forEachWay(scene, plainSettings(kSize), [&](const Settings& s, const QString& way) {
             const Frame a = draw(scene, s);
             const Frame b = draw(permuted, s);
-            // Where a face is clipped, its polygon starts elsewhere and may be cut into other triangles.
-            if (round % 2 == 1) {
-                QVERIFY2(a.ids == b.ids, qPrintable(way));
-                QVERIFY(channelDifference(a.image, b.image) <= 1);
-            }
             QVERIFY2(a.coverage == b.coverage, qPrintable(way));
+            // Where a face is clipped, its polygon starts elsewhere: other triangles, whose snapped corners are not
+            // quite in one plane.
+            if (round % 2 == 0)
+                return;
+            QVERIFY2(a.ids == b.ids, qPrintable(way));
+            QVERIFY(channelDifference(a.image, b.image) <= 1);
             for (std::size_t i = 0; i < a.depth.size(); ++i)
-                QVERIFY(a.ids[i] != b.ids[i] || std::abs(a.depth[i] - b.depth[i]) <= 0x1p-23F);
+                QVERIFY(std::abs(a.depth[i] - b.depth[i]) <= 0x1p-24F);
         });
     }
 }

@@ -245,7 +245,7 @@ void TestDepth::testingBeforeOrAfterShading()
 
 void TestDepth::coarseFormatsCannotTellCloseDepthsApart()
 {
-    const Scene scene = layers({0.5, 0.5 - 0x1p-18, 0.5 - 0x1p-10});
+    const Scene scene = layers({0.4, 0.4 - 0x1p-18, 0.4 - 0x1p-10}); // 0.4 is the value of code 26214
     Settings settings = layerSettings();
     const auto seen = [&](DepthFormat format, std::size_t faces) {
         settings.depthFormat = format;
