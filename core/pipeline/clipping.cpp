@@ -89,6 +89,9 @@ ClipVerdict clipVerdict(Clipping mode, const Outcode& a, const Outcode& b, const
     return crossed != 0 ? ClipVerdict::Cut : ClipVerdict::Keep;
 }
 
+namespace
+{
+
 /// Where an edge crosses a plane. Whether the short way is good enough is decided by the edge alone, so that both
 /// faces at an edge decide alike.
 glm::dvec4 cutPosition(const glm::dvec4& inside, const glm::dvec4& outside, double t, const PlaneEquation& plane)
@@ -100,6 +103,8 @@ glm::dvec4 cutPosition(const glm::dvec4& inside, const glm::dvec4& outside, doub
         longest = std::max({longest, std::abs(inside[k]), std::abs(outside[k])});
     return longest <= kLongest * cut.w ? cut : cutExactly(inside, outside, plane);
 }
+
+} // namespace
 
 double cutParameter(const glm::dvec4& a, const glm::dvec4& b, const PlaneEquation& plane)
 {
