@@ -201,7 +201,7 @@ void TestInterpolation::depthIsTrue()
         }
     }
     qInfo("worst error %g of %d samples", worst, samples);
-    QVERIFY(samples >= 5);
+    QVERIFY(needle || samples > 500); // needles pass between most centres
     QVERIFY(worst < 0x1p-29);
 }
 
