@@ -3,6 +3,7 @@
 #include "core/framebuffer.h"
 #include "core/pipeline/fragment_stage.h"
 #include "core/pipeline/geometry.h"
+#include "core/pipeline/sample_router.h"
 #include "core/rasterizers/lines.h"
 #include "core/rasterizers/list.h"
 #include "core/render.h"
@@ -39,8 +40,14 @@ void coverTriangle(const ScreenTriangle& triangle, const FaceInterpolation& inte
     if (!setup)
         return;
     forEachRasterizer([&](auto rasterizer) {
-        if (rasterizer.info.algorithm == rules.algorithm)
+        if (rasterizer.info.algorithm != rules.algorithm)
+            return;
+        if (SampleRouter<Stage>::wanted(rules)) {
+            SampleRouter<Stage> router(rules, stage);
+            rasterizer.cover(*setup, interpolation, rules, router, observer);
+        } else {
             rasterizer.cover(*setup, interpolation, rules, stage, observer);
+        }
     });
 }
 
@@ -55,7 +62,7 @@ void drawTriangle(const Scene& scene, const ScreenTriangle& triangle, const Rule
     stage.begin(interpolation, uniforms);
     observer.onTriangle(triangle);
     switch (rules.fill) {
-    case Fill::Wireframe: drawWireframe(triangle, rules.line, stage, observer); return;
+    case Fill::Wireframe: drawWireframe(triangle, rules, stage, observer); return;
     case Fill::Points: drawPoints(triangle, stage); return;
     case Fill::Solid: break;
     }
@@ -80,18 +87,24 @@ void drawScene(const Scene& scene, const Settings& settings, Frame& frame, Outpu
     times.raster += watch.lap();
 
     const Geometry geometry(scene, matrices, rules);
-    const std::vector<std::uint32_t> order = geometry.order();
+    std::vector<std::uint32_t> order = geometry.order();
     times.vertex += watch.lap();
 
     FragmentStage<Observer> stage(rules, framebuffer.samples(), glm::vec3(matrices.eyeWorld), observer);
     std::vector<ScreenTriangle> batch;
     for (std::size_t i = 0; i < order.size() && !stop.stop_requested();) {
         batch.clear();
-        for (int k = 0; k < Observer::kFacesPerBatch && i < order.size(); ++k, ++i)
-            geometry.process(order[i], batch, observer);
+        for (int k = 0; k < Observer::kFacesPerBatch && i < order.size(); ++k, ++i) {
+            const FaceFate fate = geometry.process(order[i], batch, observer);
+            if (fate == FaceFate::Rejected && !rules.continuesAfterReject)
+                order.resize(i + 1);
+        }
         times.geometry += watch.lap();
-        for (const ScreenTriangle& triangle : batch)
+        for (ScreenTriangle& triangle : batch) {
+            if (rules.cornerData != CornerData::Own)
+                triangle = withCornerData(triangle, rules.cornerData);
             drawTriangle(scene, triangle, rules, stage, observer);
+        }
         times.raster += watch.lap();
     }
     framebuffer.resolve();

@@ -53,9 +53,8 @@ ClipPolygon clipped(const ClipTriangle& triangle, const Rules& rules)
     NullObserver observer;
     const ClipPolygon polygon =
         clip(triangle, volume, codes[0].cut | codes[1].cut | codes[2].cut, rules.varyingCount, observer);
-    return rules.clipping == Clipping::CohenSutherland && polygon.count > 0
-               ? clipCohenSutherland(polygon, rules.varyingCount)
-               : polygon;
+    return rules.clipping == Clipping::CohenSutherland && polygon.count > 0 ? clipCohenSutherland(polygon, rules)
+                                                                            : polygon;
 }
 
 glm::dvec4 randomPosition(Random& random)

@@ -2,7 +2,6 @@
 
 #include "core/session.h"
 
-#include <QDir>
 #include <QFileInfo>
 #include <QSettings>
 
@@ -25,18 +24,6 @@ bool isGenerated(const QString& name)
 bool isSession(const QString& name)
 {
     return !isGenerated(name) && name.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
-}
-
-/// A session names files relative to itself, so that a folder can be moved.
-QString sceneNameForSession(const QString& id, const QString& sessionPath)
-{
-    return isGenerated(id) ? id
-                           : QFileInfo(sessionPath).absoluteDir().relativeFilePath(QFileInfo(id).absoluteFilePath());
-}
-
-QString sceneNameFromSession(const QString& name, const QString& sessionPath)
-{
-    return isGenerated(name) ? name : QFileInfo(sessionPath).absoluteDir().filePath(name);
 }
 
 std::shared_ptr<const Scene> emptyScene()
@@ -141,7 +128,7 @@ Document::Opened Document::load(const QString& name)
         if (!session.session)
             return opened;
         opened.settings = session.session->settings;
-        sceneName = sceneNameFromSession(session.session->scene, name);
+        sceneName = session.session->scene;
     }
     LoadOptions options;
     if (opened.settings)
@@ -173,7 +160,7 @@ void Document::finishOpening(const QString& name, quint64 serial, const Opened& 
 
 bool Document::saveSession(const QString& path)
 {
-    const Session session{sceneNameForSession(m_scene->id, path), m_settings};
+    const Session session{m_scene->id, m_settings};
     if (const auto error = rasterlens::saveSession(session, path)) {
         Q_EMIT diagnosticsReported({{Severity::Error, path, 0, *error}});
         return false;

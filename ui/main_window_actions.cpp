@@ -131,8 +131,6 @@ void MainWindow::buildViewMenu()
     m_zoomIn->setShortcuts({QKeySequence(Qt::CTRL | Qt::Key_Plus), QKeySequence(Qt::CTRL | Qt::Key_Equal)});
     m_zoomOut =
         add(view, QT_TR_NOOP("Zoom out"), QKeySequence(Qt::CTRL | Qt::Key_Minus), [this] { m_viewport->zoomStep(-1); });
-    m_zoomIn->setIconText(QStringLiteral("+"));
-    m_zoomOut->setIconText(QStringLiteral("\u2212"));
     m_goTo = add(view, QT_TR_NOOP("&Go to pixel"), QKeySequence(Qt::CTRL | Qt::Key_G), [this] { toggleGoToPixel(); });
     view->addSeparator();
     const auto addCamera = [&](const char* text, const QKeySequence& key, auto next) {
@@ -248,6 +246,8 @@ void MainWindow::retranslateActions()
 {
     for (const TranslatedAction& entry : m_actions)
         entry.action->setText(tr(entry.text));
+    // The links above the canvas are short.
+    m_fit->setIconText(tr("Fit"));
     m_zoomIn->setIconText(QStringLiteral("+"));
     m_zoomOut->setIconText(QStringLiteral("\u2212"));
 }

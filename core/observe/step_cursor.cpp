@@ -66,7 +66,9 @@ void StepCursor::show()
             continue;
         auto* line = reinterpret_cast<std::uint32_t*>(bits + y * m_image.bytesPerLine());
         for (int x = row.left; x <= row.right; ++x)
-            line[x] = meanOfSamples(m_color.data(), m_log->columns(), m_log->grid(), x, y);
+            line[x] = meanOfSamples(m_log->grid(), x, y, [&](int column, int row) {
+                return m_color[std::size_t(row) * std::size_t(m_log->columns()) + std::size_t(column)];
+            });
         left = std::min(left, row.left);
         right = std::max(right, row.right);
         top = std::min(top, y);

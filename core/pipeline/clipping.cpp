@@ -20,7 +20,7 @@ constexpr double kGuardBandPixels = 32768;
 /// Half-width of the guard band in units of w, for a viewport of so many pixels.
 double guardFactor(int pixels) { return 2 * kGuardBandPixels / pixels - 1; }
 
-PlaneTable planeTable(double gx, double gy, ClipZ clipZ)
+PlaneTable planeTable(double gx, double gy, const Rules& rules)
 {
     PlaneTable table;
     const auto plane = [&](ClipPlane p) -> PlaneEquation& { return table[static_cast<std::size_t>(p)]; };
@@ -29,8 +29,10 @@ PlaneTable planeTable(double gx, double gy, ClipZ clipZ)
     plane(ClipPlane::Left) = {{1, 0, 0, gx}};
     plane(ClipPlane::Top) = {{0, -1, 0, gy}};
     plane(ClipPlane::Bottom) = {{0, 1, 0, gy}};
-    plane(ClipPlane::Near) = {{0, 0, 1, clipZ == ClipZ::Gl ? 1.0 : 0.0}};
+    plane(ClipPlane::Near) = {{0, 0, 1, rules.clipZ == ClipZ::Gl ? 1.0 : 0.0}};
     plane(ClipPlane::Far) = {{0, 0, -1, 1}};
+    for (PlaneEquation& equation : table)
+        equation.offset += rules.clipInset;
     return table;
 }
 
@@ -48,10 +50,9 @@ ClipPlanes outside(const glm::dvec4& position, const PlaneTable& planes, ClipPla
 ClipVolume clipVolume(const Rules& rules)
 {
     ClipVolume volume;
-    volume.view = planeTable(1, 1, rules.clipZ);
+    volume.view = planeTable(1, 1, rules);
     const bool hasGuardBand = rules.clipping == Clipping::GuardBand || rules.clipping == Clipping::CohenSutherland;
-    volume.cut =
-        hasGuardBand ? planeTable(guardFactor(rules.width), guardFactor(rules.height), rules.clipZ) : volume.view;
+    volume.cut = hasGuardBand ? planeTable(guardFactor(rules.width), guardFactor(rules.height), rules) : volume.view;
     volume.known = kNearFar | kSides;
     switch (rules.clipping) {
     case Clipping::FrustumW: volume.known |= planeBit(ClipPlane::W); [[fallthrough]];

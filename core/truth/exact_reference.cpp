@@ -486,7 +486,7 @@ ExactOptions exactOptions(const Scene& scene, const Settings& settings)
 
     ExactOptions options;
     options.size = settings.size;
-    options.snap = !scene.exact;
+    options.snap = settings.numberType == NumberType::Fixed && !scene.exact;
     options.subpixelBits = settings.subpixelBits;
     options.clipZ = settings.clipZ;
     options.culling = settings.culling;
