@@ -51,15 +51,14 @@ ClipVolume clipVolume(const Rules& rules)
 {
     ClipVolume volume;
     volume.view = planeTable(1, 1, rules);
-    volume.cut = rules.clipping == Clipping::GuardBand
-                     ? planeTable(guardFactor(rules.width), guardFactor(rules.height), rules)
-                     : volume.view;
+    const bool hasGuardBand = rules.clipping == Clipping::GuardBand || rules.clipping == Clipping::CohenSutherland;
+    volume.cut = hasGuardBand ? planeTable(guardFactor(rules.width), guardFactor(rules.height), rules) : volume.view;
     volume.known = kNearFar | kSides;
     switch (rules.clipping) {
     case Clipping::FrustumW: volume.known |= planeBit(ClipPlane::W); [[fallthrough]];
     case Clipping::Frustum:
-    case Clipping::GuardBand: volume.cutBy = volume.known; break;
-    case Clipping::CohenSutherland: volume.cutBy = kNearFar; break;
+    case Clipping::GuardBand:
+    case Clipping::CohenSutherland: volume.cutBy = volume.known; break;
     case Clipping::AnyVertexInside:
     case Clipping::NearFarReject:
     case Clipping::None: volume.cutBy = 0; break;
@@ -91,6 +90,9 @@ ClipVerdict clipVerdict(Clipping mode, const Outcode& a, const Outcode& b, const
     return crossed != 0 ? ClipVerdict::Cut : ClipVerdict::Keep;
 }
 
+namespace
+{
+
 /// Where an edge crosses a plane. Whether the short way is good enough is decided by the edge alone, so that both
 /// faces at an edge decide alike.
 glm::dvec4 cutPosition(const glm::dvec4& inside, const glm::dvec4& outside, double t, const PlaneEquation& plane)
@@ -102,6 +104,8 @@ glm::dvec4 cutPosition(const glm::dvec4& inside, const glm::dvec4& outside, doub
         longest = std::max({longest, std::abs(inside[k]), std::abs(outside[k])});
     return longest <= kLongest * cut.w ? cut : cutExactly(inside, outside, plane);
 }
+
+} // namespace
 
 double cutParameter(const glm::dvec4& a, const glm::dvec4& b, const PlaneEquation& plane)
 {

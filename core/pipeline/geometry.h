@@ -7,6 +7,7 @@
 #include "core/rules.h"
 #include "core/scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -56,6 +57,9 @@ private:
         if (verdict == ClipVerdict::Reject)
             return FaceFate::Rejected;
         if (verdict == ClipVerdict::Keep) {
+            // x = y = z = w = 0 is inside every plane, yet nowhere on the screen.
+            if (m_volume.cutBy != 0 && !(isBeforeEye(a.clip) && isBeforeEye(b.clip) && isBeforeEye(c.clip)))
+                return FaceFate::Degenerate;
             const std::array<ScreenVertex, 3> polygon{a.screen, b.screen, c.screen};
             for (std::uint32_t i = 0; i < 3; ++i)
                 observer.onViewport(face, static_cast<int>(i), corner(face, i).clip, polygon[i]);
@@ -67,7 +71,8 @@ private:
         const ClipTriangle triangle{{a.clip, b.clip, c.clip}, face};
         ClipPolygon clipped =
             clip(triangle, m_volume, a.outcode.cut | b.outcode.cut | c.outcode.cut, m_rules.varyingCount, observer);
-        if (m_rules.clipping == Clipping::CohenSutherland && clipped.count > 0) {
+        if (m_rules.clipping == Clipping::CohenSutherland && clipped.count > 0 &&
+            std::ranges::all_of(clipped.span(), isBeforeEye)) {
             const ClipPolygon before = clipped;
             clipped = clipCohenSutherland(before, m_rules);
             observer.onCohenSutherland(face, before, clipped);
@@ -83,7 +88,7 @@ private:
     {
         std::vector<ScreenVertex> polygon;
         for (const ClipVertex& vertex : clipped.span()) {
-            if (!(vertex.positionClip.w > 0))
+            if (!isBeforeEye(vertex))
                 return FaceFate::Degenerate; // the plane of the face runs through the eye
             polygon.push_back(screenVertex(vertex));
             observer.onViewport(face, static_cast<int>(polygon.size()) - 1, vertex, polygon.back());
@@ -121,6 +126,8 @@ private:
 
     /// Which way a face looks by what is not the area on the screen.
     [[nodiscard]] double facingElsewhere(std::uint32_t face) const;
+
+    [[nodiscard]] static bool isBeforeEye(const ClipVertex& vertex) { return vertex.positionClip.w > 0; }
 
     [[nodiscard]] std::uint32_t meshVertex(std::uint32_t face, std::uint32_t i) const
     {
