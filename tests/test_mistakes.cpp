@@ -3,6 +3,7 @@
 #include "core/mistakes.h"
 #include "core/rasterizers/lines.h"
 
+#include <QFile>
 #include <QRegularExpression>
 #include <QSet>
 #include <QTest>
@@ -59,6 +60,8 @@ private Q_SLOTS:
     void tableIsComplete();
     void changesPictureAndProof_data() { addRowForEachMistake(); }
     void changesPictureAndProof();
+    void documentHasEveryMistake_data() { addRowForEachMistake(); }
+    void documentHasEveryMistake();
     void unknownIdIsRefused();
     void squareIsHitTwiceOrNotAtAll();
     void windingsAreTreatedAlike();
@@ -100,11 +103,6 @@ void TestMistakes::changesPictureAndProof()
     const double before = proofValue(mistake.proof, right, right);
     const double after = proofValue(mistake.proof, mistaken, right);
     qInfo("%s: %s %g -> %g", mistake.id, proofId(mistake.proof), before, after);
-    if (!qEnvironmentVariableIsEmpty("MISTAKE_PICTURES")) {
-        const QString stem = qEnvironmentVariable("MISTAKE_PICTURES") + QLatin1Char('/') + id;
-        right.frame.image.save(stem + QStringLiteral("-0.png"));
-        mistaken.frame.image.save(stem + QStringLiteral("-1.png"));
-    }
     QVERIFY(right.frame.image != mistaken.frame.image);
     if (mistake.change == Change::Rises)
         QVERIFY2(after > before, proofId(mistake.proof));
@@ -117,6 +115,19 @@ void TestMistakes::changesPictureAndProof()
     QCOMPARE(frame.image, mistaken.frame.image);
     render(demo.scene, demo.right, frame);
     QCOMPARE(frame.image, right.frame.image);
+}
+
+void TestMistakes::documentHasEveryMistake()
+{
+    QFETCH(QString, id);
+    const Mistake& mistake = *findMistake(id);
+    QFile file(QFINDTESTDATA("../docs/MISTAKES.md"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QString document = QString::fromUtf8(file.readAll());
+    for (const char* text : {mistake.title, mistake.symptom, mistake.seed})
+        QVERIFY2(document.contains(QString::fromUtf8(text)), text);
+    const QString command = QStringLiteral("`render builtin:%1 --mistake %2`").arg(QLatin1String(mistake.scene), id);
+    QVERIFY2(document.contains(command), qPrintable(command));
 }
 
 void TestMistakes::unknownIdIsRefused()
