@@ -63,6 +63,8 @@ private Q_SLOTS:
     void documentHasEveryMistake_data() { addRowForEachMistake(); }
     void documentHasEveryMistake();
     void unknownIdIsRefused();
+    void isDefinedEverywhere_data() { addRowForEachMistake(); }
+    void isDefinedEverywhere();
     void squareIsHitTwiceOrNotAtAll();
     void windingsAreTreatedAlike();
     void depthOfTheBoard();
@@ -139,6 +141,35 @@ void TestMistakes::unknownIdIsRefused()
     QVERIFY(reason);
     QVERIFY2(reason->contains(QLatin1String("nonsense")), qPrintable(*reason));
     QVERIFY2(reason->contains(QLatin1String("--list-mistakes")), qPrintable(*reason));
+}
+
+/// Alone and together with what multiplies trouble, where corners lie behind the eye, far out or on one line: for the
+/// sanitizers to look at.
+void TestMistakes::isDefinedEverywhere()
+{
+    QFETCH(QString, id);
+    for (const char* name : {"floor", "tunnel", "behind-camera", "huge-triangle", "zero-area", "overhang", "lines"}) {
+        const SceneLoad load = makeBuiltinScene(QLatin1String(name));
+        for (const char* companion : {"affine", "no-near-clip", "box-not-clamped", "zero-area-kept", "w-lost"})
+            for (const Algorithm algorithm : {Algorithm::EdgeEquation, Algorithm::EdgeWalking}) {
+                Settings settings = load.scene->defaults;
+                settings.size = QSize(24, 40);
+                settings.algorithm = algorithm;
+                settings.samples = Samples::Grid2;
+                settings.mistakes = {id, QLatin1String(companion)};
+                settings.mistakes.removeDuplicates();
+                QCOMPARE(unsupported(*load.scene, settings), std::nullopt);
+                Frame first;
+                const Statistics counted = renderCounted(*load.scene, settings, first);
+                Frame second;
+                render(*load.scene, settings, second);
+                QCOMPARE(first.image, second.image);
+                const Statistics::Faces& f = counted.faces;
+                QCOMPARE(f.submitted,
+                         f.rejected + f.culledBack + f.culledFront + f.degenerate + f.nonFinite + f.rasterized);
+                QCOMPARE(counted.pixels.covered, counted.pixels.depthPassed + counted.pixels.depthFailed);
+            }
+    }
 }
 
 void TestMistakes::squareIsHitTwiceOrNotAtAll()

@@ -173,6 +173,8 @@ struct EdgeWalking {
                       Emit& emit, Observer& observer)
     {
         const Sorted<T> s = sortByY(setup);
+        if (s.vertices[0].y == s.vertices[2].y)
+            return; // no edge to follow
         const Rows rows = rowsOf(s, setup.bounds, rules);
         const T middle = s.vertices[1].y;
         int y = rows.first;
