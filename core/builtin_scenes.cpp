@@ -129,6 +129,53 @@ constexpr BuiltinScene kScenes[] = {
          "the middle z/w is 0.8938 and the distance 1.818: z/w is linear on the screen, the distance is not. "
          "Board and markers have equal colours at equal distances, unless interpolation is affine."),
      makeFourZ},
+    {"square-counted", QT_TRANSLATE_NOOP("BuiltinScene", "The square, hits counted"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "The square cut by its diagonal; colours tell how many triangles cover a pixel. It must be one."),
+     makeSquareCounted},
+    {"thin-gap", QT_TRANSLATE_NOOP("BuiltinScene", "A panel close before a wall"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "As in z-fighting, but with the near plane at 0.5: 32-bit depth can tell panel and wall apart, 16 bits "
+         "cannot."),
+     makeThinGap},
+    {"three-layers", QT_TRANSLATE_NOOP("BuiltinScene", "Near, far, middle"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "Three rectangles, sent in this order: orange in front, blue at the back, green between them."),
+     makeThreeLayers},
+    {"two-windings", QT_TRANSLATE_NOOP("BuiltinScene", "Two squares, two windings"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "The left square is counter-clockwise, the right one clockwise. A rule must treat both alike. "
+                       "Colours tell how many triangles cover a pixel."),
+     makeTwoWindings},
+    {"tiny-tiles", QT_TRANSLATE_NOOP("BuiltinScene", "Tiles smaller than a pixel"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "From half a pixel on the left to several on the right. However small they are, together they cover every "
+         "pixel once."),
+     makeTinyTiles},
+    {"samples", QT_TRANSLATE_NOOP("BuiltinScene", "Edges between samples"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "2 x 2 samples a pixel. The orange triangle is nearer and sent first; the white square is cut by its "
+         "diagonal, of which nothing may be seen."),
+     makeSamples},
+    {"zero-area", QT_TRANSLATE_NOOP("BuiltinScene", "Triangles without area"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "Three triangles are flattened to lines through pixel centres. They must not be seen."),
+     makeZeroArea},
+    {"long-sliver", QT_TRANSLATE_NOOP("BuiltinScene", "Two needles of 4,000 pixels"),
+     QT_TRANSLATE_NOOP("BuiltinScene", "They share a long edge. What is added up along it must not drift."),
+     makeLongSliver},
+    {"huge-triangle", QT_TRANSLATE_NOOP("BuiltinScene", "A triangle of 60,000 pixels"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "Not clipped: on the left half of the screen an edge value needs more than 32 bits."),
+     makeHugeTriangle},
+    {"overhang", QT_TRANSLATE_NOOP("BuiltinScene", "Over the right border"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "With a guard band the triangle is not clipped; the bounding box alone keeps it on the screen."),
+     makeOverhang},
 };
 
 Scene makeWhole(const BuiltinScene& entry)

@@ -129,11 +129,23 @@ private Q_SLOTS:
 
 void TestBuiltinScenes::listIsStable()
 {
-    const QStringList expected{
-        "triangle",       "square-diagonal", "triangle-600", "games101",   "tile-square", "head",          "teapot",
-        "torus-knot",     "floor",           "letter-f",     "leaf",       "fan",         "tunnel",        "cube",
-        "sphere",         "painter-cycle",   "piercing",     "z-fighting", "slivers",     "behind-camera", "covering",
-        "edge-guardband", "lines",           "four-z"};
+    const QStringList expected{"triangle",       "square-diagonal",
+                               "triangle-600",   "games101",
+                               "tile-square",    "head",
+                               "teapot",         "torus-knot",
+                               "floor",          "letter-f",
+                               "leaf",           "fan",
+                               "tunnel",         "cube",
+                               "sphere",         "painter-cycle",
+                               "piercing",       "z-fighting",
+                               "slivers",        "behind-camera",
+                               "covering",       "edge-guardband",
+                               "lines",          "four-z",
+                               "square-counted", "thin-gap",
+                               "three-layers",   "two-windings",
+                               "tiny-tiles",     "samples",
+                               "zero-area",      "long-sliver",
+                               "huge-triangle",  "overhang"};
     QStringList names;
     for (const BuiltinScene& entry : builtinScenes())
         names << entry.name;

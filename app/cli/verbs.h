@@ -16,5 +16,7 @@ struct Verb {
 ExitCode runDiff(const QStringList& words);
 ExitCode runInfo(const QStringList& words);
 ExitCode runRender(const QStringList& words);
+ExitCode runSteps(const QStringList& words);
+ExitCode runWhy(const QStringList& words);
 
 } // namespace rasterlens::cli

@@ -44,6 +44,7 @@ void CountingObserver::onClipped(std::uint32_t, int pieces)
 
 void CountingObserver::onTriangle(const ScreenTriangle& triangle)
 {
+    m_isLine = false;
     for (std::size_t i = 0; i < 3; ++i)
         m_positions[i] = triangle.vertices[i].position;
     const double area2 = twiceArea(m_positions[0], m_positions[1], m_positions[2]);
@@ -58,6 +59,8 @@ void CountingObserver::onFragment(const Fragment& fragment, float, bool passedDe
     Statistics::Pixels& pixels = m_statistics.pixels;
     ++pixels.covered;
     ++(passedDepth ? pixels.depthPassed : pixels.depthFailed);
+    if (m_isLine)
+        return;
     for (std::size_t i = 0; i < 3; ++i) {
         if (fragment.screen[i] > m_nearEdge[i])
             continue;

@@ -133,8 +133,7 @@ bool StepRecorder::admit(int y, int xBegin, int xEnd)
         return false;
     if (!m_filter.pixels)
         return true;
-    if (y < m_samples.y || y >= m_samples.y + m_samples.height || xEnd <= m_samples.x ||
-        xBegin >= m_samples.x + m_samples.width)
+    if (!isRowWanted(y) || xEnd <= m_samples.x || xBegin >= m_samples.x + m_samples.width)
         return false;
     const bool wasPending = isPending();
     m_faceKept = m_triangleKept = true;
@@ -328,6 +327,10 @@ void StepRecorder::onSpan(int y, int xBegin, int xEnd, const SpanEnds& ends)
 void StepRecorder::onSample(int x, int y, const EdgeValues& values, bool covered)
 {
     m_counter.onSample(x, y, values, covered);
+    if (!isRowWanted(y)) {
+        m_gap = true;
+        return;
+    }
     std::array<int, 3> signs;
     for (std::size_t i = 0; i < 3; ++i)
         signs[i] = (values[i] > 0) - (values[i] < 0);

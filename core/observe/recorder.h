@@ -12,6 +12,33 @@
 namespace rasterlens
 {
 
+/// A triangle's set-up as doubles, whatever numbers it is made of.
+template <class T>
+[[nodiscard]] StepSetup stepSetup(const TriangleSetup<T>& setup)
+{
+    constexpr double kUnit = double(Grid<T>::kUnit);
+    StepSetup out;
+    out.source = setup.source;
+    out.bounds = setup.bounds;
+    out.unitsPerSample = kUnit;
+    out.unitsPerArea = kUnit * kUnit;
+    out.area2 = static_cast<double>(setup.edges[0].at(setup.vertices[2]));
+    for (std::size_t i = 0; i < 3; ++i) {
+        const EdgeFunction<T>& edge = setup.edges[i];
+        out.vertices[i] = glm::dvec2(double(setup.vertices[i].x), double(setup.vertices[i].y)) / kUnit;
+        out.edges[i] = {double(edge.a),
+                        double(edge.b),
+                        double(edge.a) * kUnit,
+                        double(edge.b) * kUnit,
+                        {double(edge.from.x), double(edge.from.y)},
+                        double(edge.threshold),
+                        EdgeSide::Neither};
+        if (edge.owner)
+            out.edges[i].side = edge.a > 0 ? EdgeSide::Left : EdgeSide::Top;
+    }
+    return out;
+}
+
 /// Writes a step log: every callback is one event, and every change of the frame buffer one effect.
 class StepRecorder : public NullObserver
 {
@@ -35,8 +62,10 @@ public:
     {
         if (!isFaceWanted())
             return;
-        if (setup)
-            setSetup(*setup);
+        if (setup) {
+            m_log->m_triangles.back().hasSetup = true;
+            m_log->m_triangles.back().setup = stepSetup(*setup);
+        }
         storeFaceEvent(StepKind::Setup);
     }
     void onWalk(const WalkedTriangle& walk);
@@ -63,6 +92,10 @@ private:
 
     [[nodiscard]] bool isFaceWanted() const { return !m_full && (!m_filter.face || *m_filter.face == m_face); }
     [[nodiscard]] bool isPending() const { return m_filter.pixels && !(m_faceKept && m_triangleKept); }
+    [[nodiscard]] bool isRowWanted(int y) const
+    {
+        return isFaceWanted() && (!m_filter.pixels || (y >= m_samples.y && y < m_samples.y + m_samples.height));
+    }
     [[nodiscard]] Mark mark() const;
     void rollBack(const Mark& mark);
     void beginFace(std::uint32_t face);
@@ -85,9 +118,6 @@ private:
         return static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(m_log->m_columns) +
                static_cast<std::uint32_t>(x);
     }
-
-    template <class T>
-    void setSetup(const TriangleSetup<T>& setup);
 
     const Scene* m_scene;
     Rules m_rules;
@@ -114,32 +144,5 @@ private:
     std::vector<std::uint32_t> m_lastEffect; ///< of each sample, an index into effects that may be out of date
     std::vector<std::uint16_t> m_coverCount; ///< of each sample; overdraw only
 };
-
-template <class T>
-void StepRecorder::setSetup(const TriangleSetup<T>& setup)
-{
-    constexpr double kUnit = double(Grid<T>::kUnit);
-    StepTriangle& triangle = m_log->m_triangles.back();
-    StepSetup& out = triangle.setup;
-    triangle.hasSetup = true;
-    out.source = setup.source;
-    out.bounds = setup.bounds;
-    out.unitsPerSample = kUnit;
-    out.unitsPerArea = kUnit * kUnit;
-    out.area2 = static_cast<double>(setup.edges[0].at(setup.vertices[2]));
-    for (std::size_t i = 0; i < 3; ++i) {
-        const EdgeFunction<T>& edge = setup.edges[i];
-        out.vertices[i] = glm::dvec2(double(setup.vertices[i].x), double(setup.vertices[i].y)) / kUnit;
-        out.edges[i] = {double(edge.a),
-                        double(edge.b),
-                        double(edge.a) * kUnit,
-                        double(edge.b) * kUnit,
-                        {double(edge.from.x), double(edge.from.y)},
-                        double(edge.threshold),
-                        !edge.owner  ? EdgeSide::Neither
-                        : edge.a > 0 ? EdgeSide::Left
-                                     : EdgeSide::Top};
-    }
-}
 
 } // namespace rasterlens

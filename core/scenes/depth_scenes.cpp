@@ -85,6 +85,14 @@ Scene makeFourZ()
                     seenAt(x + kHalf, 0.45 + 2 * kHalf, depth), seenAt(x - kHalf, 0.45 + 2 * kHalf, depth),
                     colorAt(depth));
     }
+    // Two tiles before the middle of the board, which is 1.818 away: one a little nearer, one farther and so hidden.
+    const auto tile = [&](double x, double y, double depth, glm::vec3 color) {
+        constexpr double kHalf = 0.05;
+        addFlatQuad(scene.mesh, seenAt(x - kHalf, y - kHalf, depth), seenAt(x + kHalf, y - kHalf, depth),
+                    seenAt(x + kHalf, y + kHalf, depth), seenAt(x - kHalf, y + kHalf, depth), color);
+    };
+    tile(0, 0.17, 1.6, kWhite);
+    tile(0, -0.17, 2.5, kYellow);
     // Odd sides, so that the middle of the screen is the centre of pixel (320, 240).
     scene.defaults.size = QSize(641, 481);
     scene.defaults.view = viewFrom({0, 0, 0}, {0, 0, -1}, 0.1, 50);
