@@ -26,11 +26,18 @@ std::optional<QString> unsupported(const Scene& scene, const Settings& settings)
             .arg(settings.size.height())
             .arg(grid * grid)
             .arg(kMaxSamples / 1000000);
+    if (settings.algorithm == Algorithm::Tiled)
+        if (auto reason = Tiled::supports(settings))
+            return reason;
     return rasterizerSupports(rulesFor(scene, settings));
 }
 
 void render(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs, std::stop_token stop)
 {
+    if (settings.algorithm == Algorithm::Tiled) {
+        Tiled::draw(scene, settings, frame, outputs, nullptr, stop);
+        return;
+    }
     NullObserver observer;
     drawScene(scene, settings, frame, outputs, observer, stop);
 }
@@ -38,6 +45,11 @@ void render(const Scene& scene, const Settings& settings, Frame& frame, Outputs 
 Statistics renderCounted(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs,
                          std::stop_token stop)
 {
+    if (settings.algorithm == Algorithm::Tiled) {
+        Statistics statistics;
+        Tiled::draw(scene, settings, frame, outputs, &statistics, stop);
+        return statistics;
+    }
     CountingObserver observer(settings.size.width() * sampleGrid(settings.samples));
     drawScene(scene, settings, frame, outputs, observer, stop);
     return observer.statistics();

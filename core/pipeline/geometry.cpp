@@ -38,24 +38,25 @@ std::vector<FanTriangle> fanFrom(std::size_t apex, std::span<const ScreenVertex>
 
 } // namespace
 
-Geometry::Geometry(const Scene& scene, const Matrices& matrices, const Rules& rules)
+FaceStages::FaceStages(const Scene& scene, const Matrices& matrices, const Rules& rules)
     : m_scene(&scene), m_rules(rules), m_eyeWorld(matrices.eyeWorld), m_volume(clipVolume(rules))
 {
-    const std::vector<ClipVertex> clipVertices = shadeVertices(scene, matrices, rules);
-    m_vertices.resize(clipVertices.size());
-    for (std::size_t i = 0; i < clipVertices.size(); ++i) {
-        ProcessedVertex& v = m_vertices[i];
-        v.clip = clipVertices[i];
-        v.finite = isFinite(v.clip.positionClip);
-        if (!v.finite)
-            continue;
-        v.outcode = outcode(v.clip.positionClip, m_volume);
-        if (v.outcode.cut == 0)
-            v.screen = toScreen(v.clip, m_rules);
-    }
 }
 
-int Geometry::appendFan(std::uint32_t face, std::span<const ScreenVertex> polygon, std::vector<ScreenTriangle>& out)
+ProcessedVertex FaceStages::processVertex(const ClipVertex& vertex) const
+{
+    ProcessedVertex v;
+    v.clip = vertex;
+    v.finite = isFinite(v.clip.positionClip);
+    if (!v.finite)
+        return v;
+    v.outcode = outcode(v.clip.positionClip, m_volume);
+    if (v.outcode.cut == 0)
+        v.screen = toScreen(v.clip, m_rules);
+    return v;
+}
+
+int FaceStages::appendFan(std::uint32_t face, std::span<const ScreenVertex> polygon, std::vector<ScreenTriangle>& out)
 {
     const double area2 = twicePolygonArea(polygon);
     const auto sameWay = [&](const FanTriangle& t) { return (t.area2 > 0) == (area2 > 0); };
@@ -72,6 +73,14 @@ int Geometry::appendFan(std::uint32_t face, std::span<const ScreenVertex> polygo
             ++pieces;
         }
     return pieces;
+}
+
+Geometry::Geometry(const Scene& scene, const Matrices& matrices, const Rules& rules)
+    : m_scene(&scene), m_rules(rules), m_stages(scene, matrices, rules)
+{
+    m_vertices.reserve(scene.mesh.vertices.size());
+    for (const ClipVertex& vertex : shadeVertices(scene, matrices, rules))
+        m_vertices.push_back(m_stages.processVertex(vertex));
 }
 
 std::vector<std::uint32_t> Geometry::order() const
