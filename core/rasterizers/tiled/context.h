@@ -16,8 +16,7 @@ struct TiledContext {
     std::vector<std::unique_ptr<tiled::Worker>> workers; ///< one a thread
     std::vector<tiled::Chunk> chunks;
     std::vector<tiled::ScreenPoint> points;
-    std::vector<float> clipW;
-    std::vector<glm::vec3> litColors;
+    std::vector<glm::vec4> colors;
 };
 
 } // namespace rasterlens

@@ -63,10 +63,8 @@ HWY_INLINE WideDoubles DepthOffsets(double perX, double perY, std::size_t first)
     WideDoubles offsets;
     for (std::size_t p = 0; p < kParts; ++p) {
         const std::size_t at = first + p * kDoubles;
-        const auto pattern = [&](const auto& lanes)
-                                 HWY_ATTR { return hn::PromoteTo(tag, hn::LoadU(HalfIntTag(), lanes.data() + at)); };
-        offsets.part[p] =
-            hn::Add(hn::Mul(pattern(kPattern.x), hn::Set(tag, perX)), hn::Mul(pattern(kPattern.y), hn::Set(tag, perY)));
+        offsets.part[p] = hn::Add(hn::Mul(hn::Load(tag, kPattern.doubleX.data() + at), hn::Set(tag, perX)),
+                                  hn::Mul(hn::Load(tag, kPattern.doubleY.data() + at), hn::Set(tag, perY)));
     }
     return offsets;
 }
@@ -152,25 +150,27 @@ HWY_INLINE void CountSamples(const AnyDepth& policy, Mask inside, Mask passed, s
     }
 }
 
+/// What a triangle has at the first sample of a block.
+struct BlockCorner {
+    Ints edge0, edge1, edge2;
+    Doubles depth;
+};
+
 /// The samples of one block: all of them are computed and those that win are blended in, without a branch.
 template <class Policy>
-HWY_INLINE void CoverBlock(const TriangleLanes& t, const Policy& policy, int x, int y, std::size_t block,
-                           std::uint32_t number, Worker& worker)
+HWY_INLINE void CoverBlock(const TriangleLanes& t, const BlockCorner& corner, const Policy& policy, int x, int y,
+                           std::size_t block, std::uint32_t number, Worker& worker)
 {
     constexpr IntTag tag;
     constexpr UintTag unsignedTag;
-    constexpr DoubleTag wide;
-    const std::array<Ints, 3> base{hn::Set(tag, t.EdgeAt(0, x, y)), hn::Set(tag, t.EdgeAt(1, x, y)),
-                                   hn::Set(tag, t.EdgeAt(2, x, y))};
-    const Doubles depth = hn::Set(wide, t.DepthAt(x, y));
     for (std::size_t v = 0; v < kVectors; ++v) {
         const std::size_t at = block * kLanes + v * kPerVector;
-        const Ints sign =
-            hn::Or3(hn::Add(base[0], t.edge[0][v]), hn::Add(base[1], t.edge[1][v]), hn::Add(base[2], t.edge[2][v]));
+        const Ints sign = hn::Or3(hn::Add(corner.edge0, t.edge[0][v]), hn::Add(corner.edge1, t.edge[1][v]),
+                                  hn::Add(corner.edge2, t.edge[2][v]));
         auto inside = NotNegative(sign);
         if constexpr (!Policy::kUsual)
             inside = hn::And(inside, OnTarget(policy, x, y, v * kPerVector));
-        const Ints key = StoredKey(Add(t.depth[v], depth), policy);
+        const Ints key = StoredKey(Add(t.depth[v], corner.depth), policy);
         std::int32_t* keys = worker.samples.key.data() + at;
         std::uint32_t* ids = worker.samples.ids.data() + at;
         const Ints stored = hn::Load(tag, keys);
@@ -187,35 +187,63 @@ HWY_INLINE void CoverBlock(const TriangleLanes& t, const Policy& policy, int x, 
     }
 }
 
-/// Which of the 16 squares of `side` samples, 4 x 4 of them from (x, y) on, the triangle touches and covers.
+/// Writes the keys and ids of a block that one triangle has to itself.
+inline void WriteOwnedBlock(std::size_t block, TileOrigin origin, Worker& worker)
+{
+    TileSamples& samples = worker.samples;
+    const std::uint32_t number = samples.owner[block];
+    const TileTriangle& t = worker.triangle(number);
+    const int x = origin.x + blockColumn(static_cast<int>(block)) * kBlockSide;
+    const int y = origin.y + blockRow(static_cast<int>(block)) * kBlockSide;
+    const Doubles corner = hn::Set(DoubleTag(), t.depthOrigin + t.depthPerX * x + t.depthPerY * y);
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        const std::size_t at = block * kLanes + v * kPerVector;
+        const WideDoubles offsets = DepthOffsets(t.depthPerX, t.depthPerY, v * kPerVector);
+        hn::Store(KeyOf(Add(offsets, corner)), IntTag(), samples.key.data() + at);
+        hn::Store(hn::Set(UintTag(), number), UintTag(), samples.ids.data() + at);
+    }
+    samples.owner[block] = kNobody;
+}
+
+inline void WriteOwnedBlocks(TileOrigin origin, Worker& worker)
+{
+    for (std::size_t block = 0; block < kTileBlocks; ++block)
+        if (worker.samples.owner[block] != kNobody)
+            WriteOwnedBlock(block, origin, worker);
+}
+
+/// A triangle at the first samples of 16 squares, 4 x 4 of them.
+struct alignas(64) SquareCorners {
+    std::array<std::array<std::int32_t, kLanes>, 3> edge;
+    std::array<double, kLanes> depth;
+};
+
+/// Which of the 16 squares of 2^kSideLog2 samples from (x, y) on the triangle touches and covers, a bit each.
 struct SquareVerdicts {
-    std::uint32_t touched;
-    std::uint32_t covered;
+    std::uint32_t touched = 0;
+    std::uint32_t covered = 0;
 };
 
 template <int kSideLog2>
-HWY_INLINE SquareVerdicts JudgeSquares(const TriangleLanes& t, int x, int y)
+HWY_INLINE SquareVerdicts JudgeSquares(const TriangleLanes& t, int x, int y, SquareCorners& corners)
 {
     constexpr IntTag tag;
     constexpr int kLast = (1 << kSideLog2) - 1;
-    SquareVerdicts verdicts{0, 0};
-    std::array<std::int32_t, 3> highest;
-    std::array<std::int32_t, 3> lowest;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::int32_t base = t.EdgeAt(k, x, y);
-        highest[k] = base + kLast * (std::max(t.a[k], 0) + std::max(t.b[k], 0));
-        lowest[k] = base + kLast * (std::min(t.a[k], 0) + std::min(t.b[k], 0));
-    }
+    SquareVerdicts verdicts;
     for (std::size_t v = 0; v < kVectors; ++v) {
-        const auto signOf = [&](const std::array<std::int32_t, 3>& base) HWY_ATTR {
-            const auto value = [&](std::size_t k) HWY_ATTR {
-                return hn::Add(hn::Set(tag, base[k]), hn::ShiftLeft<kSideLog2>(t.edge[k][v]));
-            };
-            return hn::Or3(value(0), value(1), value(2));
+        std::array<Ints, 3> highest;
+        std::array<Ints, 3> lowest;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Ints corner = hn::Add(hn::Set(tag, t.EdgeAt(k, x, y)), hn::ShiftLeft<kSideLog2>(t.edge[k][v]));
+            hn::Store(corner, tag, corners.edge[k].data() + v * kPerVector);
+            highest[k] = hn::Add(corner, hn::Set(tag, kLast * (std::max(t.a[k], 0) + std::max(t.b[k], 0))));
+            lowest[k] = hn::Add(corner, hn::Set(tag, kLast * (std::min(t.a[k], 0) + std::min(t.b[k], 0))));
+        }
+        const auto bits = [&](const std::array<Ints, 3>& e) HWY_ATTR {
+            return BitsOf(tag, NotNegative(hn::Or3(e[0], e[1], e[2]))) << (v * kPerVector);
         };
-        const auto bits = [&](Ints sign) HWY_ATTR { return BitsOf(tag, NotNegative(sign)) << (v * kPerVector); };
-        verdicts.touched |= bits(signOf(highest));
-        verdicts.covered |= bits(signOf(lowest));
+        verdicts.touched |= bits(highest);
+        verdicts.covered |= bits(lowest);
     }
     return verdicts;
 }
@@ -236,37 +264,61 @@ inline void RefreshFarthest(const TileSamples& samples, TileDepth& tile)
     tile.updates = 0;
 }
 
-/// Drops blocks of a subtile behind what is there, and brings nearer the bound of those that are covered wholly.
+/// What is to be done about the blocks of a subtile, a bit each.
+struct BlockWork {
+    std::uint32_t cover;       ///< sample by sample
+    std::uint32_t writeBefore; ///< of these, those that have an owner
+};
+
+HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, int x, int y, SquareVerdicts verdicts, const AnyDepth&,
+                                  std::size_t, std::uint32_t, TileSamples&, TileDepth&, SquareCorners& corners)
+{
+    for (std::size_t v = 0; v < kVectors; ++v)
+        Store(Add(Mul(t.depth[v], hn::Set(DoubleTag(), double(kBlockSide))), hn::Set(DoubleTag(), t.DepthAt(x, y))),
+              corners.depth.data() + v * kPerVector);
+    return {verdicts.touched, 0};
+}
+
+/// Drops the blocks behind what is there, and gives those that the triangle covers wholly and in front of everything
+/// to it without looking at their samples.
 ///
 /// exact  bounds are depths at corner samples, which the plane gives exactly; rounding to float32 keeps order
-HWY_INLINE std::uint32_t RejectHidden(const TriangleLanes& t, int x, int y, std::size_t firstBlock,
-                                      SquareVerdicts verdicts, TileSamples& samples, TileDepth& tile)
+HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, int x, int y, SquareVerdicts verdicts, const UsualDepth&,
+                                  std::size_t firstBlock, std::uint32_t number, TileSamples& samples, TileDepth& tile,
+                                  SquareCorners& corners)
 {
     constexpr IntTag tag;
+    constexpr UintTag unsignedTag;
     constexpr DoubleTag wide;
-    const double base = t.DepthAt(x, y);
-    const Doubles nearest = hn::Set(wide, base + 3 * (std::min(t.perX, 0.0) + std::min(t.perY, 0.0)));
-    const Doubles farthest = hn::Set(wide, base + 3 * (std::max(t.perX, 0.0) + std::max(t.perY, 0.0)));
-    std::uint32_t shown = 0;
+    const Doubles first = hn::Set(wide, t.DepthAt(x, y));
+    const Doubles toNearest = hn::Set(wide, 3 * (std::min(t.perX, 0.0) + std::min(t.perY, 0.0)));
+    const Doubles toFarthest = hn::Set(wide, 3 * (std::max(t.perX, 0.0) + std::max(t.perY, 0.0)));
+    BlockWork work{0, 0};
     for (std::size_t v = 0; v < kVectors; ++v) {
-        WideDoubles offsets;
-        for (std::size_t p = 0; p < kParts; ++p)
-            offsets.part[p] = hn::Mul(t.depth[v].part[p], hn::Set(wide, double(kBlockSide)));
-        std::int32_t* bounds = samples.farthest.data() + firstBlock + v * kPerVector;
-        const Ints bound = hn::Load(tag, bounds);
-        const std::uint32_t visible = BitsOf(tag, hn::Lt(KeyOf(Add(offsets, nearest)), bound)) << (v * kPerVector);
-        shown |= visible;
-        const std::uint32_t nearer = verdicts.covered & visible;
-        if (nearer == 0)
-            continue;
-        std::array<std::uint8_t, 8> bytes{static_cast<std::uint8_t>(nearer >> (v * kPerVector)),
-                                          static_cast<std::uint8_t>(nearer >> (v * kPerVector) >> 8)};
-        const auto update = hn::LoadMaskBits(tag, bytes.data());
-        const Ints closer = hn::Min(bound, KeyOf(Add(offsets, farthest)));
-        hn::Store(hn::IfThenElse(update, closer, bound), tag, bounds);
+        const std::size_t at = firstBlock + v * kPerVector;
+        const std::size_t shift = v * kPerVector;
+        const WideDoubles corner = Add(Mul(t.depth[v], hn::Set(wide, double(kBlockSide))), first);
+        Store(corner, corners.depth.data() + shift);
+        const Ints nearest = KeyOf(Add(corner, toNearest));
+        const Ints farthest = KeyOf(Add(corner, toFarthest));
+        const Ints nearestThere = hn::Load(tag, samples.nearest.data() + at);
+        const Ints farthestThere = hn::Load(tag, samples.farthest.data() + at);
+        const auto shown = hn::And(MaskOf(tag, verdicts.touched >> shift), hn::Lt(nearest, farthestThere));
+        const auto covered = hn::And(MaskOf(tag, verdicts.covered >> shift), shown);
+        const auto owned = hn::And(covered, hn::Lt(farthest, nearestThere));
+        const Uints owner = hn::Load(unsignedTag, samples.owner.data() + at);
+        hn::Store(hn::IfThenElse(shown, hn::Min(nearest, nearestThere), nearestThere), tag,
+                  samples.nearest.data() + at);
+        hn::Store(hn::IfThenElse(covered, hn::Min(farthest, farthestThere), farthestThere), tag,
+                  samples.farthest.data() + at);
+        hn::Store(hn::IfThenElse(hn::RebindMask(unsignedTag, owned), hn::Set(unsignedTag, number), owner), unsignedTag,
+                  samples.owner.data() + at);
+        const std::uint32_t cover = BitsOf(tag, hn::AndNot(owned, shown));
+        work.cover |= cover << shift;
+        work.writeBefore |= (cover & BitsOf(unsignedTag, hn::Ne(owner, hn::Set(unsignedTag, kNobody)))) << shift;
+        tile.updates += std::popcount(BitsOf(tag, covered));
     }
-    tile.updates += std::popcount(verdicts.covered & shown);
-    return verdicts.touched & shown;
+    return work;
 }
 
 /// A triangle that is large in the tile: subtiles first, then their blocks.
@@ -274,25 +326,50 @@ template <class Policy>
 HWY_INLINE void CoverSubtiles(const TriangleLanes& t, const TileTriangle& bounds, const Policy& policy,
                               std::uint32_t number, Worker& worker, TileDepth& tile)
 {
-    std::uint32_t subtiles = JudgeSquares<4>(t, 0, 0).touched;
+    constexpr IntTag tag;
+    SquareCorners corners;
+    std::uint32_t subtiles = JudgeSquares<4>(t, 0, 0, corners).touched;
     for (; subtiles != 0; subtiles &= subtiles - 1) {
         const int subtile = std::countr_zero(subtiles);
         const int x = subtile % 4 * 16;
         const int y = subtile / 4 * 16;
         if (x > bounds.x1 || x + 15 < bounds.x0 || y > bounds.y1 || y + 15 < bounds.y0)
             continue;
-        const SquareVerdicts verdicts = JudgeSquares<2>(t, x, y);
-        std::uint32_t blocks = verdicts.touched;
-        if constexpr (Policy::kUsual)
-            blocks = RejectHidden(t, x, y, static_cast<std::size_t>(subtile) * 16, verdicts, worker.samples, tile);
-        for (; blocks != 0; blocks &= blocks - 1) {
-            const int block = std::countr_zero(blocks);
-            CoverBlock(t, policy, x + block % 4 * kBlockSide, y + block / 4 * kBlockSide,
-                       static_cast<std::size_t>(subtile * 16 + block), number, worker);
+        const std::size_t firstBlock = static_cast<std::size_t>(subtile) * 16;
+        const SquareVerdicts verdicts = JudgeSquares<2>(t, x, y, corners);
+        BlockWork work = DecideBlocks(t, x, y, verdicts, policy, firstBlock, number, worker.samples, tile, corners);
+        for (; work.writeBefore != 0; work.writeBefore &= work.writeBefore - 1)
+            WriteOwnedBlock(firstBlock + static_cast<std::size_t>(std::countr_zero(work.writeBefore)), t.tile, worker);
+        for (; work.cover != 0; work.cover &= work.cover - 1) {
+            const auto block = static_cast<std::size_t>(std::countr_zero(work.cover));
+            const BlockCorner corner{hn::Set(tag, corners.edge[0][block]), hn::Set(tag, corners.edge[1][block]),
+                                     hn::Set(tag, corners.edge[2][block]), hn::Set(DoubleTag(), corners.depth[block])};
+            CoverBlock(t, corner, policy, x + static_cast<int>(block % 4) * kBlockSide,
+                       y + static_cast<int>(block / 4) * kBlockSide, firstBlock + block, number, worker);
         }
     }
     if (Policy::kUsual && tile.updates >= kTileBlocks / 4)
         RefreshFarthest(worker.samples, tile);
+}
+
+/// A block of a triangle that is small.
+template <class Policy>
+HWY_INLINE void CoverLoneBlock(const TriangleLanes& t, std::int32_t nearest, const Policy& policy, int column, int row,
+                               std::uint32_t number, Worker& worker)
+{
+    constexpr IntTag tag;
+    const auto block = static_cast<std::size_t>(blockIndex(column, row));
+    const int x = column * kBlockSide;
+    const int y = row * kBlockSide;
+    TileSamples& samples = worker.samples;
+    if (Policy::kUsual) {
+        if (HWY_UNLIKELY(samples.owner[block] != kNobody))
+            WriteOwnedBlock(block, t.tile, worker);
+        samples.nearest[block] = std::min(samples.nearest[block], nearest);
+    }
+    const BlockCorner corner{hn::Set(tag, t.EdgeAt(0, x, y)), hn::Set(tag, t.EdgeAt(1, x, y)),
+                             hn::Set(tag, t.EdgeAt(2, x, y)), hn::Set(DoubleTag(), t.DepthAt(x, y))};
+    CoverBlock(t, corner, policy, x, y, block, number, worker);
 }
 
 template <class Policy>
@@ -308,10 +385,10 @@ HWY_INLINE void CoverTriangle(const TileTriangle& t, const Policy& policy, TileO
         CoverSubtiles(lanes, t, policy, number, worker, tile);
         return;
     }
+    const auto nearest = std::max(std::bit_cast<std::int32_t>(t.nearest), 0);
     for (int row = row0; row <= row1; ++row)
         for (int column = column0; column <= column1; ++column)
-            CoverBlock(lanes, policy, column * kBlockSide, row * kBlockSide,
-                       static_cast<std::size_t>(blockIndex(column, row)), number, worker);
+            CoverLoneBlock(lanes, nearest, policy, column, row, number, worker);
 }
 
 template <class Policy>
@@ -319,17 +396,19 @@ inline void CoverTileWith(const FrameJob& job, Worker& worker, TileOrigin origin
 {
     const Policy policy(job, origin);
     TileSamples& samples = worker.samples;
-    TileDepth tile{samples.farthest[0]};
+    TileDepth tile{std::bit_cast<std::int32_t>(job.rules.depthClear)};
     for (std::size_t block = 0; block < worker.blocks.size(); ++block) {
         const BinBlock& bin = *worker.blocks[block];
         for (std::uint32_t i = 0; i < bin.count; ++i) {
             const TileTriangle& t = bin.triangles[i];
-            const std::uint32_t number = static_cast<std::uint32_t>(block) * (BinBlock::kCapacity + 1) + i;
+            const std::uint32_t number = static_cast<std::uint32_t>(block) * Worker::kNumbersPerBlock + i;
             if (Policy::kUsual && std::bit_cast<std::int32_t>(t.nearest) >= tile.farthest)
                 continue;
             if ((t.source & kPiece) != 0) {
                 const Piece& piece = worker.blockChunk[block]->pieces[t.source & ~kPiece];
                 if (piece.exact) {
+                    WriteOwnedBlocks(origin, worker);
+                    samples.nearest.fill(0);
                     coverExactly(job, piece, number, origin, worker);
                     continue;
                 }
@@ -337,6 +416,18 @@ inline void CoverTileWith(const FrameJob& job, Worker& worker, TileOrigin origin
             CoverTriangle(t, policy, origin, number, worker, tile);
         }
     }
+}
+
+/// Blocks outside the target are behind everything: they take no time and keep no tile from being full.
+inline void HideOffTarget(const FrameJob& job, TileOrigin origin, TileSamples& samples)
+{
+    const int columns = std::min(job.rules.columns() - origin.x, job.grid.pitch);
+    const int rows = std::min(job.rules.rows() - origin.y, job.grid.pitch);
+    if (columns == kTileSide && rows == kTileSide)
+        return;
+    for (int block = 0; block < kTileBlocks; ++block)
+        if (blockColumn(block) * kBlockSide >= columns || blockRow(block) * kBlockSide >= rows)
+            samples.farthest[static_cast<std::size_t>(block)] = std::numeric_limits<std::int32_t>::min();
 }
 
 /// Fills the samples of a tile from the triangles in worker.blocks.
@@ -348,6 +439,9 @@ inline void CoverTile(const FrameJob& job, Worker& worker, TileOrigin origin)
     samples.key.fill(clear);
     samples.ids.fill(kNobody);
     samples.farthest.fill(clear);
+    samples.nearest.fill(clear);
+    samples.owner.fill(kNobody);
+    HideOffTarget(job, origin, samples);
     if (job.countsCoverage())
         samples.coverage.fill(0);
     const bool usual = rules.depthTested && rules.depthCompare == DepthCompare::Less &&
@@ -356,6 +450,8 @@ inline void CoverTile(const FrameJob& job, Worker& worker, TileOrigin origin)
         CoverTileWith<UsualDepth>(job, worker, origin);
     else
         CoverTileWith<AnyDepth>(job, worker, origin);
+    if (job.depth != nullptr || job.ids != nullptr || rules.shading == Shading::Depth)
+        WriteOwnedBlocks(origin, worker);
 }
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE

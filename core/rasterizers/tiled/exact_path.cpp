@@ -89,8 +89,9 @@ ScreenTriangle screenTriangle(const FrameJob& job, const Chunk& chunk, std::uint
         ScreenVertex& v = triangle.vertices[k];
         v.position = glm::dvec2(job.points[i].x, job.points[i].y) / double(kUnit);
         v.depth = job.points[i].depth;
-        v.invW = 1 / double(job.clipW[i]);
-        shadeVertex(*job.scene, mesh.vertices[i], job.rules.shading, v.varyings);
+        const ClipVertex clip = shadeVertexAt(*job.scene, job.matrices, job.rules, i);
+        v.invW = 1 / clip.positionClip.w;
+        v.varyings = clip.varyings;
     }
     return triangle;
 }

@@ -18,9 +18,9 @@ struct FrameJob {
     Outputs outputs;
     bool counting = false; ///< count samples: nothing hidden is skipped then
     std::uint32_t clearColor = 0;
-    ScreenPoint* points = nullptr;  ///< a vertex of the mesh each
-    float* clipW = nullptr;         ///< likewise
-    glm::vec3* litColors = nullptr; ///< likewise; null where vertex colours are shown as they are
+    ScreenPoint* points = nullptr; ///< a vertex of the mesh each
+    /// Likewise: lit colour, w of clip space; null where the mesh has both or nobody asks.
+    glm::vec4* colors = nullptr;
     std::vector<Chunk>* chunks = nullptr;
     std::uint32_t* color = nullptr; ///< the picture, row by row
     float* depth = nullptr;         ///< null if not asked for, as the following
@@ -36,9 +36,8 @@ struct FrameJob {
 /// A triangle of the tile that won samples.
 struct VisibleTriangle {
     std::uint32_t source;
+    std::uint32_t color; ///< of shadings that have one a face
     const Chunk* chunk;
-    float x0; ///< where its planes are anchored, in samples of the tile
-    float y0;
 };
 
 /// A block and the samples of it that a triangle won.
@@ -48,14 +47,16 @@ struct BlockShare {
     std::uint32_t visible;
 };
 
-constexpr int kMaxPlanes = kMaxVaryings + 1;
-
-/// Attributes of a triangle over the samples of a tile, divided by w where that is asked for.
-struct AttributePlanes {
-    bool exact;                              ///< too steep for float32: shaded sample by sample
-    std::uint32_t color;                     ///< of flat shadings
-    std::array<float, 3 * kMaxPlanes> plane; ///< origin, per x, per y; 1/w first
+/// 1/w and colour over a triangle, colour times 255/w, as planes anchored at a block of the tile.
+struct alignas(64) ColorPlanes {
+    std::array<float, 4> origin;
+    std::array<float, 4> perX;
+    std::array<float, 4> perY;
+    float x0; ///< the anchor, in samples of the tile
+    float y0;
+    bool exact; ///< too steep for float32: shaded sample by sample
 };
+static_assert(sizeof(ColorPlanes) == 64);
 
 /// The memory one thread draws tiles with; kept from frame to frame.
 struct Worker {
@@ -64,16 +65,24 @@ struct Worker {
     std::vector<const Chunk*> blockChunk;
     std::vector<std::uint32_t> visibleOf; ///< of a triangle of the tile
     std::vector<VisibleTriangle> visible;
-    std::vector<AttributePlanes> planes;
+    std::vector<ColorPlanes> planes;
     std::vector<BlockShare> shares;
     Statistics::Pixels pixels;
+
+    /// Numbers of triangles of a tile: the block of the bin, the place in it.
+    static constexpr std::uint32_t kNumbersPerBlock = BinBlock::kCapacity + 1;
+    [[nodiscard]] const TileTriangle& triangle(std::uint32_t number) const
+    {
+        return blocks[number / kNumbersPerBlock]->triangles[number % kNumbersPerBlock];
+    }
+    [[nodiscard]] const Chunk& chunkOf(std::uint32_t number) const { return *blockChunk[number / kNumbersPerBlock]; }
 };
 
 /// The stages that are written in vector instructions.
 struct Kernels {
     void (*processVertices)(const FrameJob& job, std::size_t begin, std::size_t end);
     void (*processFaces)(const FrameJob& job, Chunk& chunk, std::uint32_t begin, std::uint32_t end);
-    void (*drawTile)(const FrameJob& job, Worker& worker, int column, int row);
+    void (*drawTiles)(const FrameJob& job, Worker& worker, int columnBegin, int columnEnd, int row);
 };
 
 /// The stages for an instruction set, or nothing where the machine does not have it. Auto is the best there is.

@@ -8,6 +8,7 @@
 
 #include "core/rasterizers/tiled/tile_data.h"
 
+#include <cstring>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -40,6 +41,10 @@ constexpr std::size_t kParts = kPerVector / kDoubles; ///< vectors of double for
 struct alignas(64) LanePattern {
     std::array<std::int32_t, kLanes> x{0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
     std::array<std::int32_t, kLanes> y{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+    std::array<float, kLanes> floatX{0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+    std::array<float, kLanes> floatY{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+    std::array<double, kLanes> doubleX{0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+    std::array<double, kLanes> doubleY{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
 };
 inline constexpr LanePattern kPattern;
 
@@ -54,6 +59,20 @@ HWY_INLINE WideDoubles Add(const WideDoubles& a, Doubles b)
     for (std::size_t p = 0; p < kParts; ++p)
         sum.part[p] = hn::Add(a.part[p], b);
     return sum;
+}
+
+HWY_INLINE WideDoubles Mul(const WideDoubles& a, Doubles b)
+{
+    WideDoubles product;
+    for (std::size_t p = 0; p < kParts; ++p)
+        product.part[p] = hn::Mul(a.part[p], b);
+    return product;
+}
+
+HWY_INLINE void Store(const WideDoubles& wide, double* to)
+{
+    for (std::size_t p = 0; p < kParts; ++p)
+        hn::Store(wide.part[p], DoubleTag(), to + p * kDoubles);
 }
 
 /// Rounds to nearest.
@@ -71,9 +90,18 @@ HWY_INLINE Floats ToFloats(const WideDoubles& wide)
 template <class Tag, class Mask>
 HWY_INLINE std::uint32_t BitsOf(Tag tag, Mask mask)
 {
-    std::array<std::uint8_t, 8> bytes{};
+    alignas(8) std::array<std::uint8_t, 8> bytes{};
     hn::StoreMaskBits(tag, mask, bytes.data());
     return bytes[0] | std::uint32_t(bytes[1]) << 8;
+}
+
+/// The mask of the lowest bits.
+template <class Tag>
+HWY_INLINE hn::Mask<Tag> MaskOf(Tag tag, std::uint32_t bits)
+{
+    alignas(8) std::array<std::uint8_t, 8> bytes;
+    std::memcpy(bytes.data(), &bits, sizeof bits);
+    return hn::LoadMaskBits(tag, bytes.data());
 }
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE

@@ -16,27 +16,43 @@ HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
 {
 
-inline void DrawTile(const FrameJob& job, Worker& worker, int column, int row)
+/// Collects the blocks of a tile's bins in the order of the faces.
+inline void CollectBlocks(const FrameJob& job, std::size_t tile, Worker& worker)
 {
-    const TileOrigin origin{column * job.grid.pitch, row * job.grid.pitch};
     worker.blocks.clear();
     worker.blockChunk.clear();
     for (const Chunk& chunk : *job.chunks)
-        for (const BinBlock* block = chunk.bins[job.grid.index(column, row)].first; block != nullptr;
-             block = block->next) {
+        for (const BinBlock* block = chunk.bins[tile].first; block != nullptr; block = block->next) {
             worker.blocks.push_back(block);
             worker.blockChunk.push_back(&chunk);
         }
-    if (worker.blocks.empty()) {
-        writeEmptyTile(job, origin);
-        return;
-    }
-    CoverTile(job, worker, origin);
-    ShadeTile(job, worker, origin);
-    writeTile(job, worker, origin);
 }
 
-inline constexpr Kernels kKernels{ProcessVertices, ProcessFaces, DrawTile};
+/// Some tiles of a row; neighbours that are empty are cleared together.
+inline void DrawTiles(const FrameJob& job, Worker& worker, int columnBegin, int columnEnd, int row)
+{
+    const int pitch = job.grid.pitch;
+    int emptyBegin = columnBegin;
+    const auto clearUpTo = [&](int column) {
+        if (emptyBegin < column)
+            clearTiles(job, {emptyBegin * pitch, row * pitch}, column - emptyBegin);
+        emptyBegin = column + 1;
+    };
+    for (int column = columnBegin; column < columnEnd; ++column) {
+        CollectBlocks(job, job.grid.index(column, row), worker);
+        if (worker.blocks.empty())
+            continue;
+        clearUpTo(column);
+        const TileOrigin origin{column * pitch, row * pitch};
+        CoverTile(job, worker, origin);
+        prefetchTile(job, origin);
+        ShadeTile(job, worker, origin);
+        writeTile(job, worker, origin);
+    }
+    clearUpTo(columnEnd);
+}
+
+inline constexpr Kernels kKernels{ProcessVertices, ProcessFaces, DrawTiles};
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -128,6 +128,8 @@ private:
     void grow(Bin& bin);
 };
 
+constexpr std::uint32_t kNobody = 0xffffffffU;
+
 /// The samples of a tile while it is drawn, block by block.
 struct alignas(64) TileSamples {
     /// Depth as its bits, which order like it from 0 to 1; turned round where the larger depth wins. Smaller is nearer.
@@ -136,9 +138,10 @@ struct alignas(64) TileSamples {
     std::array<std::uint32_t, kTileSamples> color;
     std::array<std::uint16_t, kTileSamples> coverage; ///< only if asked for
     std::array<std::int32_t, kTileBlocks> farthest;   ///< a key no sample of the block is farther than
+    std::array<std::int32_t, kTileBlocks> nearest;    ///< a key no sample of the block is nearer than
+    std::array<std::uint32_t, kTileBlocks> owner; ///< number of the triangle that has the whole block, whose keys and
+                                                  ///< ids are then not written yet; or kNobody
 };
-
-constexpr std::uint32_t kNobody = 0xffffffffU;
 
 /// A picture cut into tiles.
 struct TileGrid {

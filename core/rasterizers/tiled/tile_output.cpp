@@ -16,13 +16,13 @@ struct PixelBox {
     int x0, y0, x1, y1; ///< ends excluded
 };
 
-PixelBox pixelsOf(const FrameJob& job, TileOrigin origin)
+PixelBox pixelsOf(const FrameJob& job, TileOrigin origin, int tiles = 1)
 {
     const int grid = job.rules.sampleGrid;
     const int side = job.grid.pitch / grid;
     const int x = origin.x / grid;
     const int y = origin.y / grid;
-    return {x, y, std::min(x + side, job.rules.width), std::min(y + side, job.rules.height)};
+    return {x, y, std::min(x + side * tiles, job.rules.width), std::min(y + side, job.rules.height)};
 }
 
 std::size_t pixelIndex(const FrameJob& job, int x, int y)
@@ -96,9 +96,7 @@ void writeTile(const FrameJob& job, const Worker& worker, TileOrigin origin)
             const std::uint32_t number = samples.ids[at(x, y)];
             std::int32_t face = -1;
             if (number != kNobody) {
-                const std::size_t block = number / (BinBlock::kCapacity + 1);
-                const TileTriangle& t = worker.blocks[block]->triangles[number % (BinBlock::kCapacity + 1)];
-                face = static_cast<std::int32_t>(faceOf(*worker.blockChunk[block], t.source));
+                face = static_cast<std::int32_t>(faceOf(worker.chunkOf(number), worker.triangle(number).source));
             }
             job.ids[pixelIndex(job, x, y)] = face;
         });
@@ -106,9 +104,18 @@ void writeTile(const FrameJob& job, const Worker& worker, TileOrigin origin)
         forEachPixel(box, [&](int x, int y) { job.coverage[pixelIndex(job, x, y)] = samples.coverage[at(x, y)]; });
 }
 
-void writeEmptyTile(const FrameJob& job, TileOrigin origin)
+void prefetchTile(const FrameJob& job, TileOrigin origin)
 {
+    constexpr int kPixelsPerLine = 16;
     const PixelBox box = pixelsOf(job, origin);
+    for (int y = box.y0; y < box.y1; ++y)
+        for (int x = box.x0; x < box.x1; x += kPixelsPerLine)
+            __builtin_prefetch(job.color + pixelIndex(job, x, y), 1);
+}
+
+void clearTiles(const FrameJob& job, TileOrigin origin, int count)
+{
+    const PixelBox box = pixelsOf(job, origin, count);
     const std::uint32_t color = job.rules.shading == Shading::Overdraw ? overdrawColor(0) : job.clearColor;
     const auto width = std::size_t(box.x1 - box.x0);
     for (int y = box.y0; y < box.y1; ++y) {

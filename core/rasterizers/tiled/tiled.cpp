@@ -15,6 +15,7 @@ namespace
 using namespace tiled;
 
 constexpr std::size_t kVerticesPerTask = 4096;
+constexpr int kTilesPerTask = 8;
 constexpr std::size_t kFewestFacesPerChunk = 2048;
 constexpr std::size_t kChunksPerThread = 4; ///< so that threads finish about together
 
@@ -144,6 +145,18 @@ void processFaces(const FrameJob& job, const Kernels& kernels, ThreadPool& pool)
     });
 }
 
+void drawTiles(const FrameJob& job, const Kernels& kernels, TiledContext& context, const std::stop_token& stop)
+{
+    const int tasksPerRow = (job.grid.columns + kTilesPerTask - 1) / kTilesPerTask;
+    context.pool->forEach(std::size_t(tasksPerRow) * std::size_t(job.grid.rows), [&](int worker, std::size_t task) {
+        if (stop.stop_requested())
+            return;
+        const int column = static_cast<int>(task) % tasksPerRow * kTilesPerTask;
+        kernels.drawTiles(job, *context.workers[static_cast<std::size_t>(worker)], column,
+                          std::min(column + kTilesPerTask, job.grid.columns), static_cast<int>(task) / tasksPerRow);
+    });
+}
+
 } // namespace
 
 std::optional<QString> Tiled::supports(const Rules& rules)
@@ -196,9 +209,8 @@ void Tiled::draw(const Scene& scene, const Settings& settings, Frame& frame, Out
     aim(job, frame);
     const std::size_t vertices = scene.mesh.vertices.size();
     job.points = array(context.points, vertices);
-    job.clipW = array(context.clipW, vertices);
-    if (scene.lit && job.rules.shading == Shading::Gouraud)
-        job.litColors = array(context.litColors, vertices);
+    if (job.rules.shading == Shading::Gouraud && (scene.lit || scene.space == SceneSpace::Object))
+        job.colors = array(context.colors, vertices);
     clearChunks(context, job, scene.mesh.faceCount(), threads);
 
     processVertices(job, kernels, pool);
@@ -206,11 +218,8 @@ void Tiled::draw(const Scene& scene, const Settings& settings, Frame& frame, Out
     if (!stop.stop_requested())
         processFaces(job, kernels, pool);
     times.geometry = watch.lap();
-    pool.forEach(job.grid.count(), [&](int worker, std::size_t tile) {
-        if (!stop.stop_requested())
-            kernels.drawTile(job, *context.workers[static_cast<std::size_t>(worker)],
-                             static_cast<int>(tile) % job.grid.columns, static_cast<int>(tile) / job.grid.columns);
-    });
+    if (!stop.stop_requested())
+        drawTiles(job, kernels, context, stop);
     times.raster = watch.lap();
     times.total = total.lap();
     frame.times = times;

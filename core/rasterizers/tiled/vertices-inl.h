@@ -85,8 +85,8 @@ HWY_INLINE HalfInts Snap(Doubles p, Doubles w, Doubles inverseW, const Axis& axi
     return hn::DemoteTo(HalfIntTag(), hn::Mul(snapped, hn::Set(tag, double(axis.unitsPerStep))));
 }
 
-/// Lambert's light, vertex by vertex, as the vertex stage has it.
-HWY_INLINE void LightVertices(const FrameJob& job, const float* floats, HalfInts at, std::size_t first,
+/// Colours and w for the tiles; Lambert's light, as the vertex stage has it.
+HWY_INLINE void ColorVertices(const FrameJob& job, const float* floats, HalfInts at, HalfFloats w, std::size_t first,
                               std::size_t count)
 {
     constexpr HalfFloatTag tag;
@@ -97,13 +97,15 @@ HWY_INLINE void LightVertices(const FrameJob& job, const float* floats, HalfInts
     const HalfFloats dot = hn::Add(
         hn::Add(hn::Mul(load(kNormal), hn::Set(tag, light.x)), hn::Mul(load(kNormal + 1), hn::Set(tag, light.y))),
         hn::Mul(load(kNormal + 2), hn::Set(tag, light.z)));
-    const HalfFloats strength =
+    const HalfFloats lit =
         hn::Add(hn::Set(tag, kAmbient), hn::Mul(hn::Set(tag, kDiffuse), hn::Max(dot, hn::Zero(tag))));
-    alignas(64) std::array<std::array<float, kDoubles>, 3> color;
+    const HalfFloats strength = job.scene->lit ? lit : hn::Set(tag, 1.0F);
+    alignas(64) std::array<std::array<float, kDoubles>, 4> color;
     for (std::size_t k = 0; k < 3; ++k)
         hn::Store(hn::Mul(load(kColor + k), strength), tag, color[k].data());
+    hn::Store(w, tag, color[3].data());
     for (std::size_t i = 0; i < count; ++i)
-        job.litColors[first + i] = {color[0][i], color[1][i], color[2][i]};
+        job.colors[first + i] = {color[0][i], color[1][i], color[2][i], color[3][i]};
 }
 
 /// As many vertices as a vector has lanes; `count` of them are wanted.
@@ -139,16 +141,13 @@ HWY_INLINE void ProcessVertexLanes(const FrameJob& job, std::size_t first, std::
     for (std::size_t i = 0; i < count; ++i)
         job.points[first + i] = {x[i], y[i], depth[i]};
 
-    alignas(64) std::array<float, kDoubles> ws;
-    hn::Store(clip.w, tag, ws.data());
-    std::copy_n(ws.data(), count, job.clipW + first);
     std::uint32_t outside = ~BitsOf(tag, inside) & ((1U << count) - 1);
     for (; outside != 0; outside &= outside - 1) {
         const std::size_t vertex = first + static_cast<std::size_t>(std::countr_zero(outside));
         job.points[vertex] = {kOutside, planesOutside(job, vertex), 0};
     }
-    if (job.litColors != nullptr)
-        LightVertices(job, floats, at, first, count);
+    if (job.colors != nullptr)
+        ColorVertices(job, floats, at, clip.w, first, count);
 }
 
 inline void ProcessVertices(const FrameJob& job, std::size_t begin, std::size_t end)
