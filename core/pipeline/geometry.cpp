@@ -38,25 +38,26 @@ std::vector<FanTriangle> fanFrom(std::size_t apex, std::span<const ScreenVertex>
 
 } // namespace
 
-Geometry::Geometry(const Scene& scene, const Matrices& matrices, const Rules& rules)
+FaceStages::FaceStages(const Scene& scene, const Matrices& matrices, const Rules& rules)
     : m_scene(&scene), m_rules(rules), m_eyeWorld(matrices.eyeWorld), m_near(matrices.near), m_far(matrices.far),
       m_volume(clipVolume(rules))
 {
-    const std::vector<ClipVertex> clipVertices = shadeVertices(scene, matrices, rules);
-    m_vertices.resize(clipVertices.size());
-    for (std::size_t i = 0; i < clipVertices.size(); ++i) {
-        ProcessedVertex& v = m_vertices[i];
-        v.clip = clipVertices[i];
-        v.finite = isFinite(v.clip.positionClip);
-        if (!v.finite)
-            continue;
-        v.outcode = outcode(v.clip.positionClip, m_volume);
-        if (v.outcode.cut == 0)
-            v.screen = screenVertex(v.clip);
-    }
 }
 
-int Geometry::appendFan(std::uint32_t face, std::span<const ScreenVertex> polygon, std::vector<ScreenTriangle>& out)
+ProcessedVertex FaceStages::processVertex(const ClipVertex& vertex) const
+{
+    ProcessedVertex v;
+    v.clip = vertex;
+    v.finite = isFinite(v.clip.positionClip);
+    if (!v.finite)
+        return v;
+    v.outcode = outcode(v.clip.positionClip, m_volume);
+    if (v.outcode.cut == 0)
+        v.screen = screenVertex(v.clip);
+    return v;
+}
+
+int FaceStages::appendFan(std::uint32_t face, std::span<const ScreenVertex> polygon, std::vector<ScreenTriangle>& out)
 {
     const double area2 = twicePolygonArea(polygon);
     const auto sameWay = [&](const FanTriangle& t) { return (t.area2 > 0) == (area2 > 0); };
@@ -75,9 +76,9 @@ int Geometry::appendFan(std::uint32_t face, std::span<const ScreenVertex> polygo
     return pieces;
 }
 
-double Geometry::facingElsewhere(std::uint32_t face) const
+double FaceStages::facingElsewhere(std::uint32_t face, const Corners& corners) const
 {
-    const ClipTriangle triangle{{corner(face, 0).clip, corner(face, 1).clip, corner(face, 2).clip}, face};
+    const ClipTriangle triangle{{corners[0]->clip, corners[1]->clip, corners[2]->clip}, face};
     switch (m_rules.facing) {
     case Facing::ViewNormal: return viewFacing(m_scene->mesh, face, m_eyeWorld);
     case Facing::LightNormal: return lightFacing(m_scene->mesh, face);
@@ -89,11 +90,19 @@ double Geometry::facingElsewhere(std::uint32_t face) const
     return clipDeterminant(triangle);
 }
 
-void Geometry::giveWOfCorners(std::uint32_t face, std::span<ScreenTriangle> pieces) const
+void FaceStages::giveWOfCorners(const Corners& corners, std::span<ScreenTriangle> pieces)
 {
     for (ScreenTriangle& piece : pieces)
-        for (std::uint32_t i = 0; i < 3; ++i)
-            piece.vertices[i].invW = 1 / corner(face, i).clip.positionClip.w;
+        for (std::size_t i = 0; i < 3; ++i)
+            piece.vertices[i].invW = 1 / corners[i]->clip.positionClip.w;
+}
+
+Geometry::Geometry(const Scene& scene, const Matrices& matrices, const Rules& rules)
+    : m_scene(&scene), m_rules(rules), m_stages(scene, matrices, rules)
+{
+    m_vertices.reserve(scene.mesh.vertices.size());
+    for (const ClipVertex& vertex : shadeVertices(scene, matrices, rules))
+        m_vertices.push_back(m_stages.processVertex(vertex));
 }
 
 std::vector<std::uint32_t> Geometry::order() const

@@ -1,0 +1,91 @@
+#pragma once
+#include "core/pipeline/geometry.h"
+#include "core/rasterizers/tiled/tile_data.h"
+#include "core/render.h"
+
+#include <optional>
+
+namespace rasterlens::tiled
+{
+
+/// Everything the stages of a frame read.
+struct FrameJob {
+    const Scene* scene = nullptr;
+    Rules rules;
+    Matrices matrices;
+    const FaceStages* stages = nullptr; ///< for faces that need more than the fast path has
+    TileGrid grid;
+    Outputs outputs;
+    bool counting = false; ///< count samples: nothing hidden is skipped then
+    std::uint32_t clearColor = 0;
+    ScreenPoint* points = nullptr; ///< a vertex of the mesh each
+    /// Likewise: lit colour, w of clip space; null where the mesh has both or nobody asks.
+    glm::vec4* colors = nullptr;
+    std::vector<Chunk>* chunks = nullptr;
+    std::uint32_t* color = nullptr; ///< the picture, row by row
+    float* depth = nullptr;         ///< null if not asked for, as the following
+    std::int32_t* ids = nullptr;
+    std::uint16_t* coverage = nullptr;
+
+    [[nodiscard]] bool countsCoverage() const
+    {
+        return counting || outputs.coverage || rules.shading == Shading::Overdraw;
+    }
+};
+
+/// A triangle of the tile that won samples.
+struct VisibleTriangle {
+    std::uint32_t source;
+    std::uint32_t color; ///< of shadings that have one a face
+    const Chunk* chunk;
+};
+
+/// A block and the samples of it that a triangle won.
+struct BlockShare {
+    std::uint16_t block;
+    std::uint16_t lanes; ///< a bit each
+    std::uint32_t visible;
+};
+
+/// 1/w and colour over a triangle, colour times 255/w, as planes anchored at a block of the tile.
+struct alignas(64) ColorPlanes {
+    std::array<float, 4> origin;
+    std::array<float, 4> perX;
+    std::array<float, 4> perY;
+    float x0; ///< the anchor, in samples of the tile
+    float y0;
+    bool exact; ///< too steep for float32: shaded sample by sample
+};
+static_assert(sizeof(ColorPlanes) == 64);
+
+/// The memory one thread draws tiles with; kept from frame to frame.
+struct Worker {
+    TileSamples samples;
+    std::vector<const BinBlock*> blocks; ///< of the tile, in the order of the faces
+    std::vector<const Chunk*> blockChunk;
+    std::vector<std::uint32_t> visibleOf; ///< of a triangle of the tile
+    std::vector<VisibleTriangle> visible;
+    std::vector<ColorPlanes> planes;
+    std::vector<BlockShare> shares;
+    Statistics::Pixels pixels;
+
+    /// Numbers of triangles of a tile: the block of the bin, the place in it.
+    static constexpr std::uint32_t kNumbersPerBlock = BinBlock::kCapacity + 1;
+    [[nodiscard]] const TileTriangle& triangle(std::uint32_t number) const
+    {
+        return blocks[number / kNumbersPerBlock]->triangles[number % kNumbersPerBlock];
+    }
+    [[nodiscard]] const Chunk& chunkOf(std::uint32_t number) const { return *blockChunk[number / kNumbersPerBlock]; }
+};
+
+/// The stages that are written in vector instructions.
+struct Kernels {
+    void (*processVertices)(const FrameJob& job, std::size_t begin, std::size_t end);
+    void (*processFaces)(const FrameJob& job, Chunk& chunk, std::uint32_t begin, std::uint32_t end);
+    void (*drawTiles)(const FrameJob& job, Worker& worker, int columnBegin, int columnEnd, int row);
+};
+
+/// The stages for an instruction set, or nothing where the machine does not have it. Auto is the best there is.
+[[nodiscard]] const Kernels* kernelsFor(Simd simd);
+
+} // namespace rasterlens::tiled
