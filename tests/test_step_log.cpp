@@ -34,6 +34,20 @@ Settings randomSettings(const Scene& scene, std::mt19937& random)
     }
 }
 
+/// Each part of a filter is there every other time.
+StepFilter randomFilter(const Scene& scene, QSize size, std::mt19937& random)
+{
+    const auto upTo = [&](int n) { return std::uniform_int_distribution<int>(0, n)(random); };
+    StepFilter filter;
+    if (upTo(1) == 0)
+        filter.pixels = PixelRect{upTo(size.width()), upTo(size.height()), 1 + upTo(8), 1 + upTo(8)};
+    if (upTo(1) == 0)
+        filter.face = static_cast<std::uint32_t>(upTo(static_cast<int>(scene.mesh.faceCount()) - 1));
+    if (upTo(1) == 0)
+        filter.kinds = static_cast<StepKinds>(random());
+    return filter;
+}
+
 Frame plain(const Scene& scene, const Settings& settings)
 {
     Frame frame;
@@ -166,7 +180,8 @@ void TestStepLog::randomSettingsLookTheSame()
     for (int i = 0; i < 1000; ++i) {
         const Scene& scene = small[random() % small.size()];
         const Settings settings = randomSettings(scene, random);
-        StepCursor cursor(renderSteps(scene, settings));
+        const StepFilter filter = i % 2 == 0 ? StepFilter() : randomFilter(scene, settings.size, random);
+        StepCursor cursor(renderSteps(scene, settings, filter));
         cursor.moveTo(cursor.log().size());
         if (cursor.log().truncated())
             continue;
@@ -215,13 +230,7 @@ void TestStepLog::everyPositionIsACappedRun()
         const Scene scene = builtin(name);
         for (int i = 0; i < 10; ++i) {
             const Settings settings = randomSettings(scene, random);
-            StepFilter filter;
-            if (i % 2 == 1)
-                filter.pixels = PixelRect{3, 2, 8, 9};
-            if (i % 3 == 1)
-                filter.face = random() % scene.mesh.faceCount();
-            if (i % 4 == 1)
-                filter.kinds = static_cast<StepKinds>(random());
+            StepFilter filter = randomFilter(scene, settings.size, random);
             StepCursor cursor(renderSteps(scene, settings, filter));
             const std::size_t size = cursor.log().size();
             for (int k = 0; k < 10; ++k) {
@@ -245,7 +254,6 @@ void TestStepLog::filtersKeepPixelsAndCounters()
     settings.size = {40, 30};
     StepCursor whole(renderSteps(scene, settings));
     StepFilter filter;
-    filter.face = 1;
     filter.pixels = PixelRect{18, 12, 3, 3};
     StepCursor part(renderSteps(scene, settings, filter));
     QVERIFY(part.log().size() > 20);
