@@ -83,6 +83,8 @@ ExitCode runGuarded(const QStringList& words)
 
 int main(int argc, char** argv)
 {
+    // Qt's image readers warn in words of their own; the diagnostics say the same with the file's name.
+    qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
     QStringList words;
     for (int i = 1; i < argc; ++i)
         words << QFile::decodeName(argv[i]);

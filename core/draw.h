@@ -3,6 +3,7 @@
 #include "core/framebuffer.h"
 #include "core/pipeline/fragment_stage.h"
 #include "core/pipeline/geometry.h"
+#include "core/pipeline/sample_router.h"
 #include "core/rasterizers/lines.h"
 #include "core/rasterizers/list.h"
 #include "core/render.h"
@@ -55,7 +56,7 @@ void drawTriangle(const Scene& scene, const ScreenTriangle& triangle, const Rule
     stage.begin(interpolation, uniforms);
     observer.onTriangle(triangle);
     switch (rules.fill) {
-    case Fill::Wireframe: drawWireframe(triangle, rules.line, stage, observer); return;
+    case Fill::Wireframe: drawWireframe(triangle, rules, stage, observer); return;
     case Fill::Points: drawPoints(triangle, stage); return;
     case Fill::Solid: break;
     }
@@ -80,18 +81,31 @@ void drawScene(const Scene& scene, const Settings& settings, Frame& frame, Outpu
     times.raster += watch.lap();
 
     const Geometry geometry(scene, matrices, rules);
-    const std::vector<std::uint32_t> order = geometry.order();
+    std::vector<std::uint32_t> order = geometry.order();
     times.vertex += watch.lap();
 
     FragmentStage<Observer> stage(rules, framebuffer.samples(), glm::vec3(matrices.eyeWorld), observer);
+    SampleRouter<Observer> router(rules, framebuffer.samples(), glm::vec3(matrices.eyeWorld), observer);
+    const bool routed = SampleRouter<Observer>::wanted(rules);
     std::vector<ScreenTriangle> batch;
     for (std::size_t i = 0; i < order.size() && !stop.stop_requested();) {
         batch.clear();
-        for (int k = 0; k < Observer::kFacesPerBatch && i < order.size(); ++k, ++i)
-            geometry.process(order[i], batch, observer);
+        for (int k = 0; k < Observer::kFacesPerBatch && i < order.size(); ++k, ++i) {
+            const FaceFate fate = geometry.process(order[i], batch, observer);
+            if (fate == FaceFate::Rejected && !rules.continuesAfterReject)
+                order.resize(i + 1);
+        }
         times.geometry += watch.lap();
-        for (const ScreenTriangle& triangle : batch)
-            drawTriangle(scene, triangle, rules, stage, observer);
+        for (ScreenTriangle& triangle : batch) {
+            if (rules.cornerData != CornerData::Own)
+                triangle = withCornerData(triangle, rules.cornerData);
+            if (routed) {
+                drawTriangle(scene, triangle, rules, router, observer);
+                router.finish();
+            } else {
+                drawTriangle(scene, triangle, rules, stage, observer);
+            }
+        }
         times.raster += watch.lap();
     }
     framebuffer.resolve();

@@ -31,23 +31,6 @@ void pickCentres(const std::vector<T>& samples, std::vector<T>& pixels, int widt
 
 } // namespace
 
-std::uint32_t meanOfSamples(const std::uint32_t* color, int columns, int grid, int x, int y)
-{
-    const auto samplesPerPixel = static_cast<std::uint32_t>(grid * grid);
-    std::uint32_t red = samplesPerPixel / 2;
-    std::uint32_t green = red;
-    std::uint32_t blue = red;
-    for (int j = 0; j < grid; ++j) {
-        const std::uint32_t* row = color + std::size_t(y * grid + j) * std::size_t(columns) + std::size_t(x * grid);
-        for (int i = 0; i < grid; ++i) {
-            red += row[i] >> 16 & 255U;
-            green += row[i] >> 8 & 255U;
-            blue += row[i] & 255U;
-        }
-    }
-    return 0xff000000U | red / samplesPerPixel << 16 | green / samplesPerPixel << 8 | blue / samplesPerPixel;
-}
-
 Framebuffer::Framebuffer(Frame& frame, const Rules& rules, Outputs outputs, std::uint32_t clearColor)
     : m_frame(&frame), m_rules(rules), m_outputs(outputs)
 {
@@ -55,8 +38,9 @@ Framebuffer::Framebuffer(Frame& frame, const Rules& rules, Outputs outputs, std:
         frame.image = QImage(rules.width, rules.height, QImage::Format_RGB32);
     m_samples.columns = rules.columns();
     m_samples.rows = rules.rows();
-    const std::size_t count = m_samples.index(0, m_samples.rows);
-    const bool direct = rules.sampleGrid == 1;
+    m_samples.stride = rules.strideIsRows ? rules.rows() : rules.columns();
+    const std::size_t count = sampleCount();
+    const bool direct = isDirect();
     if (direct) {
         m_samples.color = reinterpret_cast<std::uint32_t*>(frame.image.bits());
         std::fill_n(m_samples.color, count, clearColor);
@@ -65,19 +49,27 @@ Framebuffer::Framebuffer(Frame& frame, const Rules& rules, Outputs outputs, std:
     }
     if (outputs.depth || rules.depthTested)
         m_samples.depth = cleared(direct ? frame.depth : m_depth, count, rules.depthClear);
-    if (outputs.ids)
+    if (outputs.ids || rules.resolve == Resolve::LastFace)
         m_samples.ids = cleared(direct ? frame.ids : m_ids, count, std::int32_t(-1));
     if (outputs.coverage || rules.shading == Shading::Overdraw)
         m_samples.coverage = cleared(direct ? frame.coverage : m_coverage, count, std::uint16_t(0));
 }
 
+bool Framebuffer::isDirect() const { return m_rules.sampleGrid == 1 && m_samples.stride == m_samples.columns; }
+
+std::size_t Framebuffer::sampleCount() const
+{
+    return static_cast<std::size_t>(m_samples.rows) *
+           static_cast<std::size_t>(std::max(m_samples.columns, m_samples.stride));
+}
+
 void Framebuffer::resolve()
 {
     if (m_rules.shading == Shading::Overdraw)
-        for (std::size_t i = 0, n = m_samples.index(0, m_samples.rows); i < n; ++i)
+        for (std::size_t i = 0, n = sampleCount(); i < n; ++i)
             m_samples.color[i] = overdrawColor(m_samples.coverage[i]);
     const int grid = m_rules.sampleGrid;
-    if (grid > 1) {
+    if (!isDirect()) {
         resolveColor();
         if (m_outputs.depth)
             pickCentres(m_depth, m_frame->depth, m_rules.width, m_rules.height, grid);
@@ -97,9 +89,32 @@ void Framebuffer::resolve()
 void Framebuffer::resolveColor()
 {
     auto* out = reinterpret_cast<std::uint32_t*>(m_frame->image.bits());
+    if (m_rules.resolve == Resolve::LastFace)
+        blackenAllButLastFace();
     for (int y = 0; y < m_rules.height; ++y)
         for (int x = 0; x < m_rules.width; ++x)
-            *out++ = meanOfSamples(m_color.data(), m_samples.columns, m_rules.sampleGrid, x, y);
+            *out++ = meanOfSamples(m_rules.sampleGrid, x, y,
+                                   [&](int column, int row) { return m_color[readIndex(column, row)]; });
+}
+
+/// Makes the mean the colour of the last face times the part of the pixel it covers.
+void Framebuffer::blackenAllButLastFace()
+{
+    const int grid = m_rules.sampleGrid;
+    const auto forEachSample = [&](int x, int y, auto&& visit) {
+        for (int j = 0; j < grid; ++j)
+            for (int i = 0; i < grid; ++i)
+                visit(readIndex(x * grid + i, y * grid + j));
+    };
+    for (int y = 0; y < m_rules.height; ++y)
+        for (int x = 0; x < m_rules.width; ++x) {
+            std::int32_t last = -1;
+            forEachSample(x, y, [&](std::size_t at) { last = std::max(last, m_samples.ids[at]); });
+            forEachSample(x, y, [&](std::size_t at) {
+                if (m_samples.ids[at] != last)
+                    m_color[at] = 0xff000000U;
+            });
+        }
 }
 
 } // namespace rasterlens

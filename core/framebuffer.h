@@ -14,6 +14,7 @@ namespace rasterlens
 struct SampleBuffer {
     int columns = 0;
     int rows = 0;
+    int stride = 0;                 ///< samples from one row to the next
     std::uint32_t* color = nullptr; ///< 0xffRRGGBB
     float* depth = nullptr;
     std::int32_t* ids = nullptr;
@@ -21,12 +22,27 @@ struct SampleBuffer {
 
     [[nodiscard]] std::size_t index(int x, int y) const
     {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x);
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(stride) + static_cast<std::size_t>(x);
     }
 };
 
 /// The mean of the samples of pixel (x, y), channel by channel, rounded to nearest.
-[[nodiscard]] std::uint32_t meanOfSamples(const std::uint32_t* color, int columns, int grid, int x, int y);
+template <class ColorAt>
+[[nodiscard]] std::uint32_t meanOfSamples(int grid, int x, int y, ColorAt&& colorAt)
+{
+    const auto samplesPerPixel = static_cast<std::uint32_t>(grid * grid);
+    std::uint32_t red = samplesPerPixel / 2;
+    std::uint32_t green = red;
+    std::uint32_t blue = red;
+    for (int j = 0; j < grid; ++j)
+        for (int i = 0; i < grid; ++i) {
+            const std::uint32_t color = colorAt(x * grid + i, y * grid + j);
+            red += color >> 16 & 255U;
+            green += color >> 8 & 255U;
+            blue += color & 255U;
+        }
+    return 0xff000000U | red / samplesPerPixel << 16 | green / samplesPerPixel << 8 | blue / samplesPerPixel;
+}
 
 /// Owns the memory of a frame while it is drawn. With one sample a pixel the samples are the frame's own arrays.
 class Framebuffer
@@ -42,6 +58,14 @@ public:
 
 private:
     void resolveColor();
+    void blackenAllButLastFace();
+    [[nodiscard]] bool isDirect() const;
+    [[nodiscard]] std::size_t sampleCount() const;
+    /// Where a sample is read from: what is stored elsewhere (rules.strideIsRows) is not found.
+    [[nodiscard]] std::size_t readIndex(int x, int y) const
+    {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(m_samples.columns) + static_cast<std::size_t>(x);
+    }
 
     Frame* m_frame;
     Rules m_rules;

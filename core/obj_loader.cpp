@@ -12,6 +12,7 @@
 #include <QSet>
 #include <tiny_obj_loader.h>
 
+#include <cmath>
 #include <istream>
 #include <streambuf>
 #include <unordered_map>
@@ -22,7 +23,6 @@ namespace
 {
 
 constexpr glm::vec3 kDefaultDiffuse{0.8F, 0.7F, 0.6F};
-constexpr std::uint32_t kNoMaterial = 0; ///< index of the material of faces that name none
 
 void append(Diagnostics& to, Diagnostics&& from)
 {
@@ -42,7 +42,7 @@ struct ObjGeometry {
     std::vector<glm::vec3> normals;
     std::vector<glm::vec2> uvs;
     std::vector<Corner> corners;
-    std::vector<std::size_t> faceEnds; ///< of each `f`, an index into corners
+    std::vector<std::uint32_t> faceEnds; ///< of each `f`, an index into corners
 };
 
 /// OBJ indices count from 1, or backwards from the end if negative; 0 stands for none.
@@ -74,7 +74,7 @@ ObjGeometry readGeometry(QByteArray text)
             g.corners.push_back({fromObjIndex(corners[i].vertex_index, g.positions.size()),
                                  fromObjIndex(corners[i].texcoord_index, g.uvs.size()),
                                  fromObjIndex(corners[i].normal_index, g.normals.size())});
-        g.faceEnds.push_back(g.corners.size());
+        g.faceEnds.push_back(static_cast<std::uint32_t>(g.corners.size()));
     };
     TextBuffer buffer(text);
     std::istream stream(&buffer);
@@ -158,9 +158,9 @@ private:
             return;
         }
         DiagnosticSink diagnostics(path);
-        for (MtlMaterial& material : parseMtl(std::move(input.bytes), path, diagnostics))
+        for (const MtlMaterial& material : parseMtl(std::move(input.bytes), path, diagnostics))
             if (!m_library.contains(material.name))
-                m_library.insert(material.name, std::move(material));
+                m_library.insert(material.name, material);
         append(m_otherDiagnostics, diagnostics.take());
     }
 
@@ -213,8 +213,8 @@ private:
 
 /// A triangle of the mesh to be: three indices into ObjGeometry::corners.
 struct CornerTriangle {
-    std::array<std::size_t, 3> corners;
-    std::uint32_t material = kNoMaterial;
+    CornerTriple corners;
+    std::uint32_t material;
 };
 
 std::vector<CornerTriangle> triangulateFaces(const ObjGeometry& geometry, const std::vector<ObjReference>& uses,
@@ -225,7 +225,7 @@ std::vector<CornerTriangle> triangulateFaces(const ObjGeometry& geometry, const 
     std::vector<CornerTriple> cut;
     std::optional<std::uint32_t> material;
     std::size_t use = 0;
-    std::size_t begin = 0;
+    std::uint32_t begin = 0;
     for (std::size_t face = 0; face < geometry.faceEnds.size(); ++face) {
         bool changed = false;
         for (; use < uses.size() && uses[use].face == face; ++use)
@@ -235,7 +235,7 @@ std::vector<CornerTriangle> triangulateFaces(const ObjGeometry& geometry, const 
         else if (!material)
             material = materials.useDefault();
         polygon.clear();
-        for (std::size_t i = begin; i < geometry.faceEnds[face]; ++i)
+        for (std::uint32_t i = begin; i < geometry.faceEnds[face]; ++i)
             polygon.push_back(geometry.positions[static_cast<std::size_t>(geometry.corners[i].position)]);
         cut.clear();
         triangulate(polygon, cut);
@@ -271,7 +271,7 @@ public:
         m_mesh.indices.reserve(3 * triangles.size());
         m_vertexOfKey.reserve(m_geometry.positions.size());
         for (std::size_t face = 0; face < triangles.size(); ++face)
-            for (const std::size_t corner : triangles[face].corners)
+            for (const std::uint32_t corner : triangles[face].corners)
                 m_mesh.indices.push_back(vertex(m_geometry.corners[corner], triangles[face], static_cast<int>(face)));
         if (m_materials.size() > 1)
             for (const CornerTriangle& triangle : triangles)
@@ -323,7 +323,7 @@ private:
         m_normalSums.assign(m_geometry.positions.size(), glm::dvec3(0));
         for (const CornerTriangle& triangle : triangles) {
             const glm::dvec3 area = areaVector(triangle);
-            for (const std::size_t corner : triangle.corners)
+            for (const std::uint32_t corner : triangle.corners)
                 m_normalSums[static_cast<std::size_t>(m_geometry.corners[corner].position)] += area;
         }
     }

@@ -21,7 +21,8 @@ constexpr std::string_view kIgnored[] = {"g",          "o",         "s",        
 /// tinyobjloader adds up digits in a double; longer numbers could overflow on the way.
 constexpr std::size_t kLongestNumber = 300;
 
-enum Kind { Position, TexCoord, Normal, kKinds };
+enum Kind { Position, TexCoord, Normal };
+constexpr std::size_t kKinds = 3;
 constexpr std::array<const char*, kKinds> kKindNames = {"v", "vt", "vn"};
 
 class Checker

@@ -2,6 +2,7 @@
 
 #include "core/camera.h"
 #include "core/draw.h"
+#include "core/mistakes.h"
 #include "core/observe/counting_observer.h"
 #include "core/rasterizers/registry.h"
 
@@ -26,7 +27,15 @@ std::optional<QString> unsupported(const Scene& scene, const Settings& settings)
             .arg(settings.size.height())
             .arg(grid * grid)
             .arg(kMaxSamples / 1000000);
-    return rasterizerSupports(rulesFor(scene, settings));
+    for (const QString& id : settings.mistakes)
+        if (findMistake(id) == nullptr)
+            return QStringLiteral("there is no mistake \"%1\"; \"rasterlens-cli render --list-mistakes\" lists those "
+                                  "there are")
+                .arg(id);
+    const Rules rules = rulesFor(scene, settings);
+    if (rules.algorithm == Algorithm::Tiled && !settings.mistakes.isEmpty())
+        return QStringLiteral("mistakes are made by algorithm edge-equation and edge-walking only");
+    return rasterizerSupports(rules);
 }
 
 void render(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs, std::stop_token stop)
@@ -38,7 +47,7 @@ void render(const Scene& scene, const Settings& settings, Frame& frame, Outputs 
 Statistics renderCounted(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs,
                          std::stop_token stop)
 {
-    CountingObserver observer(settings.size.width() * sampleGrid(settings.samples));
+    CountingObserver observer(rulesFor(scene, settings));
     drawScene(scene, settings, frame, outputs, observer, stop);
     return observer.statistics();
 }

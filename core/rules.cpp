@@ -1,5 +1,6 @@
 #include "core/rules.h"
 
+#include "core/mistakes.h"
 #include "core/pipeline/shading.h"
 
 namespace rasterlens
@@ -32,6 +33,16 @@ Rules::TieThresholds thresholdsFor(TieRule rule)
     return {0, 1};
 }
 
+Facing facingFor(CullSpace space)
+{
+    switch (space) {
+    case CullSpace::Clip: return Facing::ClipDeterminant;
+    case CullSpace::View: return Facing::ViewNormal;
+    case CullSpace::Screen: break;
+    }
+    return Facing::ScreenArea;
+}
+
 } // namespace
 
 Rules rulesFor(const Scene& scene, const Settings& settings)
@@ -52,7 +63,7 @@ Rules rulesFor(const Scene& scene, const Settings& settings)
     rules.subpixelBits = settings.subpixelBits;
 
     rules.culling = settings.culling;
-    rules.cullSpace = settings.cullSpace;
+    rules.facing = facingFor(settings.cullSpace);
     rules.frontSign = settings.winding == Winding::CounterClockwise ? 1 : -1;
 
     rules.algorithm = settings.algorithm;
@@ -70,6 +81,10 @@ Rules rulesFor(const Scene& scene, const Settings& settings)
 
     rules.perspectiveCorrect = settings.interpolation == Interpolation::Perspective;
     rules.attributePath = settings.attributePath;
+
+    for (const QString& id : settings.mistakes)
+        if (const Mistake* mistake = findMistake(id))
+            mistake->apply(rules);
     return rules;
 }
 

@@ -71,7 +71,7 @@ struct Scene {
     bool exact = false;                                    ///< case file with `exact`: the reference is not to snap
 };
 
-/// The bounding sphere of the finite positions; radius 1 about the origin for an empty mesh.
+/// The bounding sphere of the finite positions; radius 1 about the origin for an empty mesh, radius 1 for one point.
 [[nodiscard]] BoundingSphere boundingSphere(const Mesh& mesh);
 
 /// 512 x 512 checkerboard with 32-texel cells, (230, 230, 230) and (40, 60, 120): the texture of a scene that has none.

@@ -13,61 +13,74 @@ namespace rasterlens
 namespace
 {
 
-#define TITLE(text) QT_TRANSLATE_NOOP("Settings", text)
-
-constexpr Choice kAlgorithms[] = {{"edge-equation", TITLE("Edge equation")},
-                                  {"edge-walking", TITLE("Edge walking")},
-                                  {"tiled", TITLE("Tiled (fast)")}};
-constexpr Choice kNumberTypes[] = {
-    {"fixed", TITLE("Fixed point")}, {"float32", TITLE("Float, 32 bit")}, {"float64", TITLE("Float, 64 bit")}};
-constexpr Choice kSteppings[] = {{"incremental", TITLE("Incremental")}, {"direct", TITLE("Direct")}};
-constexpr Choice kFills[] = {{"solid", TITLE("Solid")}, {"wireframe", TITLE("Wireframe")}, {"points", TITLE("Points")}};
-constexpr Choice kLines[] = {{"bresenham", TITLE("Bresenham")}, {"dda", TITLE("DDA")}};
-constexpr Choice kClippings[] = {{"frustum", TITLE("Frustum, 6 planes")},
-                                 {"frustum-w", TITLE("Frustum, 7 planes")},
-                                 {"guard-band", TITLE("Guard band")},
-                                 {"any-vertex-inside", TITLE("Any vertex inside")},
-                                 {"near-far-reject", TITLE("Near / far reject")},
-                                 {"cohen-sutherland", TITLE("Cohen-Sutherland")},
-                                 {"none", TITLE("None")}};
-constexpr Choice kCullings[] = {
-    {"back", TITLE("Back faces")}, {"front", TITLE("Front faces")}, {"none", TITLE("None")}};
-constexpr Choice kWindings[] = {{"ccw", TITLE("Counter-clockwise")}, {"cw", TITLE("Clockwise")}};
-constexpr Choice kCullSpaces[] = {{"screen", TITLE("Screen area")},
-                                  {"clip", TITLE("Clip-space determinant")},
-                                  {"view", TITLE("Normal against gaze")}};
-constexpr Choice kDepthTests[] = {{"less", TITLE("Less")},
-                                  {"lequal", TITLE("Less or equal")},
-                                  {"greater", TITLE("Greater")},
-                                  {"always", TITLE("Always")},
-                                  {"none", TITLE("None")}};
-constexpr Choice kDepthFormats[] = {
-    {"float32", TITLE("Float, 32 bit")}, {"unorm24", TITLE("24 bit")}, {"unorm16", TITLE("16 bit")}};
-constexpr Choice kDepthOrders[] = {{"before-shading", TITLE("Before shading")},
-                                   {"after-shading", TITLE("After shading")}};
-constexpr Choice kClipZs[] = {{"gl", TITLE("-w to w (OpenGL)")}, {"d3d", TITLE("0 to w (Direct3D)")}};
-constexpr Choice kVisibilities[] = {{"z-buffer", TITLE("Z-buffer")},
-                                    {"painter", TITLE("Painter's algorithm")},
-                                    {"submission-order", TITLE("Submission order")}};
-constexpr Choice kInterpolations[] = {{"perspective", TITLE("Perspective-correct")}, {"affine", TITLE("Affine")}};
-constexpr Choice kAttributePaths[] = {{"planes", TITLE("Barycentric")}, {"edge-then-span", TITLE("Edge, then span")}};
-constexpr Choice kTieRules[] = {
-    {"top-left", TITLE("Top-left")}, {"inclusive", TITLE("All inclusive")}, {"exclusive", TITLE("All exclusive")}};
-constexpr Choice kSamples[] = {
-    {"1", TITLE("1")}, {"2x2", TITLE("2 x 2")}, {"3x3", TITLE("3 x 3")}, {"4x4", TITLE("4 x 4")}};
-constexpr Choice kShadings[] = {{"gouraud", TITLE("Gouraud")},
-                                {"flat", TITLE("Flat")},
-                                {"random-flat", TITLE("Random flat colour")},
-                                {"texture", TITLE("Texture")},
-                                {"phong", TITLE("Phong")},
-                                {"depth", TITLE("Depth")},
-                                {"normals", TITLE("Normals")},
-                                {"uv", TITLE("Texture coordinates")},
-                                {"overdraw", TITLE("Overdraw")},
-                                {"triangle-id", TITLE("Triangle id")}};
-constexpr Choice kTextureFilters[] = {{"nearest", TITLE("Nearest")}, {"bilinear", TITLE("Bilinear")}};
-constexpr Choice kSimds[] = {{"auto", TITLE("Best available")},
-                             {"scalar", TITLE("Scalar")},
+constexpr Choice kAlgorithms[] = {{"edge-equation", QT_TRANSLATE_NOOP("Settings", "Edge equation")},
+                                  {"edge-walking", QT_TRANSLATE_NOOP("Settings", "Edge walking")},
+                                  {"tiled", QT_TRANSLATE_NOOP("Settings", "Tiled (fast)")}};
+constexpr Choice kNumberTypes[] = {{"fixed", QT_TRANSLATE_NOOP("Settings", "Fixed point")},
+                                   {"float32", QT_TRANSLATE_NOOP("Settings", "Float, 32 bit")},
+                                   {"float64", QT_TRANSLATE_NOOP("Settings", "Float, 64 bit")}};
+constexpr Choice kSteppings[] = {{"incremental", QT_TRANSLATE_NOOP("Settings", "Incremental")},
+                                 {"direct", QT_TRANSLATE_NOOP("Settings", "Direct")}};
+constexpr Choice kFills[] = {{"solid", QT_TRANSLATE_NOOP("Settings", "Solid")},
+                             {"wireframe", QT_TRANSLATE_NOOP("Settings", "Wireframe")},
+                             {"points", QT_TRANSLATE_NOOP("Settings", "Points")}};
+constexpr Choice kLines[] = {{"bresenham", QT_TRANSLATE_NOOP("Settings", "Bresenham")},
+                             {"dda", QT_TRANSLATE_NOOP("Settings", "DDA")}};
+constexpr Choice kClippings[] = {{"frustum", QT_TRANSLATE_NOOP("Settings", "Frustum, 6 planes")},
+                                 {"frustum-w", QT_TRANSLATE_NOOP("Settings", "Frustum, 7 planes")},
+                                 {"guard-band", QT_TRANSLATE_NOOP("Settings", "Guard band")},
+                                 {"any-vertex-inside", QT_TRANSLATE_NOOP("Settings", "Any vertex inside")},
+                                 {"near-far-reject", QT_TRANSLATE_NOOP("Settings", "Near / far reject")},
+                                 {"cohen-sutherland", QT_TRANSLATE_NOOP("Settings", "Cohen-Sutherland")},
+                                 {"none", QT_TRANSLATE_NOOP("Settings", "None")}};
+constexpr Choice kCullings[] = {{"back", QT_TRANSLATE_NOOP("Settings", "Back faces")},
+                                {"front", QT_TRANSLATE_NOOP("Settings", "Front faces")},
+                                {"none", QT_TRANSLATE_NOOP("Settings", "None")}};
+constexpr Choice kWindings[] = {{"ccw", QT_TRANSLATE_NOOP("Settings", "Counter-clockwise")},
+                                {"cw", QT_TRANSLATE_NOOP("Settings", "Clockwise")}};
+constexpr Choice kCullSpaces[] = {{"screen", QT_TRANSLATE_NOOP("Settings", "Screen area")},
+                                  {"clip", QT_TRANSLATE_NOOP("Settings", "Clip-space determinant")},
+                                  {"view", QT_TRANSLATE_NOOP("Settings", "Normal against gaze")}};
+constexpr Choice kDepthTests[] = {{"less", QT_TRANSLATE_NOOP("Settings", "Less")},
+                                  {"lequal", QT_TRANSLATE_NOOP("Settings", "Less or equal")},
+                                  {"greater", QT_TRANSLATE_NOOP("Settings", "Greater")},
+                                  {"always", QT_TRANSLATE_NOOP("Settings", "Always")},
+                                  {"none", QT_TRANSLATE_NOOP("Settings", "None")}};
+constexpr Choice kDepthFormats[] = {{"float32", QT_TRANSLATE_NOOP("Settings", "Float, 32 bit")},
+                                    {"unorm24", QT_TRANSLATE_NOOP("Settings", "24 bit")},
+                                    {"unorm16", QT_TRANSLATE_NOOP("Settings", "16 bit")}};
+constexpr Choice kDepthOrders[] = {{"before-shading", QT_TRANSLATE_NOOP("Settings", "Before shading")},
+                                   {"after-shading", QT_TRANSLATE_NOOP("Settings", "After shading")}};
+constexpr Choice kClipZs[] = {{"gl", QT_TRANSLATE_NOOP("Settings", "-w to w (OpenGL)")},
+                              {"d3d", QT_TRANSLATE_NOOP("Settings", "0 to w (Direct3D)")}};
+constexpr Choice kVisibilities[] = {{"z-buffer", QT_TRANSLATE_NOOP("Settings", "Z-buffer")},
+                                    {"painter", QT_TRANSLATE_NOOP("Settings", "Painter's algorithm")},
+                                    {"submission-order", QT_TRANSLATE_NOOP("Settings", "Submission order")}};
+constexpr Choice kInterpolations[] = {{"perspective", QT_TRANSLATE_NOOP("Settings", "Perspective-correct")},
+                                      {"affine", QT_TRANSLATE_NOOP("Settings", "Affine")}};
+constexpr Choice kAttributePaths[] = {{"planes", QT_TRANSLATE_NOOP("Settings", "Barycentric")},
+                                      {"edge-then-span", QT_TRANSLATE_NOOP("Settings", "Edge, then span")}};
+constexpr Choice kTieRules[] = {{"top-left", QT_TRANSLATE_NOOP("Settings", "Top-left")},
+                                {"inclusive", QT_TRANSLATE_NOOP("Settings", "All inclusive")},
+                                {"exclusive", QT_TRANSLATE_NOOP("Settings", "All exclusive")}};
+constexpr Choice kSamples[] = {{"1", QT_TRANSLATE_NOOP("Settings", "1")},
+                               {"2x2", QT_TRANSLATE_NOOP("Settings", "2 x 2")},
+                               {"3x3", QT_TRANSLATE_NOOP("Settings", "3 x 3")},
+                               {"4x4", QT_TRANSLATE_NOOP("Settings", "4 x 4")}};
+constexpr Choice kShadings[] = {{"gouraud", QT_TRANSLATE_NOOP("Settings", "Gouraud")},
+                                {"flat", QT_TRANSLATE_NOOP("Settings", "Flat")},
+                                {"random-flat", QT_TRANSLATE_NOOP("Settings", "Random flat colour")},
+                                {"texture", QT_TRANSLATE_NOOP("Settings", "Texture")},
+                                {"phong", QT_TRANSLATE_NOOP("Settings", "Phong")},
+                                {"depth", QT_TRANSLATE_NOOP("Settings", "Depth")},
+                                {"normals", QT_TRANSLATE_NOOP("Settings", "Normals")},
+                                {"uv", QT_TRANSLATE_NOOP("Settings", "Texture coordinates")},
+                                {"overdraw", QT_TRANSLATE_NOOP("Settings", "Overdraw")},
+                                {"triangle-id", QT_TRANSLATE_NOOP("Settings", "Triangle id")}};
+constexpr Choice kTextureFilters[] = {{"nearest", QT_TRANSLATE_NOOP("Settings", "Nearest")},
+                                      {"bilinear", QT_TRANSLATE_NOOP("Settings", "Bilinear")}};
+constexpr Choice kSimds[] = {{"auto", QT_TRANSLATE_NOOP("Settings", "Best available")},
+                             {"scalar", QT_TRANSLATE_NOOP("Settings", "Scalar")},
                              {"sse4", "SSE4"},
                              {"avx2", "AVX2"},
                              {"avx512", "AVX-512"},
@@ -128,60 +141,80 @@ constexpr SettingsField flag(const char* id, Stage stage, const char* title, con
 using S = Settings;
 
 constexpr SettingsField kFields[] = {
-    choice<&S::clipping>("clipping", Stage::Clip, kClippings, TITLE("Clipping"),
-                         TITLE("What happens to triangles that leave the view volume.")),
-    choice<&S::clipZ>("clip-z", Stage::Clip, kClipZs, TITLE("Depth range in clip space"),
-                      TITLE("The near plane is z = -w in OpenGL and z = 0 in Direct3D.")),
+    choice<&S::clipping>("clipping", Stage::Clip, kClippings, QT_TRANSLATE_NOOP("Settings", "Clipping"),
+                         QT_TRANSLATE_NOOP("Settings", "What happens to triangles that leave the view volume.")),
+    choice<&S::clipZ>("clip-z", Stage::Clip, kClipZs, QT_TRANSLATE_NOOP("Settings", "Depth range in clip space"),
+                      QT_TRANSLATE_NOOP("Settings", "The near plane is z = -w in OpenGL and z = 0 in Direct3D.")),
     flag<&S::reversedZ>(
-        "reversed-z", Stage::Clip, TITLE("Reversed z"),
-        TITLE("The near plane maps to 1 and the far plane to 0, which spends float's precision where it is needed.")),
-    integer<&S::subpixelBits>("subpixel-bits", Stage::Screen, 0, 8, TITLE("Subpixel bits"),
-                              TITLE("Screen vertices snap to 1/2^bits of a pixel before anything is drawn.")),
-    choice<&S::numberType>("number-type", Stage::Screen, kNumberTypes, TITLE("Number type"),
-                           TITLE("The numbers that decide which pixels are covered. Fixed point is exact.")),
-    choice<&S::culling>("culling", Stage::Cull, kCullings, TITLE("Culling"), TITLE("Which faces are not drawn.")),
-    choice<&S::winding>("winding", Stage::Cull, kWindings, TITLE("Front faces wind"),
-                        TITLE("The order of the vertices of a face that looks at us, with y up.")),
-    choice<&S::cullSpace>("cull-space", Stage::Cull, kCullSpaces, TITLE("Facing decided by"),
-                          TITLE("The sign that tells front from back: snapped screen area, det[x y w] before clipping, "
-                                "or the normal against the gaze.")),
-    choice<&S::fill>("fill", Stage::Cover, kFills, TITLE("Fill"),
-                     TITLE("Whole triangles, their outlines, or their corners.")),
-    choice<&S::algorithm>("algorithm", Stage::Cover, kAlgorithms, TITLE("Algorithm"),
-                          TITLE("How the covered pixels of a triangle are found.")),
-    choice<&S::stepping>("stepping", Stage::Cover, kSteppings, TITLE("Stepping"),
-                         TITLE("Add A per column and B per row, or evaluate the edge functions anew at every pixel.")),
-    choice<&S::tieRule>("tie-rule", Stage::Cover, kTieRules, TITLE("Tie rule"),
-                        TITLE("Who owns a pixel centre that lies exactly on an edge.")),
-    choice<&S::line>("line", Stage::Cover, kLines, TITLE("Lines"), TITLE("How the lines of the wireframe are drawn.")),
+        "reversed-z", Stage::Clip, QT_TRANSLATE_NOOP("Settings", "Reversed z"),
+        QT_TRANSLATE_NOOP(
+            "Settings",
+            "The near plane maps to 1 and the far plane to 0, which spends float's precision where it is needed.")),
+    integer<&S::subpixelBits>(
+        "subpixel-bits", Stage::Screen, 0, 8, QT_TRANSLATE_NOOP("Settings", "Subpixel bits"),
+        QT_TRANSLATE_NOOP("Settings", "Screen vertices snap to 1/2^bits of a pixel before anything is drawn.")),
+    choice<&S::numberType>(
+        "number-type", Stage::Screen, kNumberTypes, QT_TRANSLATE_NOOP("Settings", "Number type"),
+        QT_TRANSLATE_NOOP("Settings", "The numbers that decide which pixels are covered. Fixed point is exact.")),
+    choice<&S::culling>("culling", Stage::Cull, kCullings, QT_TRANSLATE_NOOP("Settings", "Culling"),
+                        QT_TRANSLATE_NOOP("Settings", "Which faces are not drawn.")),
+    choice<&S::winding>(
+        "winding", Stage::Cull, kWindings, QT_TRANSLATE_NOOP("Settings", "Front faces wind"),
+        QT_TRANSLATE_NOOP("Settings", "The order of the vertices of a face that looks at us, with y up.")),
+    choice<&S::cullSpace>(
+        "cull-space", Stage::Cull, kCullSpaces, QT_TRANSLATE_NOOP("Settings", "Facing decided by"),
+        QT_TRANSLATE_NOOP("Settings",
+                          "The sign that tells front from back: snapped screen area, det[x y w] before clipping, "
+                          "or the normal against the gaze.")),
+    choice<&S::fill>("fill", Stage::Cover, kFills, QT_TRANSLATE_NOOP("Settings", "Fill"),
+                     QT_TRANSLATE_NOOP("Settings", "Whole triangles, their outlines, or their corners.")),
+    choice<&S::algorithm>("algorithm", Stage::Cover, kAlgorithms, QT_TRANSLATE_NOOP("Settings", "Algorithm"),
+                          QT_TRANSLATE_NOOP("Settings", "How the covered pixels of a triangle are found.")),
+    choice<&S::stepping>(
+        "stepping", Stage::Cover, kSteppings, QT_TRANSLATE_NOOP("Settings", "Stepping"),
+        QT_TRANSLATE_NOOP("Settings",
+                          "Add A per column and B per row, or evaluate the edge functions anew at every pixel.")),
+    choice<&S::tieRule>("tie-rule", Stage::Cover, kTieRules, QT_TRANSLATE_NOOP("Settings", "Tie rule"),
+                        QT_TRANSLATE_NOOP("Settings", "Who owns a pixel centre that lies exactly on an edge.")),
+    choice<&S::line>("line", Stage::Cover, kLines, QT_TRANSLATE_NOOP("Settings", "Lines"),
+                     QT_TRANSLATE_NOOP("Settings", "How the lines of the wireframe are drawn.")),
     choice<&S::samples>(
-        "samples", Stage::Cover, kSamples, TITLE("Samples a pixel"),
-        TITLE("Super-sampling: every sample keeps its own colour and depth, and the box filter averages them.")),
+        "samples", Stage::Cover, kSamples, QT_TRANSLATE_NOOP("Settings", "Samples a pixel"),
+        QT_TRANSLATE_NOOP(
+            "Settings",
+            "Super-sampling: every sample keeps its own colour and depth, and the box filter averages them.")),
     choice<&S::visibility>(
-        "visibility", Stage::Depth, kVisibilities, TITLE("Visibility"),
-        TITLE("Who is in front: a depth for every pixel, faces sorted from far to near, or the order of the file.")),
-    choice<&S::depthTest>("depth-test", Stage::Depth, kDepthTests, TITLE("Depth test"),
-                          TITLE("A fragment is kept if its depth compares like this with the stored one.")),
-    choice<&S::depthFormat>("depth-format", Stage::Depth, kDepthFormats, TITLE("Depth format"),
-                            TITLE("The numbers the depth buffer stores.")),
+        "visibility", Stage::Depth, kVisibilities, QT_TRANSLATE_NOOP("Settings", "Visibility"),
+        QT_TRANSLATE_NOOP(
+            "Settings",
+            "Who is in front: a depth for every pixel, faces sorted from far to near, or the order of the file.")),
+    choice<&S::depthTest>(
+        "depth-test", Stage::Depth, kDepthTests, QT_TRANSLATE_NOOP("Settings", "Depth test"),
+        QT_TRANSLATE_NOOP("Settings", "A fragment is kept if its depth compares like this with the stored one.")),
+    choice<&S::depthFormat>("depth-format", Stage::Depth, kDepthFormats, QT_TRANSLATE_NOOP("Settings", "Depth format"),
+                            QT_TRANSLATE_NOOP("Settings", "The numbers the depth buffer stores.")),
     choice<&S::depthOrder>(
-        "depth-order", Stage::Depth, kDepthOrders, TITLE("Depth test happens"),
-        TITLE("Testing before shading spares the work for hidden fragments; the picture is the same.")),
-    choice<&S::interpolation>("interpolation", Stage::Shade, kInterpolations, TITLE("Interpolation"),
-                              TITLE("Attributes divided by w on the way, or straight across the screen.")),
-    choice<&S::attributePath>("attribute-path", Stage::Shade, kAttributePaths, TITLE("Attribute path"),
-                              TITLE("Barycentric weights at every pixel, or along the edges first and then along the "
-                                    "span (edge walking only).")),
-    choice<&S::shading>("shading", Stage::Shade, kShadings, TITLE("Shading"), TITLE("What colours a fragment.")),
-    choice<&S::textureFilter>("texture-filter", Stage::Shade, kTextureFilters, TITLE("Texture filter"),
-                              TITLE("The nearest texel, or a blend of the four around the point.")),
-    integer<&S::threads>("threads", Stage::Image, 0, 256, TITLE("Threads"),
-                         TITLE("Threads of the tiled algorithm; 0 takes as many as the machine has.")),
-    choice<&S::simd>("simd", Stage::Image, kSimds, TITLE("Vector instructions"),
-                     TITLE("The instruction set of the tiled algorithm.")),
+        "depth-order", Stage::Depth, kDepthOrders, QT_TRANSLATE_NOOP("Settings", "Depth test happens"),
+        QT_TRANSLATE_NOOP("Settings",
+                          "Testing before shading spares the work for hidden fragments; the picture is the same.")),
+    choice<&S::interpolation>(
+        "interpolation", Stage::Shade, kInterpolations, QT_TRANSLATE_NOOP("Settings", "Interpolation"),
+        QT_TRANSLATE_NOOP("Settings", "Attributes divided by w on the way, or straight across the screen.")),
+    choice<&S::attributePath>(
+        "attribute-path", Stage::Shade, kAttributePaths, QT_TRANSLATE_NOOP("Settings", "Attribute path"),
+        QT_TRANSLATE_NOOP("Settings", "Barycentric weights at every pixel, or along the edges first and then along the "
+                                      "span (edge walking only).")),
+    choice<&S::shading>("shading", Stage::Shade, kShadings, QT_TRANSLATE_NOOP("Settings", "Shading"),
+                        QT_TRANSLATE_NOOP("Settings", "What colours a fragment.")),
+    choice<&S::textureFilter>(
+        "texture-filter", Stage::Shade, kTextureFilters, QT_TRANSLATE_NOOP("Settings", "Texture filter"),
+        QT_TRANSLATE_NOOP("Settings", "The nearest texel, or a blend of the four around the point.")),
+    integer<&S::threads>(
+        "threads", Stage::Image, 0, 256, QT_TRANSLATE_NOOP("Settings", "Threads"),
+        QT_TRANSLATE_NOOP("Settings", "Threads of the tiled algorithm; 0 takes as many as the machine has.")),
+    choice<&S::simd>("simd", Stage::Image, kSimds, QT_TRANSLATE_NOOP("Settings", "Vector instructions"),
+                     QT_TRANSLATE_NOOP("Settings", "The instruction set of the tiled algorithm.")),
 };
-
-#undef TITLE
 
 QString valueList(const SettingsField& field)
 {

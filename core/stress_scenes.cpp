@@ -109,26 +109,23 @@ struct StressScene {
     Mesh (*make)(QSize);
 };
 
-#define TITLE(text) QT_TRANSLATE_NOOP("StressScene", text)
-
-constexpr StressScene kStressScenes[] = {{"tiny", TITLE("1,000,000 triangles of 1 to 4 pixels"),
-                                          [](QSize size) {
-                                              return randomTriangles({1'000'000, 1, 4, 1}, size);
-                                          }},
-                                         {"medium", TITLE("100,000 triangles of 100 pixels"),
-                                          [](QSize size) {
-                                              return randomTriangles({100'000, 100, 100, 2}, size);
-                                          }},
-                                         {"large", TITLE("2,000 triangles of 20,000 pixels"),
-                                          [](QSize size) {
-                                              return randomTriangles({2'000, 20'000, 20'000, 3}, size);
-                                          }},
-                                         {"fill-front-to-back", TITLE("10 full-screen quads, nearest first"),
-                                          [](QSize size) { return fillQuads(Order::FrontToBack, size); }},
-                                         {"fill-back-to-front", TITLE("10 full-screen quads, farthest first"),
-                                          [](QSize size) { return fillQuads(Order::BackToFront, size); }}};
-
-#undef TITLE
+constexpr StressScene kStressScenes[] = {
+    {"tiny", QT_TRANSLATE_NOOP("StressScene", "1,000,000 triangles of 1 to 4 pixels"),
+     [](QSize size) {
+         return randomTriangles({1'000'000, 1, 4, 1}, size);
+     }},
+    {"medium", QT_TRANSLATE_NOOP("StressScene", "100,000 triangles of 100 pixels"),
+     [](QSize size) {
+         return randomTriangles({100'000, 100, 100, 2}, size);
+     }},
+    {"large", QT_TRANSLATE_NOOP("StressScene", "2,000 triangles of 20,000 pixels"),
+     [](QSize size) {
+         return randomTriangles({2'000, 20'000, 20'000, 3}, size);
+     }},
+    {"fill-front-to-back", QT_TRANSLATE_NOOP("StressScene", "10 full-screen quads, nearest first"),
+     [](QSize size) { return fillQuads(Order::FrontToBack, size); }},
+    {"fill-back-to-front", QT_TRANSLATE_NOOP("StressScene", "10 full-screen quads, farthest first"),
+     [](QSize size) { return fillQuads(Order::BackToFront, size); }}};
 
 } // namespace
 

@@ -25,11 +25,14 @@ NumberText magnitudeFromText(std::string_view digits, std::chars_format format)
     const char* end = digits.data() + digits.size();
     auto parsed = std::from_chars(digits.data(), end, value, format);
     if (parsed.ec == std::errc::result_out_of_range) {
-        // Too small is zero, too large is an error: a wider type tells which.
+        // Too small is zero, too large is an error: a wider type tells which, or at last the sign of the exponent.
         long double wide = 0;
         parsed = std::from_chars(digits.data(), end, wide, format);
-        if (parsed.ec == std::errc::result_out_of_range || wide > 1)
+        const bool beyondAllTypes = parsed.ec == std::errc::result_out_of_range;
+        const bool small = beyondAllTypes ? digits.find('-') != std::string_view::npos : wide < 1;
+        if (!small)
             return {0, NumberFault::OutOfRange};
+        parsed.ec = std::errc();
         value = static_cast<float>(wide);
     }
     if (parsed.ec != std::errc() || parsed.ptr != end)
@@ -84,12 +87,14 @@ InputBytes readInput(const QString& path)
         return {{}, QStringLiteral("there is no such file")};
     if (info.isDir())
         return {{}, QStringLiteral("this is a directory; a file is expected")};
+    if (!info.isFile())
+        return {{}, QStringLiteral("this is a device or a pipe; a file is expected")};
     if (info.size() > kLargestFile)
         return {{}, QStringLiteral("the file is larger than 2 GB")};
     QFile file(path);
     InputBytes input;
     if (file.open(QIODevice::ReadOnly))
-        input.bytes = file.read(kLargestFile);
+        input.bytes = file.readAll();
     if (file.error() != QFileDevice::NoError)
         return {{}, QStringLiteral("the file cannot be read: %1").arg(file.errorString())};
     if (input.bytes.isEmpty())

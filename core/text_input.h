@@ -40,7 +40,7 @@ struct InputBytes {
 
 /// The bytes of a file.
 ///
-/// errors  no such file, a directory, not readable, empty, larger than 2 GB
+/// errors  no such file, a directory or device, not readable, empty, larger than 2 GB
 [[nodiscard]] InputBytes readInput(const QString& path);
 
 /// A logical line: [begin, end) without its line end, and the number of its first line, from 1.

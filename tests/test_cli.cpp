@@ -408,6 +408,10 @@ void TestCli::sessionIsTheBase()
     QCOMPARE(changed.settings.culling, Culling::None);
     QCOMPARE(changed.settings.view.yaw, 0.0);
 
+    writeFile(path("folder/s.json"), R"({"rasterlens": 1, "scene": "../a.case", "settings": {}})");
+    const Run below = call(QStringLiteral("info folder/s.json"));
+    QVERIFY2(below.exitCode == 0, qPrintable(below.err));
+
     writeFile(path("s.json"), R"({"rasterlens": 1, "scene": "a.case", "settings": {"mistakes": ["nonsense"]}})");
     const Run bad = call(QStringLiteral("render s.json"));
     QCOMPARE(bad.exitCode, 3);

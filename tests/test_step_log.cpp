@@ -61,8 +61,8 @@ class Snapshot : public CountingObserver
 public:
     static constexpr int kFacesPerBatch = 1;
 
-    Snapshot(int columns, const Frame& frame, std::size_t position)
-        : CountingObserver(columns), m_frame(&frame), m_position(position)
+    Snapshot(const Rules& rules, const Frame& frame, std::size_t position)
+        : CountingObserver(rules), m_frame(&frame), m_position(position)
     {
     }
 
@@ -109,7 +109,7 @@ private:
 Snapshot partialRun(const Scene& scene, const Settings& settings, std::size_t position)
 {
     Frame frame;
-    Snapshot snapshot(settings.size.width(), frame, position);
+    Snapshot snapshot(rulesFor(scene, settings), frame, position);
     drawScene(scene, settings, frame, {}, snapshot, std::stop_token());
     return snapshot;
 }

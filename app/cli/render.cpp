@@ -28,10 +28,11 @@ Usage usage()
          file("--coverage", "F.npy", "How many faces cover each pixel's centre, before the depth test: uint16."),
          file("--stats", "F.json",
               "Counters, times and settings. The frame is drawn twice: once counted, once timed without counting.")}};
-    const Option listMistakes{QStringLiteral("--list-mistakes"),
-                              Option::Kind::Switch,
-                              {},
-                              QStringLiteral("Print the ids for --mistake and end.")};
+    const Option listMistakes{
+        QStringLiteral("--list-mistakes"),
+        Option::Kind::Switch,
+        {},
+        QStringLiteral("Print the ids for --mistake, what they are and the scenes that show them, and end.")};
     const OptionGroup input{QStringLiteral("Input:"), inputOptions() << listMistakes};
     return {
         QStringLiteral("render"),

@@ -1,6 +1,7 @@
 #include "app/cli/settings_options.h"
 
 #include "app/cli/failure.h"
+#include "core/mistakes.h"
 
 #include <glm/glm.hpp>
 
@@ -19,8 +20,13 @@ constexpr double kMaxDistance = 1e30;
 
 const View kFit;
 
-/// The mistake table, as far as the command line needs it.
-QStringList mistakeIds() { return {}; }
+QStringList mistakeIds()
+{
+    QStringList ids;
+    for (const Mistake& mistake : mistakes())
+        ids << QLatin1String(mistake.id);
+    return ids;
+}
 
 QString optionName(const SettingsField& field) { return QStringLiteral("--") + QLatin1String(field.id); }
 
@@ -259,6 +265,16 @@ QStringList unknownMistakes(const Settings& settings)
     return unknown;
 }
 
-QString mistakeList() { return mistakeIds().join(QLatin1Char('\n')); }
+QString mistakeList()
+{
+    QString text;
+    for (const Mistake& mistake : mistakes())
+        text += QStringLiteral("%1 %2 %3 builtin:%4\n")
+                    .arg(QLatin1String(mistake.id), -26)
+                    .arg(QLatin1String(mistake.number), -4)
+                    .arg(QLatin1String(mistake.title), -54)
+                    .arg(QLatin1String(mistake.scene));
+    return text;
+}
 
 } // namespace rasterlens::cli

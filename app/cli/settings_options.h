@@ -16,7 +16,7 @@ namespace rasterlens::cli
 /// The mistakes of these settings that are not in the mistake table.
 [[nodiscard]] QStringList unknownMistakes(const Settings& settings);
 
-/// Two columns: the id and the title of every mistake.
+/// A line for every mistake: its id, number and title, and the scene that shows it.
 [[nodiscard]] QString mistakeList();
 
 } // namespace rasterlens::cli

@@ -10,11 +10,17 @@ namespace rasterlens
 namespace
 {
 
-/// Samples this close to an edge, in samples, are looked at for a second hit from the other side. Under the fixed-point
-/// rules only points exactly on an edge could be; floating point errs by far less than this.
-constexpr double kNearEdge = 1.0 / 64;
+/// In fixed point only a centre exactly on an edge can be hit from both sides; the weights it is told by err by less
+/// than this. Floating point may err further, though by far less than this again.
+constexpr double kFixedTie = 1e-9;
+constexpr double kFloatTie = 1.0 / 64;
 
 } // namespace
+
+CountingObserver::CountingObserver(const Rules& rules)
+    : m_columns(rules.columns()), m_nearDistance(rules.numberType == NumberType::Fixed ? kFixedTie : kFloatTie)
+{
+}
 
 void CountingObserver::onFace(std::uint32_t, FaceFate fate)
 {
@@ -38,12 +44,14 @@ void CountingObserver::onClipped(std::uint32_t, int pieces)
 
 void CountingObserver::onTriangle(const ScreenTriangle& triangle)
 {
+    m_isLine = false;
     for (std::size_t i = 0; i < 3; ++i)
         m_positions[i] = triangle.vertices[i].position;
     const double area2 = twiceArea(m_positions[0], m_positions[1], m_positions[2]);
     m_counterClockwise = area2 > 0;
     for (std::size_t i = 0; i < 3; ++i)
-        m_nearEdge[i] = kNearEdge * glm::distance(m_positions[(i + 1) % 3], m_positions[(i + 2) % 3]) / std::abs(area2);
+        m_nearEdge[i] =
+            m_nearDistance * glm::distance(m_positions[(i + 1) % 3], m_positions[(i + 2) % 3]) / std::abs(area2);
 }
 
 void CountingObserver::onFragment(const Fragment& fragment, float, bool passedDepth)
@@ -51,6 +59,8 @@ void CountingObserver::onFragment(const Fragment& fragment, float, bool passedDe
     Statistics::Pixels& pixels = m_statistics.pixels;
     ++pixels.covered;
     ++(passedDepth ? pixels.depthPassed : pixels.depthFailed);
+    if (m_isLine)
+        return;
     for (std::size_t i = 0; i < 3; ++i) {
         if (fragment.screen[i] > m_nearEdge[i])
             continue;

@@ -1,6 +1,7 @@
 #pragma once
 #include "core/observe/observer.h"
 #include "core/observe/statistics.h"
+#include "core/rules.h"
 
 #include <unordered_map>
 #include <unordered_set>
@@ -12,8 +13,7 @@ namespace rasterlens
 class CountingObserver : public NullObserver
 {
 public:
-    /// in  columns of the sample grid
-    explicit CountingObserver(int columns) : m_columns(columns) {}
+    explicit CountingObserver(const Rules& rules);
 
     void onFace(std::uint32_t, FaceFate fate);
     void onClipped(std::uint32_t, int pieces);
@@ -23,7 +23,11 @@ public:
         m_statistics.pixels.tested += static_cast<std::uint64_t>(xEnd - xBegin);
     }
     void onSample(int, int, const EdgeValues&, bool) { ++m_statistics.pixels.tested; }
-    void onLineSample(int, int, bool) { ++m_statistics.pixels.tested; }
+    void onLineSample(int, int, bool)
+    {
+        ++m_statistics.pixels.tested;
+        m_isLine = true;
+    }
     void onFragment(const Fragment& fragment, float storedDepth, bool passedDepth);
     void onShade(const Fragment&, std::uint32_t) { ++m_statistics.pixels.shaded; }
     void onWrite(int, int, Pixel, Pixel) { ++m_statistics.pixels.written; }
@@ -44,10 +48,12 @@ private:
     };
 
     int m_columns;
+    double m_nearDistance; ///< samples covered so close to an edge, in samples, are looked at for a second hit
     Statistics m_statistics;
     std::array<glm::dvec2, 3> m_positions{};
     bool m_counterClockwise = true;
-    Weights m_nearEdge{}; ///< weights below these are close to the edge opposite the vertex
+    bool m_isLine = false; ///< lines and corners belong to both faces: no tie rule parts them
+    Weights m_nearEdge{};  ///< weights below these are close to the edge opposite the vertex
     std::unordered_set<EdgeHit, EdgeHitHash> m_hits;
     std::unordered_set<std::uint64_t> m_hitTwice;
 };

@@ -1,6 +1,6 @@
 #pragma once
 #include "core/pipeline/types.h"
-#include "core/settings.h"
+#include "core/rules.h"
 
 #include <array>
 #include <cstdint>
@@ -34,9 +34,9 @@ struct Pixel {
 
 /// What decided whether a face is a front or a back face.
 struct FacingDecision {
-    CullSpace space = CullSpace::Screen;
+    Facing by = Facing::ScreenArea;
     double screenArea = 0; ///< samples squared, after clipping and snapping; positive is counter-clockwise with y up
-    double value = 0;      ///< the area (screen), det[x y w] (clip) or normal against gaze (view); same sign
+    double value = 0;      ///< what the rules look at, which is this area unless they say otherwise; same sign
     FaceFate fate = FaceFate::Rasterized;
 };
 

@@ -52,7 +52,7 @@ std::vector<ClipCut> cutsOf(const ClipStep& step, const PlaneEquation& plane)
 StepRecorder::StepRecorder(const Scene& scene, const Settings& settings, const Rules& rules, const StepFilter& filter,
                            std::stop_source full)
     : m_scene(&scene), m_rules(rules), m_filter(filter), m_volume(clipVolume(rules)), m_stopDrawing(std::move(full)),
-      m_log(std::make_shared<StepLog>()), m_counter(rules.columns())
+      m_log(std::make_shared<StepLog>()), m_counter(rules)
 {
     m_log->m_filter = filter;
     m_log->m_settings = settings;

@@ -65,12 +65,16 @@ void StepCursor::show()
         if (row.left > row.right)
             continue;
         auto* line = reinterpret_cast<std::uint32_t*>(bits + y * m_image.bytesPerLine());
+        const std::uint32_t* samples = m_color.data();
+        const auto columns = std::size_t(m_log->columns());
         if (m_log->grid() == 1)
-            std::copy_n(m_color.data() + std::size_t(y) * std::size_t(m_log->columns()) + std::size_t(row.left),
-                        row.right - row.left + 1, line + row.left);
+            std::copy_n(samples + std::size_t(y) * columns + std::size_t(row.left), row.right - row.left + 1,
+                        line + row.left);
         else
             for (int x = row.left; x <= row.right; ++x)
-                line[x] = meanOfSamples(m_color.data(), m_log->columns(), m_log->grid(), x, y);
+                line[x] = meanOfSamples(m_log->grid(), x, y, [&](int column, int sampleRow) {
+                    return samples[std::size_t(sampleRow) * columns + std::size_t(column)];
+                });
         left = std::min(left, row.left);
         right = std::max(right, row.right);
         top = std::min(top, y);

@@ -137,14 +137,14 @@ QString text(const StepLog&, const StepEvent&, const FacingStep& step)
 {
     const FacingDecision& d = step.decision;
     return QStringLiteral("%1 %2, screen area %3: %4")
-        .arg(QLatin1String(cullSpaceId(d.space)), shortNumber(d.value), shortNumber(d.screenArea),
+        .arg(QLatin1String(facingId(d.by)), shortNumber(d.value), shortNumber(d.screenArea),
              QLatin1String(faceFateId(d.fate)));
 }
 
 QJsonObject json(const StepLog&, const StepEvent&, const FacingStep& step)
 {
     const FacingDecision& d = step.decision;
-    return {{"space", QLatin1String(cullSpaceId(d.space))},
+    return {{"space", QLatin1String(facingId(d.by))},
             {"value", json(d.value)},
             {"screen_area", json(d.screenArea)},
             {"fate", QLatin1String(faceFateId(d.fate))}};
@@ -447,14 +447,17 @@ const char* faceFateId(FaceFate fate)
     return "";
 }
 
-const char* cullSpaceId(CullSpace space)
+const char* facingId(Facing facing)
 {
-    switch (space) {
-    case CullSpace::Screen: return "screen";
-    case CullSpace::Clip: return "clip";
-    case CullSpace::View: return "view";
+    switch (facing) {
+    case Facing::ClipDeterminant: return "clip";
+    case Facing::ViewNormal: return "view";
+    case Facing::LightNormal: return "light";
+    case Facing::AreaWithoutDivide: return "undivided";
+    case Facing::AreaWithoutClipping: return "unclipped";
+    case Facing::ScreenArea: break;
     }
-    return "";
+    return "screen";
 }
 
 QString colorText(std::uint32_t color)

@@ -354,7 +354,7 @@ QString verdictText(const WhyReport& report, const WhyFace& row)
     case WhyVerdict::CulledFront:
         return QStringLiteral("culled as %1 face (%2 %3)")
             .arg(row.verdict == WhyVerdict::CulledBack ? QStringLiteral("back") : QStringLiteral("front"),
-                 QLatin1String(cullSpaceId(row.facing->space)), fullNumber(row.facing->value));
+                 QLatin1String(facingId(row.facing->by)), fullNumber(row.facing->value));
     case WhyVerdict::Degenerate: return QStringLiteral("degenerate: no area on the screen");
     case WhyVerdict::ClippedAway: return QStringLiteral("clipped away by %1").arg(planesText(row.planes));
     case WhyVerdict::OutsideEdge:
@@ -397,7 +397,7 @@ QJsonObject rowToJson(const WhyReport& report, const WhyFace& row)
     if (row.planes != 0)
         object.insert(QStringLiteral("planes"), planesText(row.planes));
     if (row.facing)
-        object.insert(QStringLiteral("facing"), QJsonObject{{"space", QLatin1String(cullSpaceId(row.facing->space))},
+        object.insert(QStringLiteral("facing"), QJsonObject{{"space", QLatin1String(facingId(row.facing->by))},
                                                             {"value", finiteOrText(row.facing->value)},
                                                             {"screen_area", finiteOrText(row.facing->screenArea)}});
     if (row.hasEdges) {

@@ -20,7 +20,7 @@ constexpr double kGuardBandPixels = 32768;
 /// Half-width of the guard band in units of w, for a viewport of so many pixels.
 double guardFactor(int pixels) { return 2 * kGuardBandPixels / pixels - 1; }
 
-PlaneTable planeTable(double gx, double gy, ClipZ clipZ)
+PlaneTable planeTable(double gx, double gy, const Rules& rules)
 {
     PlaneTable table;
     const auto plane = [&](ClipPlane p) -> PlaneEquation& { return table[static_cast<std::size_t>(p)]; };
@@ -29,8 +29,10 @@ PlaneTable planeTable(double gx, double gy, ClipZ clipZ)
     plane(ClipPlane::Left) = {{1, 0, 0, gx}};
     plane(ClipPlane::Top) = {{0, -1, 0, gy}};
     plane(ClipPlane::Bottom) = {{0, 1, 0, gy}};
-    plane(ClipPlane::Near) = {{0, 0, 1, clipZ == ClipZ::Gl ? 1.0 : 0.0}};
+    plane(ClipPlane::Near) = {{0, 0, 1, rules.clipZ == ClipZ::Gl ? 1.0 : 0.0}};
     plane(ClipPlane::Far) = {{0, 0, -1, 1}};
+    for (PlaneEquation& equation : table)
+        equation.offset += rules.clipInset;
     return table;
 }
 
@@ -48,16 +50,15 @@ ClipPlanes outside(const glm::dvec4& position, const PlaneTable& planes, ClipPla
 ClipVolume clipVolume(const Rules& rules)
 {
     ClipVolume volume;
-    volume.view = planeTable(1, 1, rules.clipZ);
-    volume.cut = rules.clipping == Clipping::GuardBand
-                     ? planeTable(guardFactor(rules.width), guardFactor(rules.height), rules.clipZ)
-                     : volume.view;
+    volume.view = planeTable(1, 1, rules);
+    const bool hasGuardBand = rules.clipping == Clipping::GuardBand || rules.clipping == Clipping::CohenSutherland;
+    volume.cut = hasGuardBand ? planeTable(guardFactor(rules.width), guardFactor(rules.height), rules) : volume.view;
     volume.known = kNearFar | kSides;
     switch (rules.clipping) {
     case Clipping::FrustumW: volume.known |= planeBit(ClipPlane::W); [[fallthrough]];
     case Clipping::Frustum:
-    case Clipping::GuardBand: volume.cutBy = volume.known; break;
-    case Clipping::CohenSutherland: volume.cutBy = kNearFar; break;
+    case Clipping::GuardBand:
+    case Clipping::CohenSutherland: volume.cutBy = volume.known; break;
     case Clipping::AnyVertexInside:
     case Clipping::NearFarReject:
     case Clipping::None: volume.cutBy = 0; break;
@@ -89,6 +90,9 @@ ClipVerdict clipVerdict(Clipping mode, const Outcode& a, const Outcode& b, const
     return crossed != 0 ? ClipVerdict::Cut : ClipVerdict::Keep;
 }
 
+namespace
+{
+
 /// Where an edge crosses a plane. Whether the short way is good enough is decided by the edge alone, so that both
 /// faces at an edge decide alike.
 glm::dvec4 cutPosition(const glm::dvec4& inside, const glm::dvec4& outside, double t, const PlaneEquation& plane)
@@ -100,6 +104,8 @@ glm::dvec4 cutPosition(const glm::dvec4& inside, const glm::dvec4& outside, doub
         longest = std::max({longest, std::abs(inside[k]), std::abs(outside[k])});
     return longest <= kLongest * cut.w ? cut : cutExactly(inside, outside, plane);
 }
+
+} // namespace
 
 double cutParameter(const glm::dvec4& a, const glm::dvec4& b, const PlaneEquation& plane)
 {

@@ -14,7 +14,8 @@ using ClipPlanes = std::uint32_t;
 
 [[nodiscard]] constexpr ClipPlanes planeBit(ClipPlane plane) { return 1U << static_cast<unsigned>(plane); }
 
-/// Inside is dot(normal, position) >= offset. Only w >= 1e-5 has an offset; the others do not change under scaling.
+/// Inside is dot(normal, position) >= offset. Only w >= 1e-5 has an offset (and all planes have with
+/// rules.clipInset); without one a plane does not change under scaling.
 struct PlaneEquation {
     glm::dvec4 normal{0, 0, 0, 0};
     double offset = 0;
@@ -31,7 +32,7 @@ using PlaneTable = std::array<PlaneEquation, 7>; ///< indexed by ClipPlane
 /// Which planes there are, and which of them the mode looks at.
 struct ClipVolume {
     PlaneTable view;  ///< the view volume
-    PlaneTable cut;   ///< what triangles are cut by: the view volume, or the wider sides of the guard band
+    PlaneTable cut;   ///< what triangles are cut by: the view volume, or the wider sides of a guard band
     ClipPlanes cutBy; ///< planes a triangle that crosses them is cut by
     ClipPlanes known; ///< planes of the view volume a vertex is compared with
 };
@@ -71,12 +72,12 @@ enum class ClipVerdict { Reject, Keep, Cut };
 [[nodiscard]] ClipPolygon polygonOf(const ClipTriangle& triangle);
 
 /// Clips the projected polygon by the four sides of the viewport, edge by edge, and rebuilds it from what is left of
-/// the edges and the corners of the viewport inside it.
+/// the edges and, with rules.clipKeepsCorners, the corners of the viewport inside it.
 ///
-/// in      clip space, all w > 0: cut by near and far before; convex
+/// in      clip space, all w > 0: cut by near, far and the guard band before, so that x / w stays small; convex
 /// out     convex polygon, same winding
 /// source  the outcodes of Cohen and Sutherland: Newman & Sproull, Principles of Interactive Computer Graphics, 1973
-[[nodiscard]] ClipPolygon clipCohenSutherland(const ClipPolygon& polygon, int varyingCount);
+[[nodiscard]] ClipPolygon clipCohenSutherland(const ClipPolygon& polygon, const Rules& rules);
 
 /// Clips one triangle by the planes it crosses, one plane at a time.
 ///

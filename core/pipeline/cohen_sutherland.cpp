@@ -143,8 +143,9 @@ bool comesFirst(const glm::dvec2& a, const glm::dvec2& b) { return std::pair(a.x
 
 } // namespace
 
-ClipPolygon clipCohenSutherland(const ClipPolygon& polygon, int varyingCount)
+ClipPolygon clipCohenSutherland(const ClipPolygon& polygon, const Rules& rules)
 {
+    const int varyingCount = rules.varyingCount;
     PolygonBuilder builder;
     const std::size_t n = static_cast<std::size_t>(polygon.count);
     for (std::size_t i = 0; i < n; ++i) {
@@ -157,13 +158,14 @@ ClipPolygon clipCohenSutherland(const ClipPolygon& polygon, int varyingCount)
             builder.add(s->end == 1 ? *b : pointAt(*a, *b, s->end, varyingCount));
         }
     }
-    for (const glm::dvec2 corner : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(1, 1), glm::dvec2(-1, 1)})
-        for (std::size_t i = 2; i < n; ++i)
-            if (const auto p = pointSeenAt(corner, polygon.vertices[0], polygon.vertices[i - 1], polygon.vertices[i],
-                                           varyingCount)) {
-                builder.add(*p);
-                break;
-            }
+    if (rules.clipKeepsCorners)
+        for (const glm::dvec2 corner : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(1, 1), glm::dvec2(-1, 1)})
+            for (std::size_t i = 2; i < n; ++i)
+                if (const auto p = pointSeenAt(corner, polygon.vertices[0], polygon.vertices[i - 1],
+                                               polygon.vertices[i], varyingCount)) {
+                    builder.add(*p);
+                    break;
+                }
     return builder.finish(signedArea(polygon) > 0);
 }
 

@@ -1,9 +1,25 @@
 #include "core/pipeline/culling.h"
 
 #include "core/pipeline/interpolation.h"
+#include "core/pipeline/shading.h"
 
 namespace rasterlens
 {
+namespace
+{
+
+glm::dvec3 cornerOf(const Mesh& mesh, std::uint32_t face, std::uint32_t corner)
+{
+    return mesh.vertices[mesh.indices[3 * face + corner]].position;
+}
+
+glm::dvec3 normalOf(const Mesh& mesh, std::uint32_t face)
+{
+    const glm::dvec3 a = cornerOf(mesh, face, 0);
+    return glm::cross(cornerOf(mesh, face, 1) - a, cornerOf(mesh, face, 2) - a);
+}
+
+} // namespace
 
 double twicePolygonArea(std::span<const ScreenVertex> polygon)
 {
@@ -22,13 +38,29 @@ double clipDeterminant(const ClipTriangle& triangle)
     return glm::dot(xyw(0), glm::cross(xyw(1), xyw(2)));
 }
 
+double areaWithoutDivide(const ClipTriangle& triangle)
+{
+    const auto& [a, b, c] = triangle.vertices;
+    return -twiceArea(glm::dvec2(a.positionClip), glm::dvec2(b.positionClip), glm::dvec2(c.positionClip));
+}
+
+double areaWithoutClipping(const ClipTriangle& triangle)
+{
+    const auto divided = [&](std::size_t i) {
+        const glm::dvec4& p = triangle.vertices[i].positionClip;
+        return glm::dvec2(p) / p.w;
+    };
+    return -twiceArea(divided(0), divided(1), divided(2));
+}
+
 double viewFacing(const Mesh& mesh, std::uint32_t face, const glm::dvec3& eyeWorld)
 {
-    const auto position = [&](std::uint32_t corner) {
-        return glm::dvec3(mesh.vertices[mesh.indices[3 * face + corner]].position);
-    };
-    const glm::dvec3 a = position(0);
-    return glm::dot(glm::cross(position(1) - a, position(2) - a), eyeWorld - a);
+    return glm::dot(normalOf(mesh, face), eyeWorld - cornerOf(mesh, face, 0));
+}
+
+double lightFacing(const Mesh& mesh, std::uint32_t face)
+{
+    return glm::dot(normalOf(mesh, face), glm::dvec3(lightDirection()));
 }
 
 FaceFate cull(double signedArea, const Rules& rules)

@@ -19,6 +19,15 @@ namespace rasterlens
 /// source  Olano & Greer, Triangle Scan Conversion using 2D Homogeneous Coordinates, 1997
 [[nodiscard]] double clipDeterminant(const ClipTriangle& triangle);
 
+/// The same determinant with all w taken to be the same: twice the area of x and y in clip space.
+[[nodiscard]] double areaWithoutDivide(const ClipTriangle& triangle);
+
+/// Twice the area of x/w and y/w, whatever the signs of w are; not a number where a w is 0.
+[[nodiscard]] double areaWithoutClipping(const ClipTriangle& triangle);
+
+/// The face's normal against the direction of the light, positive when a counter-clockwise face is lit.
+[[nodiscard]] double lightFacing(const Mesh& mesh, std::uint32_t face);
+
 /// The face's normal against the direction from the eye, positive when a counter-clockwise face looks at the eye.
 ///
 /// in   object space = world space

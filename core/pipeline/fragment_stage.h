@@ -17,7 +17,8 @@ struct Interpolants {
 };
 
 /// What happens to a covered sample, for every algorithm: interpolate, depth test, shade, write.
-template <class Observer>
+/// `Caller` makes types of their own for callers other than the algorithms, so that these keep their inlined code.
+template <class Observer, class Caller = void>
 class FragmentStage
 {
 public:
@@ -54,6 +55,20 @@ public:
         process(x, y, interpolants.depth, interpolants.screen, &interpolants.weights);
     }
 
+    /// What belongs at the sample (x, y), drawn at another place or, if that is not on the target, not at all.
+    void drawElsewhere(int x, int y, int placeX, int placeY)
+    {
+        if (placeX < 0 || placeY < 0 || placeX >= m_samples.columns || placeY >= m_samples.rows) {
+            m_observer->onLineSample(placeX, placeY, false);
+            return;
+        }
+        const Weights screen = m_interpolation->weightsAt(x, y);
+        process(placeX, placeY, m_interpolation->depthAt(x, y, screen), screen, nullptr);
+    }
+
+    [[nodiscard]] const SampleBuffer& samples() const { return m_samples; }
+    [[nodiscard]] const FaceInterpolation& interpolation() const { return *m_interpolation; }
+
 private:
     void process(int x, int y, double depth, const Weights& screen, const Weights* weights)
     {
@@ -83,6 +98,8 @@ private:
             m_observer->onShade(fragment, color);
         if (passed)
             write(at, fragment, color);
+        else if (m_rules->depthWrittenOnFail)
+            m_samples.depth[at] = fragment.depth;
     }
 
     void write(std::size_t at, const Fragment& fragment, std::uint32_t color)

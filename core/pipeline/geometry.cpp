@@ -39,7 +39,8 @@ std::vector<FanTriangle> fanFrom(std::size_t apex, std::span<const ScreenVertex>
 } // namespace
 
 Geometry::Geometry(const Scene& scene, const Matrices& matrices, const Rules& rules)
-    : m_scene(&scene), m_rules(rules), m_eyeWorld(matrices.eyeWorld), m_volume(clipVolume(rules))
+    : m_scene(&scene), m_rules(rules), m_eyeWorld(matrices.eyeWorld), m_near(matrices.near), m_far(matrices.far),
+      m_volume(clipVolume(rules))
 {
     const std::vector<ClipVertex> clipVertices = shadeVertices(scene, matrices, rules);
     m_vertices.resize(clipVertices.size());
@@ -51,7 +52,7 @@ Geometry::Geometry(const Scene& scene, const Matrices& matrices, const Rules& ru
             continue;
         v.outcode = outcode(v.clip.positionClip, m_volume);
         if (v.outcode.cut == 0)
-            v.screen = toScreen(v.clip, m_rules);
+            v.screen = screenVertex(v.clip);
     }
 }
 
@@ -72,6 +73,27 @@ int Geometry::appendFan(std::uint32_t face, std::span<const ScreenVertex> polygo
             ++pieces;
         }
     return pieces;
+}
+
+double Geometry::facingElsewhere(std::uint32_t face) const
+{
+    const ClipTriangle triangle{{corner(face, 0).clip, corner(face, 1).clip, corner(face, 2).clip}, face};
+    switch (m_rules.facing) {
+    case Facing::ViewNormal: return viewFacing(m_scene->mesh, face, m_eyeWorld);
+    case Facing::LightNormal: return lightFacing(m_scene->mesh, face);
+    case Facing::AreaWithoutDivide: return areaWithoutDivide(triangle);
+    case Facing::AreaWithoutClipping: return areaWithoutClipping(triangle);
+    case Facing::ScreenArea:
+    case Facing::ClipDeterminant: break;
+    }
+    return clipDeterminant(triangle);
+}
+
+void Geometry::giveWOfCorners(std::uint32_t face, std::span<ScreenTriangle> pieces) const
+{
+    for (ScreenTriangle& piece : pieces)
+        for (std::uint32_t i = 0; i < 3; ++i)
+            piece.vertices[i].invW = 1 / corner(face, i).clip.positionClip.w;
 }
 
 std::vector<std::uint32_t> Geometry::order() const

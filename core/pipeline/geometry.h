@@ -7,6 +7,8 @@
 #include "core/rules.h"
 #include "core/scene.h"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace rasterlens
@@ -30,10 +32,11 @@ public:
     ///
     /// out   0 triangles, 1, or as many as the fan of the clipped polygon has
     template <class Observer>
-    void process(std::uint32_t face, std::vector<ScreenTriangle>& out, Observer& observer) const
+    FaceFate process(std::uint32_t face, std::vector<ScreenTriangle>& out, Observer& observer) const
     {
         const FaceFate fate = processFace(face, out, observer);
         observer.onFace(face, fate);
+        return fate;
     }
 
     /// Faces from far to near by the mean depth of their corners (painter's algorithm), or in the order of the mesh.
@@ -54,6 +57,9 @@ private:
         if (verdict == ClipVerdict::Reject)
             return FaceFate::Rejected;
         if (verdict == ClipVerdict::Keep) {
+            // x = y = z = w = 0 is inside every plane, yet nowhere on the screen.
+            if (m_volume.cutBy != 0 && !(isBeforeEye(a.clip) && isBeforeEye(b.clip) && isBeforeEye(c.clip)))
+                return FaceFate::Degenerate;
             const std::array<ScreenVertex, 3> polygon{a.screen, b.screen, c.screen};
             for (std::uint32_t i = 0; i < 3; ++i)
                 observer.onViewport(face, static_cast<int>(i), corner(face, i).clip, polygon[i]);
@@ -65,9 +71,10 @@ private:
         const ClipTriangle triangle{{a.clip, b.clip, c.clip}, face};
         ClipPolygon clipped =
             clip(triangle, m_volume, a.outcode.cut | b.outcode.cut | c.outcode.cut, m_rules.varyingCount, observer);
-        if (m_rules.clipping == Clipping::CohenSutherland && clipped.count > 0) {
+        if (m_rules.clipping == Clipping::CohenSutherland && clipped.count > 0 &&
+            std::ranges::all_of(clipped.span(), isBeforeEye)) {
             const ClipPolygon before = clipped;
-            clipped = clipCohenSutherland(before, m_rules.varyingCount);
+            clipped = clipCohenSutherland(before, m_rules);
             observer.onCohenSutherland(face, before, clipped);
         }
         if (clipped.count == 0)
@@ -81,14 +88,18 @@ private:
     {
         std::vector<ScreenVertex> polygon;
         for (const ClipVertex& vertex : clipped.span()) {
-            if (!(vertex.positionClip.w > 0))
+            if (!isBeforeEye(vertex))
                 return FaceFate::Degenerate; // the plane of the face runs through the eye
-            polygon.push_back(toScreen(vertex, m_rules));
+            polygon.push_back(screenVertex(vertex));
             observer.onViewport(face, static_cast<int>(polygon.size()) - 1, vertex, polygon.back());
         }
         const FaceFate fate = facing(face, polygon, observer);
-        if (fate == FaceFate::Rasterized)
-            observer.onClipped(face, appendFan(face, polygon, out));
+        if (fate == FaceFate::Rasterized) {
+            const int pieces = appendFan(face, polygon, out);
+            observer.onClipped(face, pieces);
+            if (!m_rules.clipUpdatesW)
+                giveWOfCorners(face, std::span(out).last(static_cast<std::size_t>(pieces)));
+        }
         return fate;
     }
 
@@ -97,29 +108,38 @@ private:
     FaceFate facing(std::uint32_t face, std::span<const ScreenVertex> polygon, Observer& observer) const
     {
         FacingDecision decision;
-        decision.space = m_rules.cullSpace;
+        decision.by = m_rules.facing;
         decision.screenArea = twicePolygonArea(polygon) / 2;
-        decision.value = signedFacing(face, decision.screenArea);
-        decision.fate = decision.screenArea == 0 ? FaceFate::Degenerate : cull(decision.value, m_rules);
+        decision.value = m_rules.facing == Facing::ScreenArea ? decision.screenArea : facingElsewhere(face);
+        decision.fate = fateOf(decision);
         observer.onFacing(face, decision);
         return decision.fate;
     }
 
-    /// The number whose sign tells front from back in the space the rules ask for.
-    [[nodiscard]] double signedFacing(std::uint32_t face, double screenArea) const
+    [[nodiscard]] FaceFate fateOf(const FacingDecision& decision) const
     {
-        switch (m_rules.cullSpace) {
-        case CullSpace::Screen: break;
-        case CullSpace::Clip:
-            return clipDeterminant({{corner(face, 0).clip, corner(face, 1).clip, corner(face, 2).clip}, face});
-        case CullSpace::View: return viewFacing(m_scene->mesh, face, m_eyeWorld);
-        }
-        return screenArea;
+        const double area2 = 2 * decision.screenArea;
+        if ((area2 == 0 && m_rules.rejectsZeroArea) || std::abs(area2) < m_rules.smallestArea2)
+            return FaceFate::Degenerate;
+        return area2 == 0 ? FaceFate::Rasterized : cull(decision.value, m_rules);
     }
+
+    /// Which way a face looks by what is not the area on the screen.
+    [[nodiscard]] double facingElsewhere(std::uint32_t face) const;
+
+    [[nodiscard]] static bool isBeforeEye(const ClipVertex& vertex) { return vertex.positionClip.w > 0; }
 
     [[nodiscard]] std::uint32_t meshVertex(std::uint32_t face, std::uint32_t i) const
     {
         return m_scene->mesh.indices[3 * face + i];
+    }
+
+    [[nodiscard]] ScreenVertex screenVertex(const ClipVertex& vertex) const
+    {
+        ScreenVertex out = toScreen(vertex, m_rules);
+        if (m_rules.depthIsDistance)
+            out.depth = (vertex.positionClip.w - m_near) / (m_far - m_near);
+        return out;
     }
 
     [[nodiscard]] const ProcessedVertex& corner(std::uint32_t face, std::uint32_t i) const
@@ -132,9 +152,14 @@ private:
     /// out   the number of triangles
     static int appendFan(std::uint32_t face, std::span<const ScreenVertex> polygon, std::vector<ScreenTriangle>& out);
 
+    /// Gives the pieces of a cut face the w of the face's vertices, as if there had been no cut.
+    void giveWOfCorners(std::uint32_t face, std::span<ScreenTriangle> pieces) const;
+
     const Scene* m_scene;
     Rules m_rules;
     glm::dvec3 m_eyeWorld;
+    double m_near;
+    double m_far;
     ClipVolume m_volume;
     std::vector<ProcessedVertex> m_vertices;
 };

@@ -41,15 +41,15 @@ DepthPlane depthPlane(const ScreenTriangle& triangle, double area2, const Rules&
     const double originAtZero = a.depth + perX * (0.5 - a.position.x) + perY * (0.5 - a.position.y);
     const double largest = std::abs(originAtZero) + std::abs(perX) * std::max(std::abs(high.x), kMargin) +
                            std::abs(perY) * std::max(std::abs(high.y), kMargin);
-    if (!std::isfinite(largest))
-        return {.needle = true};
+    if (!std::isfinite(largest) || !rules.depthLinear)
+        return {.byWeights = true};
     const double quantum = std::ldexp(1, std::ilogb(std::max(largest, 0x1p-900)) - 51);
     const double extent = (high.x - low.x) + (high.y - low.y) + 1;
     // What rounding in the gradients themselves may add, seen from vertex a.
     const double steepness = (std::abs(zc * ab.y) + std::abs(zb * ac.y) + std::abs(zb * ac.x) + std::abs(zc * ab.x)) /
                              std::abs(area2) * 0x1p-52;
     if (!((quantum + steepness) * extent < kPlaneError))
-        return {.needle = true};
+        return {.byWeights = true};
     DepthPlane plane{0, roundTo(perX, quantum), roundTo(perY, quantum), false};
     // Anchored at the vertex with the rounded gradients, so that their rounding does not grow with the distance from
     // the screen's corner.
@@ -57,9 +57,36 @@ DepthPlane depthPlane(const ScreenTriangle& triangle, double area2, const Rules&
     return plane;
 }
 
+ScreenTriangle withCornerData(const ScreenTriangle& triangle, CornerData data)
+{
+    std::array<std::size_t, 3> from{0, 1, 2};
+    switch (data) {
+    case CornerData::Own: break;
+    case CornerData::Next: from = {1, 2, 0}; break;
+    case CornerData::Exchanged: from = {0, 2, 1}; break;
+    case CornerData::Unsorted: {
+        // The n-th corner from the top is given what the n-th corner of the face has.
+        std::array<std::size_t, 3> byY{0, 1, 2};
+        std::stable_sort(byY.begin(), byY.end(), [&](std::size_t i, std::size_t j) {
+            return triangle.vertices[i].position.y < triangle.vertices[j].position.y;
+        });
+        for (std::size_t i = 0; i < 3; ++i)
+            from[byY[i]] = i;
+        break;
+    }
+    }
+    ScreenTriangle out = triangle;
+    for (std::size_t i = 0; i < 3; ++i) {
+        out.vertices[i] = triangle.vertices[from[i]];
+        out.vertices[i].position = triangle.vertices[i].position;
+    }
+    return out;
+}
+
 FaceInterpolation::FaceInterpolation(const ScreenTriangle& triangle, double area2, const Rules& rules)
     : m_triangle(&triangle), m_inverseArea2(1 / area2), m_depth(depthPlane(triangle, area2, rules)),
-      m_varyingCount(static_cast<std::size_t>(rules.varyingCount)), m_perspectiveCorrect(rules.perspectiveCorrect)
+      m_varyingCount(static_cast<std::size_t>(rules.varyingCount)), m_perspectiveCorrect(rules.perspectiveCorrect),
+      m_depthLinear(rules.depthLinear)
 {
 }
 
@@ -74,13 +101,14 @@ Weights FaceInterpolation::weightsAt(int x, int y) const
 
 double FaceInterpolation::depthAt(int x, int y, const Weights& screen) const
 {
-    return m_depth.needle ? depthOf(screen) : m_depth.origin + m_depth.perX * x + m_depth.perY * y;
+    return m_depth.byWeights ? depthOf(screen) : m_depth.origin + m_depth.perX * x + m_depth.perY * y;
 }
 
 double FaceInterpolation::depthOf(const Weights& screen) const
 {
     const auto& [a, b, c] = m_triangle->vertices;
-    return a.depth + (screen[1] * (b.depth - a.depth) + screen[2] * (c.depth - a.depth));
+    const Weights weights = m_depthLinear ? screen : perspective(screen);
+    return a.depth + (weights[1] * (b.depth - a.depth) + weights[2] * (c.depth - a.depth));
 }
 
 Weights FaceInterpolation::perspective(const Weights& screen) const

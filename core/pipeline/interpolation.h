@@ -18,15 +18,19 @@ namespace rasterlens
 /// get the same depth bit for bit.
 ///
 /// in      sample (x, y); the plane is evaluated at its centre
-/// covers  needles, whose gradient is too steep for that, by barycentric weights of exact edge values
+/// covers  needles, whose gradient is too steep for that, and depth that is not to be linear, by barycentric weights
+///         of exact edge values
 struct DepthPlane {
     double origin = 0; ///< at the centre of sample (0, 0)
     double perX = 0;
     double perY = 0;
-    bool needle = false;
+    bool byWeights = false;
 };
 
 [[nodiscard]] DepthPlane depthPlane(const ScreenTriangle& triangle, double area2, const Rules& rules);
+
+/// The triangle with depth, w and varyings of its corners handed round as `data` says.
+[[nodiscard]] ScreenTriangle withCornerData(const ScreenTriangle& triangle, CornerData data);
 
 /// Everything needed to evaluate depth and varyings of one triangle at a sample.
 class FaceInterpolation
@@ -60,6 +64,7 @@ private:
     DepthPlane m_depth;
     std::size_t m_varyingCount;
     bool m_perspectiveCorrect;
+    bool m_depthLinear;
 };
 
 } // namespace rasterlens

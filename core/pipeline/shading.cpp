@@ -11,12 +11,6 @@ namespace
 constexpr float kAmbient = 0.2F;
 constexpr float kDiffuse = 0.8F;
 
-glm::vec3 lightDirection()
-{
-    static const glm::vec3 direction = glm::vec3(glm::normalize(glm::dvec3(0.3, 0.5, 1)));
-    return direction;
-}
-
 float lambert(const glm::vec3& normal)
 {
     const glm::vec3 l = lightDirection();
@@ -69,6 +63,12 @@ glm::vec3 phong(const Rules& rules, const FaceUniforms& uniforms, const Varyings
 }
 
 } // namespace
+
+glm::vec3 lightDirection()
+{
+    static const glm::vec3 direction = glm::vec3(glm::normalize(glm::dvec3(0.3, 0.5, 1)));
+    return direction;
+}
 
 int varyingCount(Shading shading)
 {

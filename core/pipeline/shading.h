@@ -15,6 +15,9 @@ constexpr int kVaryingUv = 3;       ///< texture, phong
 constexpr int kVaryingNormal = 5;   ///< phong
 constexpr int kVaryingPosition = 8; ///< world space: phong
 
+/// Towards the light, world space, unit length.
+[[nodiscard]] glm::vec3 lightDirection();
+
 /// How many floats this shading interpolates.
 [[nodiscard]] int varyingCount(Shading shading);
 

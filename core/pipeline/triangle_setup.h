@@ -17,6 +17,11 @@ struct Grid {
     static constexpr T kUnit = 1;                     ///< units a sample
     static constexpr T kCentre = static_cast<T>(0.5); ///< from a sample's corner to its centre
     static constexpr T kSmallest = std::numeric_limits<T>::denorm_min();
+    /// What the tie thresholds count in.
+    [[nodiscard]] static T tieUnit(const Rules& rules)
+    {
+        return rules.floatTieUnit > 0 ? static_cast<T>(rules.floatTieUnit) : kSmallest;
+    }
     [[nodiscard]] static T fromSamples(double position) { return static_cast<T>(position); }
 };
 
@@ -24,7 +29,7 @@ template <>
 struct Grid<std::int64_t> {
     static constexpr std::int64_t kUnit = 256;
     static constexpr std::int64_t kCentre = 128;
-    static constexpr std::int64_t kSmallest = 1;
+    [[nodiscard]] static std::int64_t tieUnit(const Rules&) { return 1; }
     /// exact  snapped positions are multiples of 1/256
     [[nodiscard]] static std::int64_t fromSamples(double position) { return static_cast<std::int64_t>(position * 256); }
 };
@@ -78,13 +83,18 @@ struct SampleRange {
             last < size - 1 ? static_cast<int>(std::max(last, -1.0)) : size - 1};
 }
 
+/// The bounds of a triangle for rules.bounds and rules.samplesTruncated.
+///
+/// in   the bounds clamped to the target, not empty
+[[nodiscard]] PixelRect boundsByRules(const ScreenTriangle& triangle, const PixelRect& clamped, const Rules& rules);
+
 template <class T>
 [[nodiscard]] EdgeFunction<T> edgeFunction(Point<T> from, Point<T> to, const Rules& rules)
 {
     EdgeFunction<T> edge{to.y - from.y, from.x - to.x, from, 0, false};
     // E grows to the right across a left edge, and downwards across a top edge.
     edge.owner = edge.a > 0 || (edge.a == 0 && edge.b > 0);
-    edge.threshold = static_cast<T>(edge.owner ? rules.tie.owner : rules.tie.other) * Grid<T>::kSmallest;
+    edge.threshold = static_cast<T>(edge.owner ? rules.tie.owner : rules.tie.other) * Grid<T>::tieUnit(rules);
     return edge;
 }
 
@@ -110,14 +120,16 @@ template <class T>
         setup.vertices[i] = {Grid<T>::fromSamples(triangle.vertices[i].position.x),
                              Grid<T>::fromSamples(triangle.vertices[i].position.y)};
     const T area2 = edgeFunction(setup.vertices[0], setup.vertices[1], rules).at(setup.vertices[2]);
-    if (area2 == 0)
+    if (area2 == 0 && rules.rejectsZeroArea)
         return std::nullopt;
-    if (area2 < 0) { // inside is where all three are positive: make it counter-clockwise
+    if (area2 < 0 && rules.triangleOriented) { // inside is where all three are positive: make it counter-clockwise
         std::swap(setup.vertices[1], setup.vertices[2]);
         std::swap(setup.source[1], setup.source[2]);
     }
     for (std::size_t i = 0; i < 3; ++i)
         setup.edges[i] = edgeFunction(setup.vertices[i], setup.vertices[(i + 1) % 3], rules);
+    if (rules.bounds != Bounds::Clamped || rules.samplesTruncated)
+        setup.bounds = boundsByRules(triangle, setup.bounds, rules);
     return setup;
 }
 

@@ -29,7 +29,8 @@ struct ClipTriangle {
 
 /// Convex polygon left of a triangle by clipping.
 struct ClipPolygon {
-    static constexpr int kMaxVertices = 16; // Sutherland-Hodgman needs 3 and seven planes, Cohen-Sutherland 14 points
+    // Sutherland-Hodgman needs 3 and seven planes; Cohen-Sutherland two points for each of nine edges and four corners.
+    static constexpr int kMaxVertices = 22;
     std::array<ClipVertex, kMaxVertices> vertices;
     int count;
 

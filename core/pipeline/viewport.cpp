@@ -44,13 +44,16 @@ ScreenVertex toScreen(const ClipVertex& vertex, const Rules& rules)
     if (rules.numberType == NumberType::Fixed) {
         const double samplesPerUnit = double(rules.sampleGrid) / (1 << rules.subpixelBits);
         out.position = {snapToGrid(p.x, p.w, rules.width, rules.subpixelBits) * samplesPerUnit,
-                        snapToGrid(-p.y, p.w, rules.height, rules.subpixelBits) * samplesPerUnit};
+                        snapToGrid(rules.screenUp * p.y, p.w, rules.height, rules.subpixelBits) * samplesPerUnit};
     } else {
         out.position = {toPixels(p.x, p.w, rules.width) * rules.sampleGrid,
-                        toPixels(-p.y, p.w, rules.height) * rules.sampleGrid};
+                        toPixels(rules.screenUp * p.y, p.w, rules.height) * rules.sampleGrid};
     }
+    out.position += rules.screenShift;
+    if (rules.verticesTruncated)
+        out.position = glm::trunc(out.position);
     out.depth = rules.clipZ == ClipZ::Gl ? (p.w + p.z) / (2 * p.w) : p.z / p.w;
-    out.invW = 1 / p.w;
+    out.invW = rules.keptW == KeptW::Inverse ? 1 / p.w : rules.keptW == KeptW::One ? 1 : p.w;
     out.varyings = vertex.varyings;
     return out;
 }

@@ -4,6 +4,8 @@
 #include "core/pipeline/triangle_setup.h"
 #include "core/rasterizers/registry.h"
 
+#include <type_traits>
+
 namespace rasterlens
 {
 
@@ -23,7 +25,9 @@ struct EdgeEquation {
     static void cover(const TriangleSetup<T>& setup, const FaceInterpolation&, const Rules& rules, Emit& emit,
                       Observer& observer)
     {
-        if (rules.stepping == Stepping::Incremental)
+        if (rules.insideTest != InsideTest::AllPositive || rules.samplesTruncated)
+            coverByRules(setup, rules, emit, observer);
+        else if (rules.stepping == Stepping::Incremental)
             coverIncremental(setup, emit, observer);
         else
             coverDirect(setup, emit, observer);
@@ -72,6 +76,49 @@ private:
             for (std::size_t i = 0; i < 3; ++i)
                 row[i] += perRow[i];
         }
+    }
+
+    /// An edge value as a 32-bit integer of whole pixel areas keeps it, without an overflow that C++ leaves undefined.
+    template <class T>
+    static T wrapped(T e)
+    {
+        constexpr int kLostBits = 16; // of 64, with 16 bits behind the point
+        if constexpr (std::is_same_v<T, std::int64_t>)
+            e = static_cast<std::int64_t>(static_cast<std::uint64_t>(e) << kLostBits) >> kLostBits;
+        return e;
+    }
+
+    /// Where a sample is tested: its centre, or the corner of its pixel.
+    template <class T>
+    static Point<T> testPoint(int x, int y, const Rules& rules)
+    {
+        if (!rules.samplesTruncated)
+            return TriangleSetup<T>::centre(x, y);
+        const int grid = rules.sampleGrid;
+        return {static_cast<T>(x / grid * grid) * Grid<T>::kUnit, static_cast<T>(y / grid * grid) * Grid<T>::kUnit};
+    }
+
+    /// The test of rules.insideTest, evaluated anew at every sample.
+    template <class T, class Emit, class Observer>
+    static void coverByRules(const TriangleSetup<T>& setup, const Rules& rules, Emit& emit, Observer& observer)
+    {
+        const PixelRect& box = setup.bounds;
+        for (int y = box.y; y < box.y + box.height; ++y)
+            for (int x = box.x; x < box.x + box.width; ++x) {
+                Values<T> e;
+                bool allNegative = rules.insideTest == InsideTest::EitherSign;
+                for (std::size_t i = 0; i < 3; ++i) {
+                    const EdgeFunction<T>& edge = setup.edges[i];
+                    e[i] = edge.at(testPoint<T>(x, y, rules));
+                    if (rules.insideTest == InsideTest::Wrapped32)
+                        e[i] = wrapped(e[i]);
+                    allNegative = allNegative && e[i] <= edge.threshold;
+                }
+                const bool covered = inside(e, setup) || allNegative;
+                observer.onSample(x, y, observed(e), covered);
+                if (covered)
+                    emit(x, y);
+            }
     }
 
     /// Evaluates the edge functions anew at every sample.

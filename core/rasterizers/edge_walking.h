@@ -155,13 +155,13 @@ struct CarriedPoint {
     double w;
     Interpolants values;
 
-    [[nodiscard]] CarriedPoint towards(const CarriedPoint& other, double m, bool perspectiveCorrect) const
+    [[nodiscard]] CarriedPoint towards(const CarriedPoint& other, double m, const Rules& rules) const
     {
-        const double n = perspectiveCorrect ? perspectiveFraction(m, w, other.w) : m;
+        const double n = rules.perspectiveCorrect ? perspectiveFraction(m, w, other.w) : m;
         CarriedPoint p;
         p.x = std::lerp(x, other.x, m);
         p.w = std::lerp(w, other.w, n);
-        p.values.depth = std::lerp(values.depth, other.values.depth, m);
+        p.values.depth = std::lerp(values.depth, other.values.depth, rules.depthLinear ? m : n);
         for (std::size_t i = 0; i < 3; ++i) {
             p.values.screen[i] = std::lerp(values.screen[i], other.values.screen[i], m);
             p.values.weights[i] = std::lerp(values.weights[i], other.values.weights[i], n);
@@ -186,17 +186,21 @@ struct EdgeWalking {
         const Rows rows = rowsOf(s, setup.bounds, rules);
         observer.onWalk(observed(s, rows));
         int y = rows.first;
+        const auto endOf = [&](std::size_t i) {
+            const T extra = static_cast<T>(rules.extraEdgeHeight) * Grid<T>::kUnit;
+            return Point<T>{s.vertices[i].x, s.vertices[i].y + extra};
+        };
         // Upper half: long edge and upper short edge. The row through the middle vertex belongs to the lower half
         // unless there is none.
         if (y <= rows.last && isUpperHalf(y, s)) {
-            EdgeWalker<T> longEdge(s.vertices[0], s.vertices[2], y, rules.stepping);
-            EdgeWalker<T> shortEdge(s.vertices[0], s.vertices[1], y, rules.stepping);
+            EdgeWalker<T> longEdge(s.vertices[0], endOf(2), y, rules.stepping);
+            EdgeWalker<T> shortEdge(s.vertices[0], endOf(1), y, rules.stepping);
             for (; y <= rows.last && isUpperHalf(y, s); ++y, longEdge.step(), shortEdge.step())
                 fillSpan(y, longEdge, shortEdge, s, setup, interpolation, rules, emit, observer);
         }
         if (y <= rows.last) {
-            EdgeWalker<T> longEdge(s.vertices[0], s.vertices[2], y, rules.stepping);
-            EdgeWalker<T> shortEdge(s.vertices[1], s.vertices[2], y, rules.stepping);
+            EdgeWalker<T> longEdge(s.vertices[0], endOf(2), y, rules.stepping);
+            EdgeWalker<T> shortEdge(s.vertices[1], endOf(2), y, rules.stepping);
             for (; y <= rows.last; ++y, longEdge.step(), shortEdge.step())
                 fillSpan(y, longEdge, shortEdge, s, setup, interpolation, rules, emit, observer);
         }
@@ -309,7 +313,7 @@ private:
         const auto onEdge = [&](std::size_t i, std::size_t j) {
             const double upper = triangle.vertices[s.source[i]].position.y;
             const double lower = triangle.vertices[s.source[j]].position.y;
-            return point(i).towards(point(j), (y + 0.5 - upper) / (lower - upper), rules.perspectiveCorrect);
+            return point(i).towards(point(j), (y + 0.5 - upper) / (lower - upper), rules);
         };
         const double middle = triangle.vertices[s.source[1]].position.y;
         const bool upperHalf = y + 0.5 < middle || s.vertices[1].y == s.vertices[2].y;
@@ -317,7 +321,7 @@ private:
         const CarriedPoint b = upperHalf ? onEdge(0, 1) : onEdge(1, 2);
         for (int x = xBegin; x < xEnd; ++x) {
             const double m = a.x != b.x ? (x + 0.5 - a.x) / (b.x - a.x) : 0;
-            emit(x, y, a.towards(b, m, rules.perspectiveCorrect).values);
+            emit(x, y, a.towards(b, m, rules).values);
         }
     }
 };

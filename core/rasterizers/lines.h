@@ -64,6 +64,42 @@ void ddaLine(GridPoint from, GridPoint to, Plot&& plot)
         plot(static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y)), steps > 0 ? double(i) / steps : 0.0);
 }
 
+/// The line column by column, dy/dx rows in each, the last column included: it runs past its end, the farther the
+/// steeper it is. Of a vertical line, where dy/dx divides by zero, only the first sample is drawn.
+template <class Plot>
+void columnLine(GridPoint from, GridPoint to, Plot&& plot)
+{
+    const int stepX = to.x < from.x ? -1 : 1;
+    const int stepY = to.y < from.y ? -1 : 1;
+    const int columns = std::abs(to.x - from.x);
+    plot(from.x, from.y, 0.0);
+    if (columns == 0)
+        return;
+    const double perColumn = double(std::abs(to.y - from.y)) / columns;
+    double error = 0;
+    int y = from.y;
+    for (int i = 0; i <= columns; ++i) {
+        const int x = from.x + i * stepX;
+        const double t = double(i) / columns;
+        plot(x, y, t);
+        for (error += perColumn; error > 0.5; error -= 1) {
+            y += stepY;
+            plot(x, y, t);
+        }
+    }
+}
+
+/// The octant the way from one sample to another lies in, 0..7 counter-clockwise from the direction of x with y up.
+[[nodiscard]] inline int octantOf(GridPoint from, GridPoint to)
+{
+    const int dx = to.x - from.x;
+    const int dy = from.y - to.y;
+    const bool steep = std::abs(dy) > std::abs(dx);
+    if (dy >= 0)
+        return dx >= 0 ? (steep ? 1 : 0) : (steep ? 2 : 3);
+    return dx < 0 ? (steep ? 5 : 4) : (steep ? 6 : 7);
+}
+
 /// The sample that holds a point of the screen.
 [[nodiscard]] inline GridPoint sampleOf(const glm::dvec2& position)
 {
@@ -72,19 +108,28 @@ void ddaLine(GridPoint from, GridPoint to, Plot&& plot)
 
 /// Draws the three edges of a triangle: emit(x, y, weights) for every sample, also off the target.
 template <class Emit, class Observer>
-void drawWireframe(const ScreenTriangle& triangle, LineAlgorithm algorithm, Emit& emit, Observer& observer)
+void drawWireframe(const ScreenTriangle& triangle, const Rules& rules, Emit& emit, Observer& observer)
 {
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t j = (i + 1) % 3;
+        const GridPoint from = sampleOf(triangle.vertices[i].position);
+        const GridPoint to = sampleOf(triangle.vertices[j].position);
+        const GridPoint rightEnd = from.x > to.x ? from : to;
         const auto plot = [&](int x, int y, double t) {
+            if (!rules.rightLineEnds && x == rightEnd.x && y == rightEnd.y)
+                return;
+            if (rules.integerLineWeights)
+                t = std::floor(t);
             Weights weights{0, 0, 0};
             weights[i] = 1 - t;
             weights[j] = t;
             emit(x, y, weights);
         };
-        const GridPoint from = sampleOf(triangle.vertices[i].position);
-        const GridPoint to = sampleOf(triangle.vertices[j].position);
-        if (algorithm == LineAlgorithm::Bresenham)
+        if ((rules.lineOctants >> octantOf(from, to) & 1U) == 0)
+            continue;
+        if (rules.lineAdvance == LineAdvance::Columns)
+            columnLine(from, to, plot);
+        else if (rules.line == LineAlgorithm::Bresenham)
             bresenhamLine(from, to, plot, observer);
         else
             ddaLine(from, to, plot);

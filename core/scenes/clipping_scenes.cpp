@@ -12,8 +12,8 @@ Scene makeFloor()
     constexpr int kColumns = 8;
     constexpr int kRows = 16;
     constexpr double kHalfWidth = 160;
-    constexpr double kBehind = 20;
-    constexpr double kAhead = 300;
+    constexpr double kBehind = 10;
+    constexpr double kAhead = 310;
     constexpr double kTexturesPerUnit = 0.25;
     Scene scene = objectScene(false);
     scene.background = {0.55F, 0.72F, 0.90F};
@@ -24,6 +24,7 @@ Scene makeFloor()
     });
     setTexture(scene, checkerboard(QStringLiteral("floor"), 64, 4, 0xffece5d8, 0xff5b4a42));
     scene.defaults.view = viewFrom({0, 1.6, 0}, {0, 1.1, -4}, 0.1, 400);
+    scene.defaults.culling = Culling::None;
     return scene;
 }
 

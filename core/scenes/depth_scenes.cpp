@@ -36,9 +36,9 @@ Scene makeZFighting()
     constexpr double kDistance = 100;
     constexpr double kGap = 0.1;
     Scene scene = objectScene(false);
-    // A wall that leans back, and in front of it, a hand's breadth away everywhere, a panel.
+    // A wall that leans back a little, and before it, a hand's breadth away everywhere, a panel.
     const auto wall = [&](double x, double y, double gap) {
-        return glm::dvec3(x, y, -kDistance - 0.35 * y - 0.15 * x + gap);
+        return glm::dvec3(x, y, -kDistance - 0.08 * y - 0.03 * x + gap);
     };
     const auto quad = [&](double halfWidth, double halfHeight, double gap, glm::vec3 color) {
         addFlatQuad(scene.mesh, wall(-halfWidth, -halfHeight, gap), wall(halfWidth, -halfHeight, gap),
@@ -46,7 +46,7 @@ Scene makeZFighting()
     };
     quad(40, 30, 0, {0.20F, 0.45F, 0.75F});
     quad(28, 20, kGap, {0.95F, 0.60F, 0.15F});
-    scene.defaults.view = viewFrom({0, 0, 0}, {0, 0, -1}, 0.005, 1000);
+    scene.defaults.view = viewFrom({0, 0, 0}, {0, 0, -1}, 0.003, 1000);
     return scene;
 }
 
@@ -85,6 +85,14 @@ Scene makeFourZ()
                     seenAt(x + kHalf, 0.45 + 2 * kHalf, depth), seenAt(x - kHalf, 0.45 + 2 * kHalf, depth),
                     colorAt(depth));
     }
+    // Two tiles before the middle of the board, which is 1.818 away: one a little nearer, one farther and so hidden.
+    const auto tile = [&](double x, double y, double depth, glm::vec3 color) {
+        constexpr double kHalf = 0.05;
+        addFlatQuad(scene.mesh, seenAt(x - kHalf, y - kHalf, depth), seenAt(x + kHalf, y - kHalf, depth),
+                    seenAt(x + kHalf, y + kHalf, depth), seenAt(x - kHalf, y + kHalf, depth), color);
+    };
+    tile(0, 0.17, 1.6, kWhite);
+    tile(0, -0.17, 2.5, kYellow);
     // Odd sides, so that the middle of the screen is the centre of pixel (320, 240).
     scene.defaults.size = QSize(641, 481);
     scene.defaults.view = viewFrom({0, 0, 0}, {0, 0, -1}, 0.1, 50);

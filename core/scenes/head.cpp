@@ -62,10 +62,11 @@ double lips(glm::dvec3 p)
 /// Eyelids leave a slit of the eyeball free.
 double lids(glm::dvec3 p)
 {
-    const double shell = ball(p, kEye, kEyeRadius + 0.025);
+    const double shell = ball(p, kEye, kEyeRadius + 0.03);
     const double upper = kEye.y + 0.06 - p.y;
     const double lower = p.y - (kEye.y - 0.075);
-    return std::max(shell, std::min(upper, lower));
+    // The rim is rounded like the fillets: the part of the shell that neither half-space leaves out.
+    return -join(-shell, -std::min(upper, lower), 0.03);
 }
 
 double brows(glm::dvec3 p)
@@ -87,8 +88,8 @@ double headDistance(glm::dvec3 p)
     d = join(d, capsule(p, {0, -0.4, -0.28}, {0, -1.8, -0.36}, 0.42, 0.46), 0.20);
     d = join(d, capsule(p, {0.10, 0.34, 0.74}, {0.44, 0.32, 0.58}, 0.07, 0.06), 0.15);
     d = carve(d, ball(p, {0.28, 0.10, 0.86}, 0.19), 0.15);
+    d = join(d, lids(p), 0.10);
     d = join(d, ball(p, kEye, kEyeRadius), 0.02);
-    d = join(d, lids(p), 0.03);
     d = join(d, capsule(p, {0, 0.26, 0.76}, {0, -0.14, 0.96}, 0.06, 0.10), 0.10);
     d = join(d, ball(p, {0.10, -0.19, 0.85}, 0.075), 0.10);
     d = join(d, ellipsoid(p, {0.76, 0.05, -0.10}, {0.08, 0.24, 0.16}), 0.08);
@@ -139,6 +140,9 @@ Scene makeHead()
     Scene scene = objectScene(true);
     const auto place = [&](glm::dvec3 point) { return headGridPoint(point / glm::dvec3(cells)); };
     scene.mesh = surfaceNets({cells, place, 0.03}, headDistance, headColor);
+    // A texture is thrown onto the face from the front.
+    for (MeshVertex& vertex : scene.mesh.vertices)
+        vertex.uv = glm::vec2(vertex.position) / 3.0F + 0.5F;
     scene.defaults.view = fitFrom(20, 5);
     return scene;
 }

@@ -38,4 +38,16 @@ namespace rasterlens
 [[nodiscard]] Scene makeZFighting();
 [[nodiscard]] Scene makeFourZ();
 
+// Where mistakes show that the others forgive.
+[[nodiscard]] Scene makeSquareCounted();
+[[nodiscard]] Scene makeThinGap();
+[[nodiscard]] Scene makeThreeLayers();
+[[nodiscard]] Scene makeTwoWindings();
+[[nodiscard]] Scene makeTinyTiles();
+[[nodiscard]] Scene makeSamples();
+[[nodiscard]] Scene makeZeroArea();
+[[nodiscard]] Scene makeLongSliver();
+[[nodiscard]] Scene makeHugeTriangle();
+[[nodiscard]] Scene makeOverhang();
+
 } // namespace rasterlens

@@ -84,9 +84,9 @@ namespace
 glm::dvec3 leafPoint(double along, double across)
 {
     // The rib goes straight up and from the middle on in an arc towards the viewer and down again.
-    constexpr double kStraight = 1.3;
+    constexpr double kStraight = 1.1;
     constexpr double kArcRadius = 0.55;
-    constexpr double kArcAngle = 2.7;
+    constexpr double kArcAngle = 3.5;
     const double turn = kArcAngle * std::max(0.0, 2 * along - 1);
     const double rise = kStraight * std::min(1.0, 2 * along) + kArcRadius * std::sin(turn);
     const double forward = kArcRadius * (1 - std::cos(turn));
@@ -122,13 +122,14 @@ Scene makeLeaf()
     constexpr int kAcross = 24;
     constexpr int kAlong = 80;
     Scene scene = objectScene(true);
+    scene.background = {0.80F, 0.84F, 0.88F};
     addGrid(scene.mesh, kAcross, kAlong, [&](int column, int row) {
         const double along = static_cast<double>(row) / kAlong;
         const double across = 2.0 * column / kAcross - 1;
         return addVertex(scene.mesh, leafPoint(along, across), leafNormal(along, across), leafColor(along, across),
                          {(across + 1) / 2, along});
     });
-    scene.defaults.view = fitFrom(35, 10);
+    scene.defaults.view = fitFrom(40, 15);
     return scene;
 }
 

@@ -110,7 +110,7 @@ CoverageDifference coverageDifference(const Frame& rendered, const ExactFrame& t
             result.neverHit += verdict == PixelVerdict::Missing && insideCoverage(truth, x, y);
 
             const bool sameFace = face >= 0 && face == truth.id[sample];
-            if (sameFace && !rendered.depth.empty())
+            if (sameFace && truth.depthTested && !rendered.depth.empty())
                 depth.add(std::abs(static_cast<double>(rendered.depth[pixel]) - truth.depth[sample]));
             const glm::dvec3 shown(qRed(line[x]), qGreen(line[x]), qBlue(line[x]));
             const glm::dvec3 error = glm::abs(shown - 255.0 * truth.pixelColor(x, y, background));

@@ -18,7 +18,8 @@ enum class PixelVerdict : std::uint8_t {
     Missing,   ///< not covered, but should be
 };
 
-/// A rendered picture against the truth. Depths and colours are compared where both show the same face.
+/// A rendered picture against the truth. Depths and colours are compared where both show the same face, depths only if
+/// they were tested.
 struct CoverageDifference {
     PixelRect window;
     std::vector<PixelVerdict> verdicts; ///< one a pixel of the window, row by row from the top

@@ -431,6 +431,7 @@ ExactFrame emptyFrame(const ExactOptions& options)
     ExactFrame frame;
     frame.window = options.window.value_or(PixelRect{0, 0, options.size.width(), options.size.height()});
     frame.sampleGrid = options.sampleGrid;
+    frame.depthTested = options.depthTested;
     frame.width = frame.window.width * options.sampleGrid;
     frame.height = frame.window.height * options.sampleGrid;
     const std::size_t samples = static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
@@ -485,12 +486,13 @@ ExactOptions exactOptions(const Scene& scene, const Settings& settings)
 
     ExactOptions options;
     options.size = settings.size;
-    options.snap = !scene.exact;
+    options.snap = settings.numberType == NumberType::Fixed && !scene.exact;
     options.subpixelBits = settings.subpixelBits;
     options.clipZ = settings.clipZ;
     options.culling = settings.culling;
     options.winding = settings.winding;
     options.depthCompare = rules.depthTested ? rules.depthCompare : DepthCompare::Always;
+    options.depthTested = rules.depthTested;
     options.depthClear = static_cast<double>(rules.depthClear);
     options.depthFormat = settings.depthFormat;
     options.sampleGrid = rules.sampleGrid;

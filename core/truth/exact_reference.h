@@ -24,7 +24,8 @@ struct ExactOptions {
     Culling culling = Culling::None;
     Winding winding = Winding::CounterClockwise;
     DepthCompare depthCompare = DepthCompare::Less;
-    double depthClear = 1;                          ///< 0 or 1
+    double depthClear = 1;   ///< 0 or 1
+    bool depthTested = true; ///< false: a renderer need not keep depths; the truth's are those of the winners
     DepthFormat depthFormat = DepthFormat::Float32; ///< Float32: compared exactly; unorm: nearest code, half to even
     int sampleGrid = 1;              ///< 1..4 samples a pixel along each axis; vertices still snap to pixels
     std::optional<PixelRect> window; ///< the part of the viewport to compute
@@ -37,6 +38,8 @@ struct ExactFrame {
     int sampleGrid = 1; ///< samples a pixel along each axis
     int width = 0;      ///< samples: window.width * sampleGrid
     int height = 0;     ///< samples: window.height * sampleGrid
+
+    bool depthTested = true; ///< as asked for
 
     std::vector<std::uint32_t> cover; ///< how many faces cover the sample, before the depth test
     std::vector<std::int32_t> id;     ///< face that won the depth test, -1 none
@@ -69,7 +72,8 @@ struct ExactFrame {
 ///   the eye and lies in a face where the three 3x3 determinants have the sign of det[A B C] and z is within the range.
 ///   Sample centres are never on an x or y plane, so this equals clipping and then filling.
 /// - Snapped: exact clipping against the six planes, exact rounding, then the winding number of the snapped polygon
-///   along every row of samples. A snapped polygon may be slightly concave; its winding number is still well defined.
+///   along every row of samples. Snapping may dent a clipped polygon or cross its edges; it covers what it winds
+///   round in the sense of its area, so that faces sharing an edge still add up.
 /// - The top-left rule is a symbolic displacement of the sample by (e, e^2) right and down with an infinitesimal e:
 ///   no edge is ever classified.
 ///
@@ -78,18 +82,19 @@ struct ExactFrame {
 ///         round its first corner (walking A, B, C; planes in the order x, y, z, the one at -w first), corner values
 ///         taken before snapping
 /// order   depth tests run in submission order; with DepthCompare::Always the last face wins
-/// cost    a few big-integer operations a face and row, a few doubles a covered sample; 256 x 256 samples and 2,000
-///         faces take well below 5 s. Edge distances cost their length.
+/// cost    a few big-integer operations a face and row, a few doubles a covered sample. Measured on one core, 2,000
+///         faces over 256 x 256: 0.02 s for small ones, 0.8 s for 31 million covered samples. Edge distances cost
+///         their length.
 /// exact   cover and id; depth to 1e-15; colour to some 1e-15 of the largest corner value
 /// errors  faces with a non-finite position are dropped and counted
 /// source  Olano & Greer, Triangle scan conversion using 2D homogeneous coordinates, Graphics Hardware 1997.
-///         Numbers: Boost.Multiprecision cpp_int, since it needs no library at run time and GMP's lead on long operands
-///         does not show for the 100 to 300 bits of common input.
+///         Numbers: Boost.Multiprecision cpp_int rather than GMP: headers only, nothing to ship or link, and with 512
+///         bits in place common input allocates nothing, which is fast enough by the measurement above.
 [[nodiscard]] ExactFrame exactReference(std::span<const ClipTriangle> triangles, const ExactOptions& options);
 
 /// What these settings ought to draw: z-buffer visibility, the top-left rule, culling by the snapped area and correct
 /// rules whatever the settings say about algorithm, clipping, visibility, ties, interpolation and mistakes. Vertices
-/// snap unless the scene is `exact`; the window is that of the scene.
+/// snap for NumberType::Fixed unless the scene is `exact`; the window is that of the scene.
 [[nodiscard]] ExactOptions exactOptions(const Scene& scene, const Settings& settings);
 
 /// The faces of a scene as the vertex stage hands them on, with Gouraud colours.

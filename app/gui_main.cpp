@@ -1,0 +1,167 @@
+#include "ui/image_export.h"
+#include "ui/main_window.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QTimer>
+
+#include <cstdio>
+#include <optional>
+
+namespace
+{
+
+enum ExitCode { kFine = 0, kBadArguments = 2, kInvalidInput = 3 };
+
+void printError(const QString& text) { std::fprintf(stderr, "%s\n", qPrintable(text)); }
+
+/// Without a display the window is drawn in memory.
+void choosePlatform()
+{
+    const bool hasDisplay = qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY");
+    if (!hasDisplay && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+}
+
+struct Arguments {
+    QString scene;
+    QString screenshot;
+    std::optional<QSize> windowSize;
+    std::optional<rasterlens::LanguageKind> language;
+    std::optional<rasterlens::ThemeKind> theme;
+};
+
+struct ParsedArguments {
+    std::optional<Arguments> arguments;
+    int exitCode = kFine;
+};
+
+ParsedArguments refuse(const QString& why)
+{
+    printError(QStringLiteral("rasterlens: %1 (try --help)").arg(why));
+    return {std::nullopt, kBadArguments};
+}
+
+ParsedArguments parseArguments(const QStringList& words)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral("Shows how a triangle becomes pixels."));
+    const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Shows this list."));
+    const QCommandLineOption version({QStringLiteral("v"), QStringLiteral("version")},
+                                     QStringLiteral("Shows the version."));
+    const QCommandLineOption screenshot(
+        QStringLiteral("screenshot"),
+        QStringLiteral("Writes the window as a PNG image to <file> and exits; needs no display."),
+        QStringLiteral("file"));
+    const QCommandLineOption windowSize(QStringLiteral("size-window"), QStringLiteral("Size of the window in pixels."),
+                                        QStringLiteral("WxH"));
+    const QCommandLineOption language(QStringLiteral("language"), QStringLiteral("Language of the window: en or zh."),
+                                      QStringLiteral("en|zh"));
+    const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("Colours of the window: light or dark."),
+                                   QStringLiteral("light|dark"));
+    parser.addOptions({help, version, screenshot, windowSize, language, theme});
+    parser.addPositionalArgument(QStringLiteral("scene"),
+                                 QStringLiteral("An .obj, a .case, a session .json, builtin:NAME or stress:NAME."),
+                                 QStringLiteral("[scene]"));
+    if (!parser.parse(words))
+        return refuse(parser.errorText());
+    if (parser.isSet(help)) {
+        std::fputs(qPrintable(parser.helpText()), stdout);
+        return {};
+    }
+    if (parser.isSet(version)) {
+        std::printf("rasterlens %s\n", RASTERLENS_VERSION);
+        return {};
+    }
+
+    Arguments arguments;
+    if (parser.positionalArguments().size() > 1)
+        return refuse(QStringLiteral("more than one scene given"));
+    arguments.scene = parser.positionalArguments().value(0);
+    arguments.screenshot = parser.value(screenshot);
+    if (parser.isSet(screenshot) && arguments.screenshot.isEmpty())
+        return refuse(QStringLiteral("--screenshot needs a file"));
+    if (parser.isSet(windowSize)) {
+        arguments.windowSize = rasterlens::parseSize(parser.value(windowSize));
+        if (!arguments.windowSize)
+            return refuse(QStringLiteral("--size-window takes WIDTHxHEIGHT"));
+    }
+    if (parser.isSet(language)) {
+        const QString value = parser.value(language);
+        if (value != QLatin1String("en") && value != QLatin1String("zh"))
+            return refuse(QStringLiteral("--language takes en or zh"));
+        arguments.language =
+            value == QLatin1String("zh") ? rasterlens::LanguageKind::Chinese : rasterlens::LanguageKind::English;
+    }
+    if (parser.isSet(theme)) {
+        const QString value = parser.value(theme);
+        if (value != QLatin1String("light") && value != QLatin1String("dark"))
+            return refuse(QStringLiteral("--theme takes light or dark"));
+        arguments.theme = value == QLatin1String("dark") ? rasterlens::ThemeKind::Dark : rasterlens::ThemeKind::Light;
+    }
+    return {arguments, kFine};
+}
+
+/// Renders the window as soon as its picture is there.
+void takeScreenshot(rasterlens::MainWindow& window, const QString& path)
+{
+    // One turn of the event loop lets the layout follow the counters' widths.
+    QTimer::singleShot(0, &window, [&window, path] {
+        if (const auto error = rasterlens::savePng(window.grab().toImage(), path)) {
+            printError(*error);
+            QApplication::exit(kInvalidInput);
+            return;
+        }
+        QApplication::exit(kFine);
+    });
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    QCoreApplication::setApplicationName(QStringLiteral("RasterLens"));
+    QCoreApplication::setOrganizationName(QStringLiteral("RasterLens"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(RASTERLENS_VERSION));
+    QStringList words;
+    for (int i = 0; i < argc; ++i)
+        words << QString::fromLocal8Bit(argv[i]);
+    const ParsedArguments parsed = parseArguments(words);
+    if (!parsed.arguments)
+        return parsed.exitCode;
+    const Arguments& arguments = *parsed.arguments;
+
+    choosePlatform();
+    QApplication application(argc, argv);
+    const bool forScreenshot = !arguments.screenshot.isEmpty();
+    using rasterlens::MainWindow;
+    MainWindow window(forScreenshot ? MainWindow::Memory::Forget : MainWindow::Memory::Remember);
+    if (arguments.language)
+        window.setLanguage(*arguments.language);
+    if (arguments.theme)
+        window.setLook({*arguments.theme, false});
+    if (arguments.windowSize)
+        window.resize(*arguments.windowSize);
+
+    // A scene named on the command line must open; later ones only leave a message in the window.
+    QObject starting;
+    QObject::connect(&window.document(), &rasterlens::Document::diagnosticsReported, &starting,
+                     [](const rasterlens::Diagnostics& diagnostics) {
+                         for (const rasterlens::Diagnostic& diagnostic : diagnostics)
+                             printError(diagnostic.text());
+                         if (rasterlens::hasErrors(diagnostics))
+                             QApplication::exit(kInvalidInput);
+                     });
+    QObject::connect(&window, &MainWindow::settled, &starting, [&] {
+        window.disconnect(&starting);
+        window.document().disconnect(&starting);
+        if (forScreenshot)
+            takeScreenshot(window, arguments.screenshot);
+    });
+    if (arguments.scene.isEmpty())
+        window.openDefaultScene();
+    else
+        window.document().open(arguments.scene);
+    window.show();
+    return QApplication::exec();
+}

@@ -1,0 +1,134 @@
+// The catalogue of hard cases: every file says what must hold, and the exact reference holds it.
+#include "core/case_file.h"
+#include "core/truth/expectations.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QTest>
+
+using namespace rasterlens;
+
+class TestHardCases : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void thereAreEnough();
+    void cases_data();
+    void cases();
+    void everyKeyCanFail_data();
+    void everyKeyCanFail();
+    void malformedLinesSayWhy();
+};
+
+namespace
+{
+
+QStringList caseFiles() { return QDir(QStringLiteral(RASTERLENS_CASES)).entryList({QStringLiteral("*.case")}); }
+
+Outcome referenceOutcome(const Scene& scene)
+{
+    return outcomeOf(exactReference(scene, scene.defaults), scene.background);
+}
+
+} // namespace
+
+void TestHardCases::thereAreEnough() { QVERIFY(caseFiles().size() >= 100); }
+
+void TestHardCases::cases_data()
+{
+    QTest::addColumn<QString>("path");
+    for (const QString& file : caseFiles())
+        QTest::newRow(qPrintable(file)) << QStringLiteral(RASTERLENS_CASES "/") + file;
+}
+
+void TestHardCases::cases()
+{
+    QFETCH(QString, path);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY2(file.size() < 60000, "a case file is to stay small");
+    QVERIFY2(file.readLine().startsWith("# "), "the first line says what must hold");
+
+    const SceneLoad load = loadCase(path);
+    QVERIFY2(load.scene, load.diagnostics.empty() ? "no scene" : qPrintable(load.diagnostics.front().text()));
+    QVERIFY(!load.scene->note.isEmpty());
+    QVERIFY(!load.scene->expectations.empty());
+    for (const Expectation& line : checkExpectations(load.scene->expectations, referenceOutcome(*load.scene)))
+        QVERIFY2(line.holds,
+                 qPrintable(QStringLiteral("expect %1 %2: found %3").arg(line.key, line.value, line.found)));
+}
+
+void TestHardCases::everyKeyCanFail_data()
+{
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<QString>("right");
+    QTest::addColumn<QString>("wrong");
+    const auto row = [](const char* key, const char* right, const char* wrong) {
+        QTest::newRow(key) << QString::fromLatin1(key) << QString::fromLatin1(right) << QString::fromLatin1(wrong);
+    };
+    row("covered", "15", "16");
+    row("watertight", "0", "true");
+    row("holes", "1", "0");
+    row("hit_twice", "4", "0");
+    row("max_count", "2", "1");
+    row("covers", "1 3 2", "1 3 1");
+    row("winner", "10 2", "10 3");
+    row("pixel", "1 1 -1", "1 1 0");
+    row("front_wins", "1", "2");
+    row("depth", "0 0 0.5", "0 0 0.51");
+    row("color", "0 0 255 0 0", "0 0 252 0 0");
+    row("nonfinite", "2", "0");
+    row("clip_vertices", "3", "4");
+}
+
+void TestHardCases::everyKeyCanFail()
+{
+    // A ring of eight faces round the hole (1, 1) of 4 x 4 pixels, two that are no faces, and two more over the
+    // lowest row. As strips of four faces only the last shows nothing but its front.
+    QByteArray text = "size 4 4\n";
+    const auto rectangle = [&text](int x0, int y0, int x1, int y1, const char* z) {
+        const auto x = [](int v) { return QByteArray::number(v / 2.0 - 1); };
+        const auto y = [](int v) { return QByteArray::number(1 - v / 2.0); };
+        const auto corner = [&](int cx, int cy) { return ' ' + x(cx) + ' ' + y(cy) + ' ' + z + " 1 1 0 0"; };
+        text += "tri" + corner(x0, y0) + corner(x0, y1) + corner(x1, y1) + '\n';
+        text += "tri" + corner(x0, y0) + corner(x1, y1) + corner(x1, y0) + '\n';
+    };
+    rectangle(0, 0, 4, 1, "0");
+    rectangle(0, 1, 1, 4, "0");
+    rectangle(2, 1, 4, 4, "0");
+    rectangle(1, 2, 2, 4, "0");
+    for (int i = 0; i < 2; ++i)
+        text += "tri nan 0 0 1 0 0 0  0 0 0 1 0 0 0  0 1 0 1 0 0 0\n";
+    text += "tri -1 -1 -0.5 1 1 0 0  1 -1 -0.5 1 1 0 0  1 -0.5 -0.5 1 1 0 0\n";
+    text += "tri -1 -1 -0.5 1 1 0 0  1 -0.5 -0.5 1 1 0 0  -1 -0.5 -0.5 1 1 0 0\n";
+    const SceneLoad load = parseCase(text, QStringLiteral("ring"));
+    QVERIFY(load.scene);
+    const Outcome outcome = referenceOutcome(*load.scene);
+    QFETCH(QString, key);
+    QFETCH(QString, right);
+    QFETCH(QString, wrong);
+    const Expectation holds = checkExpectations({{key, right}}, outcome).front();
+    QVERIFY2(holds.holds, qPrintable(holds.found));
+    QVERIFY(!checkExpectations({{key, wrong}}, outcome).front().holds);
+}
+
+void TestHardCases::malformedLinesSayWhy()
+{
+    const SceneLoad load = parseCase("size 4 4\n", QStringLiteral("empty"));
+    const Outcome outcome = referenceOutcome(*load.scene);
+    const auto found = [&](const char* key, const char* value) {
+        const Expectation line =
+            checkExpectations({{QString::fromLatin1(key), QString::fromLatin1(value)}}, outcome).front();
+        return line.holds ? QStringLiteral("holds") : line.found;
+    };
+    QCOMPARE(found("coverd", "1"), QStringLiteral("not a key"));
+    QCOMPARE(found("covered", "many"), QStringLiteral("1 numbers expected"));
+    QCOMPARE(found("pixel", "1 2"), QStringLiteral("3 numbers expected"));
+    QCOMPARE(found("pixel", "4 0 -1"), QStringLiteral("no such pixel in the window"));
+    QCOMPARE(found("pixel", "3 3 -1"), QStringLiteral("holds"));
+}
+
+QTEST_APPLESS_MAIN(TestHardCases)
+#include "test_hard_cases.moc"

@@ -1,0 +1,331 @@
+// Interpolation: depth planes that are exact in any order of addition, and weights against rational arithmetic.
+#include "core/rasterizers/edge_walking.h"
+#include "tests/support.h"
+
+#include <QTest>
+#include <boost/multiprecision/cpp_int.hpp>
+
+using namespace rasterlens;
+using namespace rasterlens::test;
+using Rational = boost::multiprecision::cpp_rational;
+
+namespace
+{
+
+struct Sample {
+    int x;
+    int y;
+};
+
+/// A triangle whose corners lie on the fixed-point grid within and around a target of this size.
+ScreenTriangle randomTriangle(Random& random, int size, bool needle)
+{
+    ScreenTriangle triangle{};
+    const auto place = [&](int low, int high) { return integer(random, low * 256, high * 256) / 256.0; };
+    for (ScreenVertex& v : triangle.vertices) {
+        v.position = {place(-size / 4, size * 5 / 4), place(-size / 4, size * 5 / 4)};
+        v.depth = uniform(random, 0, 1);
+        v.invW = std::exp2(uniform(random, -6, 6));
+        for (std::size_t k = 0; k < 3; ++k)
+            v.varyings[k] = static_cast<float>(uniform(random, -1, 1));
+    }
+    if (needle) {
+        const glm::dvec2 along = triangle.vertices[1].position - triangle.vertices[0].position;
+        const glm::dvec2 near = triangle.vertices[0].position + uniform(random, 0, 1) * along;
+        triangle.vertices[2].position = glm::round(near * 256.0) / 256.0 + glm::dvec2(integer(random, -2, 2)) / 256.0;
+    }
+    return triangle;
+}
+
+double area2Of(const ScreenTriangle& t)
+{
+    return twiceArea(t.vertices[0].position, t.vertices[1].position, t.vertices[2].position);
+}
+
+Rules rulesOf(int size)
+{
+    Rules rules;
+    rules.width = rules.height = size;
+    return rules;
+}
+
+using ExactWeights = std::array<Rational, 3>;
+
+/// Edge value over area at the centre of a sample.
+ExactWeights exactWeights(const ScreenTriangle& t, const Sample& s)
+{
+    const std::array<Rational, 2> p{Rational(s.x + 0.5), Rational(s.y + 0.5)};
+    const auto corner = [&](std::size_t i) {
+        return std::array<Rational, 2>{Rational(t.vertices[i].position.x), Rational(t.vertices[i].position.y)};
+    };
+    const auto twice = [](const auto& a, const auto& b, const auto& c) {
+        return Rational((b[1] - a[1]) * (c[0] - a[0]) - (b[0] - a[0]) * (c[1] - a[1]));
+    };
+    const Rational area = twice(corner(0), corner(1), corner(2));
+    ExactWeights w{Rational(twice(corner(1), corner(2), p) / area), Rational(twice(corner(2), corner(0), p) / area),
+                   Rational(twice(corner(0), corner(1), p) / area)};
+    return w;
+}
+
+/// Samples inside the triangle and on the target, found by chance and along its middle lines.
+std::vector<Sample> insideSamples(Random& random, const ScreenTriangle& t, int size, int tries)
+{
+    std::vector<Sample> samples;
+    for (int i = 0; i < tries; ++i) {
+        double u = uniform(random, 0, 1);
+        double v = uniform(random, 0, 1);
+        if (u + v > 1) {
+            u = 1 - u;
+            v = 1 - v;
+        }
+        const glm::dvec2 p = t.vertices[0].position + u * (t.vertices[1].position - t.vertices[0].position) +
+                             v * (t.vertices[2].position - t.vertices[0].position);
+        const Sample s{static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y))};
+        const ExactWeights w = exactWeights(t, s);
+        if (s.x >= 0 && s.y >= 0 && s.x < size && s.y < size && w[0] >= 0 && w[1] >= 0 && w[2] >= 0)
+            samples.push_back(s);
+    }
+    return samples;
+}
+
+int channelDifference(const Frame& a, const Frame& b)
+{
+    int most = 0;
+    for (int y = 0; y < a.image.height(); ++y)
+        for (int x = 0; x < a.image.width(); ++x) {
+            const QRgb p = a.image.pixel(x, y);
+            const QRgb q = b.image.pixel(x, y);
+            most = std::max(
+                {most, std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)), std::abs(qBlue(p) - qBlue(q))});
+        }
+    return most;
+}
+
+} // namespace
+
+class TestInterpolation : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void depthPlanesAreExactInAnyOrder_data();
+    void depthPlanesAreExactInAnyOrder();
+    void depthIsTrue_data();
+    void depthIsTrue();
+    void weightsAndPerspectiveAreTrue();
+    void affineLeavesTheWeights();
+    void onlyWhatIsReadIsCarried();
+    void fractionOfTheWayInSpace();
+    void edgeThenSpanAgreesWithPlanes();
+    void depthIsLinearOnTheScreen();
+};
+
+void TestInterpolation::depthPlanesAreExactInAnyOrder_data()
+{
+    QTest::addColumn<int>("size");
+    QTest::addColumn<bool>("needle");
+    for (const int size : {16, 640, 16384, 65536})
+        for (const bool needle : {false, true})
+            QTest::addRow("%d%s", size, needle ? ", needles" : "") << size << needle;
+}
+
+void TestInterpolation::depthPlanesAreExactInAnyOrder()
+{
+    QFETCH(int, size);
+    QFETCH(bool, needle);
+    Random random = seededRandom();
+    int planes = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const ScreenTriangle t = randomTriangle(random, size, needle);
+        if (area2Of(t) == 0)
+            continue;
+        const DepthPlane plane = depthPlane(t, area2Of(t), rulesOf(size));
+        if (plane.needle)
+            continue;
+        ++planes;
+        const auto [left, right] =
+            std::minmax({t.vertices[0].position.x, t.vertices[1].position.x, t.vertices[2].position.x});
+        const auto [top, bottom] =
+            std::minmax({t.vertices[0].position.y, t.vertices[1].position.y, t.vertices[2].position.y});
+        const auto held = [&](double v) { return static_cast<int>(std::clamp(v, 0.0, size - 1.0)); };
+        const Sample first{held(left), held(top)};
+        const Sample last{held(right), held(bottom)};
+        for (int k = 0; k < 8; ++k) {
+            const int x = integer(random, first.x, last.x);
+            const int y = integer(random, first.y, last.y);
+            const double direct = plane.origin + plane.perX * x + plane.perY * y;
+            QCOMPARE(plane.origin + plane.perY * y + plane.perX * x, direct);
+            QCOMPARE(plane.origin + (plane.perX * x + plane.perY * y), direct);
+            // From the corner of the 8 x 8 block, and back from its other end.
+            const double block = plane.origin + plane.perX * (x & ~7) + plane.perY * (y & ~7);
+            QCOMPARE(block + (plane.perX * (x & 7) + plane.perY * (y & 7)), direct);
+            // Step by step from the start of the row and of the column, over the last 300 samples.
+            const int startX = std::max(first.x, x - 300);
+            const int startY = std::max(first.y, y - 300);
+            double stepped = plane.origin + plane.perX * startX + plane.perY * startY;
+            for (int j = startY; j < y; ++j)
+                stepped += plane.perY;
+            for (int j = startX; j < x; ++j)
+                stepped += plane.perX;
+            QCOMPARE(stepped, direct);
+            const Rational exact = Rational(plane.origin) + Rational(plane.perX) * x + Rational(plane.perY) * y;
+            QVERIFY(exact == Rational(direct));
+        }
+    }
+    QVERIFY(needle || planes > 700);
+    QVERIFY(planes > 0);
+}
+
+void TestInterpolation::depthIsTrue_data() { depthPlanesAreExactInAnyOrder_data(); }
+
+void TestInterpolation::depthIsTrue()
+{
+    QFETCH(int, size);
+    QFETCH(bool, needle);
+    Random random = seededRandom();
+    double worst = 0;
+    int samples = 0;
+    for (int i = 0; i < 200; ++i) {
+        const ScreenTriangle t = randomTriangle(random, size, needle);
+        if (area2Of(t) == 0)
+            continue;
+        const FaceInterpolation face(t, area2Of(t), rulesOf(size));
+        for (const Sample& s : insideSamples(random, t, size, needle ? 30 : 6)) {
+            const ExactWeights w = exactWeights(t, s);
+            Rational exact = 0;
+            for (std::size_t k = 0; k < 3; ++k)
+                exact += w[k] * Rational(t.vertices[k].depth);
+            const double found = face.depthAt(s.x, s.y, face.weightsAt(s.x, s.y));
+            worst = std::max(worst, std::abs(static_cast<double>(Rational(exact - Rational(found)))));
+            ++samples;
+        }
+    }
+    qInfo("worst error %g of %d samples", worst, samples);
+    QVERIFY(needle || samples > 500); // needles pass between most centres
+    QVERIFY(worst < 0x1p-29);
+}
+
+void TestInterpolation::weightsAndPerspectiveAreTrue()
+{
+    Random random = seededRandom();
+    for (int i = 0; i < 200; ++i) {
+        const ScreenTriangle t = randomTriangle(random, 256, i % 4 == 0);
+        if (area2Of(t) == 0)
+            continue;
+        const FaceInterpolation face(t, area2Of(t), rulesOf(256));
+        for (const Sample& s : insideSamples(random, t, 256, 4)) {
+            const ExactWeights exact = exactWeights(t, s);
+            const Weights screen = face.weightsAt(s.x, s.y);
+            const Weights space = face.perspective(screen);
+            Rational sum = 0;
+            for (std::size_t k = 0; k < 3; ++k)
+                sum += exact[k] * Rational(t.vertices[k].invW);
+            std::array<Rational, 3> colour;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Rational inSpace = exact[k] * Rational(t.vertices[k].invW) / sum;
+                QVERIFY(std::abs(static_cast<double>(Rational(exact[k] - Rational(screen[k])))) < 1e-14);
+                // 1 / w may differ by a factor 4096, which multiplies what rounding left of a weight of nearly zero.
+                QVERIFY(std::abs(static_cast<double>(Rational(inSpace - Rational(space[k])))) < 1e-11);
+                for (std::size_t c = 0; c < 3; ++c)
+                    colour[c] += inSpace * Rational(t.vertices[k].varyings[c]);
+            }
+            Varyings varyings{};
+            face.varyings(space, varyings);
+            for (std::size_t c = 0; c < 3; ++c)
+                QVERIFY(std::abs(static_cast<double>(Rational(colour[c] - Rational(varyings[c])))) < 0x1p-23);
+        }
+    }
+}
+
+void TestInterpolation::affineLeavesTheWeights()
+{
+    Random random = seededRandom();
+    Rules rules = rulesOf(64);
+    rules.perspectiveCorrect = false;
+    const ScreenTriangle t = randomTriangle(random, 64, false);
+    const FaceInterpolation face(t, area2Of(t), rules);
+    const Weights weights{0.25, 0.5, 0.25};
+    QCOMPARE(face.perspective(weights), weights);
+}
+
+void TestInterpolation::onlyWhatIsReadIsCarried()
+{
+    Random random = seededRandom();
+    Rules rules = rulesOf(64);
+    rules.varyingCount = 2;
+    const ScreenTriangle t = randomTriangle(random, 64, false);
+    const FaceInterpolation face(t, area2Of(t), rules);
+    Varyings varyings{};
+    varyings[2] = 42;
+    face.varyings({1, 0, 0}, varyings);
+    QCOMPARE(varyings[0], t.vertices[0].varyings[0]);
+    QCOMPARE(varyings[1], t.vertices[0].varyings[1]);
+    QCOMPARE(varyings[2], 42.0F);
+}
+
+void TestInterpolation::fractionOfTheWayInSpace()
+{
+    Random random = seededRandom();
+    QCOMPARE(perspectiveFraction(0, 2, 5), 0.0);
+    QCOMPARE(perspectiveFraction(1, 2, 5), 1.0);
+    QCOMPARE(perspectiveFraction(0.5, 1, 3), 0.25);
+    for (int i = 0; i < 1000; ++i) {
+        const double w1 = std::exp2(uniform(random, -5, 5));
+        const double w2 = std::exp2(uniform(random, -5, 5));
+        const double x1 = uniform(random, -3, 3);
+        const double x2 = uniform(random, -3, 3);
+        const double m = uniform(random, 0, 1);
+        QVERIFY(std::abs(perspectiveFraction(m, w1, w1) - m) < 1e-14);
+        // The point that far in space is seen that far along on the screen.
+        const double n = perspectiveFraction(m, w1, w2);
+        const double seen = (x1 + n * (x2 - x1)) / (w1 + n * (w2 - w1));
+        QVERIFY(std::abs(seen - (x1 / w1 + m * (x2 / w2 - x1 / w1))) < 1e-11);
+    }
+}
+
+void TestInterpolation::edgeThenSpanAgreesWithPlanes()
+{
+    Random random = seededRandom();
+    std::vector<glm::vec4> positions;
+    for (int i = 0; i < 3 * 40; ++i) {
+        const double w = std::exp2(uniform(random, -2, 3));
+        positions.emplace_back(w * uniform(random, -1.5, 1.5), w * uniform(random, -1.5, 1.5),
+                               w * uniform(random, -1, 1), w);
+    }
+    std::vector<Scene> scenes{soup(positions)};
+    for (const char* name : {"floor", "tile-square", "teapot", "four-z", "tunnel"})
+        scenes.push_back(*makeBuiltinScene(QLatin1String(name)).scene);
+    for (const Scene& scene : scenes)
+        for (const Interpolation interpolation : {Interpolation::Perspective, Interpolation::Affine}) {
+            Settings settings = &scene == &scenes.front() ? plainSettings({200, 150}) : scene.defaults;
+            settings.size = {200, 150};
+            settings.shading = Shading::Gouraud;
+            settings.interpolation = interpolation;
+            settings.algorithm = Algorithm::EdgeWalking;
+            const Frame planes = draw(scene, settings);
+            settings.attributePath = AttributePath::EdgeThenSpan;
+            const Frame carried = draw(scene, settings);
+            QVERIFY2(planes.ids == carried.ids, qPrintable(scene.id));
+            QVERIFY2(channelDifference(planes, carried) <= 1, qPrintable(scene.id));
+            for (std::size_t i = 0; i < planes.depth.size(); ++i)
+                QVERIFY(std::abs(planes.depth[i] - carried.depth[i]) <= 0x1p-22F);
+        }
+}
+
+/// The four-z board: half-way between distance 1 and 10, near 0.1 and far 50, z/w is 0.8938.
+void TestInterpolation::depthIsLinearOnTheScreen()
+{
+    const double n = 0.1;
+    const double f = 50;
+    const auto depth = [&](double distance) { return ((f + n) / (f - n) - 2 * f * n / ((f - n) * distance) + 1) / 2; };
+    ScreenTriangle t{};
+    t.vertices[0] = {{0, 0}, depth(1), 1, {}};
+    t.vertices[1] = {{0, 64}, depth(1), 1, {}};
+    t.vertices[2] = {{127, 32}, depth(10), 0.1, {}};
+    const FaceInterpolation face(t, area2Of(t), rulesOf(128));
+    const double middle = 2 * face.depthAt(63, 31, face.weightsAt(63, 31)) - 1;
+    QCOMPARE(std::round(middle * 1e4), 8938.0);
+}
+
+QTEST_APPLESS_MAIN(TestInterpolation)
+#include "test_interpolation.moc"

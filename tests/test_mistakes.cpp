@@ -1,0 +1,176 @@
+// The mistake table: every mistake changes the picture and its counter in its scene, and is gone when it is taken out.
+#include "core/builtin_scenes.h"
+#include "core/mistakes.h"
+#include "core/rasterizers/lines.h"
+
+#include <QRegularExpression>
+#include <QSet>
+#include <QTest>
+
+#include <cmath>
+
+using namespace rasterlens;
+
+namespace
+{
+
+const Mistake& mistakeOf(const char* id)
+{
+    const Mistake* mistake = findMistake(QLatin1String(id));
+    Q_ASSERT(mistake);
+    return *mistake;
+}
+
+/// The value of a proof in the scene of a mistake that is made there.
+double mistakenValue(const char* id, Proof proof)
+{
+    const MistakeDemo demo = mistakeDemo(mistakeOf(id));
+    return proofValue(proof, drawCounted(demo.scene, demo.mistaken), drawCounted(demo.scene, demo.right));
+}
+
+QImage mistakenImage(const char* id)
+{
+    const MistakeDemo demo = mistakeDemo(mistakeOf(id));
+    return drawCounted(demo.scene, demo.mistaken).frame.image;
+}
+
+/// z/w of the board in the middle of the screen, with four decimals.
+double middleOfBoard(const Settings& settings, const Scene& scene)
+{
+    const CountedPicture picture = drawCounted(scene, settings);
+    const std::size_t at = 240 * 641 + 320;
+    return std::round(1e4 * (2 * static_cast<double>(picture.frame.depth[at]) - 1)) / 1e4;
+}
+
+void addRowForEachMistake()
+{
+    QTest::addColumn<QString>("id");
+    for (const Mistake& mistake : mistakes())
+        QTest::newRow(mistake.id) << QString::fromLatin1(mistake.id);
+}
+
+} // namespace
+
+class TestMistakes : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void tableIsComplete();
+    void changesPictureAndProof_data() { addRowForEachMistake(); }
+    void changesPictureAndProof();
+    void unknownIdIsRefused();
+    void squareIsHitTwiceOrNotAtAll();
+    void windingsAreTreatedAlike();
+    void depthOfTheBoard();
+    void lostWIsAffine();
+    void steepLineRunsPastItsEnd();
+};
+
+void TestMistakes::tableIsComplete()
+{
+    QSet<QString> ids;
+    QSet<QString> numbers;
+    for (const Mistake& mistake : mistakes()) {
+        const QString id = QString::fromLatin1(mistake.id);
+        QVERIFY2(!ids.contains(id), mistake.id);
+        ids << id;
+        numbers << QString::fromLatin1(mistake.number);
+        QCOMPARE(findMistake(id), &mistake);
+        QVERIFY2(QRegularExpression(QStringLiteral("^[a-z0-9]+(-[a-z0-9]+)*$")).match(id).hasMatch(), mistake.id);
+        for (const char* text : {mistake.title, mistake.symptom, mistake.wrongLine, mistake.seed})
+            QVERIFY2(*text != '\0', mistake.id);
+        QVERIFY2(makeBuiltinScene(QLatin1String(mistake.scene)).scene, mistake.scene);
+    }
+    for (int number = 1; number <= 40; ++number)
+        QCOMPARE(numbers.contains(QStringLiteral("M%1").arg(number)), number != 7);
+    QCOMPARE(findMistake(QStringLiteral("nonsense")), nullptr);
+}
+
+void TestMistakes::changesPictureAndProof()
+{
+    QFETCH(QString, id);
+    const Mistake& mistake = *findMistake(id);
+    const MistakeDemo demo = mistakeDemo(mistake);
+    QCOMPARE(unsupported(demo.scene, demo.right), std::nullopt);
+    QCOMPARE(unsupported(demo.scene, demo.mistaken), std::nullopt);
+
+    const CountedPicture right = drawCounted(demo.scene, demo.right);
+    const CountedPicture mistaken = drawCounted(demo.scene, demo.mistaken);
+    const double before = proofValue(mistake.proof, right, right);
+    const double after = proofValue(mistake.proof, mistaken, right);
+    qInfo("%s: %s %g -> %g", mistake.id, proofId(mistake.proof), before, after);
+    if (!qEnvironmentVariableIsEmpty("MISTAKE_PICTURES")) {
+        const QString stem = qEnvironmentVariable("MISTAKE_PICTURES") + QLatin1Char('/') + id;
+        right.frame.image.save(stem + QStringLiteral("-0.png"));
+        mistaken.frame.image.save(stem + QStringLiteral("-1.png"));
+    }
+    QVERIFY(right.frame.image != mistaken.frame.image);
+    if (mistake.change == Change::Rises)
+        QVERIFY2(after > before, proofId(mistake.proof));
+    else
+        QVERIFY2(after < before, proofId(mistake.proof));
+
+    // Without counters the same picture, and taken out again the right one, into the same memory.
+    Frame frame;
+    render(demo.scene, demo.mistaken, frame);
+    QCOMPARE(frame.image, mistaken.frame.image);
+    render(demo.scene, demo.right, frame);
+    QCOMPARE(frame.image, right.frame.image);
+}
+
+void TestMistakes::unknownIdIsRefused()
+{
+    const MistakeDemo demo = mistakeDemo(mistakes().front());
+    Settings settings = demo.right;
+    settings.mistakes << QStringLiteral("nonsense");
+    const std::optional<QString> reason = unsupported(demo.scene, settings);
+    QVERIFY(reason);
+    QVERIFY2(reason->contains(QLatin1String("nonsense")), qPrintable(*reason));
+    QVERIFY2(reason->contains(QLatin1String("--list-mistakes")), qPrintable(*reason));
+}
+
+void TestMistakes::squareIsHitTwiceOrNotAtAll()
+{
+    QCOMPARE(mistakenValue("all-inclusive", Proof::CoveredTwice), 8.0);
+    QCOMPARE(mistakenValue("all-inclusive", Proof::Covered), 72.0);
+    QCOMPARE(mistakenValue("all-exclusive", Proof::Holes), 8.0);
+    QCOMPARE(mistakenValue("all-exclusive", Proof::Covered), 56.0);
+}
+
+void TestMistakes::windingsAreTreatedAlike()
+{
+    // The diagonal of the clockwise square only.
+    QCOMPARE(mistakenValue("either-sign", Proof::CoveredTwice), 8.0);
+    QCOMPARE(mistakenValue("one-winding", Proof::Holes), 64.0);
+}
+
+void TestMistakes::depthOfTheBoard()
+{
+    const MistakeDemo demo = mistakeDemo(mistakeOf("z-corrected"));
+    QCOMPARE(middleOfBoard(demo.right, demo.scene), 0.8938);
+    QCOMPARE(middleOfBoard(demo.mistaken, demo.scene), 0.8200);
+    Settings walking = demo.mistaken;
+    walking.algorithm = Algorithm::EdgeWalking;
+    QCOMPARE(middleOfBoard(walking, demo.scene), 0.8200);
+    walking.attributePath = AttributePath::EdgeThenSpan;
+    QCOMPARE(middleOfBoard(walking, demo.scene), 0.8200);
+}
+
+void TestMistakes::lostWIsAffine() { QCOMPARE(mistakenImage("w-lost"), mistakenImage("affine")); }
+
+void TestMistakes::steepLineRunsPastItsEnd()
+{
+    const auto lastRow = [](GridPoint from, GridPoint to) {
+        int last = from.y;
+        columnLine(from, to, [&](int, int y, double) { last = std::max(last, y); });
+        return last;
+    };
+    QCOMPARE(lastRow({0, 0}, {1, 10}), 20);
+    QCOMPARE(lastRow({0, 0}, {0, 10}), 0);
+    QCOMPARE(octantOf({0, 0}, {1, -2}), 1);
+    QCOMPARE(octantOf({0, 0}, {-2, 1}), 4);
+}
+
+QTEST_GUILESS_MAIN(TestMistakes)
+#include "test_mistakes.moc"

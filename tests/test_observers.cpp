@@ -1,0 +1,116 @@
+// Observers do not change pixels: the plain frame and the counted one are the same for every scene and any settings.
+#include "tests/support.h"
+
+#include <QJsonDocument>
+#include <QTest>
+
+using namespace rasterlens;
+using namespace rasterlens::test;
+
+namespace
+{
+
+/// A random value for every field of the table.
+Settings randomSettings(Random& random, Settings settings)
+{
+    for (const SettingsField& field : settingsFields())
+        field.set(settings, integer(random, field.minimum, field.maximum));
+    settings.threads = integer(random, 0, 4);
+    settings.size = {integer(random, 1, 60), integer(random, 1, 60)};
+    return settings;
+}
+
+QString text(const Settings& settings)
+{
+    return QString::fromUtf8(QJsonDocument(toJson(settings)).toJson(QJsonDocument::Compact));
+}
+
+} // namespace
+
+class TestObservers : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void builtinScenes_data();
+    void builtinScenes();
+    void randomSettingsOfAllFields();
+    void stoppingEndsTheWork();
+};
+
+void TestObservers::builtinScenes_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const BuiltinScene& scene : rasterlens::builtinScenes())
+        QTest::newRow(scene.name) << QString::fromLatin1(scene.name);
+}
+
+void TestObservers::builtinScenes()
+{
+    QFETCH(QString, name);
+    const Scene scene = *makeBuiltinScene(name).scene;
+    Settings settings = scene.defaults;
+    settings.size = settings.size.boundedTo({240, 180});
+    Frame counted;
+    const Statistics s = renderCounted(scene, settings, counted, kAllOutputs);
+    QCOMPARE(difference(draw(scene, settings), counted), QString());
+    // The counters say what the arrays show.
+    QVERIFY(s.pixels.covered > 0);
+    if (settings.samples == Samples::One) {
+        std::uint64_t covered = 0;
+        for (const std::uint16_t n : counted.coverage)
+            covered += n;
+        QCOMPARE(s.pixels.covered, covered);
+    }
+    QVERIFY(s.pixels.coveredTwice == 0);
+}
+
+void TestObservers::randomSettingsOfAllFields()
+{
+    Random random = seededRandom();
+    std::vector<Scene> scenes;
+    for (const char* name : {"cube", "letter-f", "behind-camera", "painter-cycle", "leaf", "floor"})
+        scenes.push_back(*makeBuiltinScene(QLatin1String(name)).scene);
+    std::vector<glm::vec4> positions;
+    for (int i = 0; i < 90; ++i)
+        positions.emplace_back(uniform(random, -2, 2), uniform(random, -2, 2), uniform(random, -1.5, 1.5),
+                               uniform(random, -0.5, 2));
+    scenes.push_back(soup(positions));
+    int run = 0;
+    int skipped = 0;
+    for (int i = 0; i < 2500; ++i) {
+        const Scene& scene = scenes[std::size_t(i) % scenes.size()];
+        const Settings settings = randomSettings(random, scene.defaults);
+        if (unsupported(scene, settings)) {
+            ++skipped;
+            continue;
+        }
+        ++run;
+        Frame counted;
+        const Statistics s = renderCounted(scene, settings, counted, kAllOutputs);
+        const QString text = difference(draw(scene, settings), counted);
+        QVERIFY2(text.isEmpty(), qPrintable(text + ::text(settings)));
+        const Statistics::Faces& f = s.faces;
+        QCOMPARE(f.submitted, f.rejected + f.culledBack + f.culledFront + f.degenerate + f.nonFinite + f.rasterized);
+        QCOMPARE(s.pixels.covered, s.pixels.depthPassed + s.pixels.depthFailed);
+        QCOMPARE(s.pixels.written, s.pixels.depthPassed);
+    }
+    qInfo("%d settings drawn, %d not supported", run, skipped);
+    QVERIFY(run > 500);
+}
+
+void TestObservers::stoppingEndsTheWork()
+{
+    const Scene scene = *makeBuiltinScene(QStringLiteral("teapot")).scene;
+    Settings settings = scene.defaults;
+    settings.size = {64, 48};
+    std::stop_source stop;
+    stop.request_stop();
+    Frame frame;
+    const Statistics s = renderCounted(scene, settings, frame, kAllOutputs, stop.get_token());
+    QVERIFY(s.faces.submitted < scene.mesh.faceCount());
+    QCOMPARE(frame.image.size(), settings.size);
+}
+
+QTEST_APPLESS_MAIN(TestObservers)
+#include "test_observers.moc"

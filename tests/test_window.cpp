@@ -1,0 +1,637 @@
+#include "core/builtin_scenes.h"
+#include "core/case_file.h"
+#include "ui/applicability.h"
+#include "ui/dock.h"
+#include "ui/help_overlay.h"
+#include "ui/main_window.h"
+#include "ui/pipeline_panel.h"
+#include "ui/stage_strip.h"
+#include "ui/statistics_panel.h"
+
+#include <QCheckBox>
+#include <QClipboard>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace rasterlens;
+
+namespace
+{
+
+constexpr int kPatienceMs = 30000;
+
+/// A triangle in front of the near half of the view volume, one across the right border and one behind the eye.
+constexpr auto kClipped = R"(size 32 32
+tri -0.8 -0.8 -0.5 1 1 0 0   0.2 -0.8 -0.5 1 0 1 0   -0.8 0.8 -0.5 1 0 0 1
+tri 0.3 -0.5 0.4 1 1 1 0   3 0 0.4 1 0 1 1   0.3 0.6 0.4 1 1 0 1
+tri 0 0 0 1 1 1 1   0.5 0.9 0.1 0.5 1 1 1   0.1 0.5 0.2 -0.4 1 1 1
+)";
+
+} // namespace
+
+class TestWindow : public QObject
+{
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+    std::unique_ptr<MainWindow> m_window;
+
+    Document& document() { return m_window->document(); }
+    const Settings& settings() { return document().settings(); }
+    ViewportWidget& viewport() { return m_window->viewport(); }
+
+    bool settle()
+    {
+        return QTest::qWaitFor([this] { return m_window->isSettled(); }, kPatienceMs);
+    }
+
+    bool open(const QString& name)
+    {
+        document().open(name);
+        return settle() && document().scene()->id == name;
+    }
+
+    /// The same in a picture small enough for many tests.
+    bool openSmall(const QString& name)
+    {
+        if (!open(name))
+            return false;
+        Settings small = settings();
+        small.size = small.size.scaled(QSize(320, 240).boundedTo(small.size), Qt::KeepAspectRatio);
+        document().setSettings(small);
+        return settle();
+    }
+
+    bool openText(const char* caseText)
+    {
+        document().setScene(std::make_shared<const Scene>(*parseCase(caseText, QStringLiteral("text.case")).scene));
+        return settle();
+    }
+
+    void speak(LanguageKind language)
+    {
+        m_window->setLanguage(language);
+        QCoreApplication::processEvents();
+    }
+
+    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
+    {
+        QTest::keyClick(&viewport(), key, modifiers);
+    }
+
+    void choose(const QString& field, int value)
+    {
+        QWidget* editor = m_window->pipelinePanel().editor(field);
+        if (auto* combo = qobject_cast<QComboBox*>(editor))
+            combo->setCurrentIndex(value);
+        else if (auto* spin = qobject_cast<QSpinBox*>(editor))
+            spin->setValue(value);
+        else if (auto* check = qobject_cast<QCheckBox*>(editor))
+            check->setChecked(value != 0);
+    }
+
+    QImage picture() { return viewport().frame()->frame.image.copy(); }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QStandardPaths::setTestModeEnabled(true);
+        QCoreApplication::setOrganizationName(QStringLiteral("RasterLensTest"));
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.filePath(QStringLiteral("config")));
+    }
+
+    void init()
+    {
+        m_window = std::make_unique<MainWindow>(MainWindow::Memory::Forget);
+        m_window->resize(1280, 800);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_window->activateWindow();
+        viewport().setFocus();
+    }
+
+    void cleanup()
+    {
+        if (m_window)
+            m_window->setLanguage(LanguageKind::English);
+        m_window.reset();
+    }
+
+    void everySwitchChangesItsField_data()
+    {
+        QTest::addColumn<QString>("id");
+        for (const SettingsField& field : settingsFields())
+            QTest::newRow(field.id) << QString::fromLatin1(field.id);
+    }
+
+    void everySwitchChangesItsField()
+    {
+        QFETCH(QString, id);
+        const SettingsField& field = *findSettingsField(id);
+        QVERIFY(openSmall(QStringLiteral("builtin:cube")));
+        const int before = field.get(settings());
+        const int panelCount = m_window->pipelinePanel().changedCount();
+        for (int value = field.minimum; value <= std::min(field.maximum, field.minimum + 9); ++value) {
+            choose(id, value);
+            QCOMPARE(field.get(settings()), value);
+        }
+        choose(id, before == field.maximum ? field.minimum : before + 1);
+        QVERIFY(field.get(settings()) != before);
+        QCOMPARE(m_window->pipelinePanel().changedCount(), panelCount + 1);
+        while (document().canUndo() && field.get(settings()) != before)
+            document().undo();
+        QCOMPARE(field.get(settings()), before);
+        QCOMPARE(m_window->pipelinePanel().changedCount(), panelCount);
+        QVERIFY(settle());
+    }
+
+    void everySwitchShows_data()
+    {
+        QTest::addColumn<QString>("scene");
+        QTest::addColumn<QStringList>("before");
+        QTest::addColumn<QString>("field");
+        QTest::addColumn<QString>("value");
+        const auto row = [](const char* scene, const QStringList& before, const char* field, const char* value) {
+            QTest::newRow(qPrintable(QStringLiteral("%1 %2").arg(QLatin1String(field), QLatin1String(value))))
+                << QString::fromLatin1(scene) << before << QString::fromLatin1(field) << QString::fromLatin1(value);
+        };
+        row("clipped", {}, "clipping", "any-vertex-inside");
+        row("clipped", {}, "clipping", "guard-band");
+        row("clipped", {}, "clip-z", "d3d");
+        row("builtin:cube", {"shading=depth"}, "reversed-z", "true");
+        row("builtin:cube", {}, "subpixel-bits", "0");
+        row("builtin:slivers", {}, "number-type", "float32");
+        row("builtin:cube", {}, "culling", "none");
+        row("builtin:cube", {}, "culling", "front");
+        row("builtin:cube", {}, "winding", "cw");
+        row("builtin:behind-camera", {"culling=back", "clipping=none"}, "cull-space", "clip");
+        row("builtin:cube", {}, "fill", "wireframe");
+        row("builtin:cube", {}, "fill", "points");
+        row("builtin:square-diagonal", {}, "algorithm", "edge-walking");
+        row("builtin:slivers", {"number-type=float32"}, "stepping", "direct");
+        row("builtin:square-diagonal", {}, "tie-rule", "inclusive");
+        row("builtin:square-diagonal", {}, "tie-rule", "exclusive");
+        row("builtin:torus-knot", {"fill=wireframe"}, "line", "dda");
+        row("builtin:triangle", {}, "samples", "2x2");
+        row("builtin:piercing", {}, "visibility", "painter");
+        row("builtin:piercing", {}, "visibility", "submission-order");
+        row("builtin:piercing", {}, "depth-test", "greater");
+        row("builtin:z-fighting", {}, "depth-format", "unorm16");
+        row("builtin:head", {}, "depth-order", "after-shading");
+        row("builtin:tile-square", {}, "interpolation", "affine");
+        row("builtin:cube", {}, "shading", "normals");
+        row("builtin:tile-square", {"shading=texture"}, "texture-filter", "bilinear");
+    }
+
+    /// Each switch, used in the panel, changes the picture or the counters of a scene that is about it. Not so the
+    /// attribute path, which reaches the same values by other sums, nor threads and vector instructions.
+    void everySwitchShows()
+    {
+        QFETCH(QString, scene);
+        QFETCH(QStringList, before);
+        QFETCH(QString, field);
+        QFETCH(QString, value);
+        QVERIFY(scene == QLatin1String("clipped") ? openText(kClipped) : openSmall(scene));
+        Settings prepared = settings();
+        for (const QString& assignment : before) {
+            const QStringList parts = assignment.split(QLatin1Char('='));
+            const auto error = setFromText(*findSettingsField(parts[0]), parts[1], prepared);
+            QVERIFY2(!error, error ? qPrintable(*error) : "");
+        }
+        document().setSettings(prepared);
+        QVERIFY(settle());
+        QVERIFY2(m_window->message().isEmpty(), qPrintable(m_window->message()));
+        QVERIFY2(!whyWithoutEffect(*findSettingsField(field), settings()), "the switch is greyed out");
+        const QImage pictureBefore = picture();
+        const Statistics statisticsBefore = viewport().frame()->statistics;
+
+        Settings target = settings();
+        QVERIFY(!setFromText(*findSettingsField(field), value, target));
+        choose(field, findSettingsField(field)->get(target));
+        QVERIFY(settings() == target);
+        QVERIFY(settle());
+        QVERIFY2(m_window->message().isEmpty(), qPrintable(m_window->message()));
+        QVERIFY2(picture() != pictureBefore || !(viewport().frame()->statistics == statisticsBefore),
+                 "neither the picture nor a counter changed");
+    }
+
+    void keysStepTheFields_data()
+    {
+        QTest::addColumn<Qt::Key>("keyOfField");
+        QTest::addColumn<QString>("id");
+        QTest::newRow("W") << Qt::Key_W << QStringLiteral("fill");
+        QTest::newRow("E") << Qt::Key_E << QStringLiteral("algorithm");
+        QTest::newRow("C") << Qt::Key_C << QStringLiteral("culling");
+        QTest::newRow("X") << Qt::Key_X << QStringLiteral("clipping");
+        QTest::newRow("T") << Qt::Key_T << QStringLiteral("depth-test");
+        QTest::newRow("P") << Qt::Key_P << QStringLiteral("interpolation");
+        QTest::newRow("N") << Qt::Key_N << QStringLiteral("number-type");
+    }
+
+    void keysStepTheFields()
+    {
+        QFETCH(Qt::Key, keyOfField);
+        QFETCH(QString, id);
+        QVERIFY(openSmall(QStringLiteral("builtin:cube")));
+        const SettingsField& field = *findSettingsField(id);
+        const int first = field.get(settings());
+        key(keyOfField);
+        QVERIFY(field.get(settings()) != first);
+        for (int i = 0; i < 20 && field.get(settings()) != first; ++i)
+            key(keyOfField);
+        QCOMPARE(field.get(settings()), first);
+    }
+
+    void zoomKeepsThePixelUnderTheCursor()
+    {
+        QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+        viewport().setZoom(4);
+        const QPoint cursor = viewport().transform().toCanvas(QPointF(5.5, 2.5)).toPoint();
+        for (const int notches : {1, 1, 1, 1, 1, -1, 1, 1, 1, 1}) {
+            const double former = viewport().transform().zoom;
+            QWheelEvent wheel(cursor, viewport().mapToGlobal(cursor), {}, {0, 120 * notches}, Qt::NoButton,
+                              Qt::NoModifier, Qt::NoScrollPhase, false);
+            QCoreApplication::sendEvent(&viewport(), &wheel);
+            QCOMPARE(viewport().transform().zoom, nextZoomStep(former, notches));
+            QCOMPARE(viewport().transform().pixelAt(cursor), QPoint(5, 2));
+        }
+        QCOMPARE(viewport().transform().zoom, 64.0);
+    }
+
+    void fitAndOneToOne()
+    {
+        QVERIFY(open(QStringLiteral("builtin:cube")));
+        key(Qt::Key_1, Qt::ControlModifier);
+        QCOMPARE(viewport().transform().zoom, 1.0);
+        key(Qt::Key_F);
+        const QRectF shown = viewport().transform().toCanvas(QRectF(QPointF(0, 0), settings().size));
+        QVERIFY(QRectF(viewport().rect()).contains(shown));
+        QVERIFY(viewport().isFitted());
+    }
+
+    void leftDragOrbitsObjectsAndIsOneUndoStep()
+    {
+        QVERIFY(openSmall(QStringLiteral("builtin:cube")));
+        const Settings before = settings();
+        const QPoint middle = viewport().rect().center();
+        QTest::mousePress(&viewport(), Qt::LeftButton, {}, middle);
+        for (int i = 1; i <= 10; ++i)
+            QTest::mouseMove(&viewport(), middle + QPoint(8 * i, 3 * i));
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, middle + QPoint(80, 30));
+        QVERIFY(!(settings().view == before.view));
+        document().undo();
+        QVERIFY(settings() == before);
+        QVERIFY(settle());
+    }
+
+    void leftDragPansClipSpaceScenes()
+    {
+        QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+        const Settings before = settings();
+        const QPointF origin = viewport().transform().origin;
+        const QPoint middle = viewport().rect().center();
+        QTest::mousePress(&viewport(), Qt::LeftButton, {}, middle);
+        QTest::mouseMove(&viewport(), middle + QPoint(10, 4));
+        QTest::mouseMove(&viewport(), middle + QPoint(31, 17));
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, middle + QPoint(31, 17));
+        QVERIFY(settings() == before);
+        QCOMPARE(viewport().transform().origin, origin + QPointF(31, 17));
+    }
+
+    void axisViewsAndHome()
+    {
+        QVERIFY(openSmall(QStringLiteral("builtin:cube")));
+        const View home = settings().view;
+        key(Qt::Key_7);
+        QCOMPARE(settings().view.pitch, 90.0);
+        key(Qt::Key_3);
+        QCOMPARE(settings().view.yaw, 90.0);
+        QCOMPARE(settings().view.pitch, 0.0);
+        key(Qt::Key_1);
+        QCOMPARE(settings().view.yaw, 0.0);
+        key(Qt::Key_Home);
+        QVERIFY(settings().view == home);
+        document().undo();
+        QCOMPARE(settings().view.yaw, 0.0);
+    }
+
+    void clickSelectsAndArrowsNudge()
+    {
+        QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+        const QPoint at = viewport().transform().toCanvas(QPointF(3.5, 4.5)).toPoint();
+        QTest::mouseClick(&viewport(), Qt::LeftButton, {}, at);
+        QCOMPARE(viewport().selectedPixel(), std::optional(QPoint(3, 4)));
+        key(Qt::Key_Right);
+        key(Qt::Key_Down);
+        QCOMPARE(viewport().selectedPixel(), std::optional(QPoint(4, 5)));
+        for (int i = 0; i < 10; ++i)
+            key(Qt::Key_Left);
+        QCOMPARE(viewport().selectedPixel(), std::optional(QPoint(0, 5)));
+        key(Qt::Key_Escape);
+        QVERIFY(!viewport().selectedPixel());
+    }
+
+    void readoutNamesColourFaceAndDepth()
+    {
+        QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+        const auto pixel = viewport().readout({0, 7});
+        QVERIFY(pixel);
+        QCOMPARE(pixel->color, picture().pixel(0, 7));
+        QVERIFY(pixel->face && *pixel->face >= 0);
+        QVERIFY(pixel->depth && *pixel->depth < 1);
+        QVERIFY(!viewport().readout({8, 0}));
+        QVERIFY(!viewport().readout({-1, 0}));
+    }
+
+    void goToPixel()
+    {
+        QVERIFY(open(QStringLiteral("builtin:cube")));
+        key(Qt::Key_G, Qt::ControlModifier);
+        auto* edit = m_window->findChild<QLineEdit*>(QStringLiteral("goToPixel"));
+        QVERIFY(edit->isVisible());
+        edit->clear();
+        QTest::keyClicks(edit, QStringLiteral("112, 43"));
+        QTest::keyClick(edit, Qt::Key_Return);
+        QCOMPARE(viewport().selectedPixel(), std::optional(QPoint(112, 43)));
+        QVERIFY(!edit->isVisible());
+        QCOMPARE(viewport().transform().pixelAt(viewport().rect().center()), QPoint(112, 43));
+
+        key(Qt::Key_G, Qt::ControlModifier);
+        edit->setText(QStringLiteral("99999, 0"));
+        QTest::keyClick(edit, Qt::Key_Return);
+        QVERIFY(m_window->message().contains(QStringLiteral("99999")));
+    }
+
+    void sizeIsEdited()
+    {
+        QVERIFY(open(QStringLiteral("builtin:cube")));
+        QComboBox* box = m_window->pipelinePanel().sizeBox();
+        box->lineEdit()->setText(QStringLiteral("123x45"));
+        QTest::keyClick(box->lineEdit(), Qt::Key_Return);
+        QCOMPARE(settings().size, QSize(123, 45));
+        QVERIFY(settle());
+        QCOMPARE(picture().size(), QSize(123, 45));
+        box->lineEdit()->setText(QStringLiteral("0 x 5"));
+        QTest::keyClick(box->lineEdit(), Qt::Key_Return);
+        QCOMPARE(settings().size, QSize(123, 45));
+        QVERIFY(!m_window->message().isEmpty());
+    }
+
+    void refusedSettingsKeepThePicture()
+    {
+        QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+        const FramePtr before = viewport().frame();
+        Settings refused = settings();
+        refused.cullSpace = CullSpace::View;
+        document().setSettings(refused);
+        QVERIFY(m_window->isSettled());
+        QVERIFY(!m_window->message().isEmpty());
+        QCOMPARE(viewport().frame(), before);
+        QVERIFY2(m_window->pipelinePanel().editor(QStringLiteral("cull-space"))->isEnabled(), "the way back is open");
+        document().undo();
+        QVERIFY(settle());
+        QVERIFY(m_window->message().isEmpty());
+    }
+
+    void badFileLeavesAMessage()
+    {
+        QVERIFY(open(QStringLiteral("builtin:cube")));
+        document().open(QStringLiteral("/nowhere/none.obj"));
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->message().contains(QStringLiteral("/nowhere/none.obj")), kPatienceMs);
+        QCOMPARE(document().scene()->id, QStringLiteral("builtin:cube"));
+        QVERIFY(settle());
+    }
+
+    void droppedFileOpens()
+    {
+        QFile file(m_folder.filePath(QStringLiteral("dropped.case")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(kClipped);
+        file.close();
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(file.fileName())});
+        QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(m_window.get(), &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(m_window.get(), &drop);
+        QTRY_COMPARE_WITH_TIMEOUT(document().scene()->id, file.fileName(), kPatienceMs);
+        QVERIFY(settle());
+    }
+
+    void statisticsAreShownWholeAndCopied()
+    {
+        QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+        StatisticsPanel& panel = m_window->statisticsPanel();
+        QCOMPARE(panel.shown(QStringLiteral("covered")), QStringLiteral("64"));
+        QCOMPARE(panel.shown(QStringLiteral("submitted")), QStringLiteral("2"));
+        const QJsonObject json = QJsonDocument::fromJson(panel.asJson().toUtf8()).object();
+        QCOMPARE(json[QStringLiteral("pixels")][QStringLiteral("covered")].toInt(), 64);
+        const QStringList lines = panel.asCsv().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+        QCOMPARE(lines.size(), 2);
+        const auto column = lines[0].split(QLatin1Char(',')).indexOf(QStringLiteral("pixels_covered"));
+        QCOMPARE(lines[1].split(QLatin1Char(',')).value(column), QStringLiteral("64"));
+        for (const QSize& size : {QSize(1280, 800), QSize(1024, 768)}) {
+            m_window->resize(size);
+            QCoreApplication::processEvents();
+            for (const QLabel* label : panel.findChildren<QLabel*>())
+                QVERIFY2(label->width() >= label->sizeHint().width(), qPrintable(label->text()));
+        }
+    }
+
+    void stageStripTellsAndScrolls()
+    {
+        QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+        StageStrip& strip = m_window->stageStrip();
+        QCOMPARE(strip.figure(Stage::Scene), QStringLiteral("2 faces"));
+        QCOMPARE(strip.figure(Stage::Cover), QStringLiteral("64 px"));
+        QCOMPARE(strip.figure(Stage::Screen), QStringLiteral("snapped 1/256"));
+        QSignalSpy clicked(&strip, &StageStrip::stageClicked);
+        auto* shade = strip.findChild<QAbstractButton*>(QStringLiteral("stage%1").arg(static_cast<int>(Stage::Shade)));
+        QTest::mouseClick(shade, Qt::LeftButton);
+        QCOMPARE(clicked.size(), 1);
+        QWidget* shading = m_window->pipelinePanel().editor(QStringLiteral("shading"));
+        QVERIFY(!shading->visibleRegion().isEmpty());
+    }
+
+    void languageSwitchesWhileRunning()
+    {
+        QVERIFY(open(QStringLiteral("builtin:cube")));
+        const auto fileMenu = [this] { return m_window->menuBar()->actions().first()->text(); };
+        const auto culling = [this] {
+            return qobject_cast<QComboBox*>(m_window->pipelinePanel().editor(QStringLiteral("culling")))->itemText(0);
+        };
+        QCOMPARE(fileMenu(), QStringLiteral("&File"));
+        speak(LanguageKind::Chinese);
+        QVERIFY(fileMenu() != QStringLiteral("&File"));
+        QVERIFY(culling() != QStringLiteral("Back faces"));
+        QVERIFY(m_window->stageStrip().figure(Stage::Scene).startsWith(QStringLiteral("12")));
+        QVERIFY(m_window->stageStrip().figure(Stage::Scene) != QStringLiteral("12 faces"));
+        speak(LanguageKind::English);
+        QCOMPARE(fileMenu(), QStringLiteral("&File"));
+        QCOMPARE(culling(), QStringLiteral("Back faces"));
+    }
+
+    /// No text is left in English.
+    void everyTextIsTranslated()
+    {
+        speak(LanguageKind::Chinese);
+        const auto isChinese = [](const QString& text) {
+            return std::any_of(text.begin(), text.end(), [](QChar c) { return c.script() == QChar::Script_Han; });
+        };
+        for (const SettingsField& field : settingsFields()) {
+            QVERIFY2(isChinese(QCoreApplication::translate("Settings", field.title)), field.title);
+            QVERIFY2(isChinese(QCoreApplication::translate("Settings", field.help)), field.help);
+        }
+        for (const BuiltinScene& scene : builtinScenes()) {
+            QVERIFY2(isChinese(QCoreApplication::translate("BuiltinScene", scene.title)), scene.title);
+            QVERIFY2(isChinese(QCoreApplication::translate("BuiltinScene", scene.note)), scene.note);
+        }
+        document().clearRecentFiles();
+        for (const QAction* action : m_window->findChildren<QAction*>())
+            if (action->text().contains(QRegularExpression(QStringLiteral("[a-z]{4}"))))
+                QVERIFY2(isChinese(action->text()) || action->text() == QLatin1String("English"),
+                         qPrintable(action->text()));
+    }
+
+    void toolTipsHaveBothLanguages()
+    {
+        const QString tip = m_window->pipelinePanel().editor(QStringLiteral("clipping"))->toolTip();
+        QVERIFY(tip.contains(QStringLiteral("Clipping")));
+        QVERIFY(tip.contains(QStringLiteral("\u88c1\u526a")));
+    }
+
+    void layoutIsReset()
+    {
+        QVERIFY(open(QStringLiteral("builtin:cube")));
+        auto* dock = m_window->findChild<Dock*>(QStringLiteral("statisticsDock"));
+        dock->hide();
+        m_window->addDockWidget(Qt::LeftDockWidgetArea, dock);
+        key(Qt::Key_0, Qt::ControlModifier);
+        QVERIFY(dock->isVisible());
+        QCOMPARE(m_window->dockWidgetArea(dock), Qt::RightDockWidgetArea);
+    }
+
+    void layoutIsRemembered()
+    {
+        m_window.reset();
+        {
+            MainWindow first(MainWindow::Memory::Remember);
+            first.show();
+            first.findChild<Dock*>(QStringLiteral("statisticsDock"))->hide();
+            first.setLanguage(LanguageKind::Chinese);
+            first.close();
+        }
+        MainWindow second(MainWindow::Memory::Remember);
+        second.show();
+        QVERIFY(second.findChild<Dock*>(QStringLiteral("statisticsDock"))->isHidden());
+        QCOMPARE(second.language(), LanguageKind::Chinese);
+        second.setLanguage(LanguageKind::English);
+    }
+
+    void helpListsLiveStates()
+    {
+        QVERIFY(openSmall(QStringLiteral("builtin:cube")));
+        const auto text = [this] {
+            QString all;
+            for (const QLabel* label : m_window->helpOverlay().findChildren<QLabel*>())
+                all += label->text();
+            return all;
+        };
+        key(Qt::Key_H);
+        QVERIFY(m_window->helpOverlay().isVisible());
+        QVERIFY(text().contains(QStringLiteral("Solid")));
+        key(Qt::Key_W);
+        QVERIFY(text().contains(QStringLiteral("Wireframe")));
+        key(Qt::Key_H);
+        QVERIFY(!m_window->helpOverlay().isVisible());
+    }
+
+    void presentationPutsDocksAway()
+    {
+        QVERIFY(open(QStringLiteral("builtin:cube")));
+        const auto docks = m_window->findChildren<Dock*>();
+        key(Qt::Key_F11);
+        for (const Dock* dock : docks)
+            QVERIFY(!dock->isVisible());
+        QVERIFY(QApplication::font().pointSizeF() >= 18);
+        key(Qt::Key_F11);
+        for (const Dock* dock : docks)
+            QVERIFY(dock->isVisible());
+        QVERIFY(QApplication::font().pointSizeF() < 12);
+    }
+
+    void exportsWriteWholePictures()
+    {
+        QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+        const QString framebuffer = m_folder.filePath(QStringLiteral("framebuffer.png"));
+        QVERIFY(m_window->exportFramebuffer(framebuffer));
+        QCOMPARE(QImage(framebuffer).convertToFormat(QImage::Format_RGB32), picture());
+        const QString window = m_folder.filePath(QStringLiteral("window.png"));
+        QVERIFY(m_window->exportWindow(window));
+        QCOMPARE(QImage(window).size(), m_window->size());
+        const QString figure = m_folder.filePath(QStringLiteral("figure.png"));
+        QVERIFY(m_window->exportFigure(figure));
+        const int zoom = static_cast<int>(viewport().transform().zoom);
+        QCOMPARE(QImage(figure).size(), QSize(8 * zoom + 1, 8 * zoom + 1));
+        const QImage scaled = viewport().figure(4);
+        QCOMPARE(scaled.size(), QSize(32, 32));
+        QCOMPARE(scaled.pixel(4 * 3 + 1, 4 * 5 + 2), picture().pixel(3, 5));
+        QVERIFY(viewport().figure(32).size() == QSize(257, 257));
+    }
+
+    void unwritableExportIsSaidInTheWindow()
+    {
+        QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+        QVERIFY(!m_window->exportFramebuffer(QStringLiteral("/nowhere/none.png")));
+        QVERIFY(m_window->message().contains(QStringLiteral("/nowhere/none.png")));
+        QVERIFY(!QFile::exists(QStringLiteral("/nowhere/none.png")));
+    }
+
+    void copyPutsThePictureOnTheClipboard()
+    {
+        QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+        key(Qt::Key_C, Qt::ControlModifier);
+        QCOMPARE(QGuiApplication::clipboard()->image().convertToFormat(QImage::Format_RGB32), picture());
+    }
+
+    void closingWhileRendering()
+    {
+        QVERIFY(open(QStringLiteral("builtin:head")));
+        Settings large = settings();
+        large.size = {3000, 3000};
+        large.samples = Samples::Grid4;
+        document().setSettings(large);
+        QCoreApplication::processEvents();
+        m_window->close();
+        m_window.reset();
+    }
+
+    void theLatestSettingsAreShown()
+    {
+        QVERIFY(open(QStringLiteral("builtin:head")));
+        for (int degrees = 0; degrees < 40; ++degrees) {
+            Settings next = settings();
+            next.view.yaw = degrees;
+            document().setSettings(next, Document::Edit::Camera);
+            QCoreApplication::processEvents();
+        }
+        QVERIFY(settle());
+        QCOMPARE(viewport().frame()->settings.view.yaw, 39.0);
+    }
+};
+
+QTEST_MAIN(TestWindow)
+#include "test_window.moc"

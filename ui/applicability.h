@@ -1,0 +1,20 @@
+#pragma once
+#include "core/settings.h"
+
+#include <QString>
+
+#include <optional>
+
+namespace rasterlens
+{
+
+/// Why changing this field would not change the picture under these settings, in the language in use; or nothing.
+[[nodiscard]] std::optional<QString> whyWithoutEffect(const SettingsField& field, const Settings& settings);
+
+/// The next value of a field, first after last.
+[[nodiscard]] Settings withNextValue(const SettingsField& field, const Settings& settings);
+
+/// The translated title of the present value.
+[[nodiscard]] QString valueTitle(const SettingsField& field, const Settings& settings);
+
+} // namespace rasterlens

@@ -1,0 +1,195 @@
+#include "ui/document.h"
+
+#include "core/session.h"
+
+#include <QFileInfo>
+#include <QSettings>
+
+#include <utility>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr std::size_t kMaxUndoSteps = 500;
+constexpr int kMaxRecentFiles = 10;
+constexpr auto kRecentKey = "recentFiles";
+
+bool isGenerated(const QString& name)
+{
+    return name.startsWith(QLatin1String("builtin:")) || name.startsWith(QLatin1String("stress:"));
+}
+
+bool isSession(const QString& name)
+{
+    return !isGenerated(name) && name.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
+}
+
+std::shared_ptr<const Scene> emptyScene()
+{
+    auto scene = std::make_shared<Scene>();
+    scene->materials.emplace_back();
+    return scene;
+}
+
+} // namespace
+
+Document::Document(QObject* parent)
+    : QObject(parent), m_scene(emptyScene()), m_settings(m_scene->defaults), m_clean(m_settings)
+{
+    m_loader.emplace();
+}
+
+Document::~Document() = default;
+
+void Document::setSettings(const Settings& settings, Edit edit)
+{
+    if (settings == m_settings)
+        return;
+    const bool continues = edit == Edit::Camera && m_inGesture;
+    m_inGesture = edit == Edit::Camera;
+    if (!continues) {
+        m_undo.push_back(m_settings);
+        if (m_undo.size() > kMaxUndoSteps)
+            m_undo.erase(m_undo.begin());
+    }
+    m_redo.clear();
+    replaceSettings(settings);
+}
+
+void Document::replaceSettings(const Settings& settings)
+{
+    m_settings = settings;
+    Q_EMIT settingsChanged();
+}
+
+void Document::setScene(std::shared_ptr<const Scene> scene)
+{
+    const Settings defaults = scene->defaults;
+    setScene(std::move(scene), defaults);
+}
+
+void Document::setScene(std::shared_ptr<const Scene> scene, const Settings& settings)
+{
+    m_scene = std::move(scene);
+    m_settings = settings;
+    m_clean = settings;
+    m_undo.clear();
+    m_redo.clear();
+    m_inGesture = false;
+    Q_EMIT sceneChanged();
+    Q_EMIT settingsChanged();
+}
+
+void Document::undo()
+{
+    if (!canUndo())
+        return;
+    m_inGesture = false;
+    m_redo.push_back(m_settings);
+    const Settings previous = m_undo.back();
+    m_undo.pop_back();
+    replaceSettings(previous);
+}
+
+void Document::redo()
+{
+    if (!canRedo())
+        return;
+    m_inGesture = false;
+    m_undo.push_back(m_settings);
+    const Settings next = m_redo.back();
+    m_redo.pop_back();
+    replaceSettings(next);
+}
+
+void Document::open(const QString& name)
+{
+    const quint64 serial = ++m_openSerial;
+    m_loading = true;
+    Q_EMIT loadingChanged(true, name);
+    m_loader->post(
+        [this, name, serial](std::stop_token) {
+            QMetaObject::invokeMethod(
+                this, [this, name, serial, opened = load(name)] { finishOpening(name, serial, opened); },
+                Qt::QueuedConnection);
+        },
+        LatestTask::Running::Interrupt);
+}
+
+Document::Opened Document::load(const QString& name)
+{
+    Opened opened;
+    QString sceneName = name;
+    if (isSession(name)) {
+        SessionLoad session = loadSession(name);
+        opened.diagnostics = std::move(session.diagnostics);
+        if (!session.session)
+            return opened;
+        opened.settings = session.session->settings;
+        sceneName = session.session->scene;
+    }
+    LoadOptions options;
+    if (opened.settings)
+        options.size = opened.settings->size;
+    SceneLoad scene = loadScene(sceneName, options);
+    opened.diagnostics.insert(opened.diagnostics.end(), scene.diagnostics.begin(), scene.diagnostics.end());
+    if (scene.scene)
+        opened.scene = std::make_shared<const Scene>(std::move(*scene.scene));
+    return opened;
+}
+
+void Document::finishOpening(const QString& name, quint64 serial, const Opened& opened)
+{
+    if (serial != m_openSerial)
+        return;
+    m_loading = false;
+    if (opened.scene) {
+        m_sessionPath = isSession(name) ? name : QString();
+        setScene(opened.scene, opened.settings.value_or(opened.scene->defaults));
+        if (!isGenerated(name))
+            rememberRecent(name);
+    }
+    Q_EMIT loadingChanged(false, name);
+    if (!opened.diagnostics.empty())
+        Q_EMIT diagnosticsReported(opened.diagnostics);
+    if (opened.scene)
+        Q_EMIT this->opened(name);
+}
+
+bool Document::saveSession(const QString& path)
+{
+    const Session session{m_scene->id, m_settings};
+    if (const auto error = rasterlens::saveSession(session, path)) {
+        Q_EMIT diagnosticsReported({{Severity::Error, path, 0, *error}});
+        return false;
+    }
+    m_sessionPath = path;
+    m_clean = m_settings;
+    rememberRecent(path);
+    Q_EMIT settingsChanged();
+    return true;
+}
+
+QStringList Document::recentFiles() const { return QSettings().value(kRecentKey).toStringList(); }
+
+void Document::clearRecentFiles()
+{
+    QSettings().remove(kRecentKey);
+    Q_EMIT recentFilesChanged();
+}
+
+void Document::rememberRecent(const QString& path)
+{
+    QStringList files = recentFiles();
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    files.removeAll(absolute);
+    files.prepend(absolute);
+    if (files.size() > kMaxRecentFiles)
+        files.resize(kMaxRecentFiles);
+    QSettings().setValue(kRecentKey, files);
+    Q_EMIT recentFilesChanged();
+}
+
+} // namespace rasterlens

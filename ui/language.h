@@ -1,0 +1,31 @@
+#pragma once
+#include <QString>
+#include <QTranslator>
+
+namespace rasterlens
+{
+
+enum class LanguageKind { English, Chinese };
+
+/// The two languages of the window. English is the text in the code; Chinese comes from the resources.
+class Language
+{
+public:
+    Language();
+
+    /// Retranslates the running program: every widget gets a LanguageChange event.
+    void use(LanguageKind kind);
+    [[nodiscard]] LanguageKind kind() const { return m_kind; }
+
+    /// The term in the language that is *not* in use, for tool-tips that show both.
+    [[nodiscard]] QString inOther(const char* context, const char* source) const;
+
+    /// The language of the system, where we have it.
+    [[nodiscard]] static LanguageKind ofSystem();
+
+private:
+    QTranslator m_chinese;
+    LanguageKind m_kind = LanguageKind::English;
+};
+
+} // namespace rasterlens

@@ -1,0 +1,71 @@
+#pragma once
+#include "ui/render_worker.h"
+
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QTimer>
+#include <QWidget>
+
+#include <deque>
+#include <vector>
+
+class QScrollArea;
+
+namespace rasterlens
+{
+
+/// Frames a second, stage times and every counter of the last counted frame, always shown in full.
+class StatisticsPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit StatisticsPanel(QWidget* parent = nullptr);
+
+    void setFrame(const FramePtr& frame);
+    void setStale(bool stale);
+
+    /// The last counted frame as the statistics document of the command line, and flattened to one row.
+    [[nodiscard]] QString asJson() const;
+    [[nodiscard]] QString asCsv() const;
+    /// The text shown for a counter, by its JSON name: `submitted`, `covered`.
+    [[nodiscard]] QString shown(const QString& counter) const;
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Row {
+        const char* id;
+        const char* title;
+        const char* help;
+        std::uint64_t (*get)(const Statistics&); ///< null: a heading
+        QLabel* name = nullptr;
+        QLabel* value = nullptr;
+    };
+    struct TimeRow {
+        const char* title;
+        double StageTimes::*time;
+        QLabel* name = nullptr;
+        QLabel* value = nullptr;
+    };
+
+    [[nodiscard]] double framesPerSecond() const;
+    void retranslate();
+    void showTimes();
+    void keepWideEnough();
+
+    std::vector<Row> m_rows;
+    std::vector<TimeRow> m_timeRows;
+    QScrollArea* m_scroll = nullptr;
+    QLabel* m_fps = nullptr;
+    QLabel* m_fpsUnit = nullptr;
+    QLabel* m_timesHeading = nullptr;
+    FramePtr m_counted;
+    StageTimes m_times;
+    QElapsedTimer m_clock;
+    std::deque<qint64> m_finished; ///< when the last frames were completed, milliseconds
+    QTimer m_settle;               ///< shows the rate again once frames stop coming
+};
+
+} // namespace rasterlens
