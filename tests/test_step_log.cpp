@@ -2,6 +2,7 @@
 #include "core/builtin_scenes.h"
 #include "core/case_file.h"
 #include "core/draw.h"
+#include "core/mistakes.h"
 #include "core/observe/counting_observer.h"
 #include "core/render.h"
 #include "core/steps.h"
@@ -29,6 +30,8 @@ Settings randomSettings(const Scene& scene, std::mt19937& random)
         for (const SettingsField& field : settingsFields())
             if (upTo(2) == 0)
                 field.set(settings, field.minimum + upTo(field.maximum - field.minimum));
+        if (upTo(3) == 0)
+            settings.mistakes = {QString::fromLatin1(mistakes()[random() % mistakes().size()].id)};
         if (!unsupported(scene, settings))
             return settings;
     }
@@ -187,7 +190,8 @@ void TestStepLog::randomSettingsLookTheSame()
             continue;
         Frame frame;
         const Statistics statistics = renderCounted(scene, settings, frame);
-        const QByteArray what = QStringLiteral("%1 of seed %2, %3").arg(i).arg(seed).arg(scene.id).toUtf8();
+        const QByteArray what = QStringLiteral("%1 of seed %2, %3 ").arg(i).arg(seed).arg(scene.id).toUtf8() +
+                                settings.mistakes.join(QLatin1Char(' ')).toUtf8();
         QVERIFY2(cursor.image() == plain(scene, settings).image, what.constData());
         QVERIFY2(cursor.image() == frame.image, what.constData());
         QVERIFY2(cursor.counters() == statistics, what.constData());
@@ -203,8 +207,9 @@ void TestStepLog::everyPositionIsAFreshPartialRun()
         const Scene scene = builtin(name);
         for (int i = 0; i < 10; ++i) {
             Settings settings = randomSettings(scene, random);
-            settings.samples = Samples::One;
+            settings.samples = Samples::One; // so that the picture is finished at any time
             settings.shading = Shading::Gouraud;
+            settings.mistakes.clear();
             if (settings.algorithm == Algorithm::Tiled)
                 settings.algorithm = Algorithm::EdgeEquation;
             if (unsupported(scene, settings))

@@ -25,7 +25,7 @@ namespace rasterlens
 /// Stable ids. Not translated.
 [[nodiscard]] const char* clipPlaneId(ClipPlane plane); ///< `near`
 [[nodiscard]] const char* faceFateId(FaceFate fate);    ///< `culled-back`
-[[nodiscard]] const char* facingId(Facing facing); ///< `screen`
+[[nodiscard]] const char* facingId(Facing facing);      ///< `screen`
 [[nodiscard]] QString colorText(std::uint32_t color);   ///< `#rrggbb`
 [[nodiscard]] QString planesText(std::uint32_t planes); ///< names of a set of planes, `none` if empty
 
