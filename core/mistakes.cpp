@@ -224,7 +224,7 @@ constexpr Mistake kMistakes[] = {
          r.rejectsZeroArea = false;
          r.tie = {0, 0};
      }},
-    {"small-area-dropped", "M38", TEXT("Triangles with |2A| < 1 are dropped"),
+    {"small-area-dropped", "M38", TEXT("Triangles of less than half a pixel are dropped"),
      TEXT("Meshes finer than the pixels have holes or vanish."), TEXT("if (abs(area2) < 1) return"),
      TEXT("It avoids dividing by almost zero."), "tiny-tiles", Proof::Degenerate, Change::Rises,
      [](Rules& r) { r.smallestArea2 = 1; }},

@@ -1,5 +1,6 @@
 // The command line as scripts see it: exit codes, messages, and files that are written whole or not at all.
 #include "core/builtin_scenes.h"
+#include "core/mistakes.h"
 #include "core/npy.h"
 #include "core/settings.h"
 
@@ -132,7 +133,10 @@ void TestCli::helpAndVersion()
         QVERIFY2(help.contains(QByteArray("--") + field.id), field.id);
     for (const BuiltinScene& scene : builtinScenes())
         QVERIFY2(help.contains(scene.name), scene.name);
-    QCOMPARE(call(QStringLiteral("render --list-mistakes")).exitCode, 0);
+    const QByteArray list = call(QStringLiteral("render --list-mistakes")).out;
+    QCOMPARE(list.count('\n'), static_cast<qsizetype>(mistakes().size()));
+    for (const Mistake& mistake : mistakes())
+        QVERIFY2(list.contains(mistake.id), mistake.id);
 }
 
 void TestCli::badCalls_data()

@@ -140,7 +140,7 @@ void TestInterpolation::depthPlanesAreExactInAnyOrder()
         if (area2Of(t) == 0)
             continue;
         const DepthPlane plane = depthPlane(t, area2Of(t), rulesOf(size));
-        if (plane.needle)
+        if (plane.byWeights)
             continue;
         ++planes;
         const auto [left, right] =

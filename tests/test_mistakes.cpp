@@ -3,6 +3,7 @@
 #include "core/mistakes.h"
 #include "core/rasterizers/lines.h"
 
+#include <QFile>
 #include <QRegularExpression>
 #include <QSet>
 #include <QTest>
@@ -59,7 +60,11 @@ private Q_SLOTS:
     void tableIsComplete();
     void changesPictureAndProof_data() { addRowForEachMistake(); }
     void changesPictureAndProof();
+    void documentHasEveryMistake_data() { addRowForEachMistake(); }
+    void documentHasEveryMistake();
     void unknownIdIsRefused();
+    void isDefinedEverywhere_data() { addRowForEachMistake(); }
+    void isDefinedEverywhere();
     void squareIsHitTwiceOrNotAtAll();
     void windingsAreTreatedAlike();
     void depthOfTheBoard();
@@ -100,11 +105,6 @@ void TestMistakes::changesPictureAndProof()
     const double before = proofValue(mistake.proof, right, right);
     const double after = proofValue(mistake.proof, mistaken, right);
     qInfo("%s: %s %g -> %g", mistake.id, proofId(mistake.proof), before, after);
-    if (!qEnvironmentVariableIsEmpty("MISTAKE_PICTURES")) {
-        const QString stem = qEnvironmentVariable("MISTAKE_PICTURES") + QLatin1Char('/') + id;
-        right.frame.image.save(stem + QStringLiteral("-0.png"));
-        mistaken.frame.image.save(stem + QStringLiteral("-1.png"));
-    }
     QVERIFY(right.frame.image != mistaken.frame.image);
     if (mistake.change == Change::Rises)
         QVERIFY2(after > before, proofId(mistake.proof));
@@ -119,6 +119,19 @@ void TestMistakes::changesPictureAndProof()
     QCOMPARE(frame.image, right.frame.image);
 }
 
+void TestMistakes::documentHasEveryMistake()
+{
+    QFETCH(QString, id);
+    const Mistake& mistake = *findMistake(id);
+    QFile file(QFINDTESTDATA("../docs/MISTAKES.md"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QString document = QString::fromUtf8(file.readAll());
+    for (const char* text : {mistake.title, mistake.symptom, mistake.seed})
+        QVERIFY2(document.contains(QString::fromUtf8(text)), text);
+    const QString command = QStringLiteral("`render builtin:%1 --mistake %2`").arg(QLatin1String(mistake.scene), id);
+    QVERIFY2(document.contains(command), qPrintable(command));
+}
+
 void TestMistakes::unknownIdIsRefused()
 {
     const MistakeDemo demo = mistakeDemo(mistakes().front());
@@ -128,6 +141,35 @@ void TestMistakes::unknownIdIsRefused()
     QVERIFY(reason);
     QVERIFY2(reason->contains(QLatin1String("nonsense")), qPrintable(*reason));
     QVERIFY2(reason->contains(QLatin1String("--list-mistakes")), qPrintable(*reason));
+}
+
+/// Alone and together with what multiplies trouble, where corners lie behind the eye, far out or on one line: for the
+/// sanitizers to look at.
+void TestMistakes::isDefinedEverywhere()
+{
+    QFETCH(QString, id);
+    for (const char* name : {"floor", "tunnel", "behind-camera", "huge-triangle", "zero-area", "overhang", "lines"}) {
+        const SceneLoad load = makeBuiltinScene(QLatin1String(name));
+        for (const char* companion : {"affine", "no-near-clip", "box-not-clamped", "zero-area-kept", "w-lost"})
+            for (const Algorithm algorithm : {Algorithm::EdgeEquation, Algorithm::EdgeWalking}) {
+                Settings settings = load.scene->defaults;
+                settings.size = QSize(24, 40);
+                settings.algorithm = algorithm;
+                settings.samples = Samples::Grid2;
+                settings.mistakes = {id, QLatin1String(companion)};
+                settings.mistakes.removeDuplicates();
+                QCOMPARE(unsupported(*load.scene, settings), std::nullopt);
+                Frame first;
+                const Statistics counted = renderCounted(*load.scene, settings, first);
+                Frame second;
+                render(*load.scene, settings, second);
+                QCOMPARE(first.image, second.image);
+                const Statistics::Faces& f = counted.faces;
+                QCOMPARE(f.submitted,
+                         f.rejected + f.culledBack + f.culledFront + f.degenerate + f.nonFinite + f.rasterized);
+                QCOMPARE(counted.pixels.covered, counted.pixels.depthPassed + counted.pixels.depthFailed);
+            }
+    }
 }
 
 void TestMistakes::squareIsHitTwiceOrNotAtAll()

@@ -38,7 +38,6 @@ std::shared_ptr<const Scene> emptyScene()
 Document::Document(QObject* parent)
     : QObject(parent), m_scene(emptyScene()), m_settings(m_scene->defaults), m_clean(m_settings)
 {
-    m_loader.emplace();
 }
 
 Document::~Document() = default;
@@ -109,7 +108,7 @@ void Document::open(const QString& name)
     const quint64 serial = ++m_openSerial;
     m_loading = true;
     Q_EMIT loadingChanged(true, name);
-    m_loader->post(
+    m_loader.post(
         [this, name, serial](std::stop_token) {
             QMetaObject::invokeMethod(
                 this, [this, name, serial, opened = load(name)] { finishOpening(name, serial, opened); },

@@ -90,7 +90,7 @@ private:
     QString m_sessionPath;
     bool m_loading = false;
     quint64 m_openSerial = 0;
-    std::optional<LatestTask> m_loader; ///< last: its thread uses the members above
+    LatestTask m_loader; ///< last: its thread uses the members above
 };
 
 } // namespace rasterlens

@@ -335,12 +335,13 @@ void MainWindow::syncReadout()
     QStringList parts{tr("pixel (%1, %2)").arg(pixel->pixel.x()).arg(pixel->pixel.y()),
                       QStringLiteral("%1 %2 %3").arg(color.red()).arg(color.green()).arg(color.blue()),
                       color.name().toUpper()};
-    if (pixel->face && *pixel->face >= 0)
-        parts << tr("face %1").arg(*pixel->face);
-    else if (pixel->face)
+    constexpr int kBackground = -1;
+    const int face = pixel->face.value_or(kBackground);
+    if (face != kBackground)
+        parts << tr("face %1").arg(face)
+              << tr("depth %1").arg(static_cast<double>(pixel->depth.value_or(1.0F)), 0, 'f', 6);
+    else if (pixel->face.has_value())
         parts << tr("background");
-    if (pixel->depth && pixel->face.value_or(-1) >= 0)
-        parts << tr("depth %1").arg(static_cast<double>(*pixel->depth), 0, 'f', 6);
     m_readout->setText(parts.join(QStringLiteral("    ")));
 }
 

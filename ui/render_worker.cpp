@@ -45,13 +45,9 @@ private:
     std::vector<std::unique_ptr<RenderedFrame>> m_free;
 };
 
-RenderWorker::RenderWorker(QObject* parent) : QObject(parent), m_pool(std::make_shared<Pool>()) { m_task.emplace(); }
+RenderWorker::RenderWorker(QObject* parent) : QObject(parent), m_pool(std::make_shared<Pool>()) {}
 
-RenderWorker::~RenderWorker()
-{
-    m_continuous = false;
-    m_task.reset();
-}
+RenderWorker::~RenderWorker() { m_continuous = false; }
 
 void RenderWorker::request(std::shared_ptr<const Scene> scene, const Settings& settings)
 {
@@ -60,7 +56,7 @@ void RenderWorker::request(std::shared_ptr<const Scene> scene, const Settings& s
     m_scene = std::move(scene);
     m_settings = settings;
     const quint64 serial = ++m_requested;
-    m_task->post(
+    m_task.post(
         [this, scene = m_scene, settings, serial](std::stop_token stop) { work(scene, settings, serial, stop); },
         running);
     if (!wasBusy)
@@ -98,7 +94,7 @@ void RenderWorker::work(const std::shared_ptr<const Scene>& scene, const Setting
                 return;
             deliver(picture, serial);
 
-            if (counted || m_task->superseded())
+            if (counted || m_task.superseded())
                 continue;
             m_counting = true;
             const StageTimes times = picture->frame.times;
@@ -114,7 +110,7 @@ void RenderWorker::work(const std::shared_ptr<const Scene>& scene, const Setting
                 return;
             deliver(inspected, serial);
             counted = true;
-        } while (m_continuous && !m_task->superseded() && !stop.stop_requested());
+        } while (m_continuous && !m_task.superseded() && !stop.stop_requested());
     } catch (const std::bad_alloc&) {
         m_counting = false;
         QMetaObject::invokeMethod(

@@ -8,7 +8,6 @@
 
 #include <atomic>
 #include <memory>
-#include <optional>
 
 namespace rasterlens
 {
@@ -68,7 +67,7 @@ private:
     quint64 m_delivered = 0;
     std::atomic<bool> m_counting = false;
     std::atomic<bool> m_continuous = false;
-    std::optional<LatestTask> m_task; ///< last: its thread uses the members above
+    LatestTask m_task; ///< last: its thread uses the members above
 };
 
 } // namespace rasterlens

@@ -35,7 +35,7 @@ public:
     }
 
     /// A sample covered by the area of the triangle.
-    void operator()(int x, int y)
+    [[gnu::always_inline]] void operator()(int x, int y) // many loops call it, which makes compilers hesitate
     {
         const Weights screen = m_interpolation->weightsAt(x, y);
         process(x, y, m_interpolation->depthAt(x, y, screen), screen, nullptr);

@@ -14,16 +14,6 @@ SampleRange unclamped(double low, double high, int size)
             static_cast<int>(std::floor(std::min(high, size + kFarthest) - 0.5))};
 }
 
-/// The box that holds all samples of the pixels it touches.
-PixelRect wholePixels(const PixelRect& box, int grid)
-{
-    const int left = box.x / grid * grid;
-    const int top = box.y / grid * grid;
-    const int right = (box.x + box.width + grid - 1) / grid * grid;
-    const int bottom = (box.y + box.height + grid - 1) / grid * grid;
-    return {left, top, right - left, bottom - top};
-}
-
 } // namespace
 
 PixelRect boundsByRules(const ScreenTriangle& triangle, const PixelRect& clamped, const Rules& rules)
@@ -40,7 +30,7 @@ PixelRect boundsByRules(const ScreenTriangle& triangle, const PixelRect& clamped
     }
     case Bounds::Clamped: break;
     }
-    return rules.samplesTruncated ? wholePixels(clamped, rules.sampleGrid) : clamped;
+    return clamped;
 }
 
 } // namespace rasterlens

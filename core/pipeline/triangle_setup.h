@@ -83,7 +83,7 @@ struct SampleRange {
             last < size - 1 ? static_cast<int>(std::max(last, -1.0)) : size - 1};
 }
 
-/// The bounds of a triangle for rules.bounds and rules.samplesTruncated.
+/// The bounds of a triangle for rules.bounds.
 ///
 /// in   the bounds clamped to the target, not empty
 [[nodiscard]] PixelRect boundsByRules(const ScreenTriangle& triangle, const PixelRect& clamped, const Rules& rules);
@@ -128,7 +128,7 @@ template <class T>
     }
     for (std::size_t i = 0; i < 3; ++i)
         setup.edges[i] = edgeFunction(setup.vertices[i], setup.vertices[(i + 1) % 3], rules);
-    if (rules.bounds != Bounds::Clamped || rules.samplesTruncated)
+    if (rules.bounds != Bounds::Clamped)
         setup.bounds = boundsByRules(triangle, setup.bounds, rules);
     return setup;
 }

@@ -98,11 +98,21 @@ private:
         return {static_cast<T>(x / grid * grid) * Grid<T>::kUnit, static_cast<T>(y / grid * grid) * Grid<T>::kUnit};
     }
 
+    /// The box that holds all samples of the pixels it touches.
+    static PixelRect wholePixels(const PixelRect& box, int grid)
+    {
+        const int left = box.x / grid * grid;
+        const int top = box.y / grid * grid;
+        const int right = (box.x + box.width + grid - 1) / grid * grid;
+        const int bottom = (box.y + box.height + grid - 1) / grid * grid;
+        return {left, top, right - left, bottom - top};
+    }
+
     /// The test of rules.insideTest, evaluated anew at every sample.
     template <class T, class Emit, class Observer>
     static void coverByRules(const TriangleSetup<T>& setup, const Rules& rules, Emit& emit, Observer& observer)
     {
-        const PixelRect& box = setup.bounds;
+        const PixelRect box = rules.samplesTruncated ? wholePixels(setup.bounds, rules.sampleGrid) : setup.bounds;
         for (int y = box.y; y < box.y + box.height; ++y)
             for (int x = box.x; x < box.x + box.width; ++x) {
                 Values<T> e;

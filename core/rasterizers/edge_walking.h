@@ -183,6 +183,8 @@ struct EdgeWalking {
                       Emit& emit, Observer& observer)
     {
         const Sorted<T> s = sortByY(setup);
+        if (s.vertices[0].y == s.vertices[2].y)
+            return; // no edge to follow
         const Rows rows = rowsOf(s, setup.bounds, rules);
         observer.onWalk(observed(s, rows));
         int y = rows.first;

@@ -203,7 +203,7 @@
         <translation>互相穿插的两个三角形</translation>
     </message>
     <message>
-        <source>Each is in front in one half. The painter's algorithm shows one of them whole.</source>
+        <source>Each is in front in one half. The painter&apos;s algorithm shows one of them whole.</source>
         <translation>每个三角形各有一半在前面。画家算法会把其中一个完整地显示出来。</translation>
     </message>
     <message>
@@ -429,7 +429,7 @@
         <translation>深度缓冲</translation>
     </message>
     <message>
-        <source>Painter's algorithm</source>
+        <source>Painter&apos;s algorithm</source>
         <translation>画家算法</translation>
     </message>
     <message>
@@ -557,7 +557,7 @@
         <translation>反向 z</translation>
     </message>
     <message>
-        <source>The near plane maps to 1 and the far plane to 0, which spends float's precision where it is needed.</source>
+        <source>The near plane maps to 1 and the far plane to 0, which spends float&apos;s precision where it is needed.</source>
         <translation>近平面映射到 1，远平面映射到 0，把浮点精度用在需要的地方。</translation>
     </message>
     <message>
@@ -884,7 +884,7 @@
         <translation>整帧</translation>
     </message>
     <message>
-        <source>Frames per second: counted while frames keep coming, else what the last frame's time allows.</source>
+        <source>Frames per second: counted while frames keep coming, else what the last frame&apos;s time allows.</source>
         <translation>每秒帧数：连续出帧时为实际计数，否则按上一帧的用时推算。</translation>
     </message>
     <message>
@@ -961,7 +961,7 @@
         <translation>深度 %1</translation>
     </message>
     <message>
-        <source>"%1" is no pixel of the picture. Write x, y with 0 to %2 and 0 to %3.</source>
+        <source>&quot;%1&quot; is no pixel of the picture. Write x, y with 0 to %2 and 0 to %3.</source>
         <translation>“%1”不是图像中的像素。请输入 x, y，范围为 0 到 %2 和 0 到 %3。</translation>
     </message>
     <message>
@@ -1357,7 +1357,7 @@
 <context>
     <name>rasterlens::PipelinePanel</name>
     <message>
-        <source>"%1" is not a size. Write WIDTH x HEIGHT with 1 to %2 each.</source>
+        <source>&quot;%1&quot; is not a size. Write WIDTH x HEIGHT with 1 to %2 each.</source>
         <translation>“%1”不是尺寸。请输入 宽 x 高，各为 1 到 %2。</translation>
     </message>
     <message>
