@@ -91,12 +91,10 @@ private:
         }
         const std::span<const ScreenVertex> polygon(vertices.data(), count);
         const FaceFate fate = facing(face, corners, polygon, observer);
-        if (fate == FaceFate::Rasterized) {
-            const int pieces = appendFan(face, polygon, out);
-            observer.onClipped(face, pieces);
-            if (!m_rules.clipUpdatesW)
-                giveWOfCorners(corners, std::span(out).last(static_cast<std::size_t>(pieces)));
-        }
+        const int pieces = fate == FaceFate::Rasterized ? appendFan(face, polygon, out) : 0;
+        observer.onClipped(face, pieces);
+        if (!m_rules.clipUpdatesW)
+            giveWOfCorners(corners, std::span(out).last(static_cast<std::size_t>(pieces)));
         return fate;
     }
 
