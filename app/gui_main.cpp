@@ -1,5 +1,6 @@
 #include "ui/image_export.h"
 #include "ui/main_window.h"
+#include "ui/step_mode.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -7,6 +8,7 @@
 
 #include <cstdio>
 #include <optional>
+#include <utility>
 
 namespace
 {
@@ -26,6 +28,7 @@ void choosePlatform()
 struct Arguments {
     QString scene;
     QString screenshot;
+    QString step;
     std::optional<QSize> windowSize;
     std::optional<rasterlens::LanguageKind> language;
     std::optional<rasterlens::ThemeKind> theme;
@@ -59,7 +62,11 @@ ParsedArguments parseArguments(const QStringList& words)
                                       QStringLiteral("en|zh"));
     const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("Colours of the window: light or dark."),
                                    QStringLiteral("light|dark"));
-    parser.addOptions({help, version, screenshot, windowSize, language, theme});
+    const QCommandLineOption step(
+        QStringLiteral("step"),
+        QStringLiteral("Opens the step mode at a position, or at the first tie, sign-change, depth-fail, clip or nan."),
+        QStringLiteral("where"));
+    parser.addOptions({help, version, screenshot, windowSize, language, theme, step});
     parser.addPositionalArgument(QStringLiteral("scene"),
                                  QStringLiteral("An .obj, a .case, a session .json, builtin:NAME or stress:NAME."),
                                  QStringLiteral("[scene]"));
@@ -81,6 +88,9 @@ ParsedArguments parseArguments(const QStringList& words)
     arguments.screenshot = parser.value(screenshot);
     if (parser.isSet(screenshot) && arguments.screenshot.isEmpty())
         return refuse(QStringLiteral("--screenshot needs a file"));
+    arguments.step = parser.value(step);
+    if (parser.isSet(step) && !rasterlens::StepMode::isPlace(arguments.step))
+        return refuse(QStringLiteral("--step takes a position, tie, sign-change, depth-fail, clip or nan"));
     if (parser.isSet(windowSize)) {
         arguments.windowSize = rasterlens::parseSize(parser.value(windowSize));
         if (!arguments.windowSize)
@@ -152,7 +162,12 @@ int main(int argc, char** argv)
                          if (rasterlens::hasErrors(diagnostics))
                              QApplication::exit(kInvalidInput);
                      });
+    QString step = arguments.step;
     QObject::connect(&window, &MainWindow::settled, &starting, [&] {
+        if (!step.isEmpty()) {
+            window.stepMode().showStep(std::exchange(step, {}));
+            return;
+        }
         window.disconnect(&starting);
         window.document().disconnect(&starting);
         if (forScreenshot)

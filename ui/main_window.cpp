@@ -11,6 +11,9 @@
 #include "ui/pipeline_panel.h"
 #include "ui/stage_strip.h"
 #include "ui/statistics_panel.h"
+#include "ui/step_listing.h"
+#include "ui/step_mode.h"
+#include "ui/transport_dock.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -140,6 +143,8 @@ QWidget* MainWindow::buildCanvas()
 
     m_viewport = new ViewportWidget;
     column->addWidget(m_viewport, 1);
+    m_stepMode = std::make_unique<StepMode>(m_document, *m_viewport, *this);
+    column->addWidget(&m_stepMode->listing());
 
     m_caption = new QLabel;
     m_caption->setObjectName(QStringLiteral("caption"));
@@ -229,6 +234,14 @@ void MainWindow::connectParts()
     connect(m_copyJson, &QToolButton::clicked, this,
             [this] { QGuiApplication::clipboard()->setText(m_statisticsPanel->asJson()); });
 
+    connect(m_stepMode.get(), &StepMode::frameChanged, this, &MainWindow::showFrame);
+    connect(m_stepMode.get(), &StepMode::message, m_message,
+            [this](const QString& text) { m_message->show(MessageKind::Info, text); });
+    connect(&m_stepMode->session(), &StepSession::recordingChanged, this, [this] {
+        if (isSettled())
+            Q_EMIT settled();
+    });
+
     connect(m_viewport, &ViewportWidget::viewChanged, this, &MainWindow::syncCanvasHeader);
     connect(m_viewport, &ViewportWidget::pixelChanged, this, &MainWindow::syncReadout);
     connect(m_viewport, &ViewportWidget::gestureEnded, this, [this] { m_document.endGesture(); });
@@ -287,9 +300,7 @@ void MainWindow::takeFrame(const FramePtr& frame)
         return;
     const bool newScene = !m_lastFrame || m_lastFrame->scene != frame->scene;
     m_lastFrame = frame;
-    m_viewport->setFrame(frame);
-    m_stageStrip->setFrame(frame);
-    m_statisticsPanel->setFrame(frame);
+    showFrame();
     if (newScene)
         m_viewport->fit(frame->scene->window);
     syncCanvasHeader();
@@ -297,9 +308,21 @@ void MainWindow::takeFrame(const FramePtr& frame)
         Q_EMIT settled();
 }
 
+/// The picture of the present step, or else the finished one.
+void MainWindow::showFrame()
+{
+    const FramePtr step = m_stepMode->frame();
+    const FramePtr& frame = step ? step : m_lastFrame;
+    if (!frame)
+        return;
+    m_viewport->setFrame(frame);
+    m_stageStrip->setFrame(frame);
+    m_statisticsPanel->setFrame(frame);
+}
+
 bool MainWindow::isSettled() const
 {
-    if (m_document.isLoading())
+    if (m_document.isLoading() || !m_stepMode->isSettled())
         return false;
     return m_refused || (m_lastFrame && m_lastFrame->counted && m_lastFrame->scene == m_document.scene() &&
                          m_lastFrame->settings == m_document.settings());

@@ -8,6 +8,7 @@
 #include <QMainWindow>
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 class QLabel;
@@ -24,6 +25,7 @@ class MessageBar;
 class PipelinePanel;
 class StageStrip;
 class StatisticsPanel;
+class StepMode;
 
 /// The window: canvas in the middle, pipeline left, statistics right.
 class MainWindow : public QMainWindow
@@ -43,6 +45,7 @@ public:
     [[nodiscard]] StageStrip& stageStrip() { return *m_stageStrip; }
     [[nodiscard]] HelpOverlay& helpOverlay() { return *m_help; }
     [[nodiscard]] RenderWorker& worker() { return m_worker; }
+    [[nodiscard]] StepMode& stepMode() { return *m_stepMode; }
 
     void openDefaultScene();
     void setLanguage(LanguageKind kind);
@@ -113,6 +116,7 @@ private:
 
     void updatePicture();
     void takeFrame(const FramePtr& frame);
+    void showFrame();
     void stepField(const SettingsField& field);
     void moveCamera(const View& view);
     void toggleHelp();
@@ -132,6 +136,7 @@ private:
     RenderWorker m_worker;
 
     ViewportWidget* m_viewport = nullptr;
+    std::unique_ptr<StepMode> m_stepMode;
     StageStrip* m_stageStrip = nullptr;
     PipelinePanel* m_pipelinePanel = nullptr;
     StatisticsPanel* m_statisticsPanel = nullptr;

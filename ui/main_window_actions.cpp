@@ -6,6 +6,8 @@
 #include "ui/message_bar.h"
 #include "ui/navigation.h"
 #include "ui/pipeline_panel.h"
+#include "ui/step_mode.h"
+#include "ui/transport_dock.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -61,6 +63,7 @@ void MainWindow::buildMenus()
     buildEditMenu();
     buildViewMenu();
     buildSettingsMenu();
+    menuBar()->addMenu(m_stepMode->transport().menu());
     buildHelpMenu();
 }
 
@@ -170,6 +173,7 @@ void MainWindow::buildAppearanceMenus(QMenu* view)
     QMenu* panels = addMenu(view, QT_TR_NOOP("&Panels"));
     for (Dock* dock : {m_pipelineDock, m_statisticsDock})
         panels->addAction(dock->toggleViewAction());
+    panels->addAction(m_stepMode->transport().toggleViewAction());
     add(view, QT_TR_NOOP("Reset &layout"), QKeySequence(Qt::CTRL | Qt::Key_0), [this] { resetLayout(); });
     m_presentation =
         addToggle(view, QT_TR_NOOP("P&resentation"), Qt::Key_F11, false, [this](bool on) { setPresentation(on); });

@@ -191,9 +191,12 @@ void paintCanvas(QPainter& painter, const QRect& canvas, const CanvasTransform& 
         paintImage(painter, pixels, transform, image);
         if (transform.zoom >= kGridFromZoom)
             paintCells(painter, pixels, transform, sampleGrid(frame.settings.samples), options);
-        if (options.numbers && transform.zoom >= kNumbersFromZoom)
+        const bool numbersHidden = options.layer && options.layer->hidesNumbers();
+        if (options.numbers && transform.zoom >= kNumbersFromZoom && !numbersHidden)
             paintNumbers(painter, pixels, transform, frame.frame);
     }
+    if (options.layer)
+        options.layer->paint(painter, canvas, transform, options);
     if (options.hoveredPixel && transform.zoom >= kGridFromZoom && image.rect().contains(*options.hoveredPixel))
         paintPixelFrame(painter, *options.hoveredPixel, transform, false, options.thickLines);
     if (options.selectedPixel && transform.zoom >= kGridFromZoom / 2 && image.rect().contains(*options.selectedPixel))

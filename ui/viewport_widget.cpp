@@ -75,6 +75,21 @@ void ViewportWidget::setThickLines(bool on)
     update();
 }
 
+void ViewportWidget::setLayer(const CanvasLayer* layer)
+{
+    m_options.layer = layer;
+    update();
+}
+
+void ViewportWidget::showPixel(QPoint pixel)
+{
+    const QRect cell = m_transform.toCanvas(QRectF(pixel, QSizeF(1, 1))).toAlignedRect();
+    if (rect().contains(cell))
+        return;
+    m_fitted = false;
+    setTransform({m_transform.zoom, QRectF(rect()).center() - (QPointF(pixel) + QPointF(0.5, 0.5)) * m_transform.zoom});
+}
+
 void ViewportWidget::setOverlays(const OverlayOptions& options)
 {
     m_options = options;
@@ -345,12 +360,7 @@ void ViewportWidget::nudge(QPoint step)
     const QPoint to(std::clamp(from.x() + step.x(), 0, size.width() - 1),
                     std::clamp(from.y() + step.y(), 0, size.height() - 1));
     selectPixel(to);
-    const QRect cell = m_transform.toCanvas(QRectF(to, QSizeF(1, 1))).toAlignedRect();
-    if (!rect().contains(cell)) {
-        m_fitted = false;
-        setTransform(
-            {m_transform.zoom, QRectF(rect()).center() - (QPointF(to) + QPointF(0.5, 0.5)) * m_transform.zoom});
-    }
+    showPixel(to);
 }
 
 void ViewportWidget::keyPressEvent(QKeyEvent* event)

@@ -35,6 +35,10 @@ public:
     void setStale(bool stale);
     void setCanvasColor(const QColor& color);
     void setThickLines(bool on);
+    /// in  painted over the picture, also in figures; must outlive the widget, may be null
+    void setLayer(const CanvasLayer* layer);
+    /// Brings a pixel that is out of sight into the middle.
+    void showPixel(QPoint pixel);
 
     [[nodiscard]] const CanvasTransform& transform() const { return m_transform; }
     [[nodiscard]] bool isFitted() const { return m_fitted; }
