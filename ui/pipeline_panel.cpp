@@ -3,6 +3,7 @@
 #include "core/builtin_scenes.h"
 #include "core/render.h"
 #include "ui/field_row.h"
+#include "ui/mistakes_section.h"
 #include "ui/stage_strip.h"
 
 #include <QAbstractItemView>
@@ -116,6 +117,8 @@ PipelinePanel::PipelinePanel(Document& document, const Language& language, QWidg
             m_rows.push_back(row);
         }
     }
+    m_mistakes = new MistakesSection(document, language);
+    column->addWidget(m_mistakes);
     column->addStretch(1);
     m_scroll->setWidget(content);
     outer->addWidget(m_scroll, 1);
@@ -224,6 +227,17 @@ void PipelinePanel::scrollTo(Stage stage)
         return;
     }
     m_scroll->verticalScrollBar()->setValue(m_groupHeadings[stage]->y() - 2);
+}
+
+void PipelinePanel::showMistakes(bool open)
+{
+    m_mistakes->setOpen(open);
+    if (!open)
+        return;
+    // The list has its height once the layouts have run.
+    m_scroll->widget()->layout()->activate();
+    m_scroll->widget()->adjustSize();
+    m_scroll->verticalScrollBar()->setValue(m_mistakes->y() - 2);
 }
 
 QWidget* PipelinePanel::editor(const QString& fieldId) const
