@@ -195,13 +195,13 @@ void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTran
     painter.setClipRect(canvas);
     if (m_model->hasSetup() && view.cell >= kGridFromZoom / 2) {
         paintCells(view);
-        if (view.cell >= kLensNumbersFromCell)
-            paintNumbers(view);
         paintBounds(view);
     }
     painter.setRenderHint(QPainter::Antialiasing);
     paintEdges(view);
     paintTies(view);
+    if (m_model->hasSetup() && view.cell >= kLensNumbersFromCell)
+        paintNumbers(view);
     paintWalk(view);
     paintLine(view);
     paintCurrent(view);
@@ -220,11 +220,11 @@ void LensOverlay::paintCell(QPainter& painter, const QRectF& box, const LensCell
     if (waiting && cell.hasValues)
         inside =
             std::none_of(cell.signs.begin(), cell.signs.end(), [](EdgeSign sign) { return sign == EdgeSign::Minus; });
-    const double tint = inside ? (waiting ? 0.06 : 0.14) : 0;
+    const double tint = inside ? (waiting ? 0.07 : 0.17) : 0;
     const QColor plus(kPlusColor);
     const auto mixed = [&](int a, int b) { return int(std::lround(a + (b - a) * tint)); };
     const QColor veil(mixed(p.fill.red(), plus.red()), mixed(p.fill.green(), plus.green()),
-                      mixed(p.fill.blue(), plus.blue()), waiting ? 236 : 246);
+                      mixed(p.fill.blue(), plus.blue()), waiting ? 246 : 250);
     const double hole = s >= kGlyphsFromCell ? std::round(s * 0.2) : 0;
     const QRectF window(box.center() - QPointF(hole / 2, hole / 2), QSizeF(hole, hole));
     painter.fillRect(QRectF(box.left(), box.top(), s, window.top() - box.top()), veil);
@@ -300,7 +300,7 @@ void LensOverlay::paintNumbers(View& view) const
             QString text = lensCellText(setup, cell);
             view.painter.setFont(cell.tie ? words : numbers);
             if (cell.tie && wordMetrics.horizontalAdvance(text) > room.width())
-                text.replace(QLatin1String(", "), QLatin1String("\n"));
+                text = text.section(QStringLiteral(": "), 1); // the glyph says that it is a tie
             else if (!cell.tie && numberMetrics.horizontalAdvance(text) > room.width())
                 text = QString::number(cell.values[std::size_t(cell.deciding)] / setup.unitsPerArea, 'g', 3);
             view.painter.drawText(room, Qt::AlignHCenter | Qt::AlignTop, text);
@@ -332,7 +332,7 @@ void LensOverlay::paintEdges(View& view) const
             const StepEdge& edge = setup.edges[i];
             const double units = setup.unitsPerSample * view.grid / view.transform.zoom;
             const QPointF origin = view.transform.origin;
-            view.painter.setBrush(withAlpha(QColor(kEdgeLooks[i].color), 16));
+            view.painter.setBrush(withAlpha(QColor(kEdgeLooks[i].color), 10));
             view.painter.drawPolygon(halfOf(picture, [&](QPointF p) {
                 return edge.a * ((p.x() - origin.x()) * units - edge.from.x) +
                        edge.b * ((p.y() - origin.y()) * units - edge.from.y);

@@ -262,6 +262,86 @@
         <source>The board goes from distance 1 on the left to 10 on the right, the markers stand at thirds of the screen. In the middle z/w is 0.8938 and the distance 1.818: z/w is linear on the screen, the distance is not. Board and markers have equal colours at equal distances, unless interpolation is affine.</source>
         <translation>木板左端距离为 1，右端为 10，标记位于屏幕的三等分处。正中间 z/w 为 0.8938，距离为 1.818：z/w 在屏幕上是线性的，距离则不是。木板和标记在相同距离处颜色相同，除非使用仿射插值。</translation>
     </message>
+    <message>
+        <source>The square, hits counted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The square cut by its diagonal; colours tell how many triangles cover a pixel. It must be one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A panel close before a wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As in z-fighting, but with the near plane at 0.5: 32-bit depth can tell panel and wall apart, 16 bits cannot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Near, far, middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Three rectangles, sent in this order: orange in front, blue at the back, green between them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two squares, two windings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The left square is counter-clockwise, the right one clockwise. A rule must treat both alike. Colours tell how many triangles cover a pixel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tiles smaller than a pixel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From half a pixel on the left to several on the right. However small they are, together they cover every pixel once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edges between samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2 x 2 samples a pixel. The orange triangle is nearer and sent first; the white square is cut by its diagonal, of which nothing may be seen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangles without area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Three triangles are flattened to lines through pixel centres. They must not be seen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two needles of 4,000 pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They share a long edge. What is added up along it must not drift.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A triangle of 60,000 pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not clipped: on the left half of the screen an edge value needs more than 32 bits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over the right border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With a guard band the triangle is not clipped; the bounding box alone keeps it on the screen.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ImageExport</name>
@@ -272,6 +352,45 @@
     <message>
         <source>the picture is empty or too large.</source>
         <translation>图像为空或过大。</translation>
+    </message>
+</context>
+<context>
+    <name>Lens</name>
+    <message>
+        <source>left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>neither</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tie</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not ours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sample (%1, %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 per x, %2 per y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tie: %1, %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -893,6 +1012,125 @@
     </message>
 </context>
 <context>
+    <name>StepListing</name>
+    <message>
+        <source>inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>owned: %1 is a %2 edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not owned: %1 is a %2 edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right or bottom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>next x: %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertex</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clip plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cohen-Sutherland</source>
+        <translation type="unfinished">Cohen-Sutherland 算法</translation>
+    </message>
+    <message>
+        <source>viewport</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>facing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>setup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>corners by height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>span</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line decision</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line sample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>depth test</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shade</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>end of the frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tie</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>face %1</source>
+        <translation type="unfinished">面 %1</translation>
+    </message>
+</context>
+<context>
     <name>StressScene</name>
     <message>
         <source>1,000,000 triangles of 1 to 4 pixels</source>
@@ -1340,6 +1578,82 @@
         <source>Fit</source>
         <translation>适合窗口</translation>
     </message>
+    <message>
+        <source>Export figure as S&amp;VG…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export figure as SVG</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export a &amp;run of steps…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>record steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>play, pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left, Right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift + Left, Right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl + Left, Right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl + Shift + Left, Right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl + Home, End</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to the start, the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slower, faster</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SVG drawings (*.svg)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::MessageBar</name>
@@ -1468,6 +1782,231 @@
         <source>Clip</source>
         <comment>short for clip space</comment>
         <translation>裁剪</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::StepMode</name>
+    <message>
+        <source>The record ends without another such event.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is recorded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export a run of steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First and last step, for example 10-60:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no run of steps 0 to %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder for the pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation type="unfinished">已写入：%1</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::StepSession</name>
+    <message>
+        <source>There is not enough memory to record this frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::TransportDock</name>
+    <message>
+        <source>&amp;Record steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step &amp;back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Row back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next ro&amp;w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Face back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next &amp;face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stage back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next s&amp;tage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the st&amp;art</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the &amp;end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record &amp;what</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The whole frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The face at the selected pixel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the canvas shows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run &amp;until</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This &amp;pixel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Sign change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Tie</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Depth test fails</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;NaN or infinity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spee&amp;d</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;tep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Space play · ← → step · Shift row · Ctrl face · Ctrl+Shift stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run until ▾</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cull</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tie</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>depth fail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recording …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>truncated at %1 events: record less</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press R or play to record every decision of this frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cleared frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>whole frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rectangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>speed %1 ▾</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
