@@ -25,7 +25,7 @@ namespace
 
 constexpr int kPatienceMs = 60000;
 
-/// A face cut by the near plane, one behind another, and one with a corner that is no number.
+/// Two faces behind each other, and one across the near plane.
 constexpr auto kStops = R"(size 16 16
 tri -0.8 -0.8 -0.5 1 1 0 0   0.8 -0.8 -0.5 1 0 1 0   0 0.8 -0.5 1 0 0 1
 tri -0.8 -0.8 0.5 1 1 0 0   0.8 -0.8 0.5 1 0 1 0   0 0.8 0.5 1 0 0 1
@@ -367,7 +367,16 @@ void TestLens::runUntilEachStop()
     QVERIFY(!session().event()->has(StepEvent::kPassed));
     expect({StepStop::Kind::Clip});
     QCOMPARE(session().event()->kind, StepKind::ClipPlane);
+
+    // Without clipping the corner with w = 0 is divided by it.
+    QVERIFY(openText("size 16 16\ntri -0.8 -0.8 0 1 1 0 0   0.8 -0.3 0 0 0 1 0   0 0.8 0 1 0 0 1\n"));
+    Settings next = m_window->document().settings();
+    next.clipping = Clipping::None;
+    m_window->document().setSettings(next);
+    QVERIFY(settle());
+    QVERIFY(record());
     expect({StepStop::Kind::NonFinite});
+    QVERIFY(session().event()->has(StepEvent::kNonFinite));
 }
 
 void TestLens::scrubberGoesThereAndBack()

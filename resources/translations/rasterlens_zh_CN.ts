@@ -262,86 +262,6 @@
         <source>The board goes from distance 1 on the left to 10 on the right, the markers stand at thirds of the screen. In the middle z/w is 0.8938 and the distance 1.818: z/w is linear on the screen, the distance is not. Board and markers have equal colours at equal distances, unless interpolation is affine.</source>
         <translation>木板左端距离为 1，右端为 10，标记位于屏幕的三等分处。正中间 z/w 为 0.8938，距离为 1.818：z/w 在屏幕上是线性的，距离则不是。木板和标记在相同距离处颜色相同，除非使用仿射插值。</translation>
     </message>
-    <message>
-        <source>The square, hits counted</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The square cut by its diagonal; colours tell how many triangles cover a pixel. It must be one.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A panel close before a wall</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>As in z-fighting, but with the near plane at 0.5: 32-bit depth can tell panel and wall apart, 16 bits cannot.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Near, far, middle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Three rectangles, sent in this order: orange in front, blue at the back, green between them.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Two squares, two windings</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The left square is counter-clockwise, the right one clockwise. A rule must treat both alike. Colours tell how many triangles cover a pixel.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tiles smaller than a pixel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From half a pixel on the left to several on the right. However small they are, together they cover every pixel once.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Edges between samples</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>2 x 2 samples a pixel. The orange triangle is nearer and sent first; the white square is cut by its diagonal, of which nothing may be seen.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Triangles without area</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Three triangles are flattened to lines through pixel centres. They must not be seen.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Two needles of 4,000 pixels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>They share a long edge. What is added up along it must not drift.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A triangle of 60,000 pixels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not clipped: on the left half of the screen an edge value needs more than 32 bits.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Over the right border</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>With a guard band the triangle is not clipped; the bounding box alone keeps it on the screen.</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>ImageExport</name>
@@ -358,39 +278,39 @@
     <name>Lens</name>
     <message>
         <source>left</source>
-        <translation type="unfinished"></translation>
+        <translation>左边</translation>
     </message>
     <message>
         <source>top</source>
-        <translation type="unfinished"></translation>
+        <translation>上边</translation>
     </message>
     <message>
         <source>neither</source>
-        <translation type="unfinished"></translation>
+        <translation>非左上</translation>
     </message>
     <message>
         <source>tie</source>
-        <translation type="unfinished"></translation>
+        <translation>平局</translation>
     </message>
     <message>
         <source>ours</source>
-        <translation type="unfinished"></translation>
+        <translation>归本面</translation>
     </message>
     <message>
         <source>not ours</source>
-        <translation type="unfinished"></translation>
+        <translation>不归本面</translation>
     </message>
     <message>
         <source>sample (%1, %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>采样 (%1, %2)</translation>
     </message>
     <message>
         <source>%1 per x, %2 per y</source>
-        <translation type="unfinished"></translation>
+        <translation>x 每步 %1，y 每步 %2</translation>
     </message>
     <message>
         <source>tie: %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>平局：%1，%2</translation>
     </message>
 </context>
 <context>
@@ -1015,119 +935,119 @@
     <name>StepListing</name>
     <message>
         <source>inside</source>
-        <translation type="unfinished"></translation>
+        <translation>在内</translation>
     </message>
     <message>
         <source>outside</source>
-        <translation type="unfinished"></translation>
+        <translation>在外</translation>
     </message>
     <message>
         <source>owned: %1 is a %2 edge</source>
-        <translation type="unfinished"></translation>
+        <translation>归本面：%1 是%2</translation>
     </message>
     <message>
         <source>not owned: %1 is a %2 edge</source>
-        <translation type="unfinished"></translation>
+        <translation>不归本面：%1 是%2</translation>
     </message>
     <message>
         <source>right or bottom</source>
-        <translation type="unfinished"></translation>
+        <translation>右边或下边</translation>
     </message>
     <message>
         <source>next x: %1 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>下一个 x：%1 %2</translation>
     </message>
     <message>
         <source>passed</source>
-        <translation type="unfinished"></translation>
+        <translation>通过</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation type="unfinished"></translation>
+        <translation>未通过</translation>
     </message>
     <message>
         <source>vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>顶点</translation>
     </message>
     <message>
         <source>clip plane</source>
-        <translation type="unfinished"></translation>
+        <translation>裁剪平面</translation>
     </message>
     <message>
         <source>Cohen-Sutherland</source>
-        <translation type="unfinished">Cohen-Sutherland 算法</translation>
+        <translation>Cohen-Sutherland 算法</translation>
     </message>
     <message>
         <source>viewport</source>
-        <translation type="unfinished"></translation>
+        <translation>视口</translation>
     </message>
     <message>
         <source>facing</source>
-        <translation type="unfinished"></translation>
+        <translation>朝向</translation>
     </message>
     <message>
         <source>fan</source>
-        <translation type="unfinished"></translation>
+        <translation>扇形</translation>
     </message>
     <message>
         <source>verdict</source>
-        <translation type="unfinished"></translation>
+        <translation>判定</translation>
     </message>
     <message>
         <source>triangle</source>
-        <translation type="unfinished"></translation>
+        <translation>三角形</translation>
     </message>
     <message>
         <source>setup</source>
-        <translation type="unfinished"></translation>
+        <translation>设置</translation>
     </message>
     <message>
         <source>corners by height</source>
-        <translation type="unfinished"></translation>
+        <translation>按高度排序顶点</translation>
     </message>
     <message>
         <source>span</source>
-        <translation type="unfinished"></translation>
+        <translation>跨度</translation>
     </message>
     <message>
         <source>sample</source>
-        <translation type="unfinished"></translation>
+        <translation>采样</translation>
     </message>
     <message>
         <source>line decision</source>
-        <translation type="unfinished"></translation>
+        <translation>直线判定</translation>
     </message>
     <message>
         <source>line sample</source>
-        <translation type="unfinished"></translation>
+        <translation>直线采样</translation>
     </message>
     <message>
         <source>depth test</source>
-        <translation type="unfinished"></translation>
+        <translation>深度测试</translation>
     </message>
     <message>
         <source>shade</source>
-        <translation type="unfinished"></translation>
+        <translation>着色</translation>
     </message>
     <message>
         <source>write</source>
-        <translation type="unfinished"></translation>
+        <translation>写入</translation>
     </message>
     <message>
         <source>end of the frame</source>
-        <translation type="unfinished"></translation>
+        <translation>帧结束</translation>
     </message>
     <message>
         <source>tie</source>
-        <translation type="unfinished"></translation>
+        <translation>平局</translation>
     </message>
     <message>
         <source>row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 行</translation>
     </message>
     <message>
         <source>face %1</source>
-        <translation type="unfinished">面 %1</translation>
+        <translation>面 %1</translation>
     </message>
 </context>
 <context>
@@ -1580,79 +1500,79 @@
     </message>
     <message>
         <source>Export figure as S&amp;VG…</source>
-        <translation type="unfinished"></translation>
+        <translation>导出插图为 SVG(&amp;V)…</translation>
     </message>
     <message>
         <source>Export figure as SVG</source>
-        <translation type="unfinished"></translation>
+        <translation>导出插图为 SVG</translation>
     </message>
     <message>
         <source>Export a &amp;run of steps…</source>
-        <translation type="unfinished"></translation>
+        <translation>导出一段步骤(&amp;R)…</translation>
     </message>
     <message>
         <source>Steps</source>
-        <translation type="unfinished"></translation>
+        <translation>步骤</translation>
     </message>
     <message>
         <source>record steps</source>
-        <translation type="unfinished"></translation>
+        <translation>记录步骤</translation>
     </message>
     <message>
         <source>Space</source>
-        <translation type="unfinished"></translation>
+        <translation>空格</translation>
     </message>
     <message>
         <source>play, pause</source>
-        <translation type="unfinished"></translation>
+        <translation>播放、暂停</translation>
     </message>
     <message>
         <source>Left, Right</source>
-        <translation type="unfinished"></translation>
+        <translation>左、右</translation>
     </message>
     <message>
         <source>one step</source>
-        <translation type="unfinished"></translation>
+        <translation>一步</translation>
     </message>
     <message>
         <source>Shift + Left, Right</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift + 左、右</translation>
     </message>
     <message>
         <source>one row</source>
-        <translation type="unfinished"></translation>
+        <translation>一行</translation>
     </message>
     <message>
         <source>Ctrl + Left, Right</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl + 左、右</translation>
     </message>
     <message>
         <source>one face</source>
-        <translation type="unfinished"></translation>
+        <translation>一个面</translation>
     </message>
     <message>
         <source>Ctrl + Shift + Left, Right</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl + Shift + 左、右</translation>
     </message>
     <message>
         <source>one stage</source>
-        <translation type="unfinished"></translation>
+        <translation>一个阶段</translation>
     </message>
     <message>
         <source>Ctrl + Home, End</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl + Home、End</translation>
     </message>
     <message>
         <source>to the start, the end</source>
-        <translation type="unfinished"></translation>
+        <translation>到开头、结尾</translation>
     </message>
     <message>
         <source>slower, faster</source>
-        <translation type="unfinished"></translation>
+        <translation>更慢、更快</translation>
     </message>
     <message>
         <source>SVG drawings (*.svg)</source>
-        <translation type="unfinished"></translation>
+        <translation>SVG 图形 (*.svg)</translation>
     </message>
 </context>
 <context>
@@ -1788,225 +1708,225 @@
     <name>rasterlens::StepMode</name>
     <message>
         <source>The record ends without another such event.</source>
-        <translation type="unfinished"></translation>
+        <translation>记录到结尾都没有这样的事件。</translation>
     </message>
     <message>
         <source>Nothing is recorded.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有记录。</translation>
     </message>
     <message>
         <source>Export a run of steps</source>
-        <translation type="unfinished"></translation>
+        <translation>导出一段步骤</translation>
     </message>
     <message>
         <source>First and last step, for example 10-60:</source>
-        <translation type="unfinished"></translation>
+        <translation>起止步骤，例如 10-60：</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no run of steps 0 to %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是 0 到 %2 之间的一段步骤。</translation>
     </message>
     <message>
         <source>Folder for the pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>图像文件夹</translation>
     </message>
     <message>
         <source>Written: %1</source>
-        <translation type="unfinished">已写入：%1</translation>
+        <translation>已写入：%1</translation>
     </message>
 </context>
 <context>
     <name>rasterlens::StepSession</name>
     <message>
         <source>There is not enough memory to record this frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>内存不足，无法记录这一帧。</translation>
     </message>
 </context>
 <context>
     <name>rasterlens::TransportDock</name>
     <message>
         <source>&amp;Record steps</source>
-        <translation type="unfinished"></translation>
+        <translation>记录步骤(&amp;R)</translation>
     </message>
     <message>
         <source>&amp;Play</source>
-        <translation type="unfinished"></translation>
+        <translation>播放(&amp;P)</translation>
     </message>
     <message>
         <source>Step &amp;back</source>
-        <translation type="unfinished"></translation>
+        <translation>后退一步(&amp;B)</translation>
     </message>
     <message>
         <source>&amp;Step</source>
-        <translation type="unfinished"></translation>
+        <translation>前进一步(&amp;S)</translation>
     </message>
     <message>
         <source>Row back</source>
-        <translation type="unfinished"></translation>
+        <translation>后退一行</translation>
     </message>
     <message>
         <source>Next ro&amp;w</source>
-        <translation type="unfinished"></translation>
+        <translation>下一行(&amp;W)</translation>
     </message>
     <message>
         <source>Face back</source>
-        <translation type="unfinished"></translation>
+        <translation>后退一个面</translation>
     </message>
     <message>
         <source>Next &amp;face</source>
-        <translation type="unfinished"></translation>
+        <translation>下一个面(&amp;F)</translation>
     </message>
     <message>
         <source>Stage back</source>
-        <translation type="unfinished"></translation>
+        <translation>后退一个阶段</translation>
     </message>
     <message>
         <source>Next s&amp;tage</source>
-        <translation type="unfinished"></translation>
+        <translation>下一个阶段(&amp;T)</translation>
     </message>
     <message>
         <source>To the st&amp;art</source>
-        <translation type="unfinished"></translation>
+        <translation>到开头(&amp;A)</translation>
     </message>
     <message>
         <source>To the &amp;end</source>
-        <translation type="unfinished"></translation>
+        <translation>到结尾(&amp;E)</translation>
     </message>
     <message>
         <source>&amp;Loop</source>
-        <translation type="unfinished"></translation>
+        <translation>循环(&amp;L)</translation>
     </message>
     <message>
         <source>Record &amp;what</source>
-        <translation type="unfinished"></translation>
+        <translation>记录范围(&amp;W)</translation>
     </message>
     <message>
         <source>The whole frame</source>
-        <translation type="unfinished"></translation>
+        <translation>整帧</translation>
     </message>
     <message>
         <source>The face at the selected pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>选中像素处的面</translation>
     </message>
     <message>
         <source>What the canvas shows</source>
-        <translation type="unfinished"></translation>
+        <translation>画布显示的部分</translation>
     </message>
     <message>
         <source>Run &amp;until</source>
-        <translation type="unfinished"></translation>
+        <translation>运行到(&amp;U)</translation>
     </message>
     <message>
         <source>This &amp;pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>此像素(&amp;P)</translation>
     </message>
     <message>
         <source>&amp;Sign change</source>
-        <translation type="unfinished"></translation>
+        <translation>符号改变(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Tie</source>
-        <translation type="unfinished"></translation>
+        <translation>平局(&amp;T)</translation>
     </message>
     <message>
         <source>&amp;Depth test fails</source>
-        <translation type="unfinished"></translation>
+        <translation>深度测试未通过(&amp;D)</translation>
     </message>
     <message>
         <source>&amp;Clip</source>
-        <translation type="unfinished"></translation>
+        <translation>裁剪(&amp;C)</translation>
     </message>
     <message>
         <source>&amp;NaN or infinity</source>
-        <translation type="unfinished"></translation>
+        <translation>NaN 或无穷大(&amp;N)</translation>
     </message>
     <message>
         <source>Spee&amp;d</source>
-        <translation type="unfinished"></translation>
+        <translation>速度(&amp;D)</translation>
     </message>
     <message>
         <source>Slower</source>
-        <translation type="unfinished"></translation>
+        <translation>更慢</translation>
     </message>
     <message>
         <source>Faster</source>
-        <translation type="unfinished"></translation>
+        <translation>更快</translation>
     </message>
     <message>
         <source>Steps</source>
-        <translation type="unfinished"></translation>
+        <translation>步骤</translation>
     </message>
     <message>
         <source>S&amp;tep</source>
-        <translation type="unfinished"></translation>
+        <translation>步骤(&amp;T)</translation>
     </message>
     <message>
         <source>Space play · ← → step · Shift row · Ctrl face · Ctrl+Shift stage</source>
-        <translation type="unfinished"></translation>
+        <translation>空格播放 · ← → 单步 · Shift 行 · Ctrl 面 · Ctrl+Shift 阶段</translation>
     </message>
     <message>
         <source>run until ▾</source>
-        <translation type="unfinished"></translation>
+        <translation>运行到 ▾</translation>
     </message>
     <message>
         <source>cull</source>
-        <translation type="unfinished"></translation>
+        <translation>剔除</translation>
     </message>
     <message>
         <source>clip</source>
-        <translation type="unfinished"></translation>
+        <translation>裁剪</translation>
     </message>
     <message>
         <source>inside</source>
-        <translation type="unfinished"></translation>
+        <translation>在内</translation>
     </message>
     <message>
         <source>outside</source>
-        <translation type="unfinished"></translation>
+        <translation>在外</translation>
     </message>
     <message>
         <source>tie</source>
-        <translation type="unfinished"></translation>
+        <translation>平局</translation>
     </message>
     <message>
         <source>depth fail</source>
-        <translation type="unfinished"></translation>
+        <translation>深度未通过</translation>
     </message>
     <message>
         <source>step %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 步，共 %2 步</translation>
     </message>
     <message>
         <source>recording …</source>
-        <translation type="unfinished"></translation>
+        <translation>正在记录 …</translation>
     </message>
     <message>
         <source>truncated at %1 events: record less</source>
-        <translation type="unfinished"></translation>
+        <translation>在 %1 个事件处截断：请缩小记录范围</translation>
     </message>
     <message>
         <source>Press R or play to record every decision of this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>按 R 键或播放，记录这一帧的每个决定</translation>
     </message>
     <message>
         <source>the cleared frame</source>
-        <translation type="unfinished"></translation>
+        <translation>清空的帧</translation>
     </message>
     <message>
         <source>whole frame</source>
-        <translation type="unfinished"></translation>
+        <translation>整帧</translation>
     </message>
     <message>
         <source>one face</source>
-        <translation type="unfinished"></translation>
+        <translation>一个面</translation>
     </message>
     <message>
         <source>rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>矩形</translation>
     </message>
     <message>
         <source>speed %1 ▾</source>
-        <translation type="unfinished"></translation>
+        <translation>速度 %1 ▾</translation>
     </message>
 </context>
 <context>
