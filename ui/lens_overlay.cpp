@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace rasterlens
 {
@@ -104,6 +106,14 @@ void paintGlyph(QPainter& painter, QPointF centre, double diameter, EdgeSign sig
     }
 }
 
+double glyphDiameter(double cell) { return std::min(cell * 0.28, 30.0); }
+
+QPointF glyphCentre(const QRectF& box, std::size_t edge)
+{
+    const double d = glyphDiameter(box.width());
+    return {box.center().x() + (double(edge) - 1) * d * 1.08 + 0.5, box.top() + box.height() * 0.8};
+}
+
 quint32 tileKey(const LensCell& cell)
 {
     return static_cast<quint32>(cell.signs[0]) | static_cast<quint32>(cell.signs[1]) << 2 |
@@ -144,6 +154,7 @@ struct LensOverlay::View {
     const OverlayOptions& options;
     int grid;
     double cell; ///< canvas pixels a sample
+    std::vector<std::pair<QRectF, LensCell>> ties;
 
     [[nodiscard]] QPointF at(glm::dvec2 sample) const { return transform.toCanvas(QPointF(sample.x, sample.y) / grid); }
     [[nodiscard]] QRectF box(int x, int y) const { return {at({x, y}), QSizeF(cell, cell)}; }
@@ -179,17 +190,18 @@ void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTran
     if (!m_model)
         return;
     const int grid = m_model->log().grid();
-    View view{painter, canvas, transform, options, grid, transform.zoom / grid};
+    View view{painter, canvas, transform, options, grid, transform.zoom / grid, {}};
     painter.save();
     painter.setClipRect(canvas);
     if (m_model->hasSetup() && view.cell >= kGridFromZoom / 2) {
         paintCells(view);
-        if (view.cell >= kLensNumbersFromCell)
-            paintNumbers(view);
         paintBounds(view);
     }
     painter.setRenderHint(QPainter::Antialiasing);
     paintEdges(view);
+    paintTies(view);
+    if (m_model->hasSetup() && view.cell >= kLensNumbersFromCell)
+        paintNumbers(view);
     paintWalk(view);
     paintLine(view);
     paintCurrent(view);
@@ -208,11 +220,11 @@ void LensOverlay::paintCell(QPainter& painter, const QRectF& box, const LensCell
     if (waiting && cell.hasValues)
         inside =
             std::none_of(cell.signs.begin(), cell.signs.end(), [](EdgeSign sign) { return sign == EdgeSign::Minus; });
-    const double tint = inside ? (waiting ? 0.07 : 0.16) : 0;
+    const double tint = inside ? (waiting ? 0.07 : 0.17) : 0;
     const QColor plus(kPlusColor);
     const auto mixed = [&](int a, int b) { return int(std::lround(a + (b - a) * tint)); };
     const QColor veil(mixed(p.fill.red(), plus.red()), mixed(p.fill.green(), plus.green()),
-                      mixed(p.fill.blue(), plus.blue()), waiting ? 205 : 232);
+                      mixed(p.fill.blue(), plus.blue()), waiting ? 246 : 250);
     const double hole = s >= kGlyphsFromCell ? std::round(s * 0.2) : 0;
     const QRectF window(box.center() - QPointF(hole / 2, hole / 2), QSizeF(hole, hole));
     painter.fillRect(QRectF(box.left(), box.top(), s, window.top() - box.top()), veil);
@@ -228,10 +240,8 @@ void LensOverlay::paintCell(QPainter& painter, const QRectF& box, const LensCell
         return;
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setOpacity(waiting ? 0.33 : 1.0);
-    const double d = std::min(s * 0.28, 30.0);
-    for (int i = 0; i < 3; ++i)
-        paintGlyph(painter, {box.center().x() + (i - 1) * d * 1.08 + 0.5, box.top() + s * 0.8}, d,
-                   cell.signs[std::size_t(i)]);
+    for (std::size_t i = 0; i < 3; ++i)
+        paintGlyph(painter, glyphCentre(box, i), glyphDiameter(s), cell.signs[i]);
     painter.setOpacity(1);
 }
 
@@ -250,6 +260,8 @@ void LensOverlay::paintCells(View& view) const
         for (int x = shown.left(); x <= shown.right(); ++x) {
             const LensCell cell = m_model->cell(x, y);
             const QRectF box = view.box(x, y);
+            if (cell.tie && view.cell >= kGlyphsFromCell)
+                view.ties.push_back({box, cell});
             if (vectors) {
                 view.painter.save();
                 paintCell(view.painter, box, cell);
@@ -288,7 +300,7 @@ void LensOverlay::paintNumbers(View& view) const
             QString text = lensCellText(setup, cell);
             view.painter.setFont(cell.tie ? words : numbers);
             if (cell.tie && wordMetrics.horizontalAdvance(text) > room.width())
-                text.replace(QLatin1String(", "), QLatin1String("\n"));
+                text = text.section(QStringLiteral(": "), 1); // the glyph says that it is a tie
             else if (!cell.tie && numberMetrics.horizontalAdvance(text) > room.width())
                 text = QString::number(cell.values[std::size_t(cell.deciding)] / setup.unitsPerArea, 'g', 3);
             view.painter.drawText(room, Qt::AlignHCenter | Qt::AlignTop, text);
@@ -320,7 +332,7 @@ void LensOverlay::paintEdges(View& view) const
             const StepEdge& edge = setup.edges[i];
             const double units = setup.unitsPerSample * view.grid / view.transform.zoom;
             const QPointF origin = view.transform.origin;
-            view.painter.setBrush(withAlpha(QColor(kEdgeLooks[i].color), 16));
+            view.painter.setBrush(withAlpha(QColor(kEdgeLooks[i].color), 10));
             view.painter.drawPolygon(halfOf(picture, [&](QPointF p) {
                 return edge.a * ((p.x() - origin.x()) * units - edge.from.x) +
                        edge.b * ((p.y() - origin.y()) * units - edge.from.y);
@@ -332,6 +344,18 @@ void LensOverlay::paintEdges(View& view) const
     };
     for (std::size_t i = 0; i < 3; ++i)
         view.line(ends(i), ends((i + 1) % 3), QColor(kEdgeLooks[i].color), 2.6, kEdgeLooks[i].style);
+}
+
+/// Where a sample lies on an edge, the line must not hide the glyph that says so.
+void LensOverlay::paintTies(View& view)
+{
+    for (const auto& [box, cell] : view.ties) {
+        view.painter.setOpacity(cell.state == LensCell::State::Waiting ? 0.5 : 1);
+        for (std::size_t i = 0; i < 3; ++i)
+            if (cell.signs[i] == EdgeSign::Zero)
+                paintGlyph(view.painter, glyphCentre(box, i), glyphDiameter(view.cell), EdgeSign::Zero);
+    }
+    view.painter.setOpacity(1);
 }
 
 void LensOverlay::paintCorners(View& view) const

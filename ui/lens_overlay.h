@@ -49,6 +49,7 @@ private:
     void paintNumbers(View& view) const;
     void paintBounds(View& view) const;
     void paintEdges(View& view) const;
+    static void paintTies(View& view);
     void paintCorners(View& view) const;
     void paintWalk(View& view) const;
     void paintLine(View& view) const;

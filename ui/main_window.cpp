@@ -510,7 +510,9 @@ void MainWindow::saveMemory()
 
 bool MainWindow::exportFigure(const QString& path)
 {
-    const auto error = savePng(m_viewport->figure(m_figureZoom), path);
+    const auto error = path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)
+                           ? m_viewport->saveSvgFigure(m_figureZoom, path)
+                           : savePng(m_viewport->figure(m_figureZoom), path);
     reportSaved(error, path);
     return !error;
 }

@@ -68,7 +68,7 @@ public:
     [[nodiscard]] QString message() const;
 
     /// errors  a message above the canvas; false
-    bool exportFigure(const QString& path);
+    bool exportFigure(const QString& path); ///< as SVG where the name says so
     bool exportFramebuffer(const QString& path);
     bool exportWindow(const QString& path);
 

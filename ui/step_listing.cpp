@@ -18,46 +18,43 @@ namespace
 {
 
 constexpr std::size_t kListingLines = 4;
+constexpr int kCompactBelow = 790; ///< height of the window from which on the whole listing has room
 
 QString translated(const char* text) { return QCoreApplication::translate("StepListing", text); }
 
 const QStringList& geometryListing()
 {
-    static const QStringList lines{
-        QStringLiteral("for (v : A, B, C) clip[v] = clipFromObject * object[v];"),
-        QStringLiteral("for (plane : w, +x, -x, +y, -y, +z, -z) polygon = cut(polygon, plane);"),
-        QStringLiteral("screen[v] = snap(viewport(clip[v] / clip[v].w));"),
-        QStringLiteral("if (isCulled(area2)) return;  edges = setup(A, B, C);")};
+    static const QStringList lines{QStringLiteral("for (v : A, B, C) clip[v] = clipFromObject * object[v];"),
+                                   QStringLiteral("for (plane : w, +x, -x, +y, -y, +z, -z) polygon = cut(plane);"),
+                                   QStringLiteral("screen[v] = snap(viewport(clip[v] / clip[v].w));"),
+                                   QStringLiteral("if (isCulled(area2)) return;  edges = setup(A, B, C);")};
     return lines;
 }
 
 const QStringList& equationListing()
 {
-    static const QStringList lines{
-        QStringLiteral("for (int x = bounds.x0; x < bounds.x1; E0 += A0, E1 += A1, E2 += A2, ++x)"),
-        QStringLiteral("  if (E0 >= t0 && E1 >= t1 && E2 >= t2) {"),
-        QStringLiteral("    z = a zA + b zB + c zC;  if (!passes(z, depth[x, y])) continue;"),
-        QStringLiteral("    color[x, y] = shade(perspective(a, b, c));  depth[x, y] = z; }")};
+    static const QStringList lines{QStringLiteral("for (x = x0; x < x1; ++x, E0 += A0, E1 += A1, E2 += A2)"),
+                                   QStringLiteral("  if (E0 >= t0 && E1 >= t1 && E2 >= t2) {"),
+                                   QStringLiteral("    z = a zA + b zB + c zC;  if (!passes(z, depth)) continue;"),
+                                   QStringLiteral("    color = shade(perspective(a, b, c));  depth = z; }")};
     return lines;
 }
 
 const QStringList& walkingListing()
 {
-    static const QStringList lines{
-        QStringLiteral("sort(top, middle, bottom);  long = top -> bottom;"),
-        QStringLiteral("for (int x = ceil(xl - 0.5); x < ceil(xr - 0.5); ++x) {"),
-        QStringLiteral("    z = a zA + b zB + c zC;  if (!passes(z, depth[x, y])) continue;"),
-        QStringLiteral("    color[x, y] = shade(perspective(a, b, c));  depth[x, y] = z; }")};
+    static const QStringList lines{QStringLiteral("sort(top, middle, bottom);  long = top -> bottom;"),
+                                   QStringLiteral("for (x = ceil(xl - 0.5); x < ceil(xr - 0.5); ++x) {"),
+                                   QStringLiteral("    z = a zA + b zB + c zC;  if (!passes(z, depth)) continue;"),
+                                   QStringLiteral("    color = shade(perspective(a, b, c));  depth = z; }")};
     return lines;
 }
 
 const QStringList& lineListing()
 {
-    static const QStringList lines{
-        QStringLiteral("p = 2 dy - dx;  for (int x = x0; x <= x1; ++x) {  plot(x, y);"),
-        QStringLiteral("  if (p > 0) { y += 1;  p -= 2 dx; }  p += 2 dy; }"),
-        QStringLiteral("  z = lerp(zA, zB, i / dx);  if (!passes(z, depth[x, y])) continue;"),
-        QStringLiteral("  color[x, y] = shade(x, y);  depth[x, y] = z;")};
+    static const QStringList lines{QStringLiteral("p = 2 dy - dx;  for (x = x0; x <= x1; ++x) {  plot(x, y);"),
+                                   QStringLiteral("  if (p > 0) { y += 1;  p -= 2 dx; }  p += 2 dy; }"),
+                                   QStringLiteral("  z = lerp(zA, zB, i / dx);  if (!passes(z, depth)) continue;"),
+                                   QStringLiteral("  color = shade(x, y);  depth = z;")};
     return lines;
 }
 
@@ -108,7 +105,9 @@ QString edgeTerms(const StepSetup& setup, const StepEdge& edge, int x, int y)
 {
     const double u = setup.unitsPerSample;
     const auto factor = [](double at, double from) {
-        return QStringLiteral("\u00b7(%1%2)").arg(shortNumber(at), signedTerm(-from));
+        return QStringLiteral("\u00b7(%1 %2 %3)")
+            .arg(shortNumber(at), from < 0 ? QStringLiteral("+") : QStringLiteral("\u2212"),
+                 shortNumber(std::abs(from)));
     };
     return minus(shortNumber(edge.a / u)) + factor(x + 0.5, edge.from.x / u) + signedTerm(edge.b / u) +
            factor(y + 0.5, edge.from.y / u);
@@ -145,7 +144,7 @@ QString sampleFormula(const StepLog& log, const StepEvent& event)
             others << QStringLiteral("E_%1 = %2").arg(edgeName(setup, int(i)), area(values[i]));
     const QString step =
         edge.perX < 0 ? QStringLiteral("\u2212= ") + area(-edge.perX) : QStringLiteral("+= ") + area(edge.perX);
-    return QStringLiteral("%1(%2, %3) = %4 = %5   %6\n%7   %8")
+    return QStringLiteral("%1(%2, %3) = %4 = %5\n%6   %8   %7")
         .arg(name, shortNumber(event.x + 0.5), shortNumber(event.y + 0.5), edgeTerms(setup, edge, event.x, event.y),
              area(values[decides]), verdict, others.join(QStringLiteral("   ")),
              translated(QT_TRANSLATE_NOOP("StepListing", "next x: %1 %2")).arg(name, step));
@@ -223,8 +222,13 @@ QString formulaOf(const StepLog& log, std::size_t i)
     case StepKind::Fragment: return fragmentFormula(log, event);
     default: break;
     }
-    // The line of the log without its kind, which the transport names.
-    return minus(stepText(log, i)).replace(QStringLiteral("\u2212>"), QStringLiteral("\u2192"));
+    // The line of the log from its numbers on; the transport names the rest.
+    QString text = stepText(log, i);
+    const auto colon = text.indexOf(QLatin1String(": "));
+    if (colon >= 0)
+        text = text.mid(colon + 2);
+    return text.replace(QStringLiteral("->"), QStringLiteral("\u2192"))
+        .replace(QLatin1String(": "), QLatin1String(":\n"));
 }
 
 } // namespace
@@ -275,7 +279,7 @@ StepListing::StepListing(const StepSession& session, QWidget* parent) : QFrame(p
 {
     setObjectName(QStringLiteral("stepListing"));
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(10, 4, 10, 6);
+    column->setContentsMargins(10, 3, 10, 3);
     column->setSpacing(0);
     const auto addLabel = [&] {
         auto* label = new QLabel;
@@ -287,7 +291,7 @@ StepListing::StepListing(const StepSession& session, QWidget* parent) : QFrame(p
     for (std::size_t i = 0; i < kListingLines; ++i)
         m_lines.push_back(addLabel());
     m_formula = addLabel();
-    m_formula->setContentsMargins(4, 3, 0, 0);
+    m_formula->setContentsMargins(4, 2, 0, 0);
     m_formula->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_formula->setFocusPolicy(Qt::NoFocus);
     connect(&session, &StepSession::positionChanged, this, &StepListing::sync);
@@ -303,14 +307,16 @@ void StepListing::sync()
     m_explanation = {};
     if (m_session.isOpen() && m_session.log() && m_session.position() > 0)
         m_explanation = explainStep(*m_session.log(), m_session.position() - 1);
+    const bool isCompact = window()->height() < kCompactBelow;
     const QFont font = numberFont(-0.5);
     const QString accent = palette().color(QPalette::AlternateBase).name();
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
         const bool now = int(i) == m_explanation.line;
         m_lines[i]->setFont(font);
+        m_lines[i]->setVisible(now || !isCompact);
         m_lines[i]->setText(m_explanation.listing.value(int(i)));
         m_lines[i]->setStyleSheet(
-            QStringLiteral("padding: 1px 4px; border-radius: 3px; %1")
+            QStringLiteral("padding: 0 4px; border-radius: 3px; %1")
                 .arg(now ? QStringLiteral("background: %1;").arg(accent)
                          : QStringLiteral("color: %1;").arg(palette().color(QPalette::PlaceholderText).name())));
     }
@@ -320,6 +326,19 @@ void StepListing::sync()
         formula += QLatin1Char('\n'); // the canvas above keeps its height
     m_formula->setText(formula);
     m_formula->setStyleSheet(QStringLiteral("color: %1;").arg(palette().color(QPalette::Link).name()));
+}
+
+void StepListing::showEvent(QShowEvent* event)
+{
+    window()->installEventFilter(this);
+    QFrame::showEvent(event);
+}
+
+bool StepListing::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == window() && event->type() == QEvent::Resize)
+        sync();
+    return QFrame::eventFilter(watched, event);
 }
 
 void StepListing::changeEvent(QEvent* event)

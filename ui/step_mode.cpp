@@ -6,7 +6,11 @@
 #include "ui/viewport_widget.h"
 
 #include <QDir>
+#include <QFileDialog>
+#include <QGuiApplication>
+#include <QInputDialog>
 #include <QMainWindow>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <utility>
@@ -34,7 +38,7 @@ const StepStop::Kind* stopNamed(const QString& name)
 
 StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& window)
     : m_session(document), m_viewport(viewport), m_transport(new TransportDock(m_session, &window)),
-      m_listing(new StepListing(m_session))
+      m_listing(new StepListing(m_session)), m_window(window)
 {
     window.addDockWidget(Qt::BottomDockWidgetArea, m_transport);
     viewport.setLayer(&m_lens);
@@ -123,7 +127,8 @@ void StepMode::showStep(const QString& where)
         m_session.moveTo(std::size_t(where.toULongLong()));
 }
 
-std::optional<QString> StepMode::exportRun(const QString& folder, std::size_t first, std::size_t last, int zoom)
+std::optional<QString> StepMode::exportRun(const QString& folder, std::size_t first, std::size_t last,
+                                           std::optional<int> zoom)
 {
     if (!m_session.log())
         return tr("Nothing is recorded.");
@@ -138,6 +143,43 @@ std::optional<QString> StepMode::exportRun(const QString& folder, std::size_t fi
     }
     m_session.moveTo(before);
     return error;
+}
+
+void StepMode::chooseRunToExport(std::optional<int> zoom)
+{
+    if (!m_session.log()) {
+        Q_EMIT message(tr("Nothing is recorded."));
+        return;
+    }
+    constexpr std::size_t kSuggested = 50;
+    auto* range = new QInputDialog(&m_window);
+    range->setAttribute(Qt::WA_DeleteOnClose);
+    range->setWindowTitle(tr("Export a run of steps"));
+    range->setLabelText(tr("First and last step, for example 10-60:"));
+    const std::size_t first = m_session.position();
+    range->setTextValue(QStringLiteral("%1-%2").arg(first).arg(std::min(first + kSuggested, m_session.size())));
+    connect(range, &QInputDialog::textValueSelected, this, [this, zoom](const QString& text) {
+        static const QRegularExpression pattern(QStringLiteral("^\\s*(\\d+)\\s*-\\s*(\\d+)\\s*$"));
+        const auto match = pattern.match(text);
+        const qulonglong first = match.captured(1).toULongLong();
+        const qulonglong last = match.captured(2).toULongLong();
+        if (!match.hasMatch() || first > last || last > m_session.size()) {
+            Q_EMIT message(tr("\"%1\" is no run of steps 0 to %2.").arg(text).arg(m_session.size()));
+            return;
+        }
+        auto* folder = new QFileDialog(&m_window, tr("Folder for the pictures"));
+        folder->setAttribute(Qt::WA_DeleteOnClose);
+        folder->setFileMode(QFileDialog::Directory);
+        folder->setOption(QFileDialog::ShowDirsOnly);
+        connect(folder, &QFileDialog::fileSelected, this, [=, this](const QString& path) {
+            QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+            const auto error = exportRun(path, std::size_t(first), std::size_t(last), zoom);
+            QGuiApplication::restoreOverrideCursor();
+            Q_EMIT message(error ? *error : tr("Written: %1").arg(path));
+        });
+        folder->open();
+    });
+    range->open();
 }
 
 } // namespace rasterlens

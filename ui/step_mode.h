@@ -41,11 +41,14 @@ public:
     /// Nothing is being recorded.
     [[nodiscard]] bool isSettled() const { return !m_session.isRecording(); }
 
-    /// One numbered PNG a position, first..last, at a whole zoom.
+    /// One numbered PNG a position, first..last, at a whole zoom or as on the screen.
     ///
     /// errors  a sentence; the files before it stay
     [[nodiscard]] std::optional<QString> exportRun(const QString& folder, std::size_t first, std::size_t last,
-                                                   int zoom);
+                                                   std::optional<int> zoom);
+
+    /// Asks for the range and the folder.
+    void chooseRunToExport(std::optional<int> zoom);
 
 Q_SIGNALS:
     void frameChanged(); ///< another picture is to be shown
@@ -61,7 +64,8 @@ private:
     LensOverlay m_lens;
     TransportDock* m_transport = nullptr;
     StepListing* m_listing = nullptr;
-    QString m_wanted;
+    QMainWindow& m_window;
+    QString m_wanted; ///< where to go when the record is there
 };
 
 } // namespace rasterlens

@@ -21,6 +21,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <array>
 #include <utility>
 
 namespace rasterlens
@@ -59,7 +60,10 @@ TransportDock::TransportDock(StepSession& session, QWidget* parent)
     connect(&session, &StepSession::logChanged, this, &TransportDock::syncLog);
     connect(&session, &StepSession::recordingChanged, this, &TransportDock::sync);
     connect(&session, &StepSession::positionChanged, this, &TransportDock::sync);
-    connect(&session, &StepSession::playbackChanged, this, &TransportDock::sync);
+    connect(&session, &StepSession::playbackChanged, this, [this] {
+        sync();
+        syncIcons();
+    });
     connect(&session, &StepSession::selectionChanged, this, &TransportDock::sync);
     retranslate();
 }
@@ -199,13 +203,15 @@ void TransportDock::selectFaceHere()
     m_session.selectFace(at ? std::optional(log->event(*at).face) : m_session.face());
 }
 
-QToolButton* TransportDock::addButton(QAction* action, const char* icon)
+QToolButton* TransportDock::addButton(QAction* action, TransportSign sign, bool backward)
 {
     auto* button = new QToolButton;
     button->setObjectName(QStringLiteral("flat"));
     button->setFocusPolicy(Qt::NoFocus); // Space plays
-    button->setText(QString::fromUtf8(icon));
-    button->setFixedSize(34, 28);
+    button->setIconSize({20, 20});
+    button->setFixedSize(31, 28);
+    button->setStyleSheet(QStringLiteral("padding: 0;"));
+    m_buttons.push_back({button, sign, backward});
     connect(button, &QToolButton::clicked, action, &QAction::trigger);
     const auto follow = [button, action] {
         button->setEnabled(action->isEnabled());
@@ -237,24 +243,17 @@ QWidget* TransportDock::buildTitleRow()
     m_titleRow->setObjectName(QStringLiteral("transportTitle"));
     auto* row = new QHBoxLayout(m_titleRow);
     row->setContentsMargins(12, 7, 10, 5);
-    row->setSpacing(3);
+    row->setSpacing(2);
     // Outward from the play button the steps grow.
-    row->addWidget(addButton(m_start, "\u23ee"));
-    row->addWidget(addButton(m_stepActions[6], "\u2af7"));
-    row->addWidget(addButton(m_stepActions[4], "\u00ab"));
-    row->addWidget(addButton(m_stepActions[2], "\u2039"));
-    row->addWidget(addButton(m_stepActions[0], "\u25c2"));
-    QToolButton* play = addButton(m_play, "\u25b6");
-    play->setObjectName(QStringLiteral("flat"));
-    connect(&m_session, &StepSession::playbackChanged, play, [this, play] {
-        play->setText(m_session.isPlaying() ? QStringLiteral("\u275a\u275a") : QStringLiteral("\u25b6"));
-    });
-    row->addWidget(play);
-    row->addWidget(addButton(m_stepActions[1], "\u25b8"));
-    row->addWidget(addButton(m_stepActions[3], "\u203a"));
-    row->addWidget(addButton(m_stepActions[5], "\u00bb"));
-    row->addWidget(addButton(m_stepActions[7], "\u2af8"));
-    row->addWidget(addButton(m_end, "\u23ed"));
+    constexpr TransportSign kSigns[] = {TransportSign::Step, TransportSign::Row, TransportSign::Face,
+                                        TransportSign::Stage};
+    row->addWidget(addButton(m_start, TransportSign::End, true));
+    for (int i = 3; i >= 0; --i)
+        row->addWidget(addButton(m_stepActions[2 * i], kSigns[i], true));
+    row->addWidget(addButton(m_play, TransportSign::Play, false));
+    for (int i = 0; i < 4; ++i)
+        row->addWidget(addButton(m_stepActions[2 * i + 1], kSigns[i], false));
+    row->addWidget(addButton(m_end, TransportSign::End, false));
     row->addSpacing(10);
     m_step = new QLabel;
     m_step->setObjectName(QStringLiteral("heading"));
@@ -301,6 +300,7 @@ QWidget* TransportDock::buildBody()
 
 void TransportDock::retranslate()
 {
+    syncIcons();
     setWindowTitle(tr("Steps"));
     m_menu->setTitle(tr("S&tep"));
     for (const Translated& entry : m_texts)
@@ -316,6 +316,17 @@ void TransportDock::retranslate()
                                   word(PipKind::Tie, tr("tie")), word(PipKind::DepthFail, tr("depth fail"))}
                           .join(QStringLiteral(" &nbsp; ")));
     sync();
+}
+
+void TransportDock::syncIcons()
+{
+    const QColor ink = palette().color(QPalette::Text);
+    const QColor faded = palette().color(QPalette::Mid);
+    for (const Button& button : m_buttons) {
+        const bool pauses = button.sign == TransportSign::Play && m_session.isPlaying();
+        const TransportSign sign = pauses ? TransportSign::Pause : button.sign;
+        button.widget->setIcon(transportIcon(sign, button.backward, ink, faded));
+    }
 }
 
 void TransportDock::syncLog()
@@ -364,7 +375,8 @@ void TransportDock::sync()
         m_summary->clear();
     m_notice->setText(noticeText());
     m_notice->setVisible(!m_notice->text().isEmpty());
-    m_scopeLink->setText(m_scopeActions[int(m_session.scope())]->text() + QStringLiteral(" \u25be"));
+    const std::array scopes{tr("whole frame"), tr("one face"), tr("rectangle")};
+    m_scopeLink->setText(scopes[std::size_t(m_session.scope())] + QStringLiteral(" \u25be"));
     m_speedLink->setText(tr("speed %1 \u25be").arg(speedText(m_session.speed())));
     for (QToolButton* link : {m_scopeLink, m_speedLink, m_runLink})
         link->setVisible(open);

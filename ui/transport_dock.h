@@ -1,5 +1,6 @@
 #pragma once
 #include "ui/step_session.h"
+#include "ui/transport_icon.h"
 
 #include <QDockWidget>
 #include <QList>
@@ -49,7 +50,8 @@ private:
     void buildSpeedMenu();
     QWidget* buildTitleRow();
     QWidget* buildBody();
-    QToolButton* addButton(QAction* action, const char* icon);
+    QToolButton* addButton(QAction* action, TransportSign sign, bool backward);
+    void syncIcons();
     QToolButton* addLink(QMenu* menu);
     void retranslate();
     void sync();
@@ -78,6 +80,12 @@ private:
     QList<QAction*> m_speedActions;
     QList<QAction*> m_onlyOpen; ///< of use in the step mode only
     std::vector<Translated> m_texts;
+    struct Button {
+        QToolButton* widget;
+        TransportSign sign;
+        bool backward;
+    };
+    std::vector<Button> m_buttons;
 
     QFrame* m_body = nullptr;
     QFrame* m_titleRow = nullptr;

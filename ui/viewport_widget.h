@@ -62,6 +62,10 @@ public:
     ///
     /// errors  a null image where the figure would be too large
     [[nodiscard]] QImage figure(std::optional<int> zoom = std::nullopt) const;
+    /// The same as a drawing of lines and areas.
+    ///
+    /// errors  a sentence in the language in use
+    [[nodiscard]] std::optional<QString> saveSvgFigure(std::optional<int> zoom, const QString& path) const;
 
     QSize sizeHint() const override { return {640, 480}; }
     QSize minimumSizeHint() const override { return {160, 120}; }
@@ -88,6 +92,13 @@ protected:
 private:
     enum class Drag { None, PanCanvas, Orbit, PanCamera, Dolly };
 
+    /// Where a figure is painted to.
+    struct FigurePart {
+        CanvasTransform transform;
+        QSize size;
+    };
+    [[nodiscard]] std::optional<FigurePart> figurePart(std::optional<int> zoom) const;
+    void paintFigure(QPainter& painter, const FigurePart& part) const;
     [[nodiscard]] Drag dragFor(const QMouseEvent& event) const;
     [[nodiscard]] QSize imageSize() const;
     void applyFit();
