@@ -398,14 +398,14 @@ inline void CoverTileWith(const FrameJob& job, Worker& worker, TileOrigin origin
     TileSamples& samples = worker.samples;
     TileDepth tile{std::bit_cast<std::int32_t>(job.rules.depthClear)};
     for (std::size_t block = 0; block < worker.blocks.size(); ++block) {
-        const BinBlock& bin = *worker.blocks[block];
+        const TileBlock& bin = worker.blocks[block];
         for (std::uint32_t i = 0; i < bin.count; ++i) {
-            const TileTriangle& t = bin.triangles[i];
-            const std::uint32_t number = static_cast<std::uint32_t>(block) * Worker::kNumbersPerBlock + i;
+            const TileTriangle& t = bin.bin->triangles[i];
+            const std::uint32_t number = static_cast<std::uint32_t>(block) * BinBlock::kCapacity + i;
             if (Policy::kUsual && std::bit_cast<std::int32_t>(t.nearest) >= tile.farthest)
                 continue;
             if ((t.source & kPiece) != 0) {
-                const Piece& piece = worker.blockChunk[block]->pieces[t.source & ~kPiece];
+                const Piece& piece = bin.chunk->pieces[t.source & ~kPiece];
                 if (piece.exact) {
                     WriteOwnedBlocks(origin, worker);
                     samples.nearest.fill(0);

@@ -58,24 +58,32 @@ struct alignas(64) ColorPlanes {
 };
 static_assert(sizeof(ColorPlanes) == 64);
 
+/// Triangles of a tile.
+struct TileBlock {
+    const BinBlock* bin;
+    const Chunk* chunk;
+    std::uint32_t count;
+};
+
 /// The memory one thread draws tiles with; kept from frame to frame.
 struct Worker {
     TileSamples samples;
-    std::vector<const BinBlock*> blocks; ///< of the tile, in the order of the faces
-    std::vector<const Chunk*> blockChunk;
+    std::vector<TileBlock> blocks;        ///< of the tile, in the order of the faces
     std::vector<std::uint32_t> visibleOf; ///< of a triangle of the tile
     std::vector<VisibleTriangle> visible;
     std::vector<ColorPlanes> planes;
     std::vector<BlockShare> shares;
     Statistics::Pixels pixels;
 
-    /// Numbers of triangles of a tile: the block of the bin, the place in it.
-    static constexpr std::uint32_t kNumbersPerBlock = BinBlock::kCapacity + 1;
+    /// Triangles of a tile are numbered block by block.
     [[nodiscard]] const TileTriangle& triangle(std::uint32_t number) const
     {
-        return blocks[number / kNumbersPerBlock]->triangles[number % kNumbersPerBlock];
+        return blocks[number / BinBlock::kCapacity].bin->triangles[number % BinBlock::kCapacity];
     }
-    [[nodiscard]] const Chunk& chunkOf(std::uint32_t number) const { return *blockChunk[number / kNumbersPerBlock]; }
+    [[nodiscard]] const Chunk& chunkOf(std::uint32_t number) const
+    {
+        return *blocks[number / BinBlock::kCapacity].chunk;
+    }
 };
 
 /// The stages that are written in vector instructions.

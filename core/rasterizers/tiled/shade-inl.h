@@ -63,7 +63,7 @@ inline void CollectShares(const FrameJob& job, Worker& worker, TileOrigin origin
     worker.visible.clear();
     worker.planes.clear();
     worker.shares.clear();
-    worker.visibleOf.assign(worker.blocks.size() * Worker::kNumbersPerBlock, kNobody);
+    worker.visibleOf.assign(worker.blocks.size() * BinBlock::kCapacity, kNobody);
     const bool whole = origin.x + kTileSide <= job.rules.columns() && origin.y + kTileSide <= job.rules.rows() &&
                        job.grid.pitch == kTileSide;
     for (int block = 0; block < kTileBlocks; ++block) {

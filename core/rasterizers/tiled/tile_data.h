@@ -81,31 +81,39 @@ struct Piece {
     bool exact; ///< covered sample by sample in 64 bits, depth from exact weights
 };
 
-/// A tile's part of the faces of a chunk, in their order: a list of blocks.
+constexpr std::uint32_t kNobody = 0xffffffffU;
+
+/// A tile's part of the faces of a chunk, in their order, is a list of these.
 struct BinBlock {
-    static constexpr std::uint32_t kCapacity = 31;
-    BinBlock* next;
-    std::uint32_t count;
+    static constexpr std::uint32_t kCapacity = 32;
     std::array<TileTriangle, kCapacity> triangles;
 };
-static_assert(sizeof(BinBlock) == 2048);
 
-/// Memory for the blocks of bins that is kept from frame to frame.
+/// Blocks of bins, by number. Their memory is kept from frame to frame.
 class BinArena
 {
 public:
-    void reset() { m_used = 0; }
-    [[nodiscard]] BinBlock* allocate();
+    void reset() { m_next.clear(); }
+    [[nodiscard]] std::uint32_t allocate();
+    [[nodiscard]] BinBlock& block(std::uint32_t number) const
+    {
+        return m_slabs[number / kSlabBlocks][number % kSlabBlocks];
+    }
+    /// The block that follows in its bin, or kNobody.
+    [[nodiscard]] std::uint32_t& next(std::uint32_t number) { return m_next[number]; }
+    [[nodiscard]] std::uint32_t next(std::uint32_t number) const { return m_next[number]; }
 
 private:
     static constexpr std::size_t kSlabBlocks = 128;
     std::vector<std::unique_ptr<BinBlock[]>> m_slabs;
-    std::size_t m_used = 0; ///< blocks
+    std::vector<std::uint32_t> m_next; ///< apart from the blocks: a walk along a list touches few lines
 };
 
 struct Bin {
-    BinBlock* first = nullptr;
-    BinBlock* last = nullptr;
+    BinBlock* lastBlock = nullptr;
+    std::uint32_t first = kNobody;
+    std::uint32_t last = kNobody;
+    std::uint32_t used = BinBlock::kCapacity; ///< triangles in the last block
 };
 
 /// A run of consecutive faces, sorted into tiles by one thread.
@@ -119,16 +127,16 @@ struct Chunk {
     TileTriangle& append(std::size_t tile)
     {
         Bin& bin = bins[tile];
-        if (bin.last == nullptr || bin.last->count == BinBlock::kCapacity)
+        if (bin.used == BinBlock::kCapacity)
             grow(bin);
-        return bin.last->triangles[bin.last->count++];
+        TileTriangle* triangle = &bin.lastBlock->triangles[bin.used++];
+        __builtin_prefetch(triangle + 1, 1); // the next one comes after those of many other tiles
+        return *triangle;
     }
 
 private:
     void grow(Bin& bin);
 };
-
-constexpr std::uint32_t kNobody = 0xffffffffU;
 
 /// The samples of a tile while it is drawn, block by block.
 struct alignas(64) TileSamples {
