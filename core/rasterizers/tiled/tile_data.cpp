@@ -7,7 +7,7 @@ std::uint32_t BinArena::allocate()
 {
     const std::size_t number = m_next.size();
     if (number / kSlabBlocks == m_slabs.size())
-        m_slabs.push_back(std::make_unique_for_overwrite<BinBlock[]>(kSlabBlocks));
+        m_slabs.emplace_back().reserve(kSlabBlocks);
     m_next.push_back(kNobody);
     return static_cast<std::uint32_t>(number);
 }

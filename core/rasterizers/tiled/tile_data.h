@@ -1,13 +1,13 @@
 #pragma once
 #include "core/observe/statistics.h"
 #include "core/pipeline/types.h"
+#include "core/rasterizers/tiled/large_array.h"
 #include "core/rules.h"
 #include "core/scene.h"
 
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <vector>
 
 namespace rasterlens::tiled
@@ -97,15 +97,15 @@ public:
     [[nodiscard]] std::uint32_t allocate();
     [[nodiscard]] BinBlock& block(std::uint32_t number) const
     {
-        return m_slabs[number / kSlabBlocks][number % kSlabBlocks];
+        return m_slabs[number / kSlabBlocks].data()[number % kSlabBlocks];
     }
     /// The block that follows in its bin, or kNobody.
     [[nodiscard]] std::uint32_t& next(std::uint32_t number) { return m_next[number]; }
     [[nodiscard]] std::uint32_t next(std::uint32_t number) const { return m_next[number]; }
 
 private:
-    static constexpr std::size_t kSlabBlocks = 128;
-    std::vector<std::unique_ptr<BinBlock[]>> m_slabs;
+    static constexpr std::size_t kSlabBlocks = 1024; // 2 MiB
+    std::vector<LargeArray<BinBlock>> m_slabs;
     std::vector<std::uint32_t> m_next; ///< apart from the blocks: a walk along a list touches few lines
 };
 

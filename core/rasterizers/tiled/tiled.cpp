@@ -67,14 +67,6 @@ void clearChunks(TiledContext& context, const FrameJob& job, std::size_t faces, 
 }
 
 template <class T>
-T* array(std::vector<T>& memory, std::size_t count)
-{
-    if (memory.size() < count)
-        memory.resize(count);
-    return memory.data();
-}
-
-template <class T>
 T* output(std::vector<T>& memory, bool asked, std::size_t count)
 {
     memory.resize(asked ? count : 0);
@@ -208,9 +200,9 @@ void Tiled::draw(const Scene& scene, const Settings& settings, Frame& frame, Out
     job.chunks = &context.chunks;
     aim(job, frame);
     const std::size_t vertices = scene.mesh.vertices.size();
-    job.points = array(context.points, vertices);
+    job.points = context.points.reserve(vertices);
     if (job.rules.shading == Shading::Gouraud && (scene.lit || scene.space == SceneSpace::Object))
-        job.colors = array(context.colors, vertices);
+        job.colors = context.colors.reserve(vertices);
     clearChunks(context, job, scene.mesh.faceCount(), threads);
 
     processVertices(job, kernels, pool);
