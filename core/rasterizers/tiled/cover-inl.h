@@ -409,14 +409,11 @@ inline void CoverTileWith(const FrameJob& job, Worker& worker, TileOrigin origin
             const std::uint32_t number = static_cast<std::uint32_t>(block) * BinBlock::kCapacity + i;
             if (Policy::kUsual && std::bit_cast<std::int32_t>(t.nearest) >= tile.farthest)
                 continue;
-            if ((t.source & kPiece) != 0) {
-                const Piece& piece = bin.chunk->pieces[t.source & ~kPiece];
-                if (piece.exact) {
-                    WriteOwnedBlocks(origin, worker);
-                    samples.nearest.fill(0);
-                    coverExactly(job, piece, number, origin, worker);
-                    continue;
-                }
+            if (HWY_UNLIKELY((t.number & kExact) != 0)) {
+                WriteOwnedBlocks(origin, worker);
+                samples.nearest.fill(0);
+                coverExactly(job, bin.chunk->pieces[worker.source(number) & ~kPiece], number, origin, worker);
+                continue;
             }
             CoverTriangle(t, policy, origin, number, worker, tile);
         }

@@ -65,7 +65,7 @@ struct alignas(64) TileTriangle {
     std::array<std::int32_t, 2> b;
     std::array<std::int32_t, 3> c; ///< edge values >> 8 with the tie threshold taken off, at the tile's first sample
     float nearest;                 ///< no sample is nearer than this
-    std::uint32_t source;          ///< face, or kPiece + the number of a piece of the chunk
+    std::uint32_t number;          ///< of the triangle in its chunk; kExact: look at the piece
     std::uint8_t x0, y0, x1, y1;   ///< bounds in samples of the tile, both ends included
     double depthOrigin;            ///< DepthPlane
     double depthPerX;
@@ -73,12 +73,14 @@ struct alignas(64) TileTriangle {
 };
 static_assert(sizeof(TileTriangle) == 64);
 
+constexpr std::uint32_t kExact = 1U << 31;
+
+/// Where a triangle comes from: a face, or kPiece + the place of a piece of the chunk.
 constexpr std::uint32_t kPiece = 1U << 31;
 
 /// A triangle that is not a face of the mesh as it stands: cut by a clip plane, or beyond the numbers of the fast path.
 struct Piece {
     ScreenTriangle triangle;
-    bool exact; ///< covered sample by sample in 64 bits, depth from exact weights
 };
 
 constexpr std::uint32_t kNobody = 0xffffffffU;
@@ -116,9 +118,21 @@ struct Bin {
     std::uint32_t used = BinBlock::kCapacity; ///< triangles in the last block
 };
 
+/// 1/w and colour over a triangle, colour times 255/w, as planes anchored at a block of the target.
+struct alignas(64) ColorPlanes {
+    std::array<float, 4> origin;
+    std::array<float, 4> perX;
+    std::array<float, 4> perY;
+    float x0; ///< the anchor, in samples
+    float y0;
+    bool exact; ///< too steep for float32: shaded sample by sample
+};
+static_assert(sizeof(ColorPlanes) == 64);
+
 /// A run of consecutive faces, sorted into tiles by one thread.
 struct Chunk {
-    std::vector<Bin> bins; ///< one a tile
+    std::vector<Bin> bins;              ///< one a tile
+    std::vector<std::uint32_t> sources; ///< of its triangles
     std::vector<Piece> pieces;
     BinArena arena;
     Statistics::Faces faces;
@@ -134,8 +148,23 @@ struct Chunk {
         return *triangle;
     }
 
+    /// Planes of the triangle with that number.
+    [[nodiscard]] ColorPlanes& planes(std::uint32_t number)
+    {
+        while (number / kSlabPlanes >= m_planes.size())
+            m_planes.emplace_back().reserve(kSlabPlanes);
+        return m_planes[number / kSlabPlanes].data()[number % kSlabPlanes];
+    }
+    [[nodiscard]] const ColorPlanes& planes(std::uint32_t number) const
+    {
+        return m_planes[number / kSlabPlanes].data()[number % kSlabPlanes];
+    }
+
 private:
     void grow(Bin& bin);
+
+    static constexpr std::size_t kSlabPlanes = 1U << 15; // 2 MiB
+    std::vector<LargeArray<ColorPlanes>> m_planes;
 };
 
 /// The samples of a tile while it is drawn, block by block.
