@@ -23,15 +23,22 @@ struct FanTriangle {
     double area2;
 };
 
-std::vector<FanTriangle> fanFrom(std::size_t apex, std::span<const ScreenVertex> polygon)
+struct Fan {
+    std::array<FanTriangle, ClipPolygon::kMaxVertices> triangles;
+    std::size_t count = 0;
+
+    [[nodiscard]] std::span<const FanTriangle> span() const { return {triangles.data(), count}; }
+};
+
+Fan fanFrom(std::size_t apex, std::span<const ScreenVertex> polygon)
 {
-    std::vector<FanTriangle> fan;
+    Fan fan;
     const std::size_t n = polygon.size();
     for (std::size_t i = 1; i + 1 < n; ++i) {
         const std::array<std::size_t, 3> c{apex, (apex + i) % n, (apex + i + 1) % n};
         const double area2 = twiceArea(polygon[c[0]].position, polygon[c[1]].position, polygon[c[2]].position);
         if (area2 != 0)
-            fan.push_back({c, area2});
+            fan.triangles[fan.count++] = {c, area2};
     }
     return fan;
 }
@@ -61,14 +68,14 @@ int FaceStages::appendFan(std::uint32_t face, std::span<const ScreenVertex> poly
 {
     const double area2 = twicePolygonArea(polygon);
     const auto sameWay = [&](const FanTriangle& t) { return (t.area2 > 0) == (area2 > 0); };
-    std::vector<FanTriangle> fan;
+    Fan fan;
     for (std::size_t apex = 0; apex < polygon.size(); ++apex) {
         fan = fanFrom(apex, polygon);
-        if (std::all_of(fan.begin(), fan.end(), sameWay))
+        if (const auto triangles = fan.span(); std::all_of(triangles.begin(), triangles.end(), sameWay))
             break;
     }
     int pieces = 0;
-    for (const FanTriangle& t : fan)
+    for (const FanTriangle& t : fan.span())
         if (sameWay(t)) {
             out.push_back({{polygon[t.corners[0]], polygon[t.corners[1]], polygon[t.corners[2]]}, face});
             ++pieces;

@@ -15,8 +15,8 @@ struct TiledContext {
     std::unique_ptr<tiled::ThreadPool> pool;
     std::vector<std::unique_ptr<tiled::Worker>> workers; ///< one a thread
     std::vector<tiled::Chunk> chunks;
-    std::vector<tiled::ScreenPoint> points;
-    std::vector<glm::vec4> colors;
+    tiled::LargeArray<tiled::ScreenPoint> points;
+    tiled::LargeArray<glm::vec4> colors;
 };
 
 } // namespace rasterlens

@@ -394,24 +394,26 @@ HWY_INLINE void CoverTriangle(const TileTriangle& t, const Policy& policy, TileO
 template <class Policy>
 inline void CoverTileWith(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
+    constexpr std::size_t kAhead = 8; // triangles
     const Policy policy(job, origin);
     TileSamples& samples = worker.samples;
     TileDepth tile{std::bit_cast<std::int32_t>(job.rules.depthClear)};
     for (std::size_t block = 0; block < worker.blocks.size(); ++block) {
-        const BinBlock& bin = *worker.blocks[block];
+        const TileBlock& bin = worker.blocks[block];
+        if (block + 1 < worker.blocks.size())
+            for (std::size_t i = 0; i < kAhead; ++i)
+                __builtin_prefetch(&worker.blocks[block + 1].bin->triangles[i]);
         for (std::uint32_t i = 0; i < bin.count; ++i) {
-            const TileTriangle& t = bin.triangles[i];
-            const std::uint32_t number = static_cast<std::uint32_t>(block) * Worker::kNumbersPerBlock + i;
+            const TileTriangle& t = bin.bin->triangles[i];
+            __builtin_prefetch(&t + kAhead);
+            const std::uint32_t number = static_cast<std::uint32_t>(block) * BinBlock::kCapacity + i;
             if (Policy::kUsual && std::bit_cast<std::int32_t>(t.nearest) >= tile.farthest)
                 continue;
-            if ((t.source & kPiece) != 0) {
-                const Piece& piece = worker.blockChunk[block]->pieces[t.source & ~kPiece];
-                if (piece.exact) {
-                    WriteOwnedBlocks(origin, worker);
-                    samples.nearest.fill(0);
-                    coverExactly(job, piece, number, origin, worker);
-                    continue;
-                }
+            if (HWY_UNLIKELY((t.number & kExact) != 0)) {
+                WriteOwnedBlocks(origin, worker);
+                samples.nearest.fill(0);
+                coverExactly(job, bin.chunk->pieces[worker.source(number) & ~kPiece], number, origin, worker);
+                continue;
             }
             CoverTriangle(t, policy, origin, number, worker, tile);
         }

@@ -83,15 +83,10 @@ ScreenTriangle screenTriangle(const FrameJob& job, const Chunk& chunk, std::uint
         return chunk.pieces[source & ~kPiece].triangle;
     ScreenTriangle triangle;
     triangle.face = source;
-    const Mesh& mesh = job.scene->mesh;
     for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t i = mesh.indices[3 * std::size_t(source) + k];
-        ScreenVertex& v = triangle.vertices[k];
-        v.position = glm::dvec2(job.points[i].x, job.points[i].y) / double(kUnit);
-        v.depth = job.points[i].depth;
-        const ClipVertex clip = shadeVertexAt(*job.scene, job.matrices, job.rules, i);
-        v.invW = 1 / clip.positionClip.w;
-        v.varyings = clip.varyings;
+        const ProcessedVertex v = processedVertex(job, job.scene->mesh.indices[3 * std::size_t(source) + k]);
+        triangle.vertices[k] = v.screen;
+        triangle.vertices[k].varyings = v.clip.varyings;
     }
     return triangle;
 }

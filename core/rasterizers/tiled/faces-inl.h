@@ -10,6 +10,8 @@
 #include "core/rasterizers/tiled/exact_path.h"
 #include "core/rasterizers/tiled/kernels.h"
 #include "core/rasterizers/tiled/lanes-inl.h"
+#include "core/rasterizers/tiled/planes-inl.h"
+#include "core/rasterizers/tiled/vertices-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
@@ -69,22 +71,31 @@ HWY_INLINE Doubles TwiceArea(Doubles abX, Doubles abY, Doubles acX, Doubles acY)
 struct alignas(64) FaceBatch {
     std::array<std::array<std::int32_t, kFaceBatch>, 3> x;
     std::array<std::array<std::int32_t, kFaceBatch>, 3> y;
-    std::array<std::array<std::uint32_t, kFaceBatch>, 3> vertex;
+    std::array<std::array<double, kFaceBatch>, 3> depth;
 };
 
 HWY_INLINE void GatherFaces(const FrameJob& job, std::uint32_t first, std::uint32_t count, FaceBatch& batch)
 {
     const std::uint32_t* indices = job.scene->mesh.indices.data() + 3 * std::size_t(first);
-    for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t v = *indices++;
-            batch.vertex[k][i] = v;
-            batch.x[k][i] = job.points[v].x;
-            batch.y[k][i] = job.points[v].y;
-        }
+    const auto put = [&](std::size_t i, std::size_t k, const ScreenPoint& p) {
+        batch.x[k][i] = p.x;
+        batch.y[k][i] = p.y;
+        batch.depth[k][i] = p.depth;
+    };
+    if (job.points != nullptr) {
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t k = 0; k < 3; ++k)
+                put(i, k, job.points[indices[3 * i + k]]);
+    } else {
+        std::array<ScreenPoint, 3 * kFaceBatch> corners;
+        ProcessCorners(job, indices, 3 * std::size_t(count), corners.data());
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t k = 0; k < 3; ++k)
+                put(i, k, corners[3 * i + k]);
+    }
     for (std::size_t i = count; i < kFaceBatch && i % kDoubles != 0; ++i)
         for (std::size_t k = 0; k < 3; ++k)
-            batch.x[k][i] = batch.y[k][i] = 0;
+            put(i, k, {0, 0, 0});
 }
 
 /// What becomes of the faces in the lanes of a vector, a bit each.
@@ -133,7 +144,7 @@ inline void QueueOutsideFace(const FrameJob& job, Chunk& chunk, std::uint32_t fa
             queue.depth[k][at] = v.depth;
         }
         queue.source[at] = kPiece | static_cast<std::uint32_t>(chunk.pieces.size());
-        chunk.pieces.push_back({triangle, false});
+        chunk.pieces.push_back({triangle});
     }
 }
 
@@ -224,6 +235,51 @@ HWY_INLINE PlaneLanes MakeDepthPlane(const CornerLanes& a, const CornerLanes& b,
     return plane;
 }
 
+/// Narrows the bounds of triangles of at most 4 x 4 samples to the rows and columns they cover, to nothing if they
+/// cover none: it is cheaper to find that out here, many at a time, than in the tiles.
+HWY_INLINE void NarrowBounds(const std::array<EdgeLanes, 3>& edges, SampleLanes& columns, SampleLanes& rows)
+{
+    constexpr HalfIntTag tag;
+    constexpr DoubleTag wide;
+    const HalfInts side = hn::Set(tag, kBlockSide);
+    const auto small =
+        hn::And(hn::Lt(hn::Sub(columns.last, columns.first), side), hn::Lt(hn::Sub(rows.last, rows.first), side));
+    if (hn::AllFalse(tag, small))
+        return;
+    std::array<HalfInts, 3> row;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Doubles corner =
+            hn::Add(edges[k].c, hn::Add(hn::Mul(hn::PromoteTo(wide, edges[k].a), hn::PromoteTo(wide, columns.first)),
+                                        hn::Mul(hn::PromoteTo(wide, edges[k].b), hn::PromoteTo(wide, rows.first))));
+        const Doubles limit = hn::Set(wide, double(kFarInside));
+        row[k] = hn::DemoteTo(tag, hn::Min(hn::Max(corner, hn::Neg(limit)), limit));
+    }
+    const HalfInts outside = hn::Set(tag, -1);
+    const HalfInts none = hn::Set(tag, kBlockSide);
+    HalfInts firstColumn = none, lastColumn = outside, firstRow = none, lastRow = outside;
+    for (int y = 0; y < kBlockSide; ++y) {
+        std::array<HalfInts, 3> e = row;
+        for (int x = 0; x < kBlockSide; ++x) {
+            const auto covered = hn::Gt(hn::Or3(e[0], e[1], e[2]), outside);
+            const HalfInts column = hn::Set(tag, x);
+            const HalfInts line = hn::Set(tag, y);
+            firstColumn = hn::IfThenElse(covered, hn::Min(firstColumn, column), firstColumn);
+            lastColumn = hn::IfThenElse(covered, hn::Max(lastColumn, column), lastColumn);
+            firstRow = hn::IfThenElse(covered, hn::Min(firstRow, line), firstRow);
+            lastRow = hn::IfThenElse(covered, line, lastRow);
+            for (std::size_t k = 0; k < 3; ++k)
+                e[k] = hn::Add(e[k], edges[k].a);
+        }
+        for (std::size_t k = 0; k < 3; ++k)
+            row[k] = hn::Add(row[k], edges[k].b);
+    }
+    // Samples beyond the target may be covered too.
+    columns = {hn::IfThenElse(small, hn::Add(columns.first, firstColumn), columns.first),
+               hn::Min(columns.last, hn::IfThenElse(small, hn::Add(columns.first, lastColumn), columns.last))};
+    rows = {hn::IfThenElse(small, hn::Add(rows.first, firstRow), rows.first),
+            hn::Min(rows.last, hn::IfThenElse(small, hn::Add(rows.first, lastRow), rows.last))};
+}
+
 /// Triangles ready for the bins, lane by lane.
 struct alignas(64) SetupLanes {
     std::array<std::array<std::int32_t, kDoubles>, 3> a;
@@ -270,13 +326,6 @@ HWY_INLINE void SetUpLanes(const Rules& rules, const SetupQueue& queue, std::siz
     hn::Store(hn::DemoteTo(HalfFloatTag(), hn::Sub(nearest, hn::Set(wide, DepthSlack(rules.depthFormat)))),
               HalfFloatTag(), out.nearest.data());
 
-    const SampleLanes columns = SamplesBetween(Min3(x[0], x[1], x[2]), Max3(x[0], x[1], x[2]), rules.columns());
-    const SampleLanes rows = SamplesBetween(Min3(y[0], y[1], y[2]), Max3(y[0], y[1], y[2]), rules.rows());
-    hn::Store(columns.first, tag, out.x0.data());
-    hn::Store(columns.last, tag, out.x1.data());
-    hn::Store(rows.first, tag, out.y0.data());
-    hn::Store(rows.last, tag, out.y1.data());
-
     // Inside is where all three edges are positive: B and C change places where the triangle winds the other way.
     const Doubles area = TwiceArea(hn::Sub(corner[1].x, corner[0].x), hn::Sub(corner[1].y, corner[0].y),
                                    hn::Sub(corner[2].x, corner[0].x), hn::Sub(corner[2].y, corner[0].y));
@@ -295,17 +344,24 @@ HWY_INLINE void SetUpLanes(const Rules& rules, const SetupQueue& queue, std::siz
         hn::Store(edges[k].c, wide, out.c[k].data());
         steepest = Max3(steepest, hn::Abs(edges[k].a), hn::Abs(edges[k].b));
     }
+    SampleLanes columns = SamplesBetween(Min3(x[0], x[1], x[2]), Max3(x[0], x[1], x[2]), rules.columns());
+    SampleLanes rows = SamplesBetween(Min3(y[0], y[1], y[2]), Max3(y[0], y[1], y[2]), rules.rows());
+    NarrowBounds(edges, columns, rows);
+    hn::Store(columns.first, tag, out.x0.data());
+    hn::Store(columns.last, tag, out.x1.data());
+    hn::Store(rows.first, tag, out.y0.data());
+    hn::Store(rows.last, tag, out.y1.data());
     out.exact = BitsOf(tag, hn::Gt(steepest, hn::Set(tag, kLargestGradient))) | ~BitsOf(wide, plane.plane);
 }
 
 /// Writes a triangle into the bin of a tile, if it may cover samples there.
 HWY_INLINE void EmitToTile(const FrameJob& job, Chunk& chunk, const SetupLanes& lanes, std::size_t i,
-                           std::uint32_t source, bool exact, int column, int row)
+                           std::uint32_t number, int column, int row)
 {
     const int originX = column * job.grid.pitch;
     const int originY = row * job.grid.pitch;
     std::array<std::int32_t, 3> c{};
-    for (std::size_t k = 0; k < 3 && !exact; ++k) {
+    for (std::size_t k = 0; k < 3 && (number & kExact) == 0; ++k) {
         const double a = lanes.a[k][i];
         const double b = lanes.b[k][i];
         const double value = lanes.c[k][i] + a * originX + b * originY;
@@ -318,7 +374,7 @@ HWY_INLINE void EmitToTile(const FrameJob& job, Chunk& chunk, const SetupLanes& 
     t.b = {lanes.b[0][i], lanes.b[1][i]};
     t.c = c;
     t.nearest = lanes.nearest[i];
-    t.source = source;
+    t.number = number;
     t.x0 = static_cast<std::uint8_t>(std::max(lanes.x0[i] - originX, 0));
     t.y0 = static_cast<std::uint8_t>(std::max(lanes.y0[i] - originY, 0));
     t.x1 = static_cast<std::uint8_t>(std::min(lanes.x1[i] - originX, job.grid.pitch - 1));
@@ -328,26 +384,75 @@ HWY_INLINE void EmitToTile(const FrameJob& job, Chunk& chunk, const SetupLanes& 
     t.depthPerY = lanes.perY[i];
 }
 
+/// Lanes whose bounds hold samples.
+HWY_INLINE std::uint32_t LanesWithSamples(const SetupLanes& lanes, std::size_t count)
+{
+    constexpr HalfIntTag tag;
+    const auto load = [](const auto& numbers) HWY_ATTR { return hn::Load(HalfIntTag(), numbers.data()); };
+    const auto empty = hn::Or(hn::Lt(load(lanes.x1), load(lanes.x0)), hn::Lt(load(lanes.y1), load(lanes.y0)));
+    return ~BitsOf(tag, empty) & ((1U << count) - 1);
+}
+
+/// Colours of the lanes, which become the triangles from firstNumber on.
+HWY_INLINE void SetUpColors(const FrameJob& job, Chunk& chunk, const SetupQueue& queue, std::size_t at,
+                            const SetupLanes& lanes, std::uint32_t used, std::uint32_t firstNumber)
+{
+    constexpr DoubleTag wide;
+    CornerStage stage;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto toSamples = [&](const auto& units) HWY_ATTR {
+            return hn::Mul(hn::PromoteTo(DoubleTag(), hn::LoadU(HalfIntTag(), units.data() + at)),
+                           hn::Set(DoubleTag(), 1.0 / kUnit));
+        };
+        hn::Store(toSamples(queue.x[k]), wide, stage.x[k].data());
+        hn::Store(toSamples(queue.y[k]), wide, stage.y[k].data());
+        hn::Store(hn::Set(wide, 1.0), wide, stage.w[k].data());
+        for (auto& channel : stage.color[k])
+            hn::Store(hn::Zero(HalfFloatTag()), HalfFloatTag(), channel.data());
+    }
+    stage.anchorX.fill(0);
+    stage.anchorY.fill(0);
+    std::array<ColorPlanes*, kDoubles> out{};
+    for (std::uint32_t bits = used; bits != 0; bits &= bits - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+        const std::uint32_t source = queue.source[at + lane];
+        if ((source & kPiece) != 0)
+            StagePieceColors(chunk.pieces[source & ~kPiece].triangle, lane, stage);
+        else
+            StageFaceColors(job, source, lane, stage);
+        stage.anchorX[lane] = lanes.x0[lane] / kBlockSide * kBlockSide + 0.5;
+        stage.anchorY[lane] = lanes.y0[lane] / kBlockSide * kBlockSide + 0.5;
+        out[lane] = &chunk.planes(firstNumber++);
+    }
+    MakePlanes(job, stage, used, out);
+}
+
 /// Sets up one vector of triangles from the queue and writes them into the bins.
 HWY_INLINE void SetUpAndBin(const FrameJob& job, Chunk& chunk, const SetupQueue& queue, std::size_t at,
                             std::size_t count)
 {
     SetupLanes lanes;
     SetUpLanes(job.rules, queue, at, lanes);
+    const std::uint32_t used = LanesWithSamples(lanes, count);
+    if (used == 0)
+        return;
+    if (job.interpolatesColor())
+        SetUpColors(job, chunk, queue, at, lanes, used, static_cast<std::uint32_t>(chunk.sources.size()));
     const int pitch = job.grid.pitch;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (lanes.x0[i] > lanes.x1[i] || lanes.y0[i] > lanes.y1[i])
-            continue;
+    for (std::uint32_t bits = used; bits != 0; bits &= bits - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(bits));
         std::uint32_t source = queue.source[at + i];
-        const bool exact = (lanes.exact >> i & 1) != 0;
-        if (exact) {
+        auto number = static_cast<std::uint32_t>(chunk.sources.size());
+        if ((lanes.exact >> i & 1) != 0) {
             const ScreenTriangle triangle = screenTriangle(job, chunk, source);
             source = kPiece | static_cast<std::uint32_t>(chunk.pieces.size());
-            chunk.pieces.push_back({triangle, true});
+            chunk.pieces.push_back({triangle});
+            number |= kExact;
         }
+        chunk.sources.push_back(source);
         for (int row = lanes.y0[i] / pitch; row <= lanes.y1[i] / pitch; ++row)
             for (int column = lanes.x0[i] / pitch; column <= lanes.x1[i] / pitch; ++column)
-                EmitToTile(job, chunk, lanes, i, source, exact, column, row);
+                EmitToTile(job, chunk, lanes, i, number, column, row);
     }
 }
 
@@ -405,7 +510,7 @@ HWY_INLINE void SortFaces(const FrameJob& job, Chunk& chunk, const FaceBatch& ba
         for (std::size_t k = 0; k < 3; ++k) {
             queue.x[k][slot] = batch.x[k][i];
             queue.y[k][slot] = batch.y[k][i];
-            queue.depth[k][slot] = job.points[batch.vertex[k][i]].depth;
+            queue.depth[k][slot] = batch.depth[k][i];
         }
         queue.source[slot] = face;
     }

@@ -18,7 +18,8 @@ struct FrameJob {
     Outputs outputs;
     bool counting = false; ///< count samples: nothing hidden is skipped then
     std::uint32_t clearColor = 0;
-    ScreenPoint* points = nullptr; ///< a vertex of the mesh each
+    /// A vertex of the mesh each; null: every corner of a face is processed with it.
+    ScreenPoint* points = nullptr;
     /// Likewise: lit colour, w of clip space; null where the mesh has both or nobody asks.
     glm::vec4* colors = nullptr;
     std::vector<Chunk>* chunks = nullptr;
@@ -27,6 +28,7 @@ struct FrameJob {
     std::int32_t* ids = nullptr;
     std::uint16_t* coverage = nullptr;
 
+    [[nodiscard]] bool interpolatesColor() const { return rules.shading == Shading::Gouraud; }
     [[nodiscard]] bool countsCoverage() const
     {
         return counting || outputs.coverage || rules.shading == Shading::Overdraw;
@@ -38,6 +40,7 @@ struct VisibleTriangle {
     std::uint32_t source;
     std::uint32_t color; ///< of shadings that have one a face
     const Chunk* chunk;
+    const ColorPlanes* planes; ///< of shadings that interpolate a colour
 };
 
 /// A block and the samples of it that a triangle won.
@@ -47,35 +50,35 @@ struct BlockShare {
     std::uint32_t visible;
 };
 
-/// 1/w and colour over a triangle, colour times 255/w, as planes anchored at a block of the tile.
-struct alignas(64) ColorPlanes {
-    std::array<float, 4> origin;
-    std::array<float, 4> perX;
-    std::array<float, 4> perY;
-    float x0; ///< the anchor, in samples of the tile
-    float y0;
-    bool exact; ///< too steep for float32: shaded sample by sample
+/// Triangles of a tile.
+struct TileBlock {
+    const BinBlock* bin;
+    const Chunk* chunk;
+    std::uint32_t count;
 };
-static_assert(sizeof(ColorPlanes) == 64);
 
 /// The memory one thread draws tiles with; kept from frame to frame.
 struct Worker {
     TileSamples samples;
-    std::vector<const BinBlock*> blocks; ///< of the tile, in the order of the faces
-    std::vector<const Chunk*> blockChunk;
+    std::vector<TileBlock> blocks;        ///< of the tile, in the order of the faces
     std::vector<std::uint32_t> visibleOf; ///< of a triangle of the tile
     std::vector<VisibleTriangle> visible;
-    std::vector<ColorPlanes> planes;
     std::vector<BlockShare> shares;
     Statistics::Pixels pixels;
 
-    /// Numbers of triangles of a tile: the block of the bin, the place in it.
-    static constexpr std::uint32_t kNumbersPerBlock = BinBlock::kCapacity + 1;
+    /// Triangles of a tile are numbered block by block.
     [[nodiscard]] const TileTriangle& triangle(std::uint32_t number) const
     {
-        return blocks[number / kNumbersPerBlock]->triangles[number % kNumbersPerBlock];
+        return blocks[number / BinBlock::kCapacity].bin->triangles[number % BinBlock::kCapacity];
     }
-    [[nodiscard]] const Chunk& chunkOf(std::uint32_t number) const { return *blockChunk[number / kNumbersPerBlock]; }
+    [[nodiscard]] std::uint32_t source(std::uint32_t number) const
+    {
+        return chunkOf(number).sources[triangle(number).number & ~kExact];
+    }
+    [[nodiscard]] const Chunk& chunkOf(std::uint32_t number) const
+    {
+        return *blocks[number / BinBlock::kCapacity].chunk;
+    }
 };
 
 /// The stages that are written in vector instructions.

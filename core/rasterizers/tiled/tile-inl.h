@@ -20,12 +20,12 @@ namespace rasterlens::tiled::HWY_NAMESPACE
 inline void CollectBlocks(const FrameJob& job, std::size_t tile, Worker& worker)
 {
     worker.blocks.clear();
-    worker.blockChunk.clear();
-    for (const Chunk& chunk : *job.chunks)
-        for (const BinBlock* block = chunk.bins[tile].first; block != nullptr; block = block->next) {
-            worker.blocks.push_back(block);
-            worker.blockChunk.push_back(&chunk);
-        }
+    for (const Chunk& chunk : *job.chunks) {
+        const Bin& bin = chunk.bins[tile];
+        for (std::uint32_t block = bin.first; block != kNobody; block = chunk.arena.next(block))
+            worker.blocks.push_back(
+                {&chunk.arena.block(block), &chunk, block == bin.last ? bin.used : BinBlock::kCapacity});
+    }
 }
 
 /// Some tiles of a row; neighbours that are empty are cleared together.

@@ -3,21 +3,22 @@
 namespace rasterlens::tiled
 {
 
-BinBlock* BinArena::allocate()
+std::uint32_t BinArena::allocate()
 {
-    const std::size_t slab = m_used / kSlabBlocks;
-    if (slab == m_slabs.size())
-        m_slabs.push_back(std::make_unique_for_overwrite<BinBlock[]>(kSlabBlocks));
-    return &m_slabs[slab][m_used++ % kSlabBlocks];
+    const std::size_t number = m_next.size();
+    if (number / kSlabBlocks == m_slabs.size())
+        m_slabs.emplace_back().reserve(kSlabBlocks);
+    m_next.push_back(kNobody);
+    return static_cast<std::uint32_t>(number);
 }
 
 void Chunk::grow(Bin& bin)
 {
-    BinBlock* block = arena.allocate();
-    block->next = nullptr;
-    block->count = 0;
-    (bin.last != nullptr ? bin.last->next : bin.first) = block;
+    const std::uint32_t block = arena.allocate();
+    (bin.last == kNobody ? bin.first : arena.next(bin.last)) = block;
     bin.last = block;
+    bin.lastBlock = &arena.block(block);
+    bin.used = 0;
 }
 
 } // namespace rasterlens::tiled

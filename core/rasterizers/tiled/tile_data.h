@@ -1,13 +1,13 @@
 #pragma once
 #include "core/observe/statistics.h"
 #include "core/pipeline/types.h"
+#include "core/rasterizers/tiled/large_array.h"
 #include "core/rules.h"
 #include "core/scene.h"
 
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <vector>
 
 namespace rasterlens::tiled
@@ -65,7 +65,7 @@ struct alignas(64) TileTriangle {
     std::array<std::int32_t, 2> b;
     std::array<std::int32_t, 3> c; ///< edge values >> 8 with the tie threshold taken off, at the tile's first sample
     float nearest;                 ///< no sample is nearer than this
-    std::uint32_t source;          ///< face, or kPiece + the number of a piece of the chunk
+    std::uint32_t number;          ///< of the triangle in its chunk; kExact: look at the piece
     std::uint8_t x0, y0, x1, y1;   ///< bounds in samples of the tile, both ends included
     double depthOrigin;            ///< DepthPlane
     double depthPerX;
@@ -73,44 +73,66 @@ struct alignas(64) TileTriangle {
 };
 static_assert(sizeof(TileTriangle) == 64);
 
+constexpr std::uint32_t kExact = 1U << 31;
+
+/// Where a triangle comes from: a face, or kPiece + the place of a piece of the chunk.
 constexpr std::uint32_t kPiece = 1U << 31;
 
 /// A triangle that is not a face of the mesh as it stands: cut by a clip plane, or beyond the numbers of the fast path.
 struct Piece {
     ScreenTriangle triangle;
-    bool exact; ///< covered sample by sample in 64 bits, depth from exact weights
 };
 
-/// A tile's part of the faces of a chunk, in their order: a list of blocks.
+constexpr std::uint32_t kNobody = 0xffffffffU;
+
+/// A tile's part of the faces of a chunk, in their order, is a list of these.
 struct BinBlock {
-    static constexpr std::uint32_t kCapacity = 31;
-    BinBlock* next;
-    std::uint32_t count;
+    static constexpr std::uint32_t kCapacity = 32;
     std::array<TileTriangle, kCapacity> triangles;
 };
-static_assert(sizeof(BinBlock) == 2048);
 
-/// Memory for the blocks of bins that is kept from frame to frame.
+/// Blocks of bins, by number. Their memory is kept from frame to frame.
 class BinArena
 {
 public:
-    void reset() { m_used = 0; }
-    [[nodiscard]] BinBlock* allocate();
+    void reset() { m_next.clear(); }
+    [[nodiscard]] std::uint32_t allocate();
+    [[nodiscard]] BinBlock& block(std::uint32_t number) const
+    {
+        return m_slabs[number / kSlabBlocks].data()[number % kSlabBlocks];
+    }
+    /// The block that follows in its bin, or kNobody.
+    [[nodiscard]] std::uint32_t& next(std::uint32_t number) { return m_next[number]; }
+    [[nodiscard]] std::uint32_t next(std::uint32_t number) const { return m_next[number]; }
 
 private:
-    static constexpr std::size_t kSlabBlocks = 128;
-    std::vector<std::unique_ptr<BinBlock[]>> m_slabs;
-    std::size_t m_used = 0; ///< blocks
+    static constexpr std::size_t kSlabBlocks = 1024; // 2 MiB
+    std::vector<LargeArray<BinBlock>> m_slabs;
+    std::vector<std::uint32_t> m_next; ///< apart from the blocks: a walk along a list touches few lines
 };
 
 struct Bin {
-    BinBlock* first = nullptr;
-    BinBlock* last = nullptr;
+    BinBlock* lastBlock = nullptr;
+    std::uint32_t first = kNobody;
+    std::uint32_t last = kNobody;
+    std::uint32_t used = BinBlock::kCapacity; ///< triangles in the last block
 };
+
+/// 1/w and colour over a triangle, colour times 255/w, as planes anchored at a block of the target.
+struct alignas(64) ColorPlanes {
+    std::array<float, 4> origin;
+    std::array<float, 4> perX;
+    std::array<float, 4> perY;
+    float x0; ///< the anchor, in samples
+    float y0;
+    bool exact; ///< too steep for float32: shaded sample by sample
+};
+static_assert(sizeof(ColorPlanes) == 64);
 
 /// A run of consecutive faces, sorted into tiles by one thread.
 struct Chunk {
-    std::vector<Bin> bins; ///< one a tile
+    std::vector<Bin> bins;              ///< one a tile
+    std::vector<std::uint32_t> sources; ///< of its triangles
     std::vector<Piece> pieces;
     BinArena arena;
     Statistics::Faces faces;
@@ -119,16 +141,31 @@ struct Chunk {
     TileTriangle& append(std::size_t tile)
     {
         Bin& bin = bins[tile];
-        if (bin.last == nullptr || bin.last->count == BinBlock::kCapacity)
+        if (bin.used == BinBlock::kCapacity)
             grow(bin);
-        return bin.last->triangles[bin.last->count++];
+        TileTriangle* triangle = &bin.lastBlock->triangles[bin.used++];
+        __builtin_prefetch(triangle + 1, 1); // the next one comes after those of many other tiles
+        return *triangle;
+    }
+
+    /// Planes of the triangle with that number.
+    [[nodiscard]] ColorPlanes& planes(std::uint32_t number)
+    {
+        while (number / kSlabPlanes >= m_planes.size())
+            m_planes.emplace_back().reserve(kSlabPlanes);
+        return m_planes[number / kSlabPlanes].data()[number % kSlabPlanes];
+    }
+    [[nodiscard]] const ColorPlanes& planes(std::uint32_t number) const
+    {
+        return m_planes[number / kSlabPlanes].data()[number % kSlabPlanes];
     }
 
 private:
     void grow(Bin& bin);
-};
 
-constexpr std::uint32_t kNobody = 0xffffffffU;
+    static constexpr std::size_t kSlabPlanes = 1U << 15; // 2 MiB
+    std::vector<LargeArray<ColorPlanes>> m_planes;
+};
 
 /// The samples of a tile while it is drawn, block by block.
 struct alignas(64) TileSamples {

@@ -61,17 +61,10 @@ void clearChunks(TiledContext& context, const FrameJob& job, std::size_t faces, 
     for (Chunk& chunk : context.chunks) {
         chunk.bins.assign(job.grid.count(), {});
         chunk.pieces.clear();
+        chunk.sources.clear();
         chunk.arena.reset();
         chunk.faces = {};
     }
-}
-
-template <class T>
-T* array(std::vector<T>& memory, std::size_t count)
-{
-    if (memory.size() < count)
-        memory.resize(count);
-    return memory.data();
 }
 
 template <class T>
@@ -124,6 +117,13 @@ Statistics collect(const TiledContext& context)
     for (const auto& worker : context.workers)
         add(statistics.pixels, worker->pixels);
     return statistics;
+}
+
+/// Whether faces share so many vertices that it pays to process each once and keep it.
+bool sharesVertices(const Mesh& mesh)
+{
+    constexpr std::size_t kMostCorners = 1U << 27; // their places in the mesh fit 32 bits
+    return mesh.vertices.size() < 2 * mesh.faceCount() || mesh.vertices.size() > kMostCorners;
 }
 
 void processVertices(const FrameJob& job, const Kernels& kernels, ThreadPool& pool)
@@ -208,12 +208,14 @@ void Tiled::draw(const Scene& scene, const Settings& settings, Frame& frame, Out
     job.chunks = &context.chunks;
     aim(job, frame);
     const std::size_t vertices = scene.mesh.vertices.size();
-    job.points = array(context.points, vertices);
-    if (job.rules.shading == Shading::Gouraud && (scene.lit || scene.space == SceneSpace::Object))
-        job.colors = array(context.colors, vertices);
+    if (job.interpolatesColor() && (scene.lit || scene.space == SceneSpace::Object))
+        job.colors = context.colors.reserve(vertices);
+    if (job.colors != nullptr || sharesVertices(scene.mesh))
+        job.points = context.points.reserve(vertices);
     clearChunks(context, job, scene.mesh.faceCount(), threads);
 
-    processVertices(job, kernels, pool);
+    if (job.points != nullptr)
+        processVertices(job, kernels, pool);
     times.vertex = watch.lap();
     if (!stop.stop_requested())
         processFaces(job, kernels, pool);

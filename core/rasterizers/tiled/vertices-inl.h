@@ -108,16 +108,18 @@ HWY_INLINE void ColorVertices(const FrameJob& job, const float* floats, HalfInts
         job.colors[first + i] = {color[0][i], color[1][i], color[2][i], color[3][i]};
 }
 
+constexpr int kVertexStride = sizeof(MeshVertex) / sizeof(float);
+
 /// As many vertices as a vector has lanes; `count` of them are wanted.
-HWY_INLINE void ProcessVertexLanes(const FrameJob& job, std::size_t first, std::size_t count)
+///
+/// in   where each of them starts, in floats; vertexOf(lane) is its index in the mesh
+/// out  w of clip space
+template <class VertexOf>
+HWY_INLINE HalfFloats ProcessVertexLanes(const FrameJob& job, const float* floats, HalfInts at, std::size_t count,
+                                         VertexOf&& vertexOf, ScreenPoint* out)
 {
     constexpr HalfFloatTag tag;
     constexpr DoubleTag wide;
-    constexpr int kStride = sizeof(MeshVertex) / sizeof(float);
-    const std::vector<MeshVertex>& vertices = job.scene->mesh.vertices;
-    const auto* floats = reinterpret_cast<const float*>(vertices.data() + first);
-    const HalfInts lanes = hn::Min(hn::Iota(HalfIntTag(), 0), hn::Set(HalfIntTag(), static_cast<int>(count) - 1));
-    const HalfInts at = hn::Mul(lanes, hn::Set(HalfIntTag(), kStride));
     const auto load = [&](std::size_t offset) HWY_ATTR { return hn::GatherIndex(tag, floats + offset, at); };
     const ClipLanes clip = ToClipSpace(job, {load(0), load(1), load(2), load(3)});
     const auto inside = InsideView(job, clip);
@@ -139,21 +141,43 @@ HWY_INLINE void ProcessVertexLanes(const FrameJob& job, std::size_t first, std::
     hn::Store(rules.clipZ == ClipZ::Gl ? hn::Div(hn::Add(w, z), hn::Mul(hn::Set(wide, 2.0), w)) : hn::Div(z, w), wide,
               depth.data());
     for (std::size_t i = 0; i < count; ++i)
-        job.points[first + i] = {x[i], y[i], depth[i]};
-
+        out[i] = {x[i], y[i], depth[i]};
     std::uint32_t outside = ~BitsOf(tag, inside) & ((1U << count) - 1);
     for (; outside != 0; outside &= outside - 1) {
-        const std::size_t vertex = first + static_cast<std::size_t>(std::countr_zero(outside));
-        job.points[vertex] = {kOutside, planesOutside(job, vertex), 0};
+        const auto lane = static_cast<std::size_t>(std::countr_zero(outside));
+        out[lane] = {kOutside, planesOutside(job, vertexOf(lane)), 0};
     }
-    if (job.colors != nullptr)
-        ColorVertices(job, floats, at, clip.w, first, count);
+    return clip.w;
 }
 
+/// A run of the mesh's vertices into job.points and job.colors.
 inline void ProcessVertices(const FrameJob& job, std::size_t begin, std::size_t end)
 {
-    for (std::size_t first = begin; first < end; first += kDoubles)
-        ProcessVertexLanes(job, first, std::min(kDoubles, end - first));
+    for (std::size_t first = begin; first < end; first += kDoubles) {
+        const std::size_t count = std::min(kDoubles, end - first);
+        const auto* floats = reinterpret_cast<const float*>(job.scene->mesh.vertices.data() + first);
+        const HalfInts lanes = hn::Min(hn::Iota(HalfIntTag(), 0), hn::Set(HalfIntTag(), static_cast<int>(count) - 1));
+        const HalfInts at = hn::Mul(lanes, hn::Set(HalfIntTag(), kVertexStride));
+        const HalfFloats w = ProcessVertexLanes(
+            job, floats, at, count, [&](std::size_t lane) { return first + lane; }, job.points + first);
+        if (job.colors != nullptr)
+            ColorVertices(job, floats, at, w, first, count);
+    }
+}
+
+/// The vertices that indices name, in their order.
+inline void ProcessCorners(const FrameJob& job, const std::uint32_t* indices, std::size_t count, ScreenPoint* out)
+{
+    const auto* floats = reinterpret_cast<const float*>(job.scene->mesh.vertices.data());
+    for (std::size_t first = 0; first < count; first += kDoubles) {
+        const std::size_t n = std::min(kDoubles, count - first);
+        alignas(64) std::array<std::int32_t, kDoubles> starts{};
+        for (std::size_t i = 0; i < n; ++i)
+            starts[i] = static_cast<std::int32_t>(indices[first + i]) * kVertexStride;
+        ProcessVertexLanes(
+            job, floats, hn::Load(HalfIntTag(), starts.data()), n,
+            [&](std::size_t lane) { return indices[first + lane]; }, out + first);
+    }
 }
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE
