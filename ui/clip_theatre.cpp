@@ -76,7 +76,7 @@ QString clipPlaneSign(ClipPlane plane)
 class ClipTheatre::Stage : public QWidget
 {
 public:
-    Stage(ClipTheatre& theatre, View view) : m_theatre(theatre), m_view(view) { setMinimumSize(150, 120); }
+    Stage(ClipTheatre& theatre, View view) : m_theatre(theatre), m_view(view) { setMinimumSize(150, 170); }
 
 protected:
     void paintEvent(QPaintEvent*) override
@@ -339,12 +339,9 @@ void ClipTheatre::setStory(std::shared_ptr<const ClipStory> story)
 {
     m_story = std::move(story);
     m_stage = m_story ? m_story->steps.size() + (m_story->regions ? 1 : 0) : 0;
-    // The coordinate that something was cut by last is the one to look at.
-    if (m_story && !m_story->steps.empty()) {
-        const int plane = static_cast<int>(m_story->steps.back().plane);
-        if (plane > 0)
-            m_axis->setCurrentIndex((plane - 1) / 2);
-    }
+    while (m_stage > 1 && m_stage <= m_story->steps.size() && m_story->steps[m_stage - 1].cuts.empty())
+        --m_stage; // the last plane that did something
+    showAxisOfStage();
     sync();
 }
 
@@ -353,12 +350,18 @@ void ClipTheatre::setStage(std::size_t stage)
     if (!m_story)
         return;
     m_stage = std::min(stage, m_story->steps.size() + (m_story->regions ? 1 : 0));
-    if (m_stage > 0 && m_stage <= m_story->steps.size()) {
-        const int plane = static_cast<int>(m_story->steps[m_stage - 1].plane);
-        if (plane > 0)
-            m_axis->setCurrentIndex((plane - 1) / 2);
-    }
+    showAxisOfStage();
     sync();
+}
+
+/// The coordinate that is cut by is the one to look at.
+void ClipTheatre::showAxisOfStage()
+{
+    if (!m_story || m_stage == 0 || m_stage > m_story->steps.size())
+        return;
+    const int plane = static_cast<int>(m_story->steps[m_stage - 1].plane);
+    if (plane > 0)
+        m_axis->setCurrentIndex((plane - 1) / 2);
 }
 
 const std::vector<ClipVertex>& ClipTheatre::before() const
@@ -431,6 +434,8 @@ QStringList ClipTheatre::cuts() const
         }
         lines << line;
     }
+    if (lines.isEmpty())
+        lines << tr("all corners are inside: nothing to cut here");
     return lines;
 }
 

@@ -35,14 +35,18 @@ std::vector<QPointF> points(const std::vector<CurvePoint>& curve)
     return points;
 }
 
-QString fixed(double value) { return QString::number(value, 'f', 4); }
+QString fixed(double value)
+{
+    QString text = QString::number(value, 'f', 4);
+    return text.replace(QLatin1Char('-'), QChar(0x2212));
+}
 
 } // namespace
 
 class CurvesPanel::Canvas : public QWidget
 {
 public:
-    explicit Canvas(CurvesPanel& panel) : m_panel(panel) { setMinimumHeight(130); }
+    explicit Canvas(CurvesPanel& panel) : m_panel(panel) { setMinimumHeight(170); }
 
 protected:
     void paintEvent(QPaintEvent*) override

@@ -93,6 +93,7 @@ private:
     };
 
     void buildLayout();
+    void sizeDocks();
     QWidget* buildCanvas();
     void buildStatusBar();
     void connectParts();
