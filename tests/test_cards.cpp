@@ -274,7 +274,9 @@ void TestCards::vertexCellsEqualTheTable()
     const auto cell = [&](int row, int column) { return plain(model.index(row, column).data().toString()); };
     for (int i = 0; i < 3; ++i) {
         const VertexRow& corner = table[static_cast<std::size_t>(i)];
-        QCOMPARE(cell(VertexTableModel::MeshVertexIndex, i), QString::number(corner.meshVertex));
+        QVERIFY(model.headerData(i, Qt::Horizontal, Qt::DisplayRole)
+                    .toString()
+                    .endsWith(QString::number(corner.meshVertex)));
         QVERIFY(cell(VertexTableModel::ClipSpace, i).endsWith(shortNumber(corner.clip.w)));
         QVERIFY(cell(VertexTableModel::ViewSpace, i).startsWith(shortNumber(corner.view.x)));
         QVERIFY(cell(VertexTableModel::SnappedSpace, i).startsWith(fullNumber(corner.snapped.x)));

@@ -85,7 +85,6 @@ QString VertexTableModel::cell(int row, const VertexRow& corner) const
     const bool inClipSpace = m_document.scene()->space == SceneSpace::Clip;
     const auto& o = corner.object;
     switch (row) {
-    case MeshVertexIndex: return QString::number(corner.meshVertex);
     case ObjectSpace: return inClipSpace ? tuple({o.x, o.y, o.z, o.w}) : tuple({o.x, o.y, o.z});
     case ViewSpace:
         return inClipSpace ? QStringLiteral("\u2013") : tuple({corner.view.x, corner.view.y, corner.view.z});
@@ -122,9 +121,11 @@ QVariant VertexTableModel::headerData(int section, Qt::Orientation orientation, 
     if (role != Qt::DisplayRole)
         return {};
     if (orientation == Qt::Horizontal)
-        return QString(QLatin1Char(static_cast<char>('A' + section)));
+        return m_corners && section < 3 ? tr("%1, vertex %2")
+                                              .arg(QLatin1Char(static_cast<char>('A' + section)))
+                                              .arg((*m_corners)[static_cast<std::size_t>(section)].meshVertex)
+                                        : QVariant();
     switch (section) {
-    case MeshVertexIndex: return tr("vertex of the mesh");
     case ObjectSpace:
         return m_document.scene()->space == SceneSpace::Clip ? tr("given  x, y, z, w") : tr("object  x, y, z");
     case ViewSpace: return tr("view  x, y, z");
@@ -169,6 +170,7 @@ void VertexTableModel::refresh()
         m_corners.reset();
     Q_EMIT dataChanged(index(0, 0), index(kRowCount - 1, 2));
     Q_EMIT headerDataChanged(Qt::Vertical, 0, kRowCount - 1);
+    Q_EMIT headerDataChanged(Qt::Horizontal, 0, 2);
 }
 
 VertexPanel::VertexPanel(Document& document, FaceSelection& selection, QWidget* parent)
