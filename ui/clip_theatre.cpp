@@ -47,12 +47,21 @@ QString planeFormula(ClipPlane plane)
     return {};
 }
 
-/// Corners of the original triangle keep their letters; new ones are numbered.
+/// Corners of the face keep their letters A, B, C; new ones are P1, P2.. in the order of their making.
 QString cornerName(const ClipVertex& corner, const ClipStory& story, std::size_t index)
 {
     for (std::size_t i = 0; i < story.corners.size(); ++i)
         if (story.corners[i].positionClip == corner.positionClip)
             return QString(QLatin1Char(static_cast<char>('A' + static_cast<char>(i))));
+    int made = 0;
+    for (const ClipStep& step : story.steps)
+        for (const ClipCut& cut : step.cuts) {
+            if (cut.corner < 0)
+                continue;
+            ++made;
+            if (step.after[static_cast<std::size_t>(cut.corner)].positionClip == corner.positionClip)
+                return QStringLiteral("P%1").arg(made);
+        }
     return QString::number(index);
 }
 
@@ -76,7 +85,7 @@ QString clipPlaneSign(ClipPlane plane)
 class ClipTheatre::Stage : public QWidget
 {
 public:
-    Stage(ClipTheatre& theatre, View view) : m_theatre(theatre), m_view(view) { setMinimumSize(150, 120); }
+    Stage(ClipTheatre& theatre, View view) : m_theatre(theatre), m_view(view) { setMinimumSize(150, 170); }
 
 protected:
     void paintEvent(QPaintEvent*) override
@@ -231,7 +240,20 @@ private:
             for (std::size_t i = 2; i + 1 < left.size(); ++i)
                 painter.drawLine(place(flat(left[0])), place(flat(left[i])));
         }
-        paintCorners(painter, left);
+        paintCorners(painter, gone(), m_inks.minus);
+        paintCorners(painter, left, palette().color(QPalette::Text));
+    }
+
+    /// The corners that this stage cut off.
+    [[nodiscard]] std::vector<ClipVertex> gone() const
+    {
+        const std::vector<ClipVertex>& left = m_theatre.after();
+        std::vector<ClipVertex> gone;
+        for (const ClipVertex& corner : m_theatre.before())
+            if (std::ranges::find(left, corner.positionClip, &ClipVertex::positionClip) == left.end() &&
+                (m_view == View::ClipSpace || corner.positionClip.w > 0))
+                gone.push_back(corner);
+        return gone;
     }
 
     void paintOutline(QPainter& painter, const std::vector<ClipVertex>& polygon)
@@ -245,17 +267,18 @@ private:
         painter.drawPolygon(outline);
     }
 
-    void paintCorners(QPainter& painter, const std::vector<ClipVertex>& polygon)
+    void paintCorners(QPainter& painter, const std::vector<ClipVertex>& polygon, const QColor& ink)
     {
+        const std::vector<ClipVertex>& left = m_theatre.after();
         QPointF middle(0, 0);
-        for (const ClipVertex& corner : polygon)
-            middle += place(flat(corner)) / static_cast<double>(polygon.size());
+        for (const ClipVertex& corner : left)
+            middle += place(flat(corner)) / static_cast<double>(left.size());
         painter.setFont(textFont(-0.5, true));
         const QFontMetricsF metrics(painter.font());
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             const QPointF at = place(flat(polygon[i]));
             painter.setBrush(palette().color(QPalette::Base));
-            painter.setPen(QPen(palette().color(QPalette::Text), 1.5));
+            painter.setPen(QPen(ink, 1.5));
             painter.drawEllipse(at, kCornerRadius, kCornerRadius);
             QPointF away = at - middle;
             const double length = std::hypot(away.x(), away.y());
@@ -339,12 +362,9 @@ void ClipTheatre::setStory(std::shared_ptr<const ClipStory> story)
 {
     m_story = std::move(story);
     m_stage = m_story ? m_story->steps.size() + (m_story->regions ? 1 : 0) : 0;
-    // The coordinate that something was cut by last is the one to look at.
-    if (m_story && !m_story->steps.empty()) {
-        const int plane = static_cast<int>(m_story->steps.back().plane);
-        if (plane > 0)
-            m_axis->setCurrentIndex((plane - 1) / 2);
-    }
+    while (m_stage > 1 && m_stage <= m_story->steps.size() && m_story->steps[m_stage - 1].cuts.empty())
+        --m_stage; // the last plane that did something
+    showAxisOfStage();
     sync();
 }
 
@@ -353,12 +373,18 @@ void ClipTheatre::setStage(std::size_t stage)
     if (!m_story)
         return;
     m_stage = std::min(stage, m_story->steps.size() + (m_story->regions ? 1 : 0));
-    if (m_stage > 0 && m_stage <= m_story->steps.size()) {
-        const int plane = static_cast<int>(m_story->steps[m_stage - 1].plane);
-        if (plane > 0)
-            m_axis->setCurrentIndex((plane - 1) / 2);
-    }
+    showAxisOfStage();
     sync();
+}
+
+/// The coordinate that is cut by is the one to look at.
+void ClipTheatre::showAxisOfStage()
+{
+    if (!m_story || m_stage == 0 || m_stage > m_story->steps.size())
+        return;
+    const int plane = static_cast<int>(m_story->steps[m_stage - 1].plane);
+    if (plane > 0)
+        m_axis->setCurrentIndex((plane - 1) / 2);
 }
 
 const std::vector<ClipVertex>& ClipTheatre::before() const
@@ -431,6 +457,8 @@ QStringList ClipTheatre::cuts() const
         }
         lines << line;
     }
+    if (lines.isEmpty())
+        lines << tr("all corners are inside: nothing to cut here");
     return lines;
 }
 

@@ -25,7 +25,7 @@ class ClipTheatre : public QWidget
 public:
     explicit ClipTheatre(FaceSelection& selection, QWidget* parent = nullptr);
 
-    /// Null: there is no face. Shows the end of the story.
+    /// Null: there is no face. Shows the last plane that cuts.
     void setStory(std::shared_ptr<const ClipStory> story);
     [[nodiscard]] const std::shared_ptr<const ClipStory>& story() const { return m_story; }
 
@@ -49,6 +49,7 @@ private:
 
     [[nodiscard]] const std::vector<ClipVertex>& before() const;
     [[nodiscard]] const std::vector<ClipVertex>& after() const;
+    void showAxisOfStage();
     void sync();
     void retranslate();
 

@@ -35,14 +35,18 @@ std::vector<QPointF> points(const std::vector<CurvePoint>& curve)
     return points;
 }
 
-QString fixed(double value) { return QString::number(value, 'f', 4); }
+QString fixed(double value)
+{
+    QString text = QString::number(value, 'f', 4);
+    return text.replace(QLatin1Char('-'), QChar(0x2212));
+}
 
 } // namespace
 
 class CurvesPanel::Canvas : public QWidget
 {
 public:
-    explicit Canvas(CurvesPanel& panel) : m_panel(panel) { setMinimumHeight(130); }
+    explicit Canvas(CurvesPanel& panel) : m_panel(panel) { setMinimumHeight(170); }
 
 protected:
     void paintEvent(QPaintEvent*) override
@@ -221,7 +225,7 @@ void CurvesPanel::retranslate()
     m_edge->setItemText(0, tr("Edge AB"));
     m_edge->setItemText(1, tr("Edge BC"));
     m_edge->setItemText(2, tr("Edge CA"));
-    m_edge->setItemText(kTextbook, tr("Textbook: n .1, f 50, z 1\u202610"));
+    m_edge->setItemText(kTextbook, tr("Textbook: n .1, f 50, z 1..10"));
     m_edge->setAccessibleName(tr("Edge"));
     m_slider->setAccessibleName(tr("Fraction of the way on the screen"));
     m_slider->setToolTip(m_slider->accessibleName());

@@ -42,9 +42,11 @@ namespace
 
 constexpr int kCardGap = 7;
 constexpr int kPipelineWidth = 298;
-constexpr int kStatisticsWidth = 220;
+constexpr int kStatisticsWidth = 272;
+constexpr int kWhyHeight = 430;
+constexpr int kStatisticsHeight = 330;
 constexpr int kActivityDelayMs = 150;
-constexpr int kLayoutVersion = 1;
+constexpr int kLayoutVersion = 2;
 
 QToolButton* canvasLink(QAction* action)
 {
@@ -116,8 +118,14 @@ void MainWindow::buildLayout()
     m_cards = new Cards(m_document, *m_viewport, *this);
     m_cards->setParent(this);
     m_cards->place(m_statisticsDock);
-    resizeDocks({m_pipelineDock, m_statisticsDock}, {kPipelineWidth, kStatisticsWidth}, Qt::Horizontal);
+    sizeDocks();
     setContentsMargins(kCardGap, 0, kCardGap, 0);
+}
+
+void MainWindow::sizeDocks()
+{
+    resizeDocks({m_pipelineDock, m_statisticsDock}, {kPipelineWidth, kStatisticsWidth}, Qt::Horizontal);
+    resizeDocks({m_cards->docks().front(), m_statisticsDock}, {kWhyHeight, kStatisticsHeight}, Qt::Vertical);
 }
 
 QWidget* MainWindow::buildCanvas()
@@ -234,7 +242,7 @@ void MainWindow::connectParts()
     });
     connect(m_mistakeBadge, &MistakeBadge::clicked, this, [this] {
         m_pipelineDock->show();
-        m_pipelinePanel->showMistakes(true);
+        m_pipelinePanel->mistakes().setOpen(true);
     });
     connect(m_pipelinePanel, &PipelinePanel::sceneChosen, &m_document, &Document::open);
     connect(m_pipelinePanel, &PipelinePanel::openRequested, this, &MainWindow::chooseFileToOpen);
@@ -481,7 +489,7 @@ void MainWindow::resetLayout()
 {
     setPresentation(false);
     restoreState(m_defaultState, kLayoutVersion);
-    resizeDocks({m_pipelineDock, m_statisticsDock}, {kPipelineWidth, kStatisticsWidth}, Qt::Horizontal);
+    sizeDocks();
     m_viewport->fit(m_document.scene()->window);
 }
 

@@ -96,6 +96,7 @@ private:
     };
 
     void buildLayout();
+    void sizeDocks();
     QWidget* buildCanvas();
     void buildStatusBar();
     void connectParts();

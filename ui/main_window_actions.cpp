@@ -232,7 +232,7 @@ void MainWindow::buildMistakesMenu()
     add(menu, QT_TR_NOOP("List of mistakes"), Qt::Key_M, [this] {
         const bool open = !m_pipelineDock->isVisible() || !m_pipelinePanel->mistakes().isOpen();
         m_pipelineDock->show();
-        m_pipelinePanel->showMistakes(open);
+        m_pipelinePanel->mistakes().setOpen(open);
     });
     m_pipelinePanel->mistakes().setKeyHint(QKeySequence(Qt::Key_M).toString());
     m_mistakesMenu = new MistakesMenu(m_document, m_language, menu);

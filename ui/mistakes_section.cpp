@@ -8,6 +8,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -54,7 +55,7 @@ MistakesSection::MistakesSection(Document& document, const Language& language, Q
     : QWidget(parent), m_document(document), m_language(language)
 {
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(10, 2, 0, 4);
+    column->setContentsMargins(10, 2, 4, 0);
     column->setSpacing(3);
     auto* header = new QHBoxLayout;
     header->setSpacing(4);
@@ -79,10 +80,15 @@ MistakesSection::MistakesSection(Document& document, const Language& language, Q
     header->addStretch(1);
     header->addWidget(m_clear);
     header->addWidget(m_key);
+    header->addSpacing(14);
     column->addLayout(header);
-    m_list = new QWidget;
+    m_list = new QScrollArea;
+    m_list->setWidgetResizable(true);
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->setFocusPolicy(Qt::NoFocus);
     m_list->hide();
-    column->addWidget(m_list);
+    column->addWidget(m_list, 1);
     connect(&document, &Document::settingsChanged, this, &MistakesSection::sync);
     retranslate();
 }
@@ -91,8 +97,10 @@ void MistakesSection::makeRows()
 {
     if (!m_rows.empty())
         return;
-    auto* grid = new QGridLayout(m_list);
-    grid->setContentsMargins(4, 0, 0, 0);
+    auto* content = new QWidget;
+    content->setObjectName(QStringLiteral("panelContent"));
+    auto* grid = new QGridLayout(content);
+    grid->setContentsMargins(4, 0, 2, 4);
     grid->setHorizontalSpacing(4);
     grid->setVerticalSpacing(2);
     grid->setColumnStretch(2, 1);
@@ -118,6 +126,7 @@ void MistakesSection::makeRows()
         ++line;
         m_rows.push_back({&mistake, box, title, show});
     }
+    m_list->setWidget(content);
     retranslate();
 }
 

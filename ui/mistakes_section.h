@@ -11,6 +11,7 @@ class QAction;
 class QCheckBox;
 class QLabel;
 class QMenu;
+class QScrollArea;
 class QToolButton;
 
 namespace rasterlens
@@ -61,7 +62,7 @@ private:
     QToolButton* m_heading = nullptr;
     QToolButton* m_clear = nullptr;
     QLabel* m_key = nullptr;
-    QWidget* m_list = nullptr;
+    QScrollArea* m_list = nullptr;
     std::vector<Row> m_rows;
 };
 

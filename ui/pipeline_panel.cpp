@@ -117,11 +117,14 @@ PipelinePanel::PipelinePanel(Document& document, const Language& language, QWidg
             m_rows.push_back(row);
         }
     }
-    m_mistakes = new MistakesSection(document, language);
-    column->addWidget(m_mistakes);
     column->addStretch(1);
     m_scroll->setWidget(content);
     outer->addWidget(m_scroll, 1);
+    // Below what scrolls: which mistakes are on is always in sight.
+    m_mistakes = new MistakesSection(document, language);
+    connect(m_mistakes, &MistakesSection::opened, this,
+            [this, outer](bool open) { outer->setStretchFactor(m_mistakes, open ? 1 : 0); });
+    outer->addWidget(m_mistakes);
 
     connect(&document, &Document::sceneChanged, this, &PipelinePanel::syncScene);
     connect(&document, &Document::settingsChanged, this, &PipelinePanel::syncSettings);
@@ -227,17 +230,6 @@ void PipelinePanel::scrollTo(Stage stage)
         return;
     }
     m_scroll->verticalScrollBar()->setValue(m_groupHeadings[stage]->y() - 2);
-}
-
-void PipelinePanel::showMistakes(bool open)
-{
-    m_mistakes->setOpen(open);
-    if (!open)
-        return;
-    // The list has its height once the layouts have run.
-    m_scroll->widget()->layout()->activate();
-    m_scroll->widget()->adjustSize();
-    m_scroll->verticalScrollBar()->setValue(m_mistakes->y() - 2);
 }
 
 QWidget* PipelinePanel::editor(const QString& fieldId) const

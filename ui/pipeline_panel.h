@@ -31,8 +31,6 @@ public:
     /// Shows the key that steps a field beside its switch.
     void setKeyHint(const QString& fieldId, const QString& key);
     void scrollTo(Stage stage);
-    /// Unfolds the list of mistakes and brings it into sight, or folds it.
-    void showMistakes(bool open);
     [[nodiscard]] MistakesSection& mistakes() { return *m_mistakes; }
 
     /// The switch of a field: a QComboBox, QSpinBox or QCheckBox.

@@ -35,7 +35,7 @@ QString signedText(const QString& number)
 
 QString edgeText(const WhyFace& face, const WhyEdge& edge)
 {
-    return QStringLiteral("%1 = %2").arg(edge.name, signedText(edgeValueText(edge.value, face.unitsPerArea)));
+    return QStringLiteral("%1\u00a0=\u00a0%2").arg(edge.name, signedText(edgeValueText(edge.value, face.unitsPerArea)));
 }
 
 QString sideText(EdgeSide side)
@@ -96,13 +96,13 @@ QString edgesLine(const WhyFace& face)
     QStringList parts;
     for (const WhyEdge& edge : face.edges)
         parts << edgeText(face, edge);
-    return parts.join(QStringLiteral("   "));
+    return parts.join(QStringLiteral("\u00a0\u00a0 "));
 }
 
 QString rgbText(std::uint32_t color)
 {
     const QColor c{QRgb(color)};
-    return QStringLiteral("(%1, %2, %3)").arg(c.red()).arg(c.green()).arg(c.blue());
+    return QStringLiteral("(%1,\u00a0%2,\u00a0%3)").arg(c.red()).arg(c.green()).arg(c.blue());
 }
 
 void addFragmentLines(const WhyReport& report, const WhyFace& face, QStringList& lines)
@@ -255,7 +255,7 @@ QWidget* PixelCard::makeHeader() const
     texts->addWidget(wrapped(m_report->visibleFace ? tr("face %1 is seen").arg(*m_report->visibleFace)
                                                    : tr("background: no face was written"),
                              "heading"));
-    QString numbers = QStringLiteral("%1  z %2").arg(rgbText(m_report->color), depthText(m_report->depth));
+    QString numbers = QStringLiteral("%1\nz %2").arg(rgbText(m_report->color), depthText(m_report->depth));
     texts->addWidget(wrapped(numbers, "muted"));
     row->addLayout(texts, 1);
     return header;

@@ -27,8 +27,8 @@ public:
         const QFontMetricsF metrics(m_painter.font());
         const double left = 6 + std::max(metrics.horizontalAdvance(shortNumber(plot.range.top())),
                                          metrics.horizontalAdvance(shortNumber(plot.range.bottom())));
-        m_title = where.adjusted(0, 0, 0, m_line - where.height());
-        m_area = where.adjusted(left, 2 * m_line + 4, -8, -m_line - 4);
+        m_title = QRectF(where.left(), where.top(), where.width(), m_line + 5);
+        m_area = where.adjusted(left, 2 * m_line + 9, -8, -m_line - 4);
     }
 
     void paint()
@@ -114,7 +114,7 @@ private:
     void paintLegend()
     {
         double x = m_area.left();
-        const double y = m_title.bottom() + m_line / 2 + 1;
+        const double y = m_title.bottom() + m_line / 2;
         const QFontMetricsF metrics(m_painter.font());
         for (const PlotCurve& curve : m_plot.curves) {
             if (curve.name.isEmpty())

@@ -42,15 +42,16 @@ QToolButton* button(const char* look)
 class RacePanel::Track : public QWidget
 {
 public:
-    Track(RacePanel& panel, Algorithm algorithm) : m_panel(panel), m_algorithm(algorithm) { setMinimumSize(250, 120); }
+    Track(RacePanel& panel, Algorithm algorithm) : m_panel(panel), m_algorithm(algorithm) { setMinimumSize(250, 150); }
 
 protected:
     void paintEvent(QPaintEvent*) override
     {
         QPainter painter(this);
-        paintNumbers(painter);
+        m_numbersLeft = 0;
         if (m_panel.m_race)
             paintSamples(painter);
+        paintNumbers(painter);
     }
 
 private:
@@ -61,7 +62,7 @@ private:
         painter.setFont(textFont(0, true));
         painter.setPen(palette().color(QPalette::Text));
         const double line = QFontMetricsF(painter.font()).lineSpacing() + 1;
-        const QRectF box(width() - kNumbersWidth, 0, kNumbersWidth, height());
+        const QRectF box(m_numbersLeft, 0, kNumbersWidth, height());
         painter.drawText(box, Qt::AlignLeft | Qt::AlignTop,
                          m_algorithm == Algorithm::EdgeWalking ? RacePanel::tr("Edge walking")
                                                                : RacePanel::tr("Edge equation"));
@@ -132,11 +133,12 @@ private:
         bringUpToDate();
         if (m_bounds.isEmpty())
             return;
-        const QRectF room(0, 0, width() - kNumbersWidth - 16, height());
+        const QRectF room(0, 0, width() - kNumbersWidth - kGap - 1, height() - 1);
         double side = std::min(room.width() / m_bounds.width(), room.height() / m_bounds.height());
         if (side > 1)
             side = std::min(std::floor(side), kLargestCell);
         const QRectF picture(0, 0, m_bounds.width() * side, m_bounds.height() * side);
+        m_numbersLeft = picture.right() + kGap;
         painter.fillRect(picture, palette().color(QPalette::Window));
         painter.drawImage(picture, m_image);
         const auto cell = [&](int x, int y) {
@@ -175,7 +177,8 @@ private:
     }
 
     static constexpr double kNumbersWidth = 156;
-    static constexpr double kLargestCell = 24;
+    static constexpr double kGap = 16;
+    static constexpr double kLargestCell = 32;
     static constexpr double kGridFrom = 5;
 
     RacePanel& m_panel;
@@ -183,6 +186,7 @@ private:
     std::shared_ptr<const AlgorithmRace> m_race;
     QRect m_bounds;
     QImage m_image;
+    double m_numbersLeft = 0;
     std::size_t m_drawn = 0;
     std::size_t m_covered = 0;
 };

@@ -5,9 +5,11 @@
 #include "ui/theme.h"
 
 #include <QEvent>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QPalette>
 #include <QRegularExpression>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -25,7 +27,7 @@ QString tuple(std::initializer_list<double> values)
     QStringList parts;
     for (const double value : values)
         parts << shortNumber(value);
-    return parts.join(QStringLiteral(",  "));
+    return parts.join(QStringLiteral(",  ")).replace(QLatin1Char('-'), QChar(0x2212));
 }
 
 /// Bits in the order above, below, right, left: the way the figure of the nine regions writes them.
@@ -46,7 +48,7 @@ std::optional<glm::vec4> positionFrom(const QString& text, const glm::vec4& form
     glm::vec4 position = former;
     for (qsizetype i = 0; i < parts.size(); ++i) {
         bool good = false;
-        position[static_cast<int>(i)] = parts[i].toFloat(&good);
+        position[static_cast<int>(i)] = QString(parts[i]).replace(QChar(0x2212), QLatin1Char('-')).toFloat(&good);
         if (!good || !std::isfinite(position[static_cast<int>(i)]))
             return std::nullopt;
     }
@@ -83,7 +85,6 @@ QString VertexTableModel::cell(int row, const VertexRow& corner) const
     const bool inClipSpace = m_document.scene()->space == SceneSpace::Clip;
     const auto& o = corner.object;
     switch (row) {
-    case MeshVertexIndex: return QString::number(corner.meshVertex);
     case ObjectSpace: return inClipSpace ? tuple({o.x, o.y, o.z, o.w}) : tuple({o.x, o.y, o.z});
     case ViewSpace:
         return inClipSpace ? QStringLiteral("\u2013") : tuple({corner.view.x, corner.view.y, corner.view.z});
@@ -107,6 +108,8 @@ QVariant VertexTableModel::data(const QModelIndex& index, int role) const
     case Qt::DisplayRole:
     case Qt::EditRole: return cell(index.row(), corner);
     case Qt::FontRole: return numberFont();
+    case Qt::ForegroundRole:
+        return (flags(index) & Qt::ItemIsEditable) != 0 ? QVariant(QGuiApplication::palette().highlight()) : QVariant();
     case Qt::ToolTipRole:
         return (flags(index) & Qt::ItemIsEditable) != 0 ? tr("Double-click to type other numbers") : QVariant();
     default: return {};
@@ -118,9 +121,11 @@ QVariant VertexTableModel::headerData(int section, Qt::Orientation orientation, 
     if (role != Qt::DisplayRole)
         return {};
     if (orientation == Qt::Horizontal)
-        return QString(QLatin1Char(static_cast<char>('A' + section)));
+        return m_corners && section < 3 ? tr("%1, vertex %2")
+                                              .arg(QLatin1Char(static_cast<char>('A' + section)))
+                                              .arg((*m_corners)[static_cast<std::size_t>(section)].meshVertex)
+                                        : QVariant();
     switch (section) {
-    case MeshVertexIndex: return tr("vertex of the mesh");
     case ObjectSpace:
         return m_document.scene()->space == SceneSpace::Clip ? tr("given  x, y, z, w") : tr("object  x, y, z");
     case ViewSpace: return tr("view  x, y, z");
@@ -165,6 +170,7 @@ void VertexTableModel::refresh()
         m_corners.reset();
     Q_EMIT dataChanged(index(0, 0), index(kRowCount - 1, 2));
     Q_EMIT headerDataChanged(Qt::Vertical, 0, kRowCount - 1);
+    Q_EMIT headerDataChanged(Qt::Horizontal, 0, 2);
 }
 
 VertexPanel::VertexPanel(Document& document, FaceSelection& selection, QWidget* parent)
@@ -187,7 +193,7 @@ VertexPanel::VertexPanel(Document& document, FaceSelection& selection, QWidget* 
     m_table->setAlternatingRowColors(true);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     column->addWidget(m_table, 1);
@@ -197,8 +203,12 @@ VertexPanel::VertexPanel(Document& document, FaceSelection& selection, QWidget* 
 void VertexPanel::refresh()
 {
     m_model->refresh();
+    m_table->setRowHidden(VertexTableModel::ViewSpace, m_document.scene()->space == SceneSpace::Clip);
+    constexpr int kRoom = 4;
+    m_table->verticalHeader()->setMinimumSectionSize(fontMetrics().height() + kRoom);
+    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + kRoom);
     m_hint->setText(isEditable(*m_document.scene())
-                        ? tr("Type over the first space, or drag the corners on the canvas. Undo takes it back; the "
+                        ? tr("Type over the blue numbers, or drag the corners on the canvas. Undo takes it back; the "
                              "scene's file stays as it is.")
                         : tr("Scenes of up to %1 faces can be edited here.").arg(kMostEditableFaces));
     m_hint->setToolTip(m_hint->text());

@@ -31,7 +31,6 @@ class VertexTableModel : public QAbstractTableModel
 
 public:
     enum Row {
-        MeshVertexIndex,
         ObjectSpace,
         ViewSpace,
         ClipSpace,
