@@ -153,8 +153,8 @@ struct LensOverlay::View {
     const CanvasTransform& transform;
     const OverlayOptions& options;
     int grid;
-    double cell; ///< canvas pixels a sample
-    std::vector<std::pair<QRectF, LensCell>> ties;
+    double cell;                                    ///< canvas pixels a sample
+    std::vector<std::pair<QRectF, LensCell>> cells; ///< in sight, from kGlyphsFromCell on
 
     [[nodiscard]] QPointF at(glm::dvec2 sample) const { return transform.toCanvas(QPointF(sample.x, sample.y) / grid); }
     [[nodiscard]] QRectF box(int x, int y) const { return {at({x, y}), QSizeF(cell, cell)}; }
@@ -260,8 +260,8 @@ void LensOverlay::paintCells(View& view) const
         for (int x = shown.left(); x <= shown.right(); ++x) {
             const LensCell cell = m_model->cell(x, y);
             const QRectF box = view.box(x, y);
-            if (cell.tie && view.cell >= kGlyphsFromCell)
-                view.ties.push_back({box, cell});
+            if (view.cell >= kGlyphsFromCell)
+                view.cells.push_back({box, cell});
             if (vectors) {
                 view.painter.save();
                 paintCell(view.painter, box, cell);
@@ -282,29 +282,34 @@ void LensOverlay::paintCells(View& view) const
 void LensOverlay::paintNumbers(View& view) const
 {
     const StepSetup& setup = m_model->triangle().setup;
-    const QRect shown = view.visible(setup.bounds);
     QFont numbers = numberFont();
     numbers.setPixelSize(std::clamp(int(view.cell / 5), 10, 18));
     QFont words = textFont(0);
     words.setPixelSize(std::clamp(int(view.cell / 6), 9, 15));
     const QFontMetricsF wordMetrics(words);
     const QFontMetricsF numberMetrics(numbers);
+    const double digit = numberMetrics.horizontalAdvance(QLatin1Char('0'));
     const QColor ink = paper().ink;
-    for (int y = shown.top(); y <= shown.bottom(); ++y)
-        for (int x = shown.left(); x <= shown.right(); ++x) {
-            const LensCell cell = m_model->cell(x, y);
-            if (!cell.hasValues)
-                continue;
-            const QRectF room = view.box(x, y).adjusted(2, 2, -1, 0);
-            view.painter.setPen(withAlpha(ink, cell.state == LensCell::State::Waiting ? 150 : 255));
-            QString text = lensCellText(setup, cell);
-            view.painter.setFont(cell.tie ? words : numbers);
-            if (cell.tie && wordMetrics.horizontalAdvance(text) > room.width())
-                text = text.section(QStringLiteral(": "), 1); // the glyph says that it is a tie
-            else if (!cell.tie && numberMetrics.horizontalAdvance(text) > room.width())
-                text = QString::number(cell.values[std::size_t(cell.deciding)] / setup.unitsPerArea, 'g', 3);
-            view.painter.drawText(room, Qt::AlignHCenter | Qt::AlignTop, text);
-        }
+    for (const auto& [box, cell] : view.cells) {
+        if (!cell.hasValues)
+            continue;
+        QString text = lensCellText(setup, cell);
+        const auto widthOf = [&] {
+            return cell.tie ? wordMetrics.horizontalAdvance(text) : digit * double(text.size());
+        };
+        const double room = box.width() - 3;
+        // The glyph says that it is a tie, and whose it is counts most; of a long number the first digits are enough.
+        for (const QString& separator : {QStringLiteral(": "), QStringLiteral(", ")})
+            if (cell.tie && widthOf() > room)
+                text = text.section(separator, 1);
+        if (!cell.tie && widthOf() > room)
+            text = QString::number(cell.values[std::size_t(cell.deciding)] / setup.unitsPerArea, 'g', 3);
+        const double width = widthOf();
+        view.painter.setPen(withAlpha(ink, cell.state == LensCell::State::Waiting ? 150 : 255));
+        view.painter.setFont(cell.tie ? words : numbers);
+        const double ascent = cell.tie ? wordMetrics.ascent() : numberMetrics.ascent();
+        view.painter.drawText(QPointF(box.center().x() - width / 2, box.top() + 2 + ascent), text);
+    }
 }
 
 void LensOverlay::paintBounds(View& view) const
@@ -349,7 +354,9 @@ void LensOverlay::paintEdges(View& view) const
 /// Where a sample lies on an edge, the line must not hide the glyph that says so.
 void LensOverlay::paintTies(View& view)
 {
-    for (const auto& [box, cell] : view.ties) {
+    for (const auto& [box, cell] : view.cells) {
+        if (!cell.tie)
+            continue;
         view.painter.setOpacity(cell.state == LensCell::State::Waiting ? 0.5 : 1);
         for (std::size_t i = 0; i < 3; ++i)
             if (cell.signs[i] == EdgeSign::Zero)

@@ -225,8 +225,7 @@ QString formulaOf(const StepLog& log, std::size_t i)
     // The line of the log from its numbers on; the transport names the rest.
     QString text = stepText(log, i);
     const auto colon = text.indexOf(QLatin1String(": "));
-    if (colon >= 0)
-        text = text.mid(colon + 2);
+    text = colon >= 0 ? text.mid(colon + 2) : QString();
     return text.replace(QStringLiteral("->"), QStringLiteral("\u2192"))
         .replace(QLatin1String(": "), QLatin1String(":\n"));
 }
