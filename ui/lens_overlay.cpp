@@ -194,7 +194,10 @@ void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTran
     painter.save();
     painter.setClipRect(canvas);
     if (m_model->hasSetup() && view.cell >= kGridFromZoom / 2) {
-        paintCells(view);
+        if (view.cell >= kGlyphsFromCell)
+            paintCells(view);
+        else
+            paintVeils(view);
         paintBounds(view);
     }
     painter.setRenderHint(QPainter::Antialiasing);
@@ -210,11 +213,10 @@ void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTran
     painter.restore();
 }
 
-/// One sample: a veil that leaves the sample's own colour to be seen round its centre, and the three signs.
-void LensOverlay::paintCell(QPainter& painter, const QRectF& box, const LensCell& cell) const
+/// The colour a sample is veiled with: what is inside, and what was looked at.
+QColor LensOverlay::veilOf(const LensCell& cell)
 {
-    const Paper p = paper();
-    const double s = box.width();
+    const QColor fill = paper().fill;
     const bool waiting = cell.state == LensCell::State::Waiting;
     bool inside = cell.state == LensCell::State::Covered;
     if (waiting && cell.hasValues)
@@ -223,26 +225,45 @@ void LensOverlay::paintCell(QPainter& painter, const QRectF& box, const LensCell
     const double tint = inside ? (waiting ? 0.07 : 0.17) : 0;
     const QColor plus(kPlusColor);
     const auto mixed = [&](int a, int b) { return int(std::lround(a + (b - a) * tint)); };
-    const QColor veil(mixed(p.fill.red(), plus.red()), mixed(p.fill.green(), plus.green()),
-                      mixed(p.fill.blue(), plus.blue()), waiting ? 246 : 250);
-    const double hole = s >= kGlyphsFromCell ? std::round(s * 0.2) : 0;
+    return {mixed(fill.red(), plus.red()), mixed(fill.green(), plus.green()), mixed(fill.blue(), plus.blue()),
+            waiting ? 246 : 250};
+}
+
+/// One sample: a veil that leaves the sample's own colour to be seen round its centre, and the three signs.
+void LensOverlay::paintCell(QPainter& painter, const QRectF& box, const LensCell& cell)
+{
+    const QColor veil = veilOf(cell);
+    const double s = box.width();
+    const double hole = std::round(s * 0.2);
     const QRectF window(box.center() - QPointF(hole / 2, hole / 2), QSizeF(hole, hole));
     painter.fillRect(QRectF(box.left(), box.top(), s, window.top() - box.top()), veil);
     painter.fillRect(QRectF(box.left(), window.bottom(), s, box.bottom() - window.bottom()), veil);
     painter.fillRect(QRectF(box.left(), window.top(), window.left() - box.left(), hole), veil);
     painter.fillRect(QRectF(window.right(), window.top(), box.right() - window.right(), hole), veil);
-    if (s < kGlyphsFromCell)
-        return;
-    // The grid below the veil shows faintly only.
-    painter.fillRect(QRectF(box.left(), box.top(), s, 1), QColor(120, 128, 140, 110));
-    painter.fillRect(QRectF(box.left(), box.top() + 1, 1, s - 1), QColor(120, 128, 140, 110));
+    const QColor grid(120, 128, 140, 110);
+    painter.fillRect(QRectF(box.left(), box.top(), s, 1), grid);
+    painter.fillRect(QRectF(box.left(), box.top() + 1, 1, s - 1), grid);
     if (!cell.hasValues)
         return;
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setOpacity(waiting ? 0.33 : 1.0);
+    painter.setOpacity(cell.state == LensCell::State::Waiting ? 0.33 : 1.0);
     for (std::size_t i = 0; i < 3; ++i)
         paintGlyph(painter, glyphCentre(box, i), glyphDiameter(s), cell.signs[i]);
     painter.setOpacity(1);
+}
+
+/// Samples too small for glyphs: runs of one colour, the picture shining through.
+void LensOverlay::paintVeils(View& view) const
+{
+    constexpr int kVeilOpacity = 205;
+    const QRect shown = view.visible(m_model->triangle().setup.bounds);
+    for (int y = shown.top(); y <= shown.bottom(); ++y)
+        for (int x = shown.left(), next = x; x <= shown.right(); x = next) {
+            const QColor veil = veilOf(m_model->cell(x, y));
+            while (next <= shown.right() && veilOf(m_model->cell(next, y)) == veil)
+                ++next;
+            view.painter.fillRect(QRectF(view.at({x, y}), view.at({next, y + 1})), withAlpha(veil, kVeilOpacity));
+        }
 }
 
 void LensOverlay::paintCells(View& view) const
@@ -260,8 +281,7 @@ void LensOverlay::paintCells(View& view) const
         for (int x = shown.left(); x <= shown.right(); ++x) {
             const LensCell cell = m_model->cell(x, y);
             const QRectF box = view.box(x, y);
-            if (view.cell >= kGlyphsFromCell)
-                view.cells.push_back({box, cell});
+            view.cells.push_back({box, cell});
             if (vectors) {
                 view.painter.save();
                 paintCell(view.painter, box, cell);
