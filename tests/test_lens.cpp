@@ -483,7 +483,9 @@ void TestLens::changesRecordAnew()
     QSignalSpy changed(&session(), &StepSession::logChanged);
     setAlgorithm(Algorithm::EdgeWalking);
     QVERIFY(session().isRecording());
+    QVERIFY(!mode().lens().model()); // it was about another picture
     QVERIFY(settle());
+    QVERIFY(mode().lens().model());
     QVERIFY(session().log() != former);
     QCOMPARE(changed.count(), 1);
     QCOMPARE(session().position(), std::size_t(50));

@@ -45,7 +45,9 @@ private:
     struct View;
 
     void paintCells(View& view) const;
-    void paintCell(QPainter& painter, const QRectF& box, const LensCell& cell) const;
+    void paintVeils(View& view) const;
+    [[nodiscard]] static QColor veilOf(const LensCell& cell);
+    static void paintCell(QPainter& painter, const QRectF& box, const LensCell& cell);
     void paintNumbers(View& view) const;
     void paintBounds(View& view) const;
     void paintEdges(View& view) const;

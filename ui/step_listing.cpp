@@ -97,7 +97,7 @@ QString minus(QString text) { return text.replace(QLatin1Char('-'), QChar(0x2212
 /// ` - 8` or ` + 8`
 QString signedTerm(double value)
 {
-    return (value < 0 ? QStringLiteral(" \u2212 ") : QStringLiteral(" + ")) + shortNumber(std::abs(value));
+    return (value < 0 ? QStringLiteral(" \u2212 ") : QStringLiteral(" + ")) + fullNumber(std::abs(value));
 }
 
 /// `8·(3.5 − 8) − 8·(4.5 − 0)`
@@ -106,10 +106,9 @@ QString edgeTerms(const StepSetup& setup, const StepEdge& edge, int x, int y)
     const double u = setup.unitsPerSample;
     const auto factor = [](double at, double from) {
         return QStringLiteral("\u00b7(%1 %2 %3)")
-            .arg(shortNumber(at), from < 0 ? QStringLiteral("+") : QStringLiteral("\u2212"),
-                 shortNumber(std::abs(from)));
+            .arg(fullNumber(at), from < 0 ? QStringLiteral("+") : QStringLiteral("\u2212"), fullNumber(std::abs(from)));
     };
-    return minus(shortNumber(edge.a / u)) + factor(x + 0.5, edge.from.x / u) + signedTerm(edge.b / u) +
+    return minus(fullNumber(edge.a / u)) + factor(x + 0.5, edge.from.x / u) + signedTerm(edge.b / u) +
            factor(y + 0.5, edge.from.y / u);
 }
 
@@ -225,8 +224,7 @@ QString formulaOf(const StepLog& log, std::size_t i)
     // The line of the log from its numbers on; the transport names the rest.
     QString text = stepText(log, i);
     const auto colon = text.indexOf(QLatin1String(": "));
-    if (colon >= 0)
-        text = text.mid(colon + 2);
+    text = colon >= 0 ? text.mid(colon + 2) : QString();
     return text.replace(QStringLiteral("->"), QStringLiteral("\u2192"))
         .replace(QLatin1String(": "), QLatin1String(":\n"));
 }
@@ -325,6 +323,7 @@ void StepListing::sync()
     if (!formula.contains(QLatin1Char('\n')))
         formula += QLatin1Char('\n'); // the canvas above keeps its height
     m_formula->setText(formula);
+    m_formula->setToolTip(formula);
     m_formula->setStyleSheet(QStringLiteral("color: %1;").arg(palette().color(QPalette::Link).name()));
 }
 

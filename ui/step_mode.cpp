@@ -48,13 +48,17 @@ StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& wi
         followStep();
         Q_EMIT frameChanged();
     });
-    connect(&m_session, &StepSession::openChanged, this, [this] {
+    connect(&m_session, &StepSession::openChanged, this, [this](bool open) {
+        if (open)
+            m_transport->show();
         syncLens();
         Q_EMIT frameChanged();
     });
     connect(&m_session, &StepSession::selectionChanged, this, &StepMode::syncSelection);
     connect(&m_session, &StepSession::failed, this, &StepMode::message);
     connect(&m_session, &StepSession::recordingChanged, this, [this](bool recording) {
+        syncLens();
+        Q_EMIT frameChanged();
         if (!recording && !m_wanted.isEmpty())
             showStep(std::exchange(m_wanted, {}));
     });
@@ -76,7 +80,7 @@ StepMode::~StepMode() { m_viewport.setLayer(nullptr); }
 void StepMode::syncLens()
 {
     std::unique_ptr<const LensModel> model;
-    if (m_session.triangleEvent())
+    if (m_session.triangleEvent() && !m_session.isRecording())
         model = std::make_unique<LensModel>(*m_session.log(), *m_session.triangleEvent(), m_session.position());
     m_lens.setModel(std::move(model));
     m_viewport.update();
@@ -95,7 +99,7 @@ void StepMode::followStep()
 FramePtr StepMode::frame() const
 {
     const StepCursor* cursor = m_session.cursor();
-    if (!cursor)
+    if (!cursor || m_session.isRecording())
         return nullptr;
     auto frame = std::make_shared<RenderedFrame>();
     frame->scene = m_session.document().scene();

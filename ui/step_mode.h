@@ -29,7 +29,8 @@ public:
     [[nodiscard]] StepListing& listing() { return *m_listing; }
     [[nodiscard]] const LensOverlay& lens() const { return m_lens; }
 
-    /// The picture at the position, with its counters; null when it is the document's own that is to be shown.
+    /// The picture at the position, with its counters; null when it is the document's own that is to be shown, as while
+    /// a change is recorded: motion stays visible.
     [[nodiscard]] FramePtr frame() const;
 
     /// Opens the step mode and goes there as soon as the record is there: a position, or the name of a stop.

@@ -390,7 +390,7 @@
     </message>
     <message>
         <source>tie: %1, %2</source>
-        <translation>平局：%1，%2</translation>
+        <translation>平局: %1，%2</translation>
     </message>
 </context>
 <context>
