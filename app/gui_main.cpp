@@ -1,6 +1,9 @@
 #include "ui/cards.h"
 #include "ui/image_export.h"
 #include "ui/main_window.h"
+#include "ui/mistakes_section.h"
+#include "ui/pipeline_panel.h"
+#include "ui/step_mode.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -8,6 +11,7 @@
 
 #include <cstdio>
 #include <optional>
+#include <utility>
 
 namespace
 {
@@ -27,12 +31,15 @@ void choosePlatform()
 struct Arguments {
     QString scene;
     QString screenshot;
+    QString step;
     std::optional<QSize> windowSize;
     QString panel;
     std::optional<QPoint> pixel;
     std::optional<rasterlens::LanguageKind> language;
     std::optional<rasterlens::ThemeKind> theme;
 };
+
+QStringList panelNames() { return rasterlens::Cards::names() + QStringList{QStringLiteral("mistakes")}; }
 
 struct ParsedArguments {
     std::optional<Arguments> arguments;
@@ -63,11 +70,15 @@ ParsedArguments parseArguments(const QStringList& words)
     const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("Colours of the window: light or dark."),
                                    QStringLiteral("light|dark"));
     const QCommandLineOption panel(QStringLiteral("panel"),
-                                   QStringLiteral("Opens a panel: %1.").arg(rasterlens::Cards::names().join(", ")),
+                                   QStringLiteral("Opens a panel: %1.").arg(panelNames().join(", ")),
                                    QStringLiteral("name"));
     const QCommandLineOption pixel(QStringLiteral("pixel"), QStringLiteral("Selects a pixel of the picture."),
                                    QStringLiteral("x,y"));
-    parser.addOptions({help, version, screenshot, windowSize, language, theme, panel, pixel});
+    const QCommandLineOption step(
+        QStringLiteral("step"),
+        QStringLiteral("Opens the step mode at a position, or at the first tie, sign-change, depth-fail, clip or nan."),
+        QStringLiteral("where"));
+    parser.addOptions({help, version, screenshot, windowSize, language, theme, panel, pixel, step});
     parser.addPositionalArgument(QStringLiteral("scene"),
                                  QStringLiteral("An .obj, a .case, a session .json, builtin:NAME or stress:NAME."),
                                  QStringLiteral("[scene]"));
@@ -89,6 +100,9 @@ ParsedArguments parseArguments(const QStringList& words)
     arguments.screenshot = parser.value(screenshot);
     if (parser.isSet(screenshot) && arguments.screenshot.isEmpty())
         return refuse(QStringLiteral("--screenshot needs a file"));
+    arguments.step = parser.value(step);
+    if (parser.isSet(step) && !rasterlens::StepMode::isPlace(arguments.step))
+        return refuse(QStringLiteral("--step takes a position, tie, sign-change, depth-fail, clip or nan"));
     if (parser.isSet(windowSize)) {
         arguments.windowSize = rasterlens::parseSize(parser.value(windowSize));
         if (!arguments.windowSize)
@@ -109,8 +123,8 @@ ParsedArguments parseArguments(const QStringList& words)
     }
     if (parser.isSet(panel)) {
         arguments.panel = parser.value(panel);
-        if (!rasterlens::Cards::names().contains(arguments.panel))
-            return refuse(QStringLiteral("--panel takes %1").arg(rasterlens::Cards::names().join(", ")));
+        if (!panelNames().contains(arguments.panel))
+            return refuse(QStringLiteral("--panel takes %1").arg(panelNames().join(", ")));
     }
     if (parser.isSet(pixel)) {
         const QStringList parts = parser.value(pixel).split(QLatin1Char(','));
@@ -122,6 +136,12 @@ ParsedArguments parseArguments(const QStringList& words)
         arguments.pixel = chosen;
     }
     return {arguments, kFine};
+}
+
+void openPanel(rasterlens::MainWindow& window, const QString& name)
+{
+    if (!window.cards().show(name))
+        window.pipelinePanel().mistakes().setOpen(true);
 }
 
 /// Renders the window as soon as all in it is computed.
@@ -179,13 +199,18 @@ int main(int argc, char** argv)
                          if (rasterlens::hasErrors(diagnostics))
                              QApplication::exit(kInvalidInput);
                      });
+    QString step = arguments.step;
     QObject::connect(&window, &MainWindow::settled, &starting, [&] {
+        if (!step.isEmpty()) {
+            window.stepMode().showStep(std::exchange(step, {}));
+            return;
+        }
         window.disconnect(&starting);
         window.document().disconnect(&starting);
         if (arguments.pixel)
             window.viewport().selectPixel(arguments.pixel);
         if (!arguments.panel.isEmpty())
-            window.cards().show(arguments.panel);
+            openPanel(window, arguments.panel);
         if (forScreenshot)
             takeScreenshot(window, arguments.screenshot);
     });

@@ -14,6 +14,7 @@
 #include "ui/pipeline_panel.h"
 #include "ui/pixel_card.h"
 #include "ui/race_panel.h"
+#include "ui/step_mode.h"
 #include "ui/vertex_handles.h"
 #include "ui/vertex_panel.h"
 
@@ -178,6 +179,13 @@ void TestCards::pixelCardRowsAskForTheirStep()
     QCOMPARE(asked.size(), 1);
     QCOMPARE(asked[0][0].toUInt(), cards().pixelCard().rows()[1].face);
     QCOMPARE(asked[0][1].toPoint(), QPoint(3, 4));
+    QVERIFY(settle());
+    const StepSession& session = m_window->stepMode().session();
+    QVERIFY(session.isOpen());
+    QVERIFY(session.event());
+    QCOMPARE(session.event()->face, cards().pixelCard().rows()[1].face);
+    QCOMPARE(session.event()->kind, StepKind::Sample);
+    QCOMPARE(QPoint(session.event()->x, session.event()->y), QPoint(3, 4));
 }
 
 void TestCards::pixelCardIsEmptyWithoutAPixel()
@@ -487,6 +495,7 @@ void TestCards::panelsAreHiddenAtFirstAndInTheMenu()
     }
     m_window->resetLayout();
     QVERIFY(!m_window->findChild<QDockWidget*>(QStringLiteral("raceDock"))->isVisible());
+    QVERIFY(m_window->findChild<QDockWidget*>(QStringLiteral("whyDock"))->isVisible());
 }
 
 QTEST_MAIN(TestCards)

@@ -2,7 +2,10 @@
 #include <QImage>
 #include <QString>
 
+#include <functional>
 #include <optional>
+
+class QPainter;
 
 namespace rasterlens
 {
@@ -11,5 +14,11 @@ namespace rasterlens
 ///
 /// errors  a sentence in the language in use
 [[nodiscard]] std::optional<QString> savePng(const QImage& image, const QString& path);
+
+/// Writes what `paint` draws as an SVG drawing, whole or not at all.
+///
+/// errors  a sentence in the language in use
+[[nodiscard]] std::optional<QString> saveSvg(QSize size, const QString& path,
+                                             const std::function<void(QPainter&)>& paint);
 
 } // namespace rasterlens

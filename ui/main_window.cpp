@@ -14,6 +14,9 @@
 #include "ui/pipeline_panel.h"
 #include "ui/stage_strip.h"
 #include "ui/statistics_panel.h"
+#include "ui/step_listing.h"
+#include "ui/step_mode.h"
+#include "ui/transport_dock.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -114,7 +117,7 @@ void MainWindow::buildLayout()
     addDockWidget(Qt::RightDockWidgetArea, m_statisticsDock);
     m_cards = new Cards(m_document, *m_viewport, *this);
     m_cards->setParent(this);
-    m_cards->place(m_statisticsDock);
+    m_cards->place(m_statisticsDock, &m_stepMode->transport());
     sizeDocks();
     setContentsMargins(kCardGap, 0, kCardGap, 0);
 }
@@ -155,6 +158,8 @@ QWidget* MainWindow::buildCanvas()
     m_viewport = new ViewportWidget;
     m_mistakeBadge = new MistakeBadge(m_viewport);
     column->addWidget(m_viewport, 1);
+    m_stepMode = std::make_unique<StepMode>(m_document, *m_viewport, *this);
+    column->addWidget(&m_stepMode->listing());
 
     m_caption = new QLabel;
     m_caption->setObjectName(QStringLiteral("caption"));
@@ -248,6 +253,15 @@ void MainWindow::connectParts()
     connect(m_copyJson, &QToolButton::clicked, this,
             [this] { QGuiApplication::clipboard()->setText(m_statisticsPanel->asJson()); });
 
+    connect(m_cards, &Cards::stepRequested, m_stepMode.get(), &StepMode::showFace);
+    connect(m_stepMode.get(), &StepMode::frameChanged, this, &MainWindow::showFrame);
+    connect(m_stepMode.get(), &StepMode::message, m_message,
+            [this](const QString& text) { m_message->show(MessageKind::Info, text); });
+    connect(&m_stepMode->session(), &StepSession::recordingChanged, this, [this] {
+        if (isSettled())
+            Q_EMIT settled();
+    });
+
     connect(m_viewport, &ViewportWidget::viewChanged, this, &MainWindow::syncCanvasHeader);
     connect(m_viewport, &ViewportWidget::pixelChanged, this, &MainWindow::syncReadout);
     connect(m_viewport, &ViewportWidget::gestureEnded, this, [this] { m_document.endGesture(); });
@@ -306,9 +320,7 @@ void MainWindow::takeFrame(const FramePtr& frame)
         return;
     const bool newScene = !m_lastFrame || m_lastFrame->scene->id != frame->scene->id;
     m_lastFrame = frame;
-    m_viewport->setFrame(frame);
-    m_stageStrip->setFrame(frame);
-    m_statisticsPanel->setFrame(frame);
+    showFrame();
     if (newScene)
         m_viewport->fit(frame->scene->window);
     if (frame->counted) {
@@ -320,9 +332,21 @@ void MainWindow::takeFrame(const FramePtr& frame)
         Q_EMIT settled();
 }
 
+/// The picture of the present step, or else the finished one.
+void MainWindow::showFrame()
+{
+    const FramePtr step = m_stepMode->frame();
+    const FramePtr& frame = step ? step : m_lastFrame;
+    if (!frame)
+        return;
+    m_viewport->setFrame(frame);
+    m_stageStrip->setFrame(frame);
+    m_statisticsPanel->setFrame(frame);
+}
+
 bool MainWindow::isSettled() const
 {
-    if (m_document.isLoading())
+    if (m_document.isLoading() || !m_stepMode->isSettled())
         return false;
     return m_refused || (m_lastFrame && m_lastFrame->counted && m_lastFrame->scene == m_document.scene() &&
                          m_lastFrame->settings == m_document.settings());
@@ -495,7 +519,9 @@ void MainWindow::saveMemory()
 
 bool MainWindow::exportFigure(const QString& path)
 {
-    const auto error = savePng(m_viewport->figure(m_figureZoom), path);
+    const auto error = path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)
+                           ? m_viewport->saveSvgFigure(m_figureZoom, path)
+                           : savePng(m_viewport->figure(m_figureZoom), path);
     reportSaved(error, path);
     return !error;
 }

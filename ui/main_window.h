@@ -8,6 +8,7 @@
 #include <QMainWindow>
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 class QLabel;
@@ -27,6 +28,7 @@ class MistakesMenu;
 class PipelinePanel;
 class StageStrip;
 class StatisticsPanel;
+class StepMode;
 
 /// The window: canvas in the middle, pipeline left, statistics right.
 class MainWindow : public QMainWindow
@@ -48,6 +50,7 @@ public:
     [[nodiscard]] Cards& cards() { return *m_cards; }
     [[nodiscard]] MistakeBadge& mistakeBadge() { return *m_mistakeBadge; }
     [[nodiscard]] RenderWorker& worker() { return m_worker; }
+    [[nodiscard]] StepMode& stepMode() { return *m_stepMode; }
 
     void openDefaultScene();
     void setLanguage(LanguageKind kind);
@@ -65,7 +68,7 @@ public:
     [[nodiscard]] QString message() const;
 
     /// errors  a message above the canvas; false
-    bool exportFigure(const QString& path);
+    bool exportFigure(const QString& path); ///< as SVG where the name says so
     bool exportFramebuffer(const QString& path);
     bool exportWindow(const QString& path);
 
@@ -122,6 +125,7 @@ private:
 
     void updatePicture();
     void takeFrame(const FramePtr& frame);
+    void showFrame();
     void stepField(const SettingsField& field);
     void moveCamera(const View& view);
     void toggleHelp();
@@ -141,6 +145,7 @@ private:
     RenderWorker m_worker;
 
     ViewportWidget* m_viewport = nullptr;
+    std::unique_ptr<StepMode> m_stepMode;
     StageStrip* m_stageStrip = nullptr;
     PipelinePanel* m_pipelinePanel = nullptr;
     StatisticsPanel* m_statisticsPanel = nullptr;

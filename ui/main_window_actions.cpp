@@ -8,6 +8,8 @@
 #include "ui/mistakes_section.h"
 #include "ui/navigation.h"
 #include "ui/pipeline_panel.h"
+#include "ui/step_mode.h"
+#include "ui/transport_dock.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -64,6 +66,7 @@ void MainWindow::buildMenus()
     buildViewMenu();
     buildSettingsMenu();
     buildMistakesMenu();
+    menuBar()->addMenu(m_stepMode->transport().menu());
     buildHelpMenu();
 }
 
@@ -87,6 +90,11 @@ void MainWindow::buildFileMenu()
         chooseFileToExport(tr("Export figure"), QStringLiteral("figure.png"),
                            [this](const QString& path) { exportFigure(path); });
     });
+    add(file, QT_TR_NOOP("Export figure as S&VG\u2026"), {}, [this] {
+        chooseFileToExport(tr("Export figure as SVG"), QStringLiteral("figure.svg"),
+                           [this](const QString& path) { exportFigure(path); });
+    });
+    add(file, QT_TR_NOOP("Export a &run of steps\u2026"), {}, [this] { m_stepMode->chooseRunToExport(m_figureZoom); });
     QMenu* scale = addMenu(file, QT_TR_NOOP("Figure s&cale"));
     auto* scales = new QActionGroup(this);
     const auto addScale = [&](QAction* action, std::optional<int> zoom) {
@@ -175,6 +183,7 @@ void MainWindow::buildAppearanceMenus(QMenu* view)
         panels->addAction(dock->toggleViewAction());
     for (Dock* dock : m_cards->docks())
         panels->addAction(dock->toggleViewAction());
+    panels->addAction(m_stepMode->transport().toggleViewAction());
     add(view, QT_TR_NOOP("Reset &layout"), QKeySequence(Qt::CTRL | Qt::Key_0), [this] { resetLayout(); });
     m_presentation =
         addToggle(view, QT_TR_NOOP("P&resentation"), Qt::Key_F11, false, [this](bool on) { setPresentation(on); });
@@ -365,6 +374,15 @@ void MainWindow::syncHelp()
                     {QStringLiteral("Ctrl+F12"), tr("framebuffer 1:1"), {}},
                     {QStringLiteral("Shift+F12"), tr("whole window"), {}},
                     {QStringLiteral("H"), tr("this list"), {}}}};
+    sections.push_back({tr("Steps"),
+                        {{QStringLiteral("R"), tr("record steps"), m_stepMode->session().isOpen() ? on : off},
+                         {tr("Space"), tr("play, pause"), m_stepMode->session().isPlaying() ? on : off},
+                         {tr("Left, Right"), tr("one step"), {}},
+                         {tr("Shift + Left, Right"), tr("one row"), {}},
+                         {tr("Ctrl + Left, Right"), tr("one face"), {}},
+                         {tr("Ctrl + Shift + Left, Right"), tr("one stage"), {}},
+                         {tr("Ctrl + Home, End"), tr("to the start, the end"), {}},
+                         {QStringLiteral("[  ]"), tr("slower, faster"), {}}}});
     m_help->setSections(sections);
 }
 
@@ -398,8 +416,9 @@ void MainWindow::chooseFileToExport(const QString& title, const QString& suggest
     auto* dialog = new QFileDialog(this, title);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QStringLiteral("png"));
-    dialog->setNameFilter(tr("PNG images (*.png)"));
+    const QString suffix = QFileInfo(suggestion).suffix();
+    dialog->setDefaultSuffix(suffix);
+    dialog->setNameFilter(suffix == QLatin1String("svg") ? tr("SVG drawings (*.svg)") : tr("PNG images (*.png)"));
     dialog->selectFile(suggestion);
     connect(dialog, &QFileDialog::fileSelected, this, std::move(save));
     dialog->open();

@@ -3,6 +3,7 @@
 #include "ui/theme.h"
 
 #include <QFontMetricsF>
+#include <QPaintEngine>
 #include <QPainter>
 #include <QPixmap>
 #include <QPixmapCache>
@@ -65,8 +66,17 @@ QPixmap cachedCellTile(int zoom, int samples, const OverlayOptions& options)
     return tile;
 }
 
+/// A drawing of lines and areas, not of pixels.
+bool isDrawing(const QPainter& painter) { return painter.paintEngine()->type() == QPaintEngine::SVG; }
+
 void paintImage(QPainter& painter, const QRect& pixels, const CanvasTransform& transform, const QImage& image)
 {
+    if (isDrawing(painter) && transform.zoom >= kGridFromZoom) {
+        for (int y = pixels.top(); y <= pixels.bottom(); ++y)
+            for (int x = pixels.left(); x <= pixels.right(); ++x)
+                painter.fillRect(transform.toCanvas(QRectF(x, y, 1, 1)), QColor(image.pixel(x, y)));
+        return;
+    }
     painter.setRenderHint(QPainter::SmoothPixmapTransform, transform.zoom < 1);
     painter.drawImage(transform.toCanvas(QRectF(pixels)), image, QRectF(pixels));
 }
@@ -75,6 +85,16 @@ void paintCells(QPainter& painter, const QRect& pixels, const CanvasTransform& t
                 const OverlayOptions& options)
 {
     const QRect target = transform.toCanvas(QRectF(pixels)).toRect();
+    if (isDrawing(painter)) {
+        painter.setPen(QColor(120, 128, 140));
+        for (int x = 0; options.grid && x <= pixels.width(); ++x)
+            painter.drawLine(QPointF(target.left() + x * transform.zoom, target.top()),
+                             QPointF(target.left() + x * transform.zoom, target.bottom() + 1));
+        for (int y = 0; options.grid && y <= pixels.height(); ++y)
+            painter.drawLine(QPointF(target.left(), target.top() + y * transform.zoom),
+                             QPointF(target.right() + 1, target.top() + y * transform.zoom));
+        return;
+    }
     painter.drawTiledPixmap(target, cachedCellTile(static_cast<int>(transform.zoom), samples, options));
     if (options.grid) {
         const QColor line(120, 128, 140, 150);
@@ -191,9 +211,12 @@ void paintCanvas(QPainter& painter, const QRect& canvas, const CanvasTransform& 
         paintImage(painter, pixels, transform, image);
         if (transform.zoom >= kGridFromZoom)
             paintCells(painter, pixels, transform, sampleGrid(frame.settings.samples), options);
-        if (options.numbers && transform.zoom >= kNumbersFromZoom)
+        const bool numbersHidden = options.layer && options.layer->hidesNumbers();
+        if (options.numbers && transform.zoom >= kNumbersFromZoom && !numbersHidden)
             paintNumbers(painter, pixels, transform, frame.frame);
     }
+    if (options.layer)
+        options.layer->paint(painter, canvas, transform, options);
     if (options.hoveredPixel && transform.zoom >= kGridFromZoom && image.rect().contains(*options.hoveredPixel))
         paintPixelFrame(painter, *options.hoveredPixel, transform, false, options.thickLines);
     if (options.selectedPixel && transform.zoom >= kGridFromZoom / 2 && image.rect().contains(*options.selectedPixel))

@@ -38,6 +38,19 @@ constexpr double kGridFromZoom = 8;
 constexpr double kSampleDotsFromZoom = 16;
 constexpr double kNumbersFromZoom = 48;
 
+struct OverlayOptions;
+
+/// Something more to be painted over the picture and its grid.
+class CanvasLayer
+{
+public:
+    virtual ~CanvasLayer() = default;
+    virtual void paint(QPainter& painter, const QRect& canvas, const CanvasTransform& transform,
+                       const OverlayOptions& options) const = 0;
+    /// The pixel values would be in the way.
+    [[nodiscard]] virtual bool hidesNumbers() const = 0;
+};
+
 /// What lies over the picture. Each is drawn from its zoom on.
 struct OverlayOptions {
     bool grid = true;
@@ -46,6 +59,7 @@ struct OverlayOptions {
     bool thickLines = false; ///< presentation
     std::optional<QPoint> selectedPixel;
     std::optional<QPoint> hoveredPixel;
+    const CanvasLayer* layer = nullptr; ///< not owned
 };
 
 /// Paints the picture, nearest-neighbour from zoom 1 on, and its overlays.

@@ -48,9 +48,11 @@ public:
     [[nodiscard]] std::size_t size() const { return m_log ? m_log->size() : 0; }
     /// What happened last; null at position 0 and without a record.
     [[nodiscard]] const StepEvent* event() const { return m_cursor ? m_cursor->lastEvent() : nullptr; }
-    /// The screen triangle that is looked at: that of the present event or, before coverage begins, the next triangle of
-    /// the present face; of the selected face where one is selected. Null: none.
-    [[nodiscard]] const StepTriangle* triangle() const { return m_triangle; }
+    /// The screen triangle that is looked at: that of the present event or, before coverage begins, the next triangle
+    /// of the present face; of the selected face where one is selected. Null: none.
+    [[nodiscard]] const StepTriangle* triangle() const { return m_triangle ? m_log->triangle(*m_triangle) : nullptr; }
+    /// The event it begins with.
+    [[nodiscard]] const StepEvent* triangleEvent() const { return m_triangle; }
 
     void moveTo(std::size_t position);
     void step(StepLevel level, StepDirection direction);
@@ -94,16 +96,17 @@ private:
     void record();
     void drop();
     void take(std::shared_ptr<const StepLog> log, quint64 serial);
-    void setPosition(std::size_t position);
+    void setBusy(quint64 asked, quint64 delivered);
     void advance();
-    void findTriangle();
+    [[nodiscard]] const StepEvent* currentTriangle() const;
     [[nodiscard]] StepFilter filter() const;
 
     Document& m_document;
+    std::shared_ptr<const Scene> m_scene; ///< of the record
     bool m_open = false;
     std::shared_ptr<const StepLog> m_log;
     std::unique_ptr<StepCursor> m_cursor;
-    const StepTriangle* m_triangle = nullptr;
+    const StepEvent* m_triangle = nullptr;
     quint64 m_asked = 0;
     quint64 m_delivered = 0;
 

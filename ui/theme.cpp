@@ -75,6 +75,11 @@ QWidget#dockTitle { background: @card; border: 1px solid @border; border-bottom:
                     border-top-left-radius: 8px; border-top-right-radius: 8px; }
 QFrame#dockBody { background: @card; border: 1px solid @border; border-top: none;
                   border-bottom-left-radius: 8px; border-bottom-right-radius: 8px; }
+QFrame#transportTitle { background: @card; border: 1px solid @border; border-bottom: none;
+                        border-top-left-radius: 8px; border-top-right-radius: 8px; }
+QFrame#stepListing { background: @card; border-top: 1px solid @border; border-bottom-left-radius: 8px;
+                     border-bottom-right-radius: 8px; }
+QLabel#stepNotice { background: @accentSoft; color: @text; border-radius: 4px; padding: 1px 6px; }
 QLabel#heading, QLabel#groupHeading { font-weight: bold; }
 QLabel#title { font-weight: bold; font-size: @ptTitle; }
 QLabel#muted, QLabel#keyHint { color: @muted; }

@@ -1,5 +1,6 @@
 #include "ui/viewport_widget.h"
 
+#include "ui/image_export.h"
 #include "ui/theme.h"
 
 #include <QKeyEvent>
@@ -73,6 +74,21 @@ void ViewportWidget::setThickLines(bool on)
 {
     m_options.thickLines = on;
     update();
+}
+
+void ViewportWidget::setLayer(const CanvasLayer* layer)
+{
+    m_options.layer = layer;
+    update();
+}
+
+void ViewportWidget::showPixel(QPoint pixel)
+{
+    const QRect cell = m_transform.toCanvas(QRectF(pixel, QSizeF(1, 1))).toAlignedRect();
+    if (rect().contains(cell))
+        return;
+    m_fitted = false;
+    setTransform({m_transform.zoom, QRectF(rect()).center() - (QPointF(pixel) + QPointF(0.5, 0.5)) * m_transform.zoom});
 }
 
 void ViewportWidget::setOverlays(const OverlayOptions& options)
@@ -180,29 +196,48 @@ std::optional<PixelReadout> ViewportWidget::readout(QPoint pixel) const
 
 QImage ViewportWidget::figure(std::optional<int> zoom) const
 {
-    if (imageSize().isEmpty())
+    const auto part = figurePart(zoom);
+    if (!part)
         return {};
+    QImage image(part->size, QImage::Format_RGB32);
+    if (image.isNull())
+        return {};
+    QPainter painter(&image);
+    paintFigure(painter, *part);
+    return image;
+}
+
+std::optional<QString> ViewportWidget::saveSvgFigure(std::optional<int> zoom, const QString& path) const
+{
+    const auto part = figurePart(zoom);
+    return saveSvg(part ? part->size : QSize(), path, [&](QPainter& painter) { paintFigure(painter, *part); });
+}
+
+std::optional<ViewportWidget::FigurePart> ViewportWidget::figurePart(std::optional<int> zoom) const
+{
+    if (imageSize().isEmpty())
+        return std::nullopt;
     CanvasTransform transform = m_transform;
     QRect canvas = m_transform.toCanvas(QRectF(QPointF(0, 0), imageSize())).toAlignedRect().intersected(rect());
     if (zoom) {
         transform = {static_cast<double>(*zoom), {0, 0}};
         const QSizeF size = QSizeF(imageSize()) * *zoom;
         if (size.width() >= kMaxFigureSide || size.height() >= kMaxFigureSide)
-            return {};
+            return std::nullopt;
         canvas = QRect(QPoint(0, 0), size.toSize());
     }
+    transform.origin -= canvas.topLeft();
     // One more column and row hold the grid lines that close the last pixels.
     const QSize closing = transform.zoom >= kGridFromZoom ? QSize(1, 1) : QSize(0, 0);
-    QImage image(canvas.size() + closing, QImage::Format_RGB32);
-    if (image.isNull())
-        return {};
-    image.fill(m_canvasColor);
-    QPainter painter(&image);
-    transform.origin -= canvas.topLeft();
+    return FigurePart{transform, canvas.size() + closing};
+}
+
+void ViewportWidget::paintFigure(QPainter& painter, const FigurePart& part) const
+{
     OverlayOptions options = m_options;
     options.hoveredPixel.reset();
-    paintCanvas(painter, image.rect(), transform, *m_frame, options);
-    return image;
+    painter.fillRect(QRect(QPoint(0, 0), part.size), m_canvasColor);
+    paintCanvas(painter, QRect(QPoint(0, 0), part.size), part.transform, *m_frame, options);
 }
 
 void ViewportWidget::paintEvent(QPaintEvent*)
@@ -345,12 +380,7 @@ void ViewportWidget::nudge(QPoint step)
     const QPoint to(std::clamp(from.x() + step.x(), 0, size.width() - 1),
                     std::clamp(from.y() + step.y(), 0, size.height() - 1));
     selectPixel(to);
-    const QRect cell = m_transform.toCanvas(QRectF(to, QSizeF(1, 1))).toAlignedRect();
-    if (!rect().contains(cell)) {
-        m_fitted = false;
-        setTransform(
-            {m_transform.zoom, QRectF(rect()).center() - (QPointF(to) + QPointF(0.5, 0.5)) * m_transform.zoom});
-    }
+    showPixel(to);
 }
 
 void ViewportWidget::keyPressEvent(QKeyEvent* event)

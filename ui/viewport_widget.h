@@ -35,6 +35,10 @@ public:
     void setStale(bool stale);
     void setCanvasColor(const QColor& color);
     void setThickLines(bool on);
+    /// in  painted over the picture, also in figures; must outlive the widget, may be null
+    void setLayer(const CanvasLayer* layer);
+    /// Brings a pixel that is out of sight into the middle.
+    void showPixel(QPoint pixel);
 
     [[nodiscard]] const CanvasTransform& transform() const { return m_transform; }
     [[nodiscard]] bool isFitted() const { return m_fitted; }
@@ -58,6 +62,10 @@ public:
     ///
     /// errors  a null image where the figure would be too large
     [[nodiscard]] QImage figure(std::optional<int> zoom = std::nullopt) const;
+    /// The same as a drawing of lines and areas.
+    ///
+    /// errors  a sentence in the language in use
+    [[nodiscard]] std::optional<QString> saveSvgFigure(std::optional<int> zoom, const QString& path) const;
 
     QSize sizeHint() const override { return {640, 480}; }
     QSize minimumSizeHint() const override { return {160, 120}; }
@@ -84,6 +92,13 @@ protected:
 private:
     enum class Drag { None, PanCanvas, Orbit, PanCamera, Dolly };
 
+    /// Where a figure is painted to.
+    struct FigurePart {
+        CanvasTransform transform;
+        QSize size;
+    };
+    [[nodiscard]] std::optional<FigurePart> figurePart(std::optional<int> zoom) const;
+    void paintFigure(QPainter& painter, const FigurePart& part) const;
     [[nodiscard]] Drag dragFor(const QMouseEvent& event) const;
     [[nodiscard]] QSize imageSize() const;
     void applyFit();

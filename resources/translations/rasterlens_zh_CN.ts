@@ -1756,6 +1756,17 @@
     </message>
 </context>
 <context>
+    <name>StepListing</name>
+    <message>
+        <source>inside</source>
+        <translation>在内</translation>
+    </message>
+    <message>
+        <source>face %1</source>
+        <translation>面 %1</translation>
+    </message>
+</context>
+<context>
     <name>StressScene</name>
     <message>
         <source>1,000,000 triangles of 1 to 4 pixels</source>
@@ -2901,6 +2912,20 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::StepMode</name>
+    <message>
+        <source>The record holds no step of face %1.</source>
+        <translation>记录中没有面 %1 的步骤。</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::TransportDock</name>
+    <message>
+        <source>inside</source>
+        <translation>在内</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::VertexPanel</name>
     <message>
         <source>Type over the blue numbers, or drag the corners on the canvas. Undo takes it back; the scene&apos;s file stays as it is.</source>
@@ -2924,10 +2949,6 @@
     <message>
         <source>Double-click to type other numbers</source>
         <translation>双击可输入其他数字</translation>
-    </message>
-    <message>
-        <source>vertex of the mesh</source>
-        <translation>网格顶点</translation>
     </message>
     <message>
         <source>given  x, y, z, w</source>
@@ -2968,6 +2989,10 @@
     <message>
         <source>outcode  above, below, right, left</source>
         <translation>区域码  上、下、右、左</translation>
+    </message>
+    <message>
+        <source>%1, vertex %2</source>
+        <translation>%1，顶点 %2</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,80 @@
+#pragma once
+#include "core/observe/step_log.h"
+
+#include <QStringList>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace rasterlens
+{
+
+/// What a glyph says about the sign of an edge value.
+enum class EdgeSign : std::uint8_t { Minus, Zero, Plus, NotANumber };
+[[nodiscard]] EdgeSign signOf(double value);
+
+/// What the lens shows at one sample.
+struct LensCell {
+    enum class State : std::uint8_t { OutOfBounds, Waiting, Rejected, Covered };
+
+    State state = State::OutOfBounds;
+    bool hasValues = false; ///< the algorithm looks at edge values
+    EdgeValues values{};    ///< AB, BC, CA of the setup; those the algorithm had, where it has been here
+    std::array<EdgeSign, 3> signs{};
+    int deciding = 0; ///< the edge whose value decides: of those the sample fails, or else of all, the smallest
+    bool tie = false; ///< the deciding value is 0
+};
+
+/// The samples of one triangle at one position of a log, as the lens shows them.
+class LensModel
+{
+public:
+    /// in  `triangle`: an event of kind Triangle of the log, which must outlive the model
+    LensModel(const StepLog& log, const StepEvent& triangle, std::size_t position);
+
+    /// in    a sample
+    /// cost  logarithmic in the events of the triangle
+    [[nodiscard]] LensCell cell(int x, int y) const;
+
+    [[nodiscard]] const StepLog& log() const { return *m_log; }
+    [[nodiscard]] const StepTriangle& triangle() const { return *m_triangle; }
+    /// Its edge functions are set up at this position.
+    [[nodiscard]] bool hasSetup() const { return m_hasSetup; }
+    /// The event the position is just after; null at 0.
+    [[nodiscard]] const StepEvent* event() const { return m_position ? &m_log->event(m_position - 1) : nullptr; }
+    /// Edge walking: how the triangle is walked, and the present row's span.
+    [[nodiscard]] const WalkedTriangle* walk() const;
+    [[nodiscard]] const SpanStep* span() const;
+    /// Bresenham: the present decision.
+    [[nodiscard]] const LineStep* line() const;
+    /// The ends of the line that decision belongs to, in samples.
+    [[nodiscard]] std::optional<std::array<glm::ivec2, 2>> lineEnds() const;
+
+private:
+    [[nodiscard]] std::span<const std::uint32_t> eventsOfTriangle(StepKind kind) const;
+    [[nodiscard]] const StepEvent* eventAt(std::span<const std::uint32_t> events, int x, int y) const;
+    void readSample(LensCell& cell, int x, int y) const;
+    void readSpan(LensCell& cell, int x, int y) const;
+
+    const StepLog* m_log;
+    const StepTriangle* m_triangle;
+    std::uint32_t m_index; ///< of the triangle
+    std::size_t m_position;
+    bool m_hasSetup = false;
+    bool m_walks = false;
+    std::span<const std::uint32_t> m_samples; ///< event numbers
+    std::span<const std::uint32_t> m_spans;
+};
+
+/// `-3.5`, `+8`; `tie: left, ours` where the deciding value is 0. In the language in use.
+[[nodiscard]] QString lensCellText(const StepSetup& setup, const LensCell& cell);
+
+/// The three values at a sample, what a step adds to them, and who owns a tie; empty where there are none.
+[[nodiscard]] QStringList lensHoverLines(const LensModel& model, int x, int y);
+
+/// Why an edge owns its points or does not: `left edge`. In the language in use.
+[[nodiscard]] QString edgeSideText(EdgeSide side);
+
+} // namespace rasterlens
