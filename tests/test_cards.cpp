@@ -107,6 +107,7 @@ private Q_SLOTS:
 
     void pixelCardEqualsWhy();
     void pixelCardFollowsTheSettings();
+    void pixelCardFollowsLanguageAndTheme();
     void pixelCardRowsAskForTheirStep();
     void pixelCardIsEmptyWithoutAPixel();
     void mistakesChangeSettingsAndPicture();
@@ -166,6 +167,19 @@ void TestCards::pixelCardFollowsTheSettings()
     document().setSettings(next);
     QVERIFY(settle());
     QVERIFY(cards().pixelCard().report()->faces[0].verdict > WhyVerdict::LostTie);
+}
+
+void TestCards::pixelCardFollowsLanguageAndTheme()
+{
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    QVERIFY(select({3, 4}));
+    const QString english = cards().pixelCard().rows()[0].verdict;
+    m_window->setLook({ThemeKind::Dark, false});
+    m_window->setLanguage(LanguageKind::Chinese);
+    QVERIFY(QTest::qWaitFor([&] { return cards().pixelCard().rows()[0].verdict != english; }, kPatienceMs));
+    m_window->setLook({ThemeKind::Light, false});
+    m_window->setLanguage(LanguageKind::English);
+    QVERIFY(QTest::qWaitFor([&] { return cards().pixelCard().rows()[0].verdict == english; }, kPatienceMs));
 }
 
 void TestCards::pixelCardRowsAskForTheirStep()

@@ -1,6 +1,5 @@
 #include "ui/clip_theatre.h"
 
-#include "core/observe/step_text.h"
 #include "ui/field_row.h"
 #include "ui/inks.h"
 #include "ui/theme.h"
@@ -23,6 +22,7 @@ namespace
 {
 
 constexpr double kCornerRadius = 3.5;
+constexpr double kFarthestNdc = 100; ///< what lies farther off the screen is left out of the picture
 constexpr unsigned kSideBits[] = {kRegionAbove, kRegionBelow, kRegionRight, kRegionLeft};
 
 QString bitsOf(unsigned region)
@@ -45,6 +45,12 @@ QString planeFormula(ClipPlane plane)
     case ClipPlane::Far: return QStringLiteral("far");
     }
     return {};
+}
+
+QString brief(double value)
+{
+    constexpr int kDigits = 4;
+    return QString::number(value, 'g', kDigits).replace(QLatin1Char('-'), QChar(0x2212));
 }
 
 /// Corners of the face keep their letters A, B, C; new ones are P1, P2.. in the order of their making.
@@ -251,7 +257,7 @@ private:
         std::vector<ClipVertex> gone;
         for (const ClipVertex& corner : m_theatre.before())
             if (std::ranges::find(left, corner.positionClip, &ClipVertex::positionClip) == left.end() &&
-                (m_view == View::ClipSpace || corner.positionClip.w > 0))
+                (m_view == View::ClipSpace || corner.positionClip.w > 0) && std::abs(flat(corner).x()) < kFarthestNdc)
                 gone.push_back(corner);
         return gone;
     }
@@ -260,9 +266,10 @@ private:
     {
         QPolygonF outline;
         for (const ClipVertex& corner : polygon) {
-            if (m_view == View::Screen && corner.positionClip.w <= 0)
-                return; // has no place on the screen
-            outline << place(flat(corner));
+            const QPointF at = flat(corner);
+            if (m_view == View::Screen && (corner.positionClip.w <= 0 || std::hypot(at.x(), at.y()) > kFarthestNdc))
+                return; // has no place on the screen, or none worth drawing to
+            outline << place(at);
         }
         painter.drawPolygon(outline);
     }
@@ -431,7 +438,7 @@ QStringList ClipTheatre::cuts() const
             const glm::dvec4& p = m_story->corners[i].positionClip;
             lines << QStringLiteral("%1  %2, %3, %4, w %5")
                          .arg(QLatin1Char(static_cast<char>('A' + static_cast<char>(i))))
-                         .arg(shortNumber(p.x), shortNumber(p.y), shortNumber(p.z), shortNumber(p.w));
+                         .arg(brief(p.x), brief(p.y), brief(p.z), brief(p.w));
         }
         return lines;
     }
@@ -452,8 +459,7 @@ QStringList ClipTheatre::cuts() const
                            .arg(name(cut.inside), name(cut.outside), QString::number(cut.t, 'f', 4));
         if (cut.corner >= 0) {
             const glm::dvec4& p = step.after[static_cast<std::size_t>(cut.corner)].positionClip;
-            line += QStringLiteral("\n    (%1, %2, %3, %4)")
-                        .arg(shortNumber(p.x), shortNumber(p.y), shortNumber(p.z), shortNumber(p.w));
+            line += QStringLiteral("\n    (%1, %2, %3, %4)").arg(brief(p.x), brief(p.y), brief(p.z), brief(p.w));
         }
         lines << line;
     }

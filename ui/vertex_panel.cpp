@@ -14,6 +14,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -205,8 +206,11 @@ void VertexPanel::refresh()
     m_model->refresh();
     m_table->setRowHidden(VertexTableModel::ViewSpace, m_document.scene()->space == SceneSpace::Clip);
     constexpr int kRoom = 4;
+    constexpr int kFullHeight = 250; ///< at the usual size of type all rows are in sight
     m_table->verticalHeader()->setMinimumSectionSize(fontMetrics().height() + kRoom);
     m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + kRoom);
+    const int all = m_table->verticalHeader()->length() + m_table->horizontalHeader()->sizeHint().height() + kRoom;
+    m_table->setMinimumHeight(std::min(all, kFullHeight));
     m_hint->setText(isEditable(*m_document.scene())
                         ? tr("Type over the blue numbers, or drag the corners on the canvas. Undo takes it back; the "
                              "scene's file stays as it is.")

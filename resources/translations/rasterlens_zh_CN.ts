@@ -2724,7 +2724,7 @@
     </message>
     <message>
         <source>Why pixel (%1, %2)?</source>
-        <translation>像素 (%1, %2) 为什么？</translation>
+        <translation>像素 (%1, %2) 为何如此？</translation>
     </message>
     <message>
         <source>Why this pixel?</source>
