@@ -184,15 +184,18 @@ private:
         const double reach = std::min((m_area.right() - place({0, 0}).x()), place({0, 0}).y() - m_area.top()) / m_scale;
         const double label = std::max(0.2, reach * 0.82);
         painter.drawText(place({label, label}) + QPointF(6, 10), name + QStringLiteral(" = w"));
-        painter.drawText(place({-label, label}) + QPointF(-58, 10), name + QStringLiteral(" = \u2212w"));
+        const QPointF mirrored = place({-label, label}) + QPointF(-58, 10);
+        painter.drawText(QPointF(std::max(mirrored.x(), m_area.left() + 3), mirrored.y()),
+                         name + QStringLiteral(" = \u2212w"));
         paintPolygons(painter);
     }
 
     void paintScreen(QPainter& painter)
     {
-        frame(QRectF(-1, -1, 2, 2));
-        const QRectF screen(place({-1, 1}), place({1, -1}));
         const bool regions = m_theatre.m_story && m_theatre.m_story->mode == Clipping::CohenSutherland;
+        constexpr double kBeyond = 1.6; // of the outer regions, too, something is to be seen
+        frame(regions ? QRectF(-kBeyond, -kBeyond, 2 * kBeyond, 2 * kBeyond) : QRectF(-1, -1, 2, 2));
+        const QRectF screen(place({-1, 1}), place({1, -1}));
         QColor inside = m_inks.plus;
         inside.setAlpha(28);
         painter.setBrush(inside);
@@ -284,6 +287,8 @@ private:
         const QFontMetricsF metrics(painter.font());
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             const QPointF at = place(flat(polygon[i]));
+            if (!m_area.adjusted(-kCornerRadius, -kCornerRadius, kCornerRadius, kCornerRadius).contains(at))
+                continue;
             painter.setBrush(palette().color(QPalette::Base));
             painter.setPen(QPen(ink, 1.5));
             painter.drawEllipse(at, kCornerRadius, kCornerRadius);

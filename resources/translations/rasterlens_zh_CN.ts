@@ -2987,8 +2987,12 @@
         <translation>在其外侧</translation>
     </message>
     <message>
-        <source>outcode  above, below, right, left</source>
-        <translation>区域码  上、下、右、左</translation>
+        <source>outcode</source>
+        <translation>区域码</translation>
+    </message>
+    <message>
+        <source>One bit each: above, below, right, left of the screen</source>
+        <translation>各占一位：屏幕的上、下、右、左</translation>
     </message>
     <message>
         <source>%1, vertex %2</source>
