@@ -54,23 +54,26 @@ std::span<const std::uint32_t> LensModel::eventsOfTriangle(StepKind kind) const
     return {first, last};
 }
 
-/// The events of a triangle come row by row, left to right.
-const StepEvent* LensModel::eventAt(std::span<const std::uint32_t> events, int x, int y) const
+/// The samples of a triangle come row by row, left to right: all of its bounds, unless the record is filtered or cut
+/// off.
+const StepEvent* LensModel::sampleAt(int x, int y) const
 {
-    const auto at = std::partition_point(events.begin(), events.end(), [&](std::uint32_t i) {
+    const PixelRect& bounds = m_triangle->setup.bounds;
+    const auto isIt = [&](const StepEvent& event) { return event.x == x && event.y == y; };
+    const auto guess = std::size_t(y - bounds.y) * std::size_t(bounds.width) + std::size_t(x - bounds.x);
+    if (guess < m_samples.size() && isIt(m_log->event(m_samples[guess])))
+        return &m_log->event(m_samples[guess]);
+    const auto at = std::partition_point(m_samples.begin(), m_samples.end(), [&](std::uint32_t i) {
         const StepEvent& event = m_log->event(i);
         return std::tie(event.y, event.x) < std::tie(y, x);
     });
-    if (at == events.end())
-        return nullptr;
-    const StepEvent& event = m_log->event(*at);
-    return event.x == x && event.y == y ? &event : nullptr;
+    return at != m_samples.end() && isIt(m_log->event(*at)) ? &m_log->event(*at) : nullptr;
 }
 
 void LensModel::readSample(LensCell& cell, int x, int y) const
 {
     const StepSetup& setup = m_triangle->setup;
-    const StepEvent* sample = eventAt(m_samples, x, y);
+    const StepEvent* sample = sampleAt(x, y);
     cell.hasValues = true;
     cell.values = sample ? m_log->payload<SampleStep>(*sample).values : setup.at(x, y);
     if (sample && sample < &m_log->events().front() + m_position)

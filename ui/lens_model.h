@@ -54,7 +54,7 @@ public:
 
 private:
     [[nodiscard]] std::span<const std::uint32_t> eventsOfTriangle(StepKind kind) const;
-    [[nodiscard]] const StepEvent* eventAt(std::span<const std::uint32_t> events, int x, int y) const;
+    [[nodiscard]] const StepEvent* sampleAt(int x, int y) const;
     void readSample(LensCell& cell, int x, int y) const;
     void readSpan(LensCell& cell, int x, int y) const;
 

@@ -153,8 +153,8 @@ struct LensOverlay::View {
     const CanvasTransform& transform;
     const OverlayOptions& options;
     int grid;
-    double cell; ///< canvas pixels a sample
-    std::vector<std::pair<QRectF, LensCell>> ties;
+    double cell;                                    ///< canvas pixels a sample
+    std::vector<std::pair<QRectF, LensCell>> cells; ///< in sight, from kGlyphsFromCell on
 
     [[nodiscard]] QPointF at(glm::dvec2 sample) const { return transform.toCanvas(QPointF(sample.x, sample.y) / grid); }
     [[nodiscard]] QRectF box(int x, int y) const { return {at({x, y}), QSizeF(cell, cell)}; }
@@ -195,13 +195,13 @@ void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTran
     painter.setClipRect(canvas);
     if (m_model->hasSetup() && view.cell >= kGridFromZoom / 2) {
         paintCells(view);
-        if (view.cell >= kLensNumbersFromCell)
-            paintNumbers(view);
         paintBounds(view);
     }
     painter.setRenderHint(QPainter::Antialiasing);
     paintEdges(view);
     paintTies(view);
+    if (m_model->hasSetup() && view.cell >= kLensNumbersFromCell)
+        paintNumbers(view);
     paintWalk(view);
     paintLine(view);
     paintCurrent(view);
@@ -220,11 +220,11 @@ void LensOverlay::paintCell(QPainter& painter, const QRectF& box, const LensCell
     if (waiting && cell.hasValues)
         inside =
             std::none_of(cell.signs.begin(), cell.signs.end(), [](EdgeSign sign) { return sign == EdgeSign::Minus; });
-    const double tint = inside ? (waiting ? 0.06 : 0.14) : 0;
+    const double tint = inside ? (waiting ? 0.07 : 0.17) : 0;
     const QColor plus(kPlusColor);
     const auto mixed = [&](int a, int b) { return int(std::lround(a + (b - a) * tint)); };
     const QColor veil(mixed(p.fill.red(), plus.red()), mixed(p.fill.green(), plus.green()),
-                      mixed(p.fill.blue(), plus.blue()), waiting ? 236 : 246);
+                      mixed(p.fill.blue(), plus.blue()), waiting ? 246 : 250);
     const double hole = s >= kGlyphsFromCell ? std::round(s * 0.2) : 0;
     const QRectF window(box.center() - QPointF(hole / 2, hole / 2), QSizeF(hole, hole));
     painter.fillRect(QRectF(box.left(), box.top(), s, window.top() - box.top()), veil);
@@ -260,8 +260,8 @@ void LensOverlay::paintCells(View& view) const
         for (int x = shown.left(); x <= shown.right(); ++x) {
             const LensCell cell = m_model->cell(x, y);
             const QRectF box = view.box(x, y);
-            if (cell.tie && view.cell >= kGlyphsFromCell)
-                view.ties.push_back({box, cell});
+            if (view.cell >= kGlyphsFromCell)
+                view.cells.push_back({box, cell});
             if (vectors) {
                 view.painter.save();
                 paintCell(view.painter, box, cell);
@@ -282,29 +282,34 @@ void LensOverlay::paintCells(View& view) const
 void LensOverlay::paintNumbers(View& view) const
 {
     const StepSetup& setup = m_model->triangle().setup;
-    const QRect shown = view.visible(setup.bounds);
     QFont numbers = numberFont();
     numbers.setPixelSize(std::clamp(int(view.cell / 5), 10, 18));
     QFont words = textFont(0);
     words.setPixelSize(std::clamp(int(view.cell / 6), 9, 15));
     const QFontMetricsF wordMetrics(words);
     const QFontMetricsF numberMetrics(numbers);
+    const double digit = numberMetrics.horizontalAdvance(QLatin1Char('0'));
     const QColor ink = paper().ink;
-    for (int y = shown.top(); y <= shown.bottom(); ++y)
-        for (int x = shown.left(); x <= shown.right(); ++x) {
-            const LensCell cell = m_model->cell(x, y);
-            if (!cell.hasValues)
-                continue;
-            const QRectF room = view.box(x, y).adjusted(2, 2, -1, 0);
-            view.painter.setPen(withAlpha(ink, cell.state == LensCell::State::Waiting ? 150 : 255));
-            QString text = lensCellText(setup, cell);
-            view.painter.setFont(cell.tie ? words : numbers);
-            if (cell.tie && wordMetrics.horizontalAdvance(text) > room.width())
-                text.replace(QLatin1String(", "), QLatin1String("\n"));
-            else if (!cell.tie && numberMetrics.horizontalAdvance(text) > room.width())
-                text = QString::number(cell.values[std::size_t(cell.deciding)] / setup.unitsPerArea, 'g', 3);
-            view.painter.drawText(room, Qt::AlignHCenter | Qt::AlignTop, text);
-        }
+    for (const auto& [box, cell] : view.cells) {
+        if (!cell.hasValues)
+            continue;
+        QString text = lensCellText(setup, cell);
+        const auto widthOf = [&] {
+            return cell.tie ? wordMetrics.horizontalAdvance(text) : digit * double(text.size());
+        };
+        const double room = box.width() - 3;
+        // The glyph says that it is a tie, and whose it is counts most; of a long number the first digits are enough.
+        for (const QString& separator : {QStringLiteral(": "), QStringLiteral(", ")})
+            if (cell.tie && widthOf() > room)
+                text = text.section(separator, 1);
+        if (!cell.tie && widthOf() > room)
+            text = QString::number(cell.values[std::size_t(cell.deciding)] / setup.unitsPerArea, 'g', 3);
+        const double width = widthOf();
+        view.painter.setPen(withAlpha(ink, cell.state == LensCell::State::Waiting ? 150 : 255));
+        view.painter.setFont(cell.tie ? words : numbers);
+        const double ascent = cell.tie ? wordMetrics.ascent() : numberMetrics.ascent();
+        view.painter.drawText(QPointF(box.center().x() - width / 2, box.top() + 2 + ascent), text);
+    }
 }
 
 void LensOverlay::paintBounds(View& view) const
@@ -332,7 +337,7 @@ void LensOverlay::paintEdges(View& view) const
             const StepEdge& edge = setup.edges[i];
             const double units = setup.unitsPerSample * view.grid / view.transform.zoom;
             const QPointF origin = view.transform.origin;
-            view.painter.setBrush(withAlpha(QColor(kEdgeLooks[i].color), 16));
+            view.painter.setBrush(withAlpha(QColor(kEdgeLooks[i].color), 10));
             view.painter.drawPolygon(halfOf(picture, [&](QPointF p) {
                 return edge.a * ((p.x() - origin.x()) * units - edge.from.x) +
                        edge.b * ((p.y() - origin.y()) * units - edge.from.y);
@@ -349,7 +354,9 @@ void LensOverlay::paintEdges(View& view) const
 /// Where a sample lies on an edge, the line must not hide the glyph that says so.
 void LensOverlay::paintTies(View& view)
 {
-    for (const auto& [box, cell] : view.ties) {
+    for (const auto& [box, cell] : view.cells) {
+        if (!cell.tie)
+            continue;
         view.painter.setOpacity(cell.state == LensCell::State::Waiting ? 0.5 : 1);
         for (std::size_t i = 0; i < 3; ++i)
             if (cell.signs[i] == EdgeSign::Zero)

@@ -478,6 +478,7 @@ void MainWindow::setPresentation(bool on)
     if (on) {
         for (Dock* dock : findChildren<Dock*>())
             dock->hide();
+        m_stepMode->transport().setVisible(m_stepMode->session().isOpen());
         showFullScreen();
         m_viewport->setFocus();
     } else {

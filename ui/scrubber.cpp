@@ -1,6 +1,7 @@
 #include "ui/scrubber.h"
 
 #include <QEvent>
+#include <QGuiApplication>
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -39,14 +40,16 @@ PipKind pipKindOf(const StepEvent& event)
 
 QColor pipColor(PipKind kind, const QPalette& palette)
 {
+    const bool isDark = palette.color(QPalette::Base).lightness() < 128;
+    const auto readable = [isDark](QRgb color) { return isDark ? QColor(color).lighter(165) : QColor(color); };
     switch (kind) {
     case PipKind::None: return Qt::transparent;
     case PipKind::Other: return palette.color(QPalette::Mid);
-    case PipKind::Sample: return QColor(0x0072b2);
+    case PipKind::Sample: return readable(0x0072b2);
     case PipKind::Outside: return QColor(0xd55e00);
-    case PipKind::Cull: return QColor(0x6a3d9a);
-    case PipKind::Clip: return QColor(0x00796b);
-    case PipKind::DepthFail: return QColor(0xb07aa1);
+    case PipKind::Cull: return readable(0x6a3d9a);
+    case PipKind::Clip: return readable(0x00796b);
+    case PipKind::DepthFail: return readable(0xb07aa1);
     case PipKind::Tie: break;
     }
     return palette.color(QPalette::Text);
@@ -107,7 +110,8 @@ void Scrubber::paintPips()
             continue;
         const bool tall = bins[i] == PipKind::Tie || bins[i] == PipKind::DepthFail;
         const int height = tall ? 13 : bins[i] == PipKind::Other ? 5 : 8;
-        painter.fillRect(kMargin + int(i), kTrackY - height, tall ? 2 : 1, height, pipColor(bins[i], palette()));
+        painter.fillRect(kMargin + int(i), kTrackY - height, tall ? 2 : 1, height,
+                         pipColor(bins[i], QGuiApplication::palette()));
     }
 }
 
@@ -137,7 +141,7 @@ void Scrubber::resizeEvent(QResizeEvent*) { m_pips = QPixmap(); }
 
 void Scrubber::changeEvent(QEvent* event)
 {
-    if (event->type() == QEvent::PaletteChange)
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::ApplicationPaletteChange)
         m_pips = QPixmap();
     QWidget::changeEvent(event);
 }

@@ -18,6 +18,7 @@ namespace
 {
 
 constexpr std::size_t kListingLines = 4;
+constexpr int kCompactBelow = 790; ///< height of the window from which on the whole listing has room
 
 QString translated(const char* text) { return QCoreApplication::translate("StepListing", text); }
 
@@ -104,7 +105,9 @@ QString edgeTerms(const StepSetup& setup, const StepEdge& edge, int x, int y)
 {
     const double u = setup.unitsPerSample;
     const auto factor = [](double at, double from) {
-        return QStringLiteral("\u00b7(%1%2)").arg(shortNumber(at), signedTerm(-from));
+        return QStringLiteral("\u00b7(%1 %2 %3)")
+            .arg(shortNumber(at), from < 0 ? QStringLiteral("+") : QStringLiteral("\u2212"),
+                 shortNumber(std::abs(from)));
     };
     return minus(shortNumber(edge.a / u)) + factor(x + 0.5, edge.from.x / u) + signedTerm(edge.b / u) +
            factor(y + 0.5, edge.from.y / u);
@@ -222,8 +225,7 @@ QString formulaOf(const StepLog& log, std::size_t i)
     // The line of the log from its numbers on; the transport names the rest.
     QString text = stepText(log, i);
     const auto colon = text.indexOf(QLatin1String(": "));
-    if (colon >= 0)
-        text = text.mid(colon + 2);
+    text = colon >= 0 ? text.mid(colon + 2) : QString();
     return text.replace(QStringLiteral("->"), QStringLiteral("\u2192"))
         .replace(QLatin1String(": "), QLatin1String(":\n"));
 }
@@ -304,11 +306,13 @@ void StepListing::sync()
     m_explanation = {};
     if (m_session.isOpen() && m_session.log() && m_session.position() > 0)
         m_explanation = explainStep(*m_session.log(), m_session.position() - 1);
+    const bool isCompact = window()->height() < kCompactBelow;
     const QFont font = numberFont(-0.5);
     const QString accent = palette().color(QPalette::AlternateBase).name();
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
         const bool now = int(i) == m_explanation.line;
         m_lines[i]->setFont(font);
+        m_lines[i]->setVisible(now || !isCompact);
         m_lines[i]->setText(m_explanation.listing.value(int(i)));
         m_lines[i]->setStyleSheet(
             QStringLiteral("padding: 0 4px; border-radius: 3px; %1")
@@ -321,6 +325,19 @@ void StepListing::sync()
         formula += QLatin1Char('\n'); // the canvas above keeps its height
     m_formula->setText(formula);
     m_formula->setStyleSheet(QStringLiteral("color: %1;").arg(palette().color(QPalette::Link).name()));
+}
+
+void StepListing::showEvent(QShowEvent* event)
+{
+    window()->installEventFilter(this);
+    QFrame::showEvent(event);
+}
+
+bool StepListing::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == window() && event->type() == QEvent::Resize)
+        sync();
+    return QFrame::eventFilter(watched, event);
 }
 
 void StepListing::changeEvent(QEvent* event)

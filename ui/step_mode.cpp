@@ -48,7 +48,9 @@ StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& wi
         followStep();
         Q_EMIT frameChanged();
     });
-    connect(&m_session, &StepSession::openChanged, this, [this] {
+    connect(&m_session, &StepSession::openChanged, this, [this](bool open) {
+        if (open)
+            m_transport->show();
         syncLens();
         Q_EMIT frameChanged();
     });

@@ -308,8 +308,9 @@ void TransportDock::retranslate()
     m_keys->setText(
         tr("Space play \u00b7 \u2190 \u2192 step \u00b7 Shift row \u00b7 Ctrl face \u00b7 Ctrl+Shift stage"));
     m_runLink->setText(tr("run until \u25be"));
-    const auto word = [this](PipKind kind, const QString& text) {
-        return QStringLiteral("<span style='color:%1'>%2</span>").arg(pipColor(kind, palette()).name(), text);
+    const auto word = [](PipKind kind, const QString& text) {
+        return QStringLiteral("<span style='color:%1'>%2</span>")
+            .arg(pipColor(kind, QGuiApplication::palette()).name(), text);
     };
     m_legend->setText(QStringList{word(PipKind::Cull, tr("cull")), word(PipKind::Clip, tr("clip")),
                                   word(PipKind::Sample, tr("inside")), word(PipKind::Outside, tr("outside")),
@@ -320,8 +321,9 @@ void TransportDock::retranslate()
 
 void TransportDock::syncIcons()
 {
-    const QColor ink = palette().color(QPalette::Text);
-    const QColor faded = palette().color(QPalette::Mid);
+    const QPalette colors = QGuiApplication::palette();
+    const QColor ink = colors.color(QPalette::Text);
+    const QColor faded = colors.color(QPalette::Mid);
     for (const Button& button : m_buttons) {
         const bool pauses = button.sign == TransportSign::Play && m_session.isPlaying();
         const TransportSign sign = pauses ? TransportSign::Pause : button.sign;

@@ -355,6 +355,45 @@
     </message>
 </context>
 <context>
+    <name>Lens</name>
+    <message>
+        <source>left</source>
+        <translation>左边</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>上边</translation>
+    </message>
+    <message>
+        <source>neither</source>
+        <translation>非左上</translation>
+    </message>
+    <message>
+        <source>tie</source>
+        <translation>平局</translation>
+    </message>
+    <message>
+        <source>ours</source>
+        <translation>归本面</translation>
+    </message>
+    <message>
+        <source>not ours</source>
+        <translation>不归本面</translation>
+    </message>
+    <message>
+        <source>sample (%1, %2)</source>
+        <translation>采样 (%1, %2)</translation>
+    </message>
+    <message>
+        <source>%1 per x, %2 per y</source>
+        <translation>x 每步 %1，y 每步 %2</translation>
+    </message>
+    <message>
+        <source>tie: %1, %2</source>
+        <translation>平局: %1，%2</translation>
+    </message>
+</context>
+<context>
     <name>Mistake</name>
     <message>
         <source>All edges are inclusive</source>
@@ -1758,6 +1797,114 @@
 <context>
     <name>StepListing</name>
     <message>
+        <source>outside</source>
+        <translation>在外</translation>
+    </message>
+    <message>
+        <source>owned: %1 is a %2 edge</source>
+        <translation>归本面：%1 是%2</translation>
+    </message>
+    <message>
+        <source>not owned: %1 is a %2 edge</source>
+        <translation>不归本面：%1 是%2</translation>
+    </message>
+    <message>
+        <source>right or bottom</source>
+        <translation>右边或下边</translation>
+    </message>
+    <message>
+        <source>next x: %1 %2</source>
+        <translation>下一个 x：%1 %2</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>通过</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>未通过</translation>
+    </message>
+    <message>
+        <source>vertex</source>
+        <translation>顶点</translation>
+    </message>
+    <message>
+        <source>clip plane</source>
+        <translation>裁剪平面</translation>
+    </message>
+    <message>
+        <source>Cohen-Sutherland</source>
+        <translation>Cohen-Sutherland 算法</translation>
+    </message>
+    <message>
+        <source>viewport</source>
+        <translation>视口</translation>
+    </message>
+    <message>
+        <source>facing</source>
+        <translation>朝向</translation>
+    </message>
+    <message>
+        <source>fan</source>
+        <translation>扇形</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>setup</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>corners by height</source>
+        <translation>按高度排序顶点</translation>
+    </message>
+    <message>
+        <source>span</source>
+        <translation>跨度</translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation>采样</translation>
+    </message>
+    <message>
+        <source>line decision</source>
+        <translation>直线判定</translation>
+    </message>
+    <message>
+        <source>line sample</source>
+        <translation>直线采样</translation>
+    </message>
+    <message>
+        <source>depth test</source>
+        <translation>深度测试</translation>
+    </message>
+    <message>
+        <source>shade</source>
+        <translation>着色</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>写入</translation>
+    </message>
+    <message>
+        <source>end of the frame</source>
+        <translation>帧结束</translation>
+    </message>
+    <message>
+        <source>tie</source>
+        <translation>平局</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>第 %1 行</translation>
+    </message>
+    <message>
         <source>inside</source>
         <translation>在内</translation>
     </message>
@@ -2022,6 +2169,82 @@
 </context>
 <context>
     <name>rasterlens::MainWindow</name>
+    <message>
+        <source>Export figure as S&amp;VG…</source>
+        <translation>导出插图为 SVG(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Export figure as SVG</source>
+        <translation>导出插图为 SVG</translation>
+    </message>
+    <message>
+        <source>Export a &amp;run of steps…</source>
+        <translation>导出一段步骤(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>步骤</translation>
+    </message>
+    <message>
+        <source>record steps</source>
+        <translation>记录步骤</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>空格</translation>
+    </message>
+    <message>
+        <source>play, pause</source>
+        <translation>播放、暂停</translation>
+    </message>
+    <message>
+        <source>Left, Right</source>
+        <translation>左、右</translation>
+    </message>
+    <message>
+        <source>one step</source>
+        <translation>一步</translation>
+    </message>
+    <message>
+        <source>Shift + Left, Right</source>
+        <translation>Shift + 左、右</translation>
+    </message>
+    <message>
+        <source>one row</source>
+        <translation>一行</translation>
+    </message>
+    <message>
+        <source>Ctrl + Left, Right</source>
+        <translation>Ctrl + 左、右</translation>
+    </message>
+    <message>
+        <source>one face</source>
+        <translation>一个面</translation>
+    </message>
+    <message>
+        <source>Ctrl + Shift + Left, Right</source>
+        <translation>Ctrl + Shift + 左、右</translation>
+    </message>
+    <message>
+        <source>one stage</source>
+        <translation>一个阶段</translation>
+    </message>
+    <message>
+        <source>Ctrl + Home, End</source>
+        <translation>Ctrl + Home、End</translation>
+    </message>
+    <message>
+        <source>to the start, the end</source>
+        <translation>到开头、结尾</translation>
+    </message>
+    <message>
+        <source>slower, faster</source>
+        <translation>更慢、更快</translation>
+    </message>
+    <message>
+        <source>SVG drawings (*.svg)</source>
+        <translation>SVG 图形 (*.svg)</translation>
+    </message>
     <message>
         <source>opening %1 …</source>
         <translation>正在打开 %1 …</translation>
@@ -2914,12 +3137,227 @@
 <context>
     <name>rasterlens::StepMode</name>
     <message>
+        <source>The record ends without another such event.</source>
+        <translation>记录到结尾都没有这样的事件。</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded.</source>
+        <translation>没有记录。</translation>
+    </message>
+    <message>
+        <source>Export a run of steps</source>
+        <translation>导出一段步骤</translation>
+    </message>
+    <message>
+        <source>First and last step, for example 10-60:</source>
+        <translation>起止步骤，例如 10-60：</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no run of steps 0 to %2.</source>
+        <translation>“%1”不是 0 到 %2 之间的一段步骤。</translation>
+    </message>
+    <message>
+        <source>Folder for the pictures</source>
+        <translation>图像文件夹</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>已写入：%1</translation>
+    </message>
+    <message>
         <source>The record holds no step of face %1.</source>
         <translation>记录中没有面 %1 的步骤。</translation>
     </message>
 </context>
 <context>
+    <name>rasterlens::StepSession</name>
+    <message>
+        <source>There is not enough memory to record this frame.</source>
+        <translation>内存不足，无法记录这一帧。</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::TransportDock</name>
+    <message>
+        <source>&amp;Record steps</source>
+        <translation>记录步骤(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>播放(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Step &amp;back</source>
+        <translation>后退一步(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Step</source>
+        <translation>前进一步(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Row back</source>
+        <translation>后退一行</translation>
+    </message>
+    <message>
+        <source>Next ro&amp;w</source>
+        <translation>下一行(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Face back</source>
+        <translation>后退一个面</translation>
+    </message>
+    <message>
+        <source>Next &amp;face</source>
+        <translation>下一个面(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Stage back</source>
+        <translation>后退一个阶段</translation>
+    </message>
+    <message>
+        <source>Next s&amp;tage</source>
+        <translation>下一个阶段(&amp;T)</translation>
+    </message>
+    <message>
+        <source>To the st&amp;art</source>
+        <translation>到开头(&amp;A)</translation>
+    </message>
+    <message>
+        <source>To the &amp;end</source>
+        <translation>到结尾(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Loop</source>
+        <translation>循环(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Record &amp;what</source>
+        <translation>记录范围(&amp;W)</translation>
+    </message>
+    <message>
+        <source>The whole frame</source>
+        <translation>整帧</translation>
+    </message>
+    <message>
+        <source>The face at the selected pixel</source>
+        <translation>选中像素处的面</translation>
+    </message>
+    <message>
+        <source>What the canvas shows</source>
+        <translation>画布显示的部分</translation>
+    </message>
+    <message>
+        <source>Run &amp;until</source>
+        <translation>运行到(&amp;U)</translation>
+    </message>
+    <message>
+        <source>This &amp;pixel</source>
+        <translation>此像素(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Sign change</source>
+        <translation>符号改变(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Tie</source>
+        <translation>平局(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Depth test fails</source>
+        <translation>深度测试未通过(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Clip</source>
+        <translation>裁剪(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;NaN or infinity</source>
+        <translation>NaN 或无穷大(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Spee&amp;d</source>
+        <translation>速度(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>更慢</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>更快</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>步骤</translation>
+    </message>
+    <message>
+        <source>S&amp;tep</source>
+        <translation>步骤(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Space play · ← → step · Shift row · Ctrl face · Ctrl+Shift stage</source>
+        <translation>空格播放 · ← → 单步 · Shift 行 · Ctrl 面 · Ctrl+Shift 阶段</translation>
+    </message>
+    <message>
+        <source>run until ▾</source>
+        <translation>运行到 ▾</translation>
+    </message>
+    <message>
+        <source>cull</source>
+        <translation>剔除</translation>
+    </message>
+    <message>
+        <source>clip</source>
+        <translation>裁剪</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>在外</translation>
+    </message>
+    <message>
+        <source>tie</source>
+        <translation>平局</translation>
+    </message>
+    <message>
+        <source>depth fail</source>
+        <translation>深度未通过</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>第 %1 步，共 %2 步</translation>
+    </message>
+    <message>
+        <source>recording …</source>
+        <translation>正在记录 …</translation>
+    </message>
+    <message>
+        <source>truncated at %1 events: record less</source>
+        <translation>在 %1 个事件处截断：请缩小记录范围</translation>
+    </message>
+    <message>
+        <source>Press R or play to record every decision of this frame</source>
+        <translation>按 R 键或播放，记录这一帧的每个决定</translation>
+    </message>
+    <message>
+        <source>the cleared frame</source>
+        <translation>清空的帧</translation>
+    </message>
+    <message>
+        <source>whole frame</source>
+        <translation>整帧</translation>
+    </message>
+    <message>
+        <source>one face</source>
+        <translation>一个面</translation>
+    </message>
+    <message>
+        <source>rectangle</source>
+        <translation>矩形</translation>
+    </message>
+    <message>
+        <source>speed %1 ▾</source>
+        <translation>速度 %1 ▾</translation>
+    </message>
     <message>
         <source>inside</source>
         <translation>在内</translation>
