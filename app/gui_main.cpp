@@ -1,6 +1,8 @@
 #include "ui/cards.h"
 #include "ui/image_export.h"
 #include "ui/main_window.h"
+#include "ui/mistakes_section.h"
+#include "ui/pipeline_panel.h"
 #include "ui/step_mode.h"
 
 #include <QApplication>
@@ -37,6 +39,8 @@ struct Arguments {
     std::optional<rasterlens::ThemeKind> theme;
 };
 
+QStringList panelNames() { return rasterlens::Cards::names() + QStringList{QStringLiteral("mistakes")}; }
+
 struct ParsedArguments {
     std::optional<Arguments> arguments;
     int exitCode = kFine;
@@ -65,16 +69,16 @@ ParsedArguments parseArguments(const QStringList& words)
                                       QStringLiteral("en|zh"));
     const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("Colours of the window: light or dark."),
                                    QStringLiteral("light|dark"));
+    const QCommandLineOption panel(QStringLiteral("panel"),
+                                   QStringLiteral("Opens a panel: %1.").arg(panelNames().join(", ")),
+                                   QStringLiteral("name"));
+    const QCommandLineOption pixel(QStringLiteral("pixel"), QStringLiteral("Selects a pixel of the picture."),
+                                   QStringLiteral("x,y"));
     const QCommandLineOption step(
         QStringLiteral("step"),
         QStringLiteral("Opens the step mode at a position, or at the first tie, sign-change, depth-fail, clip or nan."),
         QStringLiteral("where"));
-    const QCommandLineOption panel(QStringLiteral("panel"),
-                                   QStringLiteral("Opens a panel: %1.").arg(rasterlens::Cards::names().join(", ")),
-                                   QStringLiteral("name"));
-    const QCommandLineOption pixel(QStringLiteral("pixel"), QStringLiteral("Selects a pixel of the picture."),
-                                   QStringLiteral("x,y"));
-    parser.addOptions({help, version, screenshot, windowSize, language, theme, step, panel, pixel});
+    parser.addOptions({help, version, screenshot, windowSize, language, theme, panel, pixel, step});
     parser.addPositionalArgument(QStringLiteral("scene"),
                                  QStringLiteral("An .obj, a .case, a session .json, builtin:NAME or stress:NAME."),
                                  QStringLiteral("[scene]"));
@@ -119,8 +123,8 @@ ParsedArguments parseArguments(const QStringList& words)
     }
     if (parser.isSet(panel)) {
         arguments.panel = parser.value(panel);
-        if (!rasterlens::Cards::names().contains(arguments.panel))
-            return refuse(QStringLiteral("--panel takes %1").arg(rasterlens::Cards::names().join(", ")));
+        if (!panelNames().contains(arguments.panel))
+            return refuse(QStringLiteral("--panel takes %1").arg(panelNames().join(", ")));
     }
     if (parser.isSet(pixel)) {
         const QStringList parts = parser.value(pixel).split(QLatin1Char(','));
@@ -132,6 +136,12 @@ ParsedArguments parseArguments(const QStringList& words)
         arguments.pixel = chosen;
     }
     return {arguments, kFine};
+}
+
+void openPanel(rasterlens::MainWindow& window, const QString& name)
+{
+    if (!window.cards().show(name))
+        window.pipelinePanel().mistakes().setOpen(true);
 }
 
 /// Renders the window as soon as all in it is computed.
@@ -200,7 +210,7 @@ int main(int argc, char** argv)
         if (arguments.pixel)
             window.viewport().selectPixel(arguments.pixel);
         if (!arguments.panel.isEmpty())
-            window.cards().show(arguments.panel);
+            openPanel(window, arguments.panel);
         if (forScreenshot)
             takeScreenshot(window, arguments.screenshot);
     });

@@ -14,6 +14,7 @@
 #include "ui/pipeline_panel.h"
 #include "ui/pixel_card.h"
 #include "ui/race_panel.h"
+#include "ui/step_mode.h"
 #include "ui/vertex_handles.h"
 #include "ui/vertex_panel.h"
 
@@ -106,6 +107,7 @@ private Q_SLOTS:
 
     void pixelCardEqualsWhy();
     void pixelCardFollowsTheSettings();
+    void pixelCardFollowsLanguageAndTheme();
     void pixelCardRowsAskForTheirStep();
     void pixelCardIsEmptyWithoutAPixel();
     void mistakesChangeSettingsAndPicture();
@@ -167,6 +169,19 @@ void TestCards::pixelCardFollowsTheSettings()
     QVERIFY(cards().pixelCard().report()->faces[0].verdict > WhyVerdict::LostTie);
 }
 
+void TestCards::pixelCardFollowsLanguageAndTheme()
+{
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    QVERIFY(select({3, 4}));
+    const QString english = cards().pixelCard().rows()[0].verdict;
+    m_window->setLook({ThemeKind::Dark, false});
+    m_window->setLanguage(LanguageKind::Chinese);
+    QVERIFY(QTest::qWaitFor([&] { return cards().pixelCard().rows()[0].verdict != english; }, kPatienceMs));
+    m_window->setLook({ThemeKind::Light, false});
+    m_window->setLanguage(LanguageKind::English);
+    QVERIFY(QTest::qWaitFor([&] { return cards().pixelCard().rows()[0].verdict == english; }, kPatienceMs));
+}
+
 void TestCards::pixelCardRowsAskForTheirStep()
 {
     QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
@@ -178,6 +193,13 @@ void TestCards::pixelCardRowsAskForTheirStep()
     QCOMPARE(asked.size(), 1);
     QCOMPARE(asked[0][0].toUInt(), cards().pixelCard().rows()[1].face);
     QCOMPARE(asked[0][1].toPoint(), QPoint(3, 4));
+    QVERIFY(settle());
+    const StepSession& session = m_window->stepMode().session();
+    QVERIFY(session.isOpen());
+    QVERIFY(session.event());
+    QCOMPARE(session.event()->face, cards().pixelCard().rows()[1].face);
+    QCOMPARE(session.event()->kind, StepKind::Sample);
+    QCOMPARE(QPoint(session.event()->x, session.event()->y), QPoint(3, 4));
 }
 
 void TestCards::pixelCardIsEmptyWithoutAPixel()
@@ -487,6 +509,7 @@ void TestCards::panelsAreHiddenAtFirstAndInTheMenu()
     }
     m_window->resetLayout();
     QVERIFY(!m_window->findChild<QDockWidget*>(QStringLiteral("raceDock"))->isVisible());
+    QVERIFY(m_window->findChild<QDockWidget*>(QStringLiteral("whyDock"))->isVisible());
 }
 
 QTEST_MAIN(TestCards)

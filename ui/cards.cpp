@@ -82,14 +82,16 @@ Dock* Cards::addDock(const QString& name, QWidget* panel)
     return dock;
 }
 
-void Cards::place(Dock* neighbour)
+void Cards::place(Dock* neighbour, QDockWidget* bottom)
 {
     m_window.addDockWidget(Qt::RightDockWidgetArea, m_whyDock);
     m_window.splitDockWidget(m_whyDock, neighbour, Qt::Vertical);
     Dock* former = nullptr;
     for (Dock* dock : {m_vertexDock, m_clipDock, m_curvesDock, m_raceDock}) {
         m_window.addDockWidget(Qt::BottomDockWidgetArea, dock);
-        if (former)
+        if (!former)
+            m_window.splitDockWidget(dock, bottom, Qt::Vertical);
+        else
             m_window.tabifyDockWidget(former, dock);
         former = dock;
         dock->hide();

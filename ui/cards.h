@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+class QDockWidget;
 class QMainWindow;
 class QToolButton;
 
@@ -34,8 +35,8 @@ public:
     Cards(Document& document, ViewportWidget& viewport, QMainWindow& window);
     ~Cards() override;
 
-    /// The pixel card goes above `neighbour`, the others are tabs at the bottom, hidden.
-    void place(Dock* neighbour);
+    /// The pixel card goes above `neighbour`, the others are tabs above `bottom`, hidden.
+    void place(Dock* neighbour, QDockWidget* bottom);
     [[nodiscard]] const std::vector<Dock*>& docks() const { return m_docks; }
     /// Opens a panel by the short name of the command line: `why`, `vertices`, `clip`, `curves`, `race`.
     bool show(const QString& name);

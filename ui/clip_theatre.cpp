@@ -1,6 +1,5 @@
 #include "ui/clip_theatre.h"
 
-#include "core/observe/step_text.h"
 #include "ui/field_row.h"
 #include "ui/inks.h"
 #include "ui/theme.h"
@@ -23,6 +22,7 @@ namespace
 {
 
 constexpr double kCornerRadius = 3.5;
+constexpr double kFarthestNdc = 100; ///< what lies farther off the screen is left out of the picture
 constexpr unsigned kSideBits[] = {kRegionAbove, kRegionBelow, kRegionRight, kRegionLeft};
 
 QString bitsOf(unsigned region)
@@ -45,6 +45,12 @@ QString planeFormula(ClipPlane plane)
     case ClipPlane::Far: return QStringLiteral("far");
     }
     return {};
+}
+
+QString brief(double value)
+{
+    constexpr int kDigits = 4;
+    return QString::number(value, 'g', kDigits).replace(QLatin1Char('-'), QChar(0x2212));
 }
 
 /// Corners of the face keep their letters A, B, C; new ones are P1, P2.. in the order of their making.
@@ -178,15 +184,18 @@ private:
         const double reach = std::min((m_area.right() - place({0, 0}).x()), place({0, 0}).y() - m_area.top()) / m_scale;
         const double label = std::max(0.2, reach * 0.82);
         painter.drawText(place({label, label}) + QPointF(6, 10), name + QStringLiteral(" = w"));
-        painter.drawText(place({-label, label}) + QPointF(-58, 10), name + QStringLiteral(" = \u2212w"));
+        const QPointF mirrored = place({-label, label}) + QPointF(-58, 10);
+        painter.drawText(QPointF(std::max(mirrored.x(), m_area.left() + 3), mirrored.y()),
+                         name + QStringLiteral(" = \u2212w"));
         paintPolygons(painter);
     }
 
     void paintScreen(QPainter& painter)
     {
-        frame(QRectF(-1, -1, 2, 2));
-        const QRectF screen(place({-1, 1}), place({1, -1}));
         const bool regions = m_theatre.m_story && m_theatre.m_story->mode == Clipping::CohenSutherland;
+        constexpr double kBeyond = 1.6; // of the outer regions, too, something is to be seen
+        frame(regions ? QRectF(-kBeyond, -kBeyond, 2 * kBeyond, 2 * kBeyond) : QRectF(-1, -1, 2, 2));
+        const QRectF screen(place({-1, 1}), place({1, -1}));
         QColor inside = m_inks.plus;
         inside.setAlpha(28);
         painter.setBrush(inside);
@@ -251,7 +260,7 @@ private:
         std::vector<ClipVertex> gone;
         for (const ClipVertex& corner : m_theatre.before())
             if (std::ranges::find(left, corner.positionClip, &ClipVertex::positionClip) == left.end() &&
-                (m_view == View::ClipSpace || corner.positionClip.w > 0))
+                (m_view == View::ClipSpace || corner.positionClip.w > 0) && std::abs(flat(corner).x()) < kFarthestNdc)
                 gone.push_back(corner);
         return gone;
     }
@@ -260,9 +269,10 @@ private:
     {
         QPolygonF outline;
         for (const ClipVertex& corner : polygon) {
-            if (m_view == View::Screen && corner.positionClip.w <= 0)
-                return; // has no place on the screen
-            outline << place(flat(corner));
+            const QPointF at = flat(corner);
+            if (m_view == View::Screen && (corner.positionClip.w <= 0 || std::hypot(at.x(), at.y()) > kFarthestNdc))
+                return; // has no place on the screen, or none worth drawing to
+            outline << place(at);
         }
         painter.drawPolygon(outline);
     }
@@ -277,6 +287,8 @@ private:
         const QFontMetricsF metrics(painter.font());
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             const QPointF at = place(flat(polygon[i]));
+            if (!m_area.adjusted(-kCornerRadius, -kCornerRadius, kCornerRadius, kCornerRadius).contains(at))
+                continue;
             painter.setBrush(palette().color(QPalette::Base));
             painter.setPen(QPen(ink, 1.5));
             painter.drawEllipse(at, kCornerRadius, kCornerRadius);
@@ -431,7 +443,7 @@ QStringList ClipTheatre::cuts() const
             const glm::dvec4& p = m_story->corners[i].positionClip;
             lines << QStringLiteral("%1  %2, %3, %4, w %5")
                          .arg(QLatin1Char(static_cast<char>('A' + static_cast<char>(i))))
-                         .arg(shortNumber(p.x), shortNumber(p.y), shortNumber(p.z), shortNumber(p.w));
+                         .arg(brief(p.x), brief(p.y), brief(p.z), brief(p.w));
         }
         return lines;
     }
@@ -452,8 +464,7 @@ QStringList ClipTheatre::cuts() const
                            .arg(name(cut.inside), name(cut.outside), QString::number(cut.t, 'f', 4));
         if (cut.corner >= 0) {
             const glm::dvec4& p = step.after[static_cast<std::size_t>(cut.corner)].positionClip;
-            line += QStringLiteral("\n    (%1, %2, %3, %4)")
-                        .arg(shortNumber(p.x), shortNumber(p.y), shortNumber(p.z), shortNumber(p.w));
+            line += QStringLiteral("\n    (%1, %2, %3, %4)").arg(brief(p.x), brief(p.y), brief(p.z), brief(p.w));
         }
         lines << line;
     }

@@ -117,7 +117,7 @@ void MainWindow::buildLayout()
     addDockWidget(Qt::RightDockWidgetArea, m_statisticsDock);
     m_cards = new Cards(m_document, *m_viewport, *this);
     m_cards->setParent(this);
-    m_cards->place(m_statisticsDock);
+    m_cards->place(m_statisticsDock, &m_stepMode->transport());
     sizeDocks();
     setContentsMargins(kCardGap, 0, kCardGap, 0);
 }
@@ -253,6 +253,7 @@ void MainWindow::connectParts()
     connect(m_copyJson, &QToolButton::clicked, this,
             [this] { QGuiApplication::clipboard()->setText(m_statisticsPanel->asJson()); });
 
+    connect(m_cards, &Cards::stepRequested, m_stepMode.get(), &StepMode::showFace);
     connect(m_stepMode.get(), &StepMode::frameChanged, this, &MainWindow::showFrame);
     connect(m_stepMode.get(), &StepMode::message, m_message,
             [this](const QString& text) { m_message->show(MessageKind::Info, text); });

@@ -115,6 +115,12 @@ void MistakesSection::makeRows()
         auto* title = new QLabel;
         title->setWordWrap(true);
         title->setBuddy(box);
+        QSizePolicy narrow(QSizePolicy::Ignored, QSizePolicy::Preferred);
+        narrow.setHeightForWidth(true);
+        title->setSizePolicy(narrow);
+        constexpr QMargins kToTheBox(0, 2, 0, 0);
+        title->setContentsMargins(kToTheBox);
+        number->setContentsMargins(kToTheBox);
         auto* show = new QToolButton;
         show->setObjectName(QStringLiteral("link"));
         show->setCursor(Qt::PointingHandCursor);

@@ -1,6 +1,7 @@
 #include "ui/pixel_card.h"
 
 #include "core/observe/step_text.h"
+#include "ui/clip_theatre.h"
 #include "ui/inks.h"
 #include "ui/theme.h"
 
@@ -60,7 +61,14 @@ QString compareSign(const WhyReport& report)
     return {};
 }
 
-QString planesWords(std::uint32_t planes) { return planes == 0 ? PixelCard::tr("no plane") : planesText(planes); }
+QString planesWords(std::uint32_t planes)
+{
+    QStringList names;
+    for (int i = 0; i < kClipPlanes; ++i)
+        if ((planes & 1U << i) != 0)
+            names << clipPlaneSign(static_cast<ClipPlane>(i));
+    return names.isEmpty() ? PixelCard::tr("no plane") : names.join(QStringLiteral(", "));
+}
 
 QString verdictWords(const WhyReport& report, const WhyFace& face)
 {
@@ -215,6 +223,9 @@ PixelCard::PixelCard(QWidget* parent) : QWidget(parent)
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setFocusPolicy(Qt::NoFocus);
     column->addWidget(m_scroll);
+    m_rebuildSoon.setSingleShot(true);
+    m_rebuildSoon.setInterval(0);
+    connect(&m_rebuildSoon, &QTimer::timeout, this, &PixelCard::rebuild);
     rebuild();
 }
 
@@ -328,7 +339,7 @@ void PixelCard::rebuild()
 void PixelCard::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
-        rebuild();
+        m_rebuildSoon.start(); // not now: the application goes through all widgets
     QWidget::changeEvent(event);
 }
 

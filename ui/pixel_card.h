@@ -2,6 +2,7 @@
 #include "core/observe/why.h"
 
 #include <QPoint>
+#include <QTimer>
 #include <QWidget>
 
 #include <memory>
@@ -58,6 +59,7 @@ private:
     std::shared_ptr<const WhyReport> m_report;
     std::vector<WhyWords> m_rows;
     QScrollArea* m_scroll = nullptr;
+    QTimer m_rebuildSoon;
 };
 
 } // namespace rasterlens

@@ -37,6 +37,8 @@ public:
     ///
     /// in  isPlace()
     void showStep(const QString& where);
+    /// Likewise to the first event of a face at a pixel.
+    void showFace(quint32 face, QPoint pixel);
     /// A number, `tie`, `sign-change`, `depth-fail`, `clip` or `nan`.
     [[nodiscard]] static bool isPlace(const QString& where);
     /// Nothing is being recorded.
@@ -67,6 +69,8 @@ private:
     StepListing* m_listing = nullptr;
     QMainWindow& m_window;
     QString m_wanted; ///< where to go when the record is there
+    /// Likewise.
+    std::optional<std::pair<quint32, QPoint>> m_wantedFace;
 };
 
 } // namespace rasterlens

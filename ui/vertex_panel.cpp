@@ -14,6 +14,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -27,7 +28,7 @@ QString tuple(std::initializer_list<double> values)
     QStringList parts;
     for (const double value : values)
         parts << shortNumber(value);
-    return parts.join(QStringLiteral(",  ")).replace(QLatin1Char('-'), QChar(0x2212));
+    return parts.join(QStringLiteral(", ")).replace(QLatin1Char('-'), QChar(0x2212));
 }
 
 /// Bits in the order above, below, right, left: the way the figure of the nine regions writes them.
@@ -91,7 +92,10 @@ QString VertexTableModel::cell(int row, const VertexRow& corner) const
     case ClipSpace: return tuple({corner.clip.x, corner.clip.y, corner.clip.z, corner.clip.w});
     case NdcSpace: return tuple({corner.ndc.x, corner.ndc.y, corner.ndc.z});
     case ScreenSpace: return tuple({corner.screen.x, corner.screen.y});
-    case SnappedSpace: return QStringLiteral("%1,  %2").arg(fullNumber(corner.snapped.x), fullNumber(corner.snapped.y));
+    case SnappedSpace:
+        return QStringLiteral("%1, %2")
+            .arg(fullNumber(corner.snapped.x), fullNumber(corner.snapped.y))
+            .replace(QLatin1Char('-'), QChar(0x2212));
     case DepthValue: return shortNumber(corner.depth);
     case OutsideOf: return corner.outside == 0 ? tr("inside") : planesText(corner.outside);
     case ScreenRegion: return regionText(corner.screenRegion);
@@ -118,6 +122,8 @@ QVariant VertexTableModel::data(const QModelIndex& index, int role) const
 
 QVariant VertexTableModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
+    if (role == Qt::ToolTipRole && orientation == Qt::Vertical && section == ScreenRegion)
+        return tr("One bit each: above, below, right, left of the screen");
     if (role != Qt::DisplayRole)
         return {};
     if (orientation == Qt::Horizontal)
@@ -135,7 +141,7 @@ QVariant VertexTableModel::headerData(int section, Qt::Orientation orientation, 
     case SnappedSpace: return tr("snapped  pixels");
     case DepthValue: return tr("depth  0..1");
     case OutsideOf: return tr("outside of");
-    case ScreenRegion: return tr("outcode  above, below, right, left");
+    case ScreenRegion: return tr("outcode");
     default: return {};
     }
 }
@@ -205,8 +211,11 @@ void VertexPanel::refresh()
     m_model->refresh();
     m_table->setRowHidden(VertexTableModel::ViewSpace, m_document.scene()->space == SceneSpace::Clip);
     constexpr int kRoom = 4;
+    constexpr int kFullHeight = 250; ///< at the usual size of type all rows are in sight
     m_table->verticalHeader()->setMinimumSectionSize(fontMetrics().height() + kRoom);
     m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + kRoom);
+    const int all = m_table->verticalHeader()->length() + m_table->horizontalHeader()->sizeHint().height() + kRoom;
+    m_table->setMinimumHeight(std::min(all, kFullHeight));
     m_hint->setText(isEditable(*m_document.scene())
                         ? tr("Type over the blue numbers, or drag the corners on the canvas. Undo takes it back; the "
                              "scene's file stays as it is.")
