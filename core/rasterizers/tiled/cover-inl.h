@@ -187,11 +187,17 @@ HWY_INLINE void CoverBlock(const TriangleLanes& t, const BlockCorner& corner, co
     }
 }
 
-/// Writes the keys and ids of a block that one triangle has to itself.
+/// Writes the keys and ids of a block that nobody or one triangle has to itself.
 inline void WriteOwnedBlock(std::size_t block, TileOrigin origin, Worker& worker)
 {
     TileSamples& samples = worker.samples;
     const std::uint32_t number = samples.owner[block];
+    samples.owner[block] = kNobody;
+    if (number == kEmpty) {
+        std::fill_n(samples.key.begin() + std::ptrdiff_t(block) * kLanes, kLanes, samples.clearKey);
+        std::fill_n(samples.ids.begin() + std::ptrdiff_t(block) * kLanes, kLanes, kNobody);
+        return;
+    }
     const TileTriangle& t = worker.triangle(number);
     const int x = origin.x + blockColumn(static_cast<int>(block)) * kBlockSide;
     const int y = origin.y + blockRow(static_cast<int>(block)) * kBlockSide;
@@ -202,7 +208,6 @@ inline void WriteOwnedBlock(std::size_t block, TileOrigin origin, Worker& worker
         hn::Store(KeyOf(Add(offsets, corner)), IntTag(), samples.key.data() + at);
         hn::Store(hn::Set(UintTag(), number), UintTag(), samples.ids.data() + at);
     }
-    samples.owner[block] = kNobody;
 }
 
 inline void WriteOwnedBlocks(TileOrigin origin, Worker& worker)
@@ -438,20 +443,21 @@ inline void CoverTile(const FrameJob& job, Worker& worker, TileOrigin origin)
     const Rules& rules = job.rules;
     TileSamples& samples = worker.samples;
     const std::int32_t clear = std::bit_cast<std::int32_t>(rules.depthClear) ^ depthFlip(rules.depthCompare);
-    samples.key.fill(clear);
-    samples.ids.fill(kNobody);
+    samples.clearKey = clear;
     samples.farthest.fill(clear);
     samples.nearest.fill(clear);
-    samples.owner.fill(kNobody);
+    samples.owner.fill(kEmpty);
     HideOffTarget(job, origin, samples);
     if (job.countsCoverage())
         samples.coverage.fill(0);
     const bool usual = rules.depthTested && rules.depthCompare == DepthCompare::Less &&
                        rules.depthFormat == DepthFormat::Float32 && !job.countsCoverage();
-    if (usual)
+    if (usual) {
         CoverTileWith<UsualDepth>(job, worker, origin);
-    else
+    } else {
+        WriteOwnedBlocks(origin, worker);
         CoverTileWith<AnyDepth>(job, worker, origin);
+    }
     if (job.depth != nullptr || job.ids != nullptr || rules.shading == Shading::Depth)
         WriteOwnedBlocks(origin, worker);
 }

@@ -3,7 +3,8 @@
 #include "core/rasterizers/tiled/tile_data.h"
 #include "core/render.h"
 
-#include <optional>
+#include <array>
+#include <span>
 
 namespace rasterlens::tiled
 {
@@ -63,7 +64,12 @@ struct Worker {
     std::vector<TileBlock> blocks;        ///< of the tile, in the order of the faces
     std::vector<std::uint32_t> visibleOf; ///< of a triangle of the tile
     std::vector<VisibleTriangle> visible;
-    std::vector<BlockShare> shares;
+    std::array<BlockShare, kTileSamples> shares; ///< as many as can be
+    std::size_t shareCount = 0;
+    bool full = false; ///< every sample of the tile that is on the target has been won
+
+    [[nodiscard]] std::span<const BlockShare> sharesInUse() const { return {shares.data(), shareCount}; }
+
     Statistics::Pixels pixels;
 
     /// Triangles of a tile are numbered block by block.

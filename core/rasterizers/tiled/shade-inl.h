@@ -61,45 +61,54 @@ HWY_INLINE std::uint32_t VisiblePlace(const FrameJob& job, std::uint32_t number,
 inline void CollectShares(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
     worker.visible.clear();
-    worker.shares.clear();
     worker.visibleOf.assign(worker.blocks.size() * BinBlock::kCapacity, kNobody);
+    worker.full = true;
     const bool whole = origin.x + kTileSide <= job.rules.columns() && origin.y + kTileSide <= job.rules.rows() &&
                        job.grid.pitch == kTileSide;
+    std::uint32_t lastNumber = kNobody; // neighbours tend to belong to the same triangle
+    std::uint32_t lastPlace = 0;
+    BlockShare* out = worker.shares.data();
     for (int block = 0; block < kTileBlocks; ++block) {
         std::uint32_t remaining = whole ? 0xffff : LanesOnTarget(job, origin, block);
-        const auto add = [&](std::uint32_t number, std::uint32_t lanes) HWY_ATTR {
-            worker.shares.push_back({static_cast<std::uint16_t>(block), static_cast<std::uint16_t>(lanes),
-                                     VisiblePlace(job, number, worker)});
-        };
-        if (const std::uint32_t owner = worker.samples.owner[static_cast<std::size_t>(block)]; owner != kNobody) {
-            if (remaining != 0)
-                add(owner, remaining);
+        const std::uint32_t* ids = worker.samples.ids.data() + std::size_t(block) * kLanes;
+        const std::uint32_t owner = worker.samples.owner[static_cast<std::size_t>(block)];
+        if (owner == kEmpty) {
+            worker.full = false;
             continue;
         }
-        const std::uint32_t* ids = worker.samples.ids.data() + std::size_t(block) * kLanes;
         while (remaining != 0) {
-            const std::uint32_t number = ids[std::countr_zero(remaining)];
-            const std::uint32_t lanes = LanesWith(ids, number) & remaining;
+            const std::uint32_t number = owner != kNobody ? owner : ids[std::countr_zero(remaining)];
+            const std::uint32_t lanes = owner != kNobody ? remaining : LanesWith(ids, number) & remaining;
             remaining &= ~lanes;
-            if (number != kNobody)
-                add(number, lanes);
+            if (number == kNobody) {
+                worker.full = false;
+                continue;
+            }
+            if (number != lastNumber) {
+                lastNumber = number;
+                lastPlace = VisiblePlace(job, number, worker);
+            }
+            *out++ = {static_cast<std::uint16_t>(block), static_cast<std::uint16_t>(lanes), lastPlace};
         }
     }
+    worker.shareCount = static_cast<std::size_t>(out - worker.shares.data());
 }
 
-/// Colours of 0 to 255, held within that and rounded.
+/// Colours of 0 to 255, held within that and rounded, from bit 8 on: above 2^15 a float counts in 256ths.
 HWY_INLINE Ints ChannelOf(Floats c)
 {
     constexpr FloatTag tag;
     const Floats held = hn::Min(hn::Max(c, hn::Zero(tag)), hn::Set(tag, 255.0F));
-    return hn::ConvertTo(IntTag(), hn::Add(held, hn::Set(tag, 0.5F)));
+    return hn::BitCast(IntTag(), hn::Add(held, hn::Set(tag, 32768.5F)));
 }
 
 HWY_INLINE Uints PackChannels(Floats red, Floats green, Floats blue)
 {
     constexpr IntTag tag;
-    const Ints packed = hn::Or(hn::Or(hn::ShiftLeft<16>(ChannelOf(red)), hn::ShiftLeft<8>(ChannelOf(green))),
-                               hn::Or(ChannelOf(blue), hn::Set(tag, static_cast<std::int32_t>(0xff000000U))));
+    const Ints r = hn::And(hn::ShiftLeft<8>(ChannelOf(red)), hn::Set(tag, 0xff0000));
+    const Ints g = hn::And(ChannelOf(green), hn::Set(tag, 0xff00));
+    const Ints b = hn::And(hn::ShiftRight<8>(ChannelOf(blue)), hn::Set(tag, 0xff));
+    const Ints packed = hn::Or(hn::Or3(r, g, b), hn::Set(tag, static_cast<std::int32_t>(0xff000000U)));
     return hn::BitCast(UintTag(), packed);
 }
 
@@ -153,7 +162,7 @@ inline void ShadeInterpolated(const FrameJob& job, Worker& worker, TileOrigin or
 {
     std::uint32_t spread = kNobody; // whose offsets these are: large triangles have many blocks in sequence
     PlaneOffsets offsets;
-    for (const BlockShare& share : worker.shares) {
+    for (const BlockShare& share : worker.sharesInUse()) {
         const ColorPlanes& planes = *worker.visible[share.visible].planes;
         if (planes.exact) {
             shadeExactly(job, worker.visible[share.visible], share, origin, worker.samples);
@@ -172,7 +181,7 @@ inline void ShadeUniform(const FrameJob& job, Worker& worker)
 {
     for (VisibleTriangle& visible : worker.visible)
         visible.color = faceUniforms(*job.scene, faceOf(*visible.chunk, visible.source), job.rules.shading).color;
-    for (const BlockShare& share : worker.shares)
+    for (const BlockShare& share : worker.sharesInUse())
         for (std::size_t v = 0; v < kVectors; ++v)
             BlendColor(hn::Set(UintTag(), worker.visible[share.visible].color), share, v, worker.samples);
 }
@@ -182,7 +191,7 @@ inline void ShadeDepth(const FrameJob& job, Worker& worker)
     constexpr IntTag tag;
     constexpr FloatTag floatTag;
     const Ints flip = hn::Set(tag, depthFlip(job.rules.depthCompare));
-    for (const BlockShare& share : worker.shares)
+    for (const BlockShare& share : worker.sharesInUse())
         for (std::size_t v = 0; v < kVectors; ++v) {
             const std::int32_t* key = worker.samples.key.data() + std::size_t(share.block) * kLanes + v * kPerVector;
             const Floats depth =
@@ -201,11 +210,12 @@ inline void ShadeTile(const FrameJob& job, Worker& worker, TileOrigin origin)
     }
     CollectShares(job, worker, origin);
     if (job.counting)
-        for (const BlockShare& share : worker.shares)
+        for (const BlockShare& share : worker.sharesInUse())
             worker.pixels.shaded += static_cast<unsigned>(std::popcount(share.lanes));
     if (job.rules.shading == Shading::Overdraw)
         return;
-    worker.samples.color.fill(job.clearColor);
+    if (!worker.full)
+        worker.samples.color.fill(job.clearColor);
     switch (job.rules.shading) {
     case Shading::Gouraud: ShadeInterpolated(job, worker, origin); break;
     case Shading::Depth: ShadeDepth(job, worker); break;
@@ -213,7 +223,7 @@ inline void ShadeTile(const FrameJob& job, Worker& worker, TileOrigin origin)
     case Shading::RandomFlat:
     case Shading::TriangleId: ShadeUniform(job, worker); break;
     default:
-        for (const BlockShare& share : worker.shares)
+        for (const BlockShare& share : worker.sharesInUse())
             shadeExactly(job, worker.visible[share.visible], share, origin, worker.samples);
     }
 }

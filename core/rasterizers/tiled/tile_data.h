@@ -84,6 +84,7 @@ struct Piece {
 };
 
 constexpr std::uint32_t kNobody = 0xffffffffU;
+constexpr std::uint32_t kEmpty = 0xfffffffeU;
 
 /// A tile's part of the faces of a chunk, in their order, is a list of these.
 struct BinBlock {
@@ -176,8 +177,10 @@ struct alignas(64) TileSamples {
     std::array<std::uint16_t, kTileSamples> coverage; ///< only if asked for
     std::array<std::int32_t, kTileBlocks> farthest;   ///< a key no sample of the block is farther than
     std::array<std::int32_t, kTileBlocks> nearest;    ///< a key no sample of the block is nearer than
-    std::array<std::uint32_t, kTileBlocks> owner; ///< number of the triangle that has the whole block, whose keys and
-                                                  ///< ids are then not written yet; or kNobody
+    /// Number of the triangle that has the whole block, or kEmpty: its keys and ids are then not written yet. Or
+    /// kNobody.
+    std::array<std::uint32_t, kTileBlocks> owner;
+    std::int32_t clearKey; ///< last: the arrays stay aligned
 };
 
 /// A picture cut into tiles.

@@ -30,35 +30,51 @@ std::size_t pixelIndex(const FrameJob& job, int x, int y)
     return std::size_t(y) * std::size_t(job.rules.width) + std::size_t(x);
 }
 
-/// With one sample a pixel: rows of four samples, block by block.
-void copyColor(const FrameJob& job, const TileSamples& samples, const PixelBox& box)
+/// With one sample a pixel: the four rows of four blocks side by side, which are 16 pixels each.
+void copySubtileRow(const std::uint32_t* blocks, std::uint32_t* out, std::size_t stride)
 {
-    for (int y = box.y0; y < box.y1; ++y) {
-        std::uint32_t* out = job.color + pixelIndex(job, box.x0, y);
-        int x = 0;
-        const int width = box.x1 - box.x0;
-        for (; x + kBlockSide <= width; x += kBlockSide)
-            std::memcpy(out + x, &samples.color[std::size_t(sampleIndex(x, y - box.y0))], kBlockSide * sizeof *out);
-        for (; x < width; ++x)
-            out[x] = samples.color[std::size_t(sampleIndex(x, y - box.y0))];
-    }
+    for (std::size_t y = 0; y < kBlockSide; ++y)
+        for (std::size_t block = 0; block < 4; ++block)
+            std::memcpy(out + y * stride + block * kBlockSide, blocks + block * kLanes + y * kBlockSide,
+                        kBlockSide * sizeof *out);
 }
 
-/// The mean of a pixel's samples, channel by channel, rounded to nearest.
-std::uint32_t meanColor(const TileSamples& samples, int x, int y, int grid)
+void copyColor(const FrameJob& job, const TileSamples& samples, const PixelBox& box)
 {
-    const auto count = static_cast<std::uint32_t>(grid * grid);
-    std::uint32_t red = count / 2;
-    std::uint32_t green = red;
-    std::uint32_t blue = red;
-    for (int j = 0; j < grid; ++j)
-        for (int i = 0; i < grid; ++i) {
-            const std::uint32_t c = samples.color[std::size_t(sampleIndex(x + i, y + j))];
-            red += c >> 16 & 255U;
-            green += c >> 8 & 255U;
-            blue += c & 255U;
+    const int width = box.x1 - box.x0;
+    const int height = box.y1 - box.y0;
+    const auto stride = static_cast<std::size_t>(job.rules.width);
+    for (int y = 0; y < height; y += kBlockSide)
+        for (int x = 0; x < width; x += 4 * kBlockSide) {
+            std::uint32_t* out = job.color + pixelIndex(job, box.x0 + x, box.y0 + y);
+            if (x + 4 * kBlockSide <= width && y + kBlockSide <= height) {
+                copySubtileRow(&samples.color[std::size_t(sampleIndex(x, y))], out, stride);
+                continue;
+            }
+            for (int j = 0; j < std::min(kBlockSide, height - y); ++j)
+                for (int i = 0; i < std::min(4 * kBlockSide, width - x); ++i)
+                    out[std::size_t(j) * stride + std::size_t(i)] =
+                        samples.color[std::size_t(sampleIndex(x + i, y + j))];
         }
-    return 0xff000000U | red / count << 16 | green / count << 8 | blue / count;
+}
+
+/// The mean of a pixel's samples, channel by channel, rounded to nearest; (x, y) is the first of them.
+template <int kGrid>
+std::uint32_t meanColor(const TileSamples& samples, int x, int y)
+{
+    constexpr std::uint32_t kCount = kGrid * kGrid;
+    std::uint32_t redBlue = kCount / 2 * 0x10001; // two sums in one number
+    std::uint32_t green = kCount / 2;
+    const int first = sampleIndex(x, y);
+    for (int j = 0; j < kGrid; ++j)
+        for (int i = 0; i < kGrid; ++i) {
+            // 2 x 2 and 4 x 4 samples lie in one block.
+            const int at = kGrid == 3 ? sampleIndex(x + i, y + j) : first + j * kBlockSide + i;
+            const std::uint32_t c = samples.color[static_cast<std::size_t>(at)];
+            redBlue += c & 0xff00ffU;
+            green += c >> 8 & 0xffU;
+        }
+    return 0xff000000U | (redBlue >> 16) / kCount << 16 | green / kCount << 8 | (redBlue & 0xffffU) / kCount;
 }
 
 template <class Write>
@@ -67,6 +83,14 @@ void forEachPixel(const PixelBox& box, Write&& write)
     for (int y = box.y0; y < box.y1; ++y)
         for (int x = box.x0; x < box.x1; ++x)
             write(x, y);
+}
+
+template <int kGrid>
+void averageColor(const FrameJob& job, const TileSamples& samples, const PixelBox& box, TileOrigin origin)
+{
+    forEachPixel(box, [&](int x, int y) {
+        job.color[pixelIndex(job, x, y)] = meanColor<kGrid>(samples, x * kGrid - origin.x, y * kGrid - origin.y);
+    });
 }
 
 } // namespace
@@ -78,10 +102,12 @@ void writeTile(const FrameJob& job, const Worker& worker, TileOrigin origin)
     const int grid = job.rules.sampleGrid;
     if (grid == 1)
         copyColor(job, samples, box);
+    else if (grid == 2)
+        averageColor<2>(job, samples, box, origin);
+    else if (grid == 3)
+        averageColor<3>(job, samples, box, origin);
     else
-        forEachPixel(box, [&](int x, int y) {
-            job.color[pixelIndex(job, x, y)] = meanColor(samples, x * grid - origin.x, y * grid - origin.y, grid);
-        });
+        averageColor<4>(job, samples, box, origin);
     // The sample nearest the pixel's centre.
     const auto at = [&](int x, int y) {
         return std::size_t(sampleIndex(x * grid + grid / 2 - origin.x, y * grid + grid / 2 - origin.y));
