@@ -1,4 +1,5 @@
-<?xml version='1.0' encoding='utf-8'?>
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
     <name>Applicability</name>
@@ -202,7 +203,7 @@
         <translation>互相穿插的两个三角形</translation>
     </message>
     <message>
-        <source>Each is in front in one half. The painter's algorithm shows one of them whole.</source>
+        <source>Each is in front in one half. The painter&apos;s algorithm shows one of them whole.</source>
         <translation>每个三角形各有一半在前面。画家算法会把其中一个完整地显示出来。</translation>
     </message>
     <message>
@@ -427,7 +428,7 @@
         <translation>这样像素就不会被画两次。</translation>
     </message>
     <message>
-        <source>Top-left bias with "all positive or all negative"</source>
+        <source>Top-left bias with &quot;all positive or all negative&quot;</source>
         <translation>左上规则偏移加上“全正或全负”</translation>
     </message>
     <message>
@@ -459,7 +460,7 @@
         <translation>整数里 1 是最小的一步；浮点里它是一整个像素。</translation>
     </message>
     <message>
-        <source>Sampled at the pixel's corner</source>
+        <source>Sampled at the pixel&apos;s corner</source>
         <translation>在像素角上采样</translation>
     </message>
     <message>
@@ -527,7 +528,7 @@
         <translation>两个重心坐标权重互换</translation>
     </message>
     <message>
-        <source>Two corners have each other's colour.</source>
+        <source>Two corners have each other&apos;s colour.</source>
         <translation>两个顶点的颜色互换了。</translation>
     </message>
     <message>
@@ -539,7 +540,7 @@
         <translation>为了翻转三角形交换了 B 和 C，却只交换了它们。</translation>
     </message>
     <message>
-        <source>The interpolated position overwrites the pixel's</source>
+        <source>The interpolated position overwrites the pixel&apos;s</source>
         <translation>插值得到的位置覆盖了像素位置</translation>
     </message>
     <message>
@@ -1330,7 +1331,7 @@
         <translation>深度缓冲</translation>
     </message>
     <message>
-        <source>Painter's algorithm</source>
+        <source>Painter&apos;s algorithm</source>
         <translation>画家算法</translation>
     </message>
     <message>
@@ -1458,7 +1459,7 @@
         <translation>反向 z</translation>
     </message>
     <message>
-        <source>The near plane maps to 1 and the far plane to 0, which spends float's precision where it is needed.</source>
+        <source>The near plane maps to 1 and the far plane to 0, which spends float&apos;s precision where it is needed.</source>
         <translation>近平面映射到 1，远平面映射到 0，把浮点精度用在需要的地方。</translation>
     </message>
     <message>
@@ -1785,7 +1786,7 @@
         <translation>整帧</translation>
     </message>
     <message>
-        <source>Frames per second: counted while frames keep coming, else what the last frame's time allows.</source>
+        <source>Frames per second: counted while frames keep coming, else what the last frame&apos;s time allows.</source>
         <translation>每秒帧数：连续出帧时为实际计数，否则按上一帧的用时推算。</translation>
     </message>
     <message>
@@ -2068,20 +2069,20 @@
         <translation>仿射</translation>
     </message>
     <message>
-        <source>z' = n + f − nf / z</source>
-        <translation>z' = n + f − nf / z</translation>
+        <source>z&apos; = n + f − nf / z</source>
+        <translation>z&apos; = n + f − nf / z</translation>
     </message>
     <message>
         <source>z, distance</source>
         <translation>z，距离</translation>
     </message>
     <message>
-        <source>z'</source>
-        <translation>z'</translation>
+        <source>z&apos;</source>
+        <translation>z&apos;</translation>
     </message>
     <message>
-        <source>z' = z</source>
-        <translation>z' = z</translation>
+        <source>z&apos; = z</source>
+        <translation>z&apos; = z</translation>
     </message>
     <message>
         <source>Four-z board</source>
@@ -2108,7 +2109,7 @@
         <translation>  误差</translation>
     </message>
     <message>
-        <source>"corrected"</source>
+        <source>&quot;corrected&quot;</source>
         <translation>“校正”</translation>
     </message>
     <message>
@@ -2197,7 +2198,7 @@
         <translation>深度 %1</translation>
     </message>
     <message>
-        <source>"%1" is no pixel of the picture. Write x, y with 0 to %2 and 0 to %3.</source>
+        <source>&quot;%1&quot; is no pixel of the picture. Write x, y with 0 to %2 and 0 to %3.</source>
         <translation>“%1”不是图像中的像素。请输入 x, y，范围为 0 到 %2 和 0 到 %3。</translation>
     </message>
     <message>
@@ -2816,7 +2817,7 @@
 <context>
     <name>rasterlens::PipelinePanel</name>
     <message>
-        <source>"%1" is not a size. Write WIDTH x HEIGHT with 1 to %2 each.</source>
+        <source>&quot;%1&quot; is not a size. Write WIDTH x HEIGHT with 1 to %2 each.</source>
         <translation>“%1”不是尺寸。请输入 宽 x 高，各为 1 到 %2。</translation>
     </message>
     <message>
@@ -3152,7 +3153,7 @@
         <translation>起止步骤，例如 10-60：</translation>
     </message>
     <message>
-        <source>"%1" is no run of steps 0 to %2.</source>
+        <source>&quot;%1&quot; is no run of steps 0 to %2.</source>
         <translation>“%1”不是 0 到 %2 之间的一段步骤。</translation>
     </message>
     <message>
@@ -3163,7 +3164,7 @@
         <source>Written: %1</source>
         <translation>已写入：%1</translation>
     </message>
-<message>
+    <message>
         <source>The record holds no step of face %1.</source>
         <translation>记录中没有面 %1 的步骤。</translation>
     </message>
@@ -3365,7 +3366,7 @@
 <context>
     <name>rasterlens::VertexPanel</name>
     <message>
-        <source>Type over the blue numbers, or drag the corners on the canvas. Undo takes it back; the scene's file stays as it is.</source>
+        <source>Type over the blue numbers, or drag the corners on the canvas. Undo takes it back; the scene&apos;s file stays as it is.</source>
         <translation>可改写蓝色数字，或在画布上拖动顶点。可以撤销；场景文件不变。</translation>
     </message>
     <message>
@@ -3424,14 +3425,10 @@
         <translation>在其外侧</translation>
     </message>
     <message>
-        <source>outcode  above, below, right, left</source>
-        <translation>区域码  上、下、右、左</translation>
-    </message>
-    <message>
         <source>%1, vertex %2</source>
         <translation>%1，顶点 %2</translation>
     </message>
-<message>
+    <message>
         <source>outcode</source>
         <translation>区域码</translation>
     </message>
@@ -3439,7 +3436,7 @@
         <source>One bit each: above, below, right, left of the screen</source>
         <translation>各占一位：屏幕的上、下、右、左</translation>
     </message>
-    </context>
+</context>
 <context>
     <name>rasterlens::ViewportWidget</name>
     <message>

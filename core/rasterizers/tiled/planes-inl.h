@@ -93,7 +93,8 @@ HWY_INLINE void MakePlanes(const FrameJob& job, const CornerStage& stage, std::u
     std::array<Doubles, 3> q{one, one, one};
     if (job.rules.perspectiveCorrect)
         for (std::size_t k = 0; k < 3; ++k)
-            q[k] = hn::Div(one, hn::Load(tag, stage.w[k].data()));
+            q[k] =
+                hn::Div(hn::Load(tag, stage.w[0].data()), hn::Load(tag, stage.w[k].data())); // w_A / w: no w overflows
     alignas(64) std::array<std::array<std::array<float, kDoubles>, 4>, 3> planes;
     const auto makePlane = [&](std::size_t i, Doubles a, Doubles b, Doubles c) HWY_ATTR {
         const Doubles ab = hn::Sub(b, a);
