@@ -214,9 +214,8 @@ void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTran
 }
 
 /// The colour a sample is veiled with: what is inside, and what was looked at.
-QColor LensOverlay::veilOf(const LensCell& cell)
+QColor LensOverlay::veilOf(const LensCell& cell, const QColor& fill)
 {
-    const QColor fill = paper().fill;
     const bool waiting = cell.state == LensCell::State::Waiting;
     bool inside = cell.state == LensCell::State::Covered;
     if (waiting && cell.hasValues)
@@ -232,7 +231,7 @@ QColor LensOverlay::veilOf(const LensCell& cell)
 /// One sample: a veil that leaves the sample's own colour to be seen round its centre, and the three signs.
 void LensOverlay::paintCell(QPainter& painter, const QRectF& box, const LensCell& cell)
 {
-    const QColor veil = veilOf(cell);
+    const QColor veil = veilOf(cell, paper().fill);
     const double s = box.width();
     const double hole = std::round(s * 0.2);
     const QRectF window(box.center() - QPointF(hole / 2, hole / 2), QSizeF(hole, hole));
@@ -256,11 +255,12 @@ void LensOverlay::paintCell(QPainter& painter, const QRectF& box, const LensCell
 void LensOverlay::paintVeils(View& view) const
 {
     constexpr int kVeilOpacity = 205;
+    const QColor fill = paper().fill;
     const QRect shown = view.visible(m_model->triangle().setup.bounds);
     for (int y = shown.top(); y <= shown.bottom(); ++y)
         for (int x = shown.left(), next = x; x <= shown.right(); x = next) {
-            const QColor veil = veilOf(m_model->cell(x, y));
-            while (next <= shown.right() && veilOf(m_model->cell(next, y)) == veil)
+            const QColor veil = veilOf(m_model->cell(x, y), fill);
+            while (next <= shown.right() && veilOf(m_model->cell(next, y), fill) == veil)
                 ++next;
             view.painter.fillRect(QRectF(view.at({x, y}), view.at({next, y + 1})), withAlpha(veil, kVeilOpacity));
         }
@@ -394,6 +394,11 @@ void LensOverlay::paintCorners(View& view) const
         at[i] = view.at(triangle.screen.vertices[i].position);
         middle += at[i] / 3;
     }
+    // Of a triangle that is hardly to be seen the letters would hide the neighbours.
+    constexpr double kLabelsFromSide = 40;
+    const QRectF extent = QPolygonF{{at[0], at[1], at[2]}}.boundingRect();
+    if (std::max(extent.width(), extent.height()) < kLabelsFromSide)
+        return;
     const QFont font = textFont(view.options.thickLines ? 2 : 3, true);
     view.painter.setFont(font);
     const double size = QFontMetricsF(font).height();

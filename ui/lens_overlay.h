@@ -46,7 +46,7 @@ private:
 
     void paintCells(View& view) const;
     void paintVeils(View& view) const;
-    [[nodiscard]] static QColor veilOf(const LensCell& cell);
+    [[nodiscard]] static QColor veilOf(const LensCell& cell, const QColor& fill);
     static void paintCell(QPainter& painter, const QRectF& box, const LensCell& cell);
     void paintNumbers(View& view) const;
     void paintBounds(View& view) const;

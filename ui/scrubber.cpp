@@ -6,6 +6,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rasterlens
@@ -57,11 +58,23 @@ QColor pipColor(PipKind kind, const QPalette& palette)
 
 std::vector<PipKind> binPips(const StepLog& log, int columns)
 {
-    std::vector<PipKind> bins(std::size_t(std::max(columns, 1)), PipKind::None);
-    const double perEvent = double(columns - 1) / std::max(1.0, double(log.size()));
-    for (std::size_t i = 0; i < log.size(); ++i) {
-        PipKind& bin = bins[std::size_t(double(i + 1) * perEvent)];
-        bin = std::max(bin, pipKindOf(log.event(i)));
+    const auto width = std::size_t(std::max(columns, 1));
+    std::vector<std::array<std::uint32_t, kPipKinds>> counts(width);
+    const double perEvent = double(width - 1) / std::max(1.0, double(log.size()));
+    for (std::size_t i = 0; i < log.size(); ++i)
+        ++counts[std::size_t(double(i + 1) * perEvent)][std::size_t(pipKindOf(log.event(i)))];
+
+    constexpr auto kCommon = std::size_t(PipKind::Cull);
+    std::vector<PipKind> bins(width, PipKind::None);
+    for (std::size_t column = 0; column < width; ++column) {
+        const auto& count = counts[column];
+        std::size_t shown = count[std::size_t(PipKind::Other)] > 0 ? std::size_t(PipKind::Other) : 0;
+        for (std::size_t kind = std::size_t(PipKind::Sample); kind < kPipKinds; ++kind) {
+            const bool outnumbers = count[kind] > (shown > std::size_t(PipKind::Other) ? count[shown] : 0);
+            if (kind <= kCommon ? outnumbers : count[kind] > 0)
+                shown = kind;
+        }
+        bins[column] = PipKind(shown);
     }
     return bins;
 }

@@ -10,8 +10,10 @@
 namespace rasterlens
 {
 
-/// What a pip of the scrubber marks. Where several fall on one place, the latest of this list is shown.
+/// What a pip of the scrubber marks. Where several fall on one place, the rare ones are shown, the last of this list
+/// before the others, and of the common ones, up to Cull, the most frequent.
 enum class PipKind : std::uint8_t { None, Other, Sample, Outside, Cull, Clip, DepthFail, Tie };
+constexpr std::size_t kPipKinds = 8;
 [[nodiscard]] PipKind pipKindOf(const StepEvent& event);
 [[nodiscard]] QColor pipColor(PipKind kind, const QPalette& palette);
 

@@ -342,7 +342,7 @@ bool StepListing::eventFilter(QObject* watched, QEvent* event)
 
 void StepListing::changeEvent(QEvent* event)
 {
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::ApplicationPaletteChange)
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
         sync();
     QFrame::changeEvent(event);
 }

@@ -100,20 +100,29 @@ void StepMode::followStep()
         m_viewport.showPixel({now->x / m_session.log()->grid(), now->y / m_session.log()->grid()});
 }
 
-FramePtr StepMode::frame() const
+FramePtr StepMode::frame()
 {
     const StepCursor* cursor = m_session.cursor();
     if (!cursor || m_session.isRecording())
         return nullptr;
-    auto frame = std::make_shared<RenderedFrame>();
-    frame->scene = m_session.document().scene();
-    frame->settings = cursor->log().settings();
-    frame->frame.image = cursor->image();
+    // The memory of the picture before the last, which nobody shows any more, is used again.
+    std::swap(m_frame, m_formerFrame);
+    if (!m_frame || m_frame.use_count() > 1)
+        m_frame = std::make_shared<RenderedFrame>();
+    RenderedFrame& frame = *m_frame;
+    frame.scene = m_session.document().scene();
+    frame.settings = cursor->log().settings();
+    const QImage& image = cursor->image();
+    if (frame.frame.image.size() != image.size())
+        frame.frame.image = QImage(image.size(), image.format());
+    std::copy_n(image.constBits(), image.sizeInBytes(), frame.frame.image.bits());
     if (cursor->log().grid() == 1)
-        frame->frame.depth.assign(cursor->sampleDepths().begin(), cursor->sampleDepths().end());
-    frame->statistics = cursor->counters();
-    frame->counted = true;
-    return frame;
+        frame.frame.depth.assign(cursor->sampleDepths().begin(), cursor->sampleDepths().end());
+    else
+        frame.frame.depth.clear();
+    frame.statistics = cursor->counters();
+    frame.counted = true;
+    return m_frame;
 }
 
 bool StepMode::isPlace(const QString& where)

@@ -31,7 +31,7 @@ public:
 
     /// The picture at the position, with its counters; null when it is the document's own that is to be shown, as while
     /// a change is recorded: motion stays visible.
-    [[nodiscard]] FramePtr frame() const;
+    [[nodiscard]] FramePtr frame();
 
     /// Opens the step mode and goes there as soon as the record is there: a position, or the name of a stop.
     ///
@@ -68,7 +68,9 @@ private:
     TransportDock* m_transport = nullptr;
     StepListing* m_listing = nullptr;
     QMainWindow& m_window;
-    QString m_wanted; ///< where to go when the record is there
+    std::shared_ptr<RenderedFrame> m_frame;       ///< last handed out
+    std::shared_ptr<RenderedFrame> m_formerFrame; ///< before that
+    QString m_wanted;                             ///< where to go when the record is there
     /// Likewise.
     std::optional<std::pair<quint32, QPoint>> m_wantedFace;
 };

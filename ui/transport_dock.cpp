@@ -387,8 +387,12 @@ void TransportDock::sync()
 
 void TransportDock::changeEvent(QEvent* event)
 {
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::ApplicationPaletteChange)
-        retranslate();
+    switch (event->type()) {
+    case QEvent::LanguageChange:
+    case QEvent::PaletteChange:
+    case QEvent::StyleChange: retranslate(); break;
+    default: break;
+    }
     QDockWidget::changeEvent(event);
 }
 
