@@ -18,12 +18,32 @@
 #include <QMainWindow>
 #include <QToolButton>
 
+#include <algorithm>
 #include <memory>
 
 namespace rasterlens
 {
 namespace
 {
+
+/// How many samples the bounding box of a face holds on the screen, at most.
+double boxSamples(const Scene& scene, const Settings& settings, std::uint32_t face)
+{
+    const glm::dvec2 size(settings.size.width(), settings.size.height());
+    const auto corners = vertexTable(scene, settings, face);
+    glm::dvec2 low = size;
+    glm::dvec2 high(0, 0);
+    for (const VertexRow& corner : corners) {
+        if (corner.clip.w <= 0) // anywhere
+            return size.x * size.y;
+        low = glm::min(low, glm::clamp(corner.screen, glm::dvec2(0, 0), size));
+        high = glm::max(high, glm::clamp(corner.screen, glm::dvec2(0, 0), size));
+    }
+    const double grid = sampleGrid(settings.samples);
+    return std::max(0.0, high.x - low.x) * std::max(0.0, high.y - low.y) * grid * grid;
+}
+
+constexpr double kMostRaceSamples = 3e6; ///< every one is kept, with its counts
 
 /// What the face's panels show, computed in one go.
 struct FaceFindings {
@@ -205,16 +225,18 @@ void Cards::askFace()
             FaceFindings found;
             if (wantsStory)
                 found.story = std::make_shared<const ClipStory>(clipStory(*scene, settings, face));
-            if (wantsRace)
+            const bool tooLarge = boxSamples(*scene, settings, face) > kMostRaceSamples;
+            if (wantsRace && !tooLarge)
                 found.race = std::make_shared<const AlgorithmRace>(raceAlgorithms(*scene, settings, face));
             QMetaObject::invokeMethod(
                 this,
-                [this, serial, found] {
+                [this, serial, found, tooLarge] {
                     if (serial != m_faceSerial)
                         return;
                     m_faceDone = serial;
                     m_clipTheatre->setStory(found.story);
-                    m_racePanel->setRace(found.race);
+                    m_racePanel->setRace(found.race,
+                                         tooLarge ? RacePanel::Absence::TooLarge : RacePanel::Absence::NotDrawn);
                 },
                 Qt::QueuedConnection);
         },

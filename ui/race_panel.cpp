@@ -256,8 +256,9 @@ OperationCounts RacePanel::counts(Algorithm algorithm) const
     return m_tick == 0 ? OperationCounts{} : one.ticks[m_tick - 1].soFar;
 }
 
-void RacePanel::setRace(std::shared_ptr<const AlgorithmRace> race)
+void RacePanel::setRace(std::shared_ptr<const AlgorithmRace> race, Absence why)
 {
+    m_absence = why;
     m_race = std::move(race);
     setPlaying(false);
     m_tick = ticks();
@@ -303,8 +304,9 @@ void RacePanel::sync()
     for (QWidget* part : std::initializer_list<QWidget*>{m_play, m_back, m_step, m_slider})
         part->setEnabled(all > 0);
     m_play->setText(isPlaying() ? tr("Pause") : tr("Play"));
-    m_position->setText(all == 0 ? tr("this face is not drawn")
-                                 : tr("sample %1 of %2").arg(grouped(m_tick), grouped(all)));
+    const QString none = m_absence == Absence::TooLarge ? tr("too many samples to race: choose a smaller picture")
+                                                        : tr("this face is not drawn");
+    m_position->setText(all == 0 ? none : tr("sample %1 of %2").arg(grouped(m_tick), grouped(all)));
     for (Track* track : m_tracks)
         track->update();
 }

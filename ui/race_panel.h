@@ -22,8 +22,10 @@ class RacePanel : public QWidget
 public:
     explicit RacePanel(FaceSelection& selection, QWidget* parent = nullptr);
 
+    /// Why there is no race.
+    enum class Absence { NotDrawn, TooLarge };
     /// Null: there is no race. A new race is shown finished, and stands still.
-    void setRace(std::shared_ptr<const AlgorithmRace> race);
+    void setRace(std::shared_ptr<const AlgorithmRace> race, Absence why = Absence::NotDrawn);
     [[nodiscard]] const std::shared_ptr<const AlgorithmRace>& race() const { return m_race; }
 
     /// How many samples both have looked at.
@@ -49,6 +51,7 @@ private:
     [[nodiscard]] const RaceLane& lane(Algorithm algorithm) const;
 
     std::shared_ptr<const AlgorithmRace> m_race;
+    Absence m_absence = Absence::NotDrawn;
     std::size_t m_tick = 0;
     bool m_blink = true;
     QTimer m_clock;

@@ -3027,6 +3027,10 @@
         <translation>播放</translation>
     </message>
     <message>
+        <source>too many samples to race: choose a smaller picture</source>
+        <translation>样本太多，无法竞赛：请选小一些的画面</translation>
+    </message>
+    <message>
         <source>this face is not drawn</source>
         <translation>这个面没有画</translation>
     </message>
