@@ -1,5 +1,8 @@
+#include "ui/cards.h"
 #include "ui/image_export.h"
 #include "ui/main_window.h"
+#include "ui/mistakes_section.h"
+#include "ui/pipeline_panel.h"
 #include "ui/step_mode.h"
 
 #include <QApplication>
@@ -30,9 +33,13 @@ struct Arguments {
     QString screenshot;
     QString step;
     std::optional<QSize> windowSize;
+    QString panel;
+    std::optional<QPoint> pixel;
     std::optional<rasterlens::LanguageKind> language;
     std::optional<rasterlens::ThemeKind> theme;
 };
+
+QStringList panelNames() { return rasterlens::Cards::names() + QStringList{QStringLiteral("mistakes")}; }
 
 struct ParsedArguments {
     std::optional<Arguments> arguments;
@@ -62,11 +69,16 @@ ParsedArguments parseArguments(const QStringList& words)
                                       QStringLiteral("en|zh"));
     const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("Colours of the window: light or dark."),
                                    QStringLiteral("light|dark"));
+    const QCommandLineOption panel(QStringLiteral("panel"),
+                                   QStringLiteral("Opens a panel: %1.").arg(panelNames().join(", ")),
+                                   QStringLiteral("name"));
+    const QCommandLineOption pixel(QStringLiteral("pixel"), QStringLiteral("Selects a pixel of the picture."),
+                                   QStringLiteral("x,y"));
     const QCommandLineOption step(
         QStringLiteral("step"),
         QStringLiteral("Opens the step mode at a position, or at the first tie, sign-change, depth-fail, clip or nan."),
         QStringLiteral("where"));
-    parser.addOptions({help, version, screenshot, windowSize, language, theme, step});
+    parser.addOptions({help, version, screenshot, windowSize, language, theme, panel, pixel, step});
     parser.addPositionalArgument(QStringLiteral("scene"),
                                  QStringLiteral("An .obj, a .case, a session .json, builtin:NAME or stress:NAME."),
                                  QStringLiteral("[scene]"));
@@ -109,14 +121,39 @@ ParsedArguments parseArguments(const QStringList& words)
             return refuse(QStringLiteral("--theme takes light or dark"));
         arguments.theme = value == QLatin1String("dark") ? rasterlens::ThemeKind::Dark : rasterlens::ThemeKind::Light;
     }
+    if (parser.isSet(panel)) {
+        arguments.panel = parser.value(panel);
+        if (!panelNames().contains(arguments.panel))
+            return refuse(QStringLiteral("--panel takes %1").arg(panelNames().join(", ")));
+    }
+    if (parser.isSet(pixel)) {
+        const QStringList parts = parser.value(pixel).split(QLatin1Char(','));
+        bool goodX = false;
+        bool goodY = false;
+        const QPoint chosen(parts.value(0).toInt(&goodX), parts.value(1).toInt(&goodY));
+        if (parts.size() != 2 || !goodX || !goodY || chosen.x() < 0 || chosen.y() < 0)
+            return refuse(QStringLiteral("--pixel takes x,y"));
+        arguments.pixel = chosen;
+    }
     return {arguments, kFine};
 }
 
-/// Renders the window as soon as its picture is there.
+void openPanel(rasterlens::MainWindow& window, const QString& name)
+{
+    if (!window.cards().show(name))
+        window.pipelinePanel().mistakes().setOpen(true);
+}
+
+/// Renders the window as soon as all in it is computed.
 void takeScreenshot(rasterlens::MainWindow& window, const QString& path)
 {
-    // One turn of the event loop lets the layout follow the counters' widths.
-    QTimer::singleShot(0, &window, [&window, path] {
+    // At least one turn of the event loop lets the layout follow the counters' widths.
+    constexpr int kWaitMs = 20;
+    QTimer::singleShot(kWaitMs, &window, [&window, path] {
+        if (!window.isComplete()) {
+            takeScreenshot(window, path);
+            return;
+        }
         if (const auto error = rasterlens::savePng(window.grab().toImage(), path)) {
             printError(*error);
             QApplication::exit(kInvalidInput);
@@ -170,6 +207,10 @@ int main(int argc, char** argv)
         }
         window.disconnect(&starting);
         window.document().disconnect(&starting);
+        if (arguments.pixel)
+            window.viewport().selectPixel(arguments.pixel);
+        if (!arguments.panel.isEmpty())
+            openPanel(window, arguments.panel);
         if (forScreenshot)
             takeScreenshot(window, arguments.screenshot);
     });

@@ -7,28 +7,10 @@
 #include "core/rasterizers/lines.h"
 #include "core/rasterizers/list.h"
 #include "core/render.h"
-
-#include <chrono>
+#include "core/stopwatch.h"
 
 namespace rasterlens
 {
-
-/// Milliseconds since it was made or last read.
-class Stopwatch
-{
-public:
-    double lap()
-    {
-        const auto now = Clock::now();
-        const double ms = std::chrono::duration<double, std::milli>(now - m_last).count();
-        m_last = now;
-        return ms;
-    }
-
-private:
-    using Clock = std::chrono::steady_clock;
-    Clock::time_point m_last = Clock::now();
-};
 
 /// Finds the samples of a screen triangle with the algorithm and the number type of the rules.
 template <class T, class Stage, class Observer>
@@ -39,7 +21,7 @@ void coverTriangle(const ScreenTriangle& triangle, const FaceInterpolation& inte
     observer.onSetup(setup);
     if (!setup)
         return;
-    forEachRasterizer([&](auto rasterizer) {
+    forEachTriangleRasterizer([&](auto rasterizer) {
         if (rasterizer.info.algorithm == rules.algorithm)
             rasterizer.cover(*setup, interpolation, rules, stage, observer);
     });

@@ -32,14 +32,18 @@ std::optional<QString> unsupported(const Scene& scene, const Settings& settings)
             return QStringLiteral("there is no mistake \"%1\"; \"rasterlens-cli render --list-mistakes\" lists those "
                                   "there are")
                 .arg(id);
-    const Rules rules = rulesFor(scene, settings);
-    if (rules.algorithm == Algorithm::Tiled && !settings.mistakes.isEmpty())
-        return QStringLiteral("mistakes are made by algorithm edge-equation and edge-walking only");
-    return rasterizerSupports(rules);
+    if (settings.algorithm == Algorithm::Tiled)
+        if (auto reason = Tiled::supports(settings))
+            return reason;
+    return rasterizerSupports(rulesFor(scene, settings));
 }
 
 void render(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs, std::stop_token stop)
 {
+    if (settings.algorithm == Algorithm::Tiled) {
+        Tiled::draw(scene, settings, frame, outputs, nullptr, stop);
+        return;
+    }
     NullObserver observer;
     drawScene(scene, settings, frame, outputs, observer, stop);
 }
@@ -47,6 +51,11 @@ void render(const Scene& scene, const Settings& settings, Frame& frame, Outputs 
 Statistics renderCounted(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs,
                          std::stop_token stop)
 {
+    if (settings.algorithm == Algorithm::Tiled) {
+        Statistics statistics;
+        Tiled::draw(scene, settings, frame, outputs, &statistics, stop);
+        return statistics;
+    }
     CountingObserver observer(rulesFor(scene, settings));
     drawScene(scene, settings, frame, outputs, observer, stop);
     return observer.statistics();

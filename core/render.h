@@ -6,12 +6,15 @@
 #include <QImage>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <vector>
 
 namespace rasterlens
 {
+
+struct TiledContext;
 
 /// What a frame is asked for beside the picture. Nothing that is not asked for is written.
 struct Outputs {
@@ -27,6 +30,7 @@ struct Frame {
     std::vector<std::int32_t> ids; ///< face that was written last, -1 none; likewise
     std::vector<std::uint16_t> coverage; ///< how many faces covered it, before the depth test; likewise
     StageTimes times;
+    std::shared_ptr<TiledContext> tiled; ///< threads and memory of the tiled algorithm, for the next picture
 };
 
 /// Why these settings cannot be drawn, or nothing. The sentence is English; the caller adds the context.

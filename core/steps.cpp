@@ -17,7 +17,7 @@ std::shared_ptr<const StepLog> renderSteps(const Scene& scene, const Settings& s
     StepRecorder recorder(scene, shown, rulesFor(scene, shown), filter, ending);
     Frame frame;
     drawScene(scene, shown, frame, {}, recorder, ending.get_token());
-    return recorder.finish(stop.stop_requested());
+    return recorder.finish(stop.stop_requested(), frame.image);
 }
 
 } // namespace rasterlens

@@ -218,11 +218,12 @@ void TestCulling::countersAreConserved()
             QCOMPARE(f.submitted, std::uint64_t(scene.mesh.faceCount()));
             QCOMPARE(f.submitted,
                      f.rejected + f.culledBack + f.culledFront + f.degenerate + f.nonFinite + f.rasterized);
-            QVERIFY(f.clipped <= f.rasterized);
-            QVERIFY(f.createdByClipping >= f.clipped);
+            QVERIFY(f.clipped <= f.submitted - f.rejected);
+            QVERIFY((f.createdByClipping > 0) <= (f.clipped > 0));
             QCOMPARE(p.covered, p.depthPassed + p.depthFailed);
-            QCOMPARE(p.written, p.depthPassed);
-            QCOMPARE(p.shaded, p.depthPassed);
+            const bool oncePerSample = settings.algorithm == Algorithm::Tiled; // what is hidden later is not shaded
+            QVERIFY(oncePerSample ? p.written <= p.depthPassed : p.written == p.depthPassed);
+            QCOMPARE(p.shaded, p.written);
             QVERIFY(p.tested >= p.covered);
             // Clipping none and its like may fold a face over its neighbour; then an edge has both on one side.
             QCOMPARE(p.coveredTwice, std::uint64_t(0));

@@ -93,7 +93,8 @@ void TestObservers::randomSettingsOfAllFields()
         const Statistics::Faces& f = s.faces;
         QCOMPARE(f.submitted, f.rejected + f.culledBack + f.culledFront + f.degenerate + f.nonFinite + f.rasterized);
         QCOMPARE(s.pixels.covered, s.pixels.depthPassed + s.pixels.depthFailed);
-        QCOMPARE(s.pixels.written, s.pixels.depthPassed);
+        const bool oncePerSample = settings.algorithm == Algorithm::Tiled; // what is hidden later is not shaded
+        QVERIFY(oncePerSample ? s.pixels.written <= s.pixels.depthPassed : s.pixels.written == s.pixels.depthPassed);
     }
     qInfo("%d settings drawn, %d not supported", run, skipped);
     QVERIFY(run > 500);

@@ -2,6 +2,7 @@
 #include "core/builtin_scenes.h"
 #include "core/case_file.h"
 #include "core/draw.h"
+#include "core/mistakes.h"
 #include "core/observe/counting_observer.h"
 #include "core/render.h"
 #include "core/steps.h"
@@ -29,9 +30,25 @@ Settings randomSettings(const Scene& scene, std::mt19937& random)
         for (const SettingsField& field : settingsFields())
             if (upTo(2) == 0)
                 field.set(settings, field.minimum + upTo(field.maximum - field.minimum));
+        if (upTo(3) == 0)
+            settings.mistakes = {QString::fromLatin1(mistakes()[random() % mistakes().size()].id)};
         if (!unsupported(scene, settings))
             return settings;
     }
+}
+
+/// Each part of a filter is there every other time.
+StepFilter randomFilter(const Scene& scene, QSize size, std::mt19937& random)
+{
+    const auto upTo = [&](int n) { return std::uniform_int_distribution<int>(0, n)(random); };
+    StepFilter filter;
+    if (upTo(1) == 0)
+        filter.pixels = PixelRect{upTo(size.width()), upTo(size.height()), 1 + upTo(8), 1 + upTo(8)};
+    if (upTo(1) == 0)
+        filter.face = static_cast<std::uint32_t>(upTo(static_cast<int>(scene.mesh.faceCount()) - 1));
+    if (upTo(1) == 0)
+        filter.kinds = static_cast<StepKinds>(random());
+    return filter;
 }
 
 Frame plain(const Scene& scene, const Settings& settings)
@@ -165,14 +182,18 @@ void TestStepLog::randomSettingsLookTheSame()
             small.push_back(std::move(made));
     for (int i = 0; i < 1000; ++i) {
         const Scene& scene = small[random() % small.size()];
-        const Settings settings = randomSettings(scene, random);
-        StepCursor cursor(renderSteps(scene, settings));
+        Settings settings = randomSettings(scene, random);
+        if (settings.algorithm == Algorithm::Tiled)
+            settings.algorithm = Algorithm::EdgeEquation; // which is what is recorded for it
+        const StepFilter filter = i % 2 == 0 ? StepFilter() : randomFilter(scene, settings.size, random);
+        StepCursor cursor(renderSteps(scene, settings, filter));
         cursor.moveTo(cursor.log().size());
         if (cursor.log().truncated())
             continue;
         Frame frame;
         const Statistics statistics = renderCounted(scene, settings, frame);
-        const QByteArray what = QStringLiteral("%1 of seed %2, %3").arg(i).arg(seed).arg(scene.id).toUtf8();
+        const QByteArray what = QStringLiteral("%1 of seed %2, %3 ").arg(i).arg(seed).arg(scene.id).toUtf8() +
+                                settings.mistakes.join(QLatin1Char(' ')).toUtf8();
         QVERIFY2(cursor.image() == plain(scene, settings).image, what.constData());
         QVERIFY2(cursor.image() == frame.image, what.constData());
         QVERIFY2(cursor.counters() == statistics, what.constData());
@@ -188,8 +209,9 @@ void TestStepLog::everyPositionIsAFreshPartialRun()
         const Scene scene = builtin(name);
         for (int i = 0; i < 10; ++i) {
             Settings settings = randomSettings(scene, random);
-            settings.samples = Samples::One;
+            settings.samples = Samples::One; // so that the picture is finished at any time
             settings.shading = Shading::Gouraud;
+            settings.mistakes.clear();
             if (settings.algorithm == Algorithm::Tiled)
                 settings.algorithm = Algorithm::EdgeEquation;
             if (unsupported(scene, settings))
@@ -215,13 +237,7 @@ void TestStepLog::everyPositionIsACappedRun()
         const Scene scene = builtin(name);
         for (int i = 0; i < 10; ++i) {
             const Settings settings = randomSettings(scene, random);
-            StepFilter filter;
-            if (i % 2 == 1)
-                filter.pixels = PixelRect{3, 2, 8, 9};
-            if (i % 3 == 1)
-                filter.face = random() % scene.mesh.faceCount();
-            if (i % 4 == 1)
-                filter.kinds = static_cast<StepKinds>(random());
+            StepFilter filter = randomFilter(scene, settings.size, random);
             StepCursor cursor(renderSteps(scene, settings, filter));
             const std::size_t size = cursor.log().size();
             for (int k = 0; k < 10; ++k) {
@@ -245,7 +261,6 @@ void TestStepLog::filtersKeepPixelsAndCounters()
     settings.size = {40, 30};
     StepCursor whole(renderSteps(scene, settings));
     StepFilter filter;
-    filter.face = 1;
     filter.pixels = PixelRect{18, 12, 3, 3};
     StepCursor part(renderSteps(scene, settings, filter));
     QVERIFY(part.log().size() > 20);

@@ -1,6 +1,7 @@
 // The why-card of a pixel agrees with the picture, and names the number that decided.
 #include "core/builtin_scenes.h"
 #include "core/case_file.h"
+#include "core/mistakes.h"
 #include "core/observe/step_text.h"
 #include "core/observe/why.h"
 #include "core/render.h"
@@ -58,6 +59,8 @@ void TestWhy::agreesWithThePicture()
         for (const SettingsField& field : settingsFields())
             if (upTo(2) == 0)
                 field.set(settings, field.minimum + upTo(field.maximum - field.minimum));
+        if (upTo(3) == 0)
+            settings.mistakes = {QString::fromLatin1(mistakes()[random() % mistakes().size()].id)};
         if (unsupported(scene, settings))
             continue;
         Frame frame;
@@ -67,9 +70,12 @@ void TestWhy::agreesWithThePicture()
             const int y = upTo(settings.size.height() - 1);
             const WhyReport report = why(scene, settings, x, y);
             const QByteArray what =
-                QStringLiteral("%1 of seed %2, %3 (%4, %5)").arg(i).arg(seed).arg(scene.id).arg(x).arg(y).toUtf8();
+                QStringLiteral("%1 of seed %2, %3 (%4, %5) ").arg(i).arg(seed).arg(scene.id).arg(x).arg(y).toUtf8() +
+                settings.mistakes.join(QLatin1Char(' ')).toUtf8();
             const std::size_t at = std::size_t(y) * std::size_t(settings.size.width()) + std::size_t(x);
             QVERIFY2(report.color == frame.image.pixel(x, y), what.constData());
+            if (!settings.mistakes.isEmpty())
+                continue; // ids and coverage may then stand elsewhere
             QVERIFY2(frame.ids[at] == (report.visibleFace ? int(*report.visibleFace) : -1), what.constData());
             QVERIFY2(!report.visibleFace || report.find(*report.visibleFace) != nullptr, what.constData());
             const auto got = std::ranges::count_if(

@@ -1,5 +1,6 @@
 #include "ui/document.h"
 
+#include "core/mistakes.h"
 #include "core/session.h"
 
 #include <QFileInfo>
@@ -36,7 +37,7 @@ std::shared_ptr<const Scene> emptyScene()
 } // namespace
 
 Document::Document(QObject* parent)
-    : QObject(parent), m_scene(emptyScene()), m_settings(m_scene->defaults), m_clean(m_settings)
+    : QObject(parent), m_scene(emptyScene()), m_settings(m_scene->defaults), m_clean(m_settings), m_cleanScene(m_scene)
 {
 }
 
@@ -46,20 +47,35 @@ void Document::setSettings(const Settings& settings, Edit edit)
 {
     if (settings == m_settings)
         return;
+    rememberStep(edit);
+    replace({m_scene, settings});
+}
+
+void Document::editScene(std::shared_ptr<const Scene> scene, Edit edit)
+{
+    rememberStep(edit);
+    replace({std::move(scene), m_settings});
+}
+
+void Document::rememberStep(Edit edit)
+{
     const bool continues = edit == Edit::Camera && m_inGesture;
     m_inGesture = edit == Edit::Camera;
     if (!continues) {
-        m_undo.push_back(m_settings);
+        m_undo.push_back({m_scene, m_settings});
         if (m_undo.size() > kMaxUndoSteps)
             m_undo.erase(m_undo.begin());
     }
     m_redo.clear();
-    replaceSettings(settings);
 }
 
-void Document::replaceSettings(const Settings& settings)
+void Document::replace(const State& state)
 {
-    m_settings = settings;
+    m_settings = state.settings;
+    if (state.scene != m_scene) {
+        m_scene = state.scene;
+        Q_EMIT sceneChanged();
+    }
     Q_EMIT settingsChanged();
 }
 
@@ -74,6 +90,7 @@ void Document::setScene(std::shared_ptr<const Scene> scene, const Settings& sett
     m_scene = std::move(scene);
     m_settings = settings;
     m_clean = settings;
+    m_cleanScene = m_scene;
     m_undo.clear();
     m_redo.clear();
     m_inGesture = false;
@@ -86,10 +103,10 @@ void Document::undo()
     if (!canUndo())
         return;
     m_inGesture = false;
-    m_redo.push_back(m_settings);
-    const Settings previous = m_undo.back();
+    m_redo.push_back({m_scene, m_settings});
+    const State previous = m_undo.back();
     m_undo.pop_back();
-    replaceSettings(previous);
+    replace(previous);
 }
 
 void Document::redo()
@@ -97,21 +114,37 @@ void Document::redo()
     if (!canRedo())
         return;
     m_inGesture = false;
-    m_undo.push_back(m_settings);
-    const Settings next = m_redo.back();
+    m_undo.push_back({m_scene, m_settings});
+    const State next = m_redo.back();
     m_redo.pop_back();
-    replaceSettings(next);
+    replace(next);
 }
 
 void Document::open(const QString& name)
+{
+    startOpening(name, [name] { return load(name); });
+}
+
+void Document::openMistake(const QString& id)
+{
+    const Mistake* mistake = findMistake(id);
+    if (mistake == nullptr)
+        return;
+    startOpening(QStringLiteral("builtin:") + QLatin1String(mistake->scene), [mistake] {
+        MistakeDemo demo = mistakeDemo(*mistake);
+        return Opened{std::make_shared<const Scene>(std::move(demo.scene)), demo.mistaken, {}};
+    });
+}
+
+void Document::startOpening(const QString& name, std::function<Opened()> load)
 {
     const quint64 serial = ++m_openSerial;
     m_loading = true;
     Q_EMIT loadingChanged(true, name);
     m_loader.post(
-        [this, name, serial](std::stop_token) {
+        [this, name, serial, load = std::move(load)](std::stop_token) {
             QMetaObject::invokeMethod(
-                this, [this, name, serial, opened = load(name)] { finishOpening(name, serial, opened); },
+                this, [this, name, serial, opened = load()] { finishOpening(name, serial, opened); },
                 Qt::QueuedConnection);
         },
         LatestTask::Running::Interrupt);

@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QStringList>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -14,7 +15,7 @@
 namespace rasterlens
 {
 
-/// What the window works on: one scene and one Settings value, with undo. Panels hold no copy.
+/// What the window works on: one scene and one Settings value, with undo of both. Panels hold no copy.
 class Document : public QObject
 {
     Q_OBJECT
@@ -37,6 +38,8 @@ public:
     /// Takes the scene's own settings and forgets the undo steps, which were about another scene.
     void setScene(std::shared_ptr<const Scene> scene);
     void setScene(std::shared_ptr<const Scene> scene, const Settings& settings);
+    /// Takes a changed mesh of the same scene as an undo step; Camera: as for settings.
+    void editScene(std::shared_ptr<const Scene> scene, Edit edit = Edit::Step);
 
     [[nodiscard]] bool canUndo() const { return !m_undo.empty(); }
     [[nodiscard]] bool canRedo() const { return !m_redo.empty(); }
@@ -49,13 +52,15 @@ public:
     /// errors  diagnosticsReported; scene and settings stay as they were
     void open(const QString& name);
     [[nodiscard]] bool isLoading() const { return m_loading; }
+    /// Opens the scene and the settings in which a mistake shows, likewise.
+    void openMistake(const QString& id);
 
     /// errors  diagnosticsReported; false
     bool saveSession(const QString& path);
     [[nodiscard]] const QString& sessionPath() const { return m_sessionPath; }
 
-    /// Whether the settings differ from those last opened or saved.
-    [[nodiscard]] bool isDirty() const { return !(m_settings == m_clean); }
+    /// Whether settings or mesh differ from those last opened or saved.
+    [[nodiscard]] bool isDirty() const { return !(m_settings == m_clean) || m_scene != m_cleanScene; }
 
     [[nodiscard]] QStringList recentFiles() const;
     void clearRecentFiles();
@@ -76,16 +81,25 @@ private:
         Diagnostics diagnostics;
     };
 
+    /// One step of undo.
+    struct State {
+        std::shared_ptr<const Scene> scene;
+        Settings settings;
+    };
+
     [[nodiscard]] static Opened load(const QString& name);
     void finishOpening(const QString& name, quint64 serial, const Opened& opened);
     void rememberRecent(const QString& path);
-    void replaceSettings(const Settings& settings);
+    void startOpening(const QString& name, std::function<Opened()> load);
+    void rememberStep(Edit edit);
+    void replace(const State& state);
 
     std::shared_ptr<const Scene> m_scene;
     Settings m_settings;
-    Settings m_clean;             ///< as last opened or saved
-    std::vector<Settings> m_undo; ///< the latest last
-    std::vector<Settings> m_redo; ///< the next last
+    Settings m_clean; ///< as last opened or saved
+    std::shared_ptr<const Scene> m_cleanScene;
+    std::vector<State> m_undo; ///< the latest last
+    std::vector<State> m_redo; ///< the next last
     bool m_inGesture = false;
     QString m_sessionPath;
     bool m_loading = false;

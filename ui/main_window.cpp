@@ -3,10 +3,13 @@
 #include "core/builtin_scenes.h"
 #include "core/render.h"
 #include "ui/applicability.h"
+#include "ui/cards.h"
 #include "ui/dock.h"
 #include "ui/help_overlay.h"
 #include "ui/image_export.h"
 #include "ui/message_bar.h"
+#include "ui/mistake_badge.h"
+#include "ui/mistakes_section.h"
 #include "ui/navigation.h"
 #include "ui/pipeline_panel.h"
 #include "ui/stage_strip.h"
@@ -39,9 +42,11 @@ namespace
 
 constexpr int kCardGap = 7;
 constexpr int kPipelineWidth = 298;
-constexpr int kStatisticsWidth = 220;
+constexpr int kStatisticsWidth = 272;
+constexpr int kWhyHeight = 430;
+constexpr int kStatisticsHeight = 330;
 constexpr int kActivityDelayMs = 150;
-constexpr int kLayoutVersion = 1;
+constexpr int kLayoutVersion = 2;
 
 QToolButton* canvasLink(QAction* action)
 {
@@ -110,8 +115,17 @@ void MainWindow::buildLayout()
     m_copyCsv->setText(QStringLiteral("CSV"));
     m_copyJson->setText(QStringLiteral("JSON"));
     addDockWidget(Qt::RightDockWidgetArea, m_statisticsDock);
-    resizeDocks({m_pipelineDock, m_statisticsDock}, {kPipelineWidth, kStatisticsWidth}, Qt::Horizontal);
+    m_cards = new Cards(m_document, *m_viewport, *this);
+    m_cards->setParent(this);
+    m_cards->place(m_statisticsDock, &m_stepMode->transport());
+    sizeDocks();
     setContentsMargins(kCardGap, 0, kCardGap, 0);
+}
+
+void MainWindow::sizeDocks()
+{
+    resizeDocks({m_pipelineDock, m_statisticsDock}, {kPipelineWidth, kStatisticsWidth}, Qt::Horizontal);
+    resizeDocks({m_cards->docks().front(), m_statisticsDock}, {kWhyHeight, kStatisticsHeight}, Qt::Vertical);
 }
 
 QWidget* MainWindow::buildCanvas()
@@ -142,6 +156,7 @@ QWidget* MainWindow::buildCanvas()
     column->addLayout(messages);
 
     m_viewport = new ViewportWidget;
+    m_mistakeBadge = new MistakeBadge(m_viewport);
     column->addWidget(m_viewport, 1);
     m_stepMode = std::make_unique<StepMode>(m_document, *m_viewport, *this);
     column->addWidget(&m_stepMode->listing());
@@ -225,6 +240,10 @@ void MainWindow::connectParts()
         m_pipelineDock->show();
         m_pipelinePanel->scrollTo(stage);
     });
+    connect(m_mistakeBadge, &MistakeBadge::clicked, this, [this] {
+        m_pipelineDock->show();
+        m_pipelinePanel->mistakes().setOpen(true);
+    });
     connect(m_pipelinePanel, &PipelinePanel::sceneChosen, &m_document, &Document::open);
     connect(m_pipelinePanel, &PipelinePanel::openRequested, this, &MainWindow::chooseFileToOpen);
     connect(m_pipelinePanel, &PipelinePanel::invalidInput, m_message,
@@ -234,6 +253,7 @@ void MainWindow::connectParts()
     connect(m_copyJson, &QToolButton::clicked, this,
             [this] { QGuiApplication::clipboard()->setText(m_statisticsPanel->asJson()); });
 
+    connect(m_cards, &Cards::stepRequested, m_stepMode.get(), &StepMode::showFace);
     connect(m_stepMode.get(), &StepMode::frameChanged, this, &MainWindow::showFrame);
     connect(m_stepMode.get(), &StepMode::message, m_message,
             [this](const QString& text) { m_message->show(MessageKind::Info, text); });
@@ -298,11 +318,15 @@ void MainWindow::takeFrame(const FramePtr& frame)
 {
     if (frame->scene != m_document.scene())
         return;
-    const bool newScene = !m_lastFrame || m_lastFrame->scene != frame->scene;
+    const bool newScene = !m_lastFrame || m_lastFrame->scene->id != frame->scene->id;
     m_lastFrame = frame;
     showFrame();
     if (newScene)
         m_viewport->fit(frame->scene->window);
+    if (frame->counted) {
+        m_cards->frameCounted();
+        m_mistakeBadge->showFor(frame->scene, frame->settings);
+    }
     syncCanvasHeader();
     if (isSettled())
         Q_EMIT settled();
@@ -327,6 +351,8 @@ bool MainWindow::isSettled() const
     return m_refused || (m_lastFrame && m_lastFrame->counted && m_lastFrame->scene == m_document.scene() &&
                          m_lastFrame->settings == m_document.settings());
 }
+
+bool MainWindow::isComplete() const { return isSettled() && !m_cards->isBusy() && !m_mistakeBadge->isCounting(); }
 
 QString MainWindow::message() const
 {
@@ -465,7 +491,7 @@ void MainWindow::resetLayout()
 {
     setPresentation(false);
     restoreState(m_defaultState, kLayoutVersion);
-    resizeDocks({m_pipelineDock, m_statisticsDock}, {kPipelineWidth, kStatisticsWidth}, Qt::Horizontal);
+    sizeDocks();
     m_viewport->fit(m_document.scene()->window);
 }
 

@@ -19,9 +19,12 @@ class QToolButton;
 namespace rasterlens
 {
 
+class Cards;
 class Dock;
 class HelpOverlay;
 class MessageBar;
+class MistakeBadge;
+class MistakesMenu;
 class PipelinePanel;
 class StageStrip;
 class StatisticsPanel;
@@ -44,6 +47,8 @@ public:
     [[nodiscard]] StatisticsPanel& statisticsPanel() { return *m_statisticsPanel; }
     [[nodiscard]] StageStrip& stageStrip() { return *m_stageStrip; }
     [[nodiscard]] HelpOverlay& helpOverlay() { return *m_help; }
+    [[nodiscard]] Cards& cards() { return *m_cards; }
+    [[nodiscard]] MistakeBadge& mistakeBadge() { return *m_mistakeBadge; }
     [[nodiscard]] RenderWorker& worker() { return m_worker; }
     [[nodiscard]] StepMode& stepMode() { return *m_stepMode; }
 
@@ -57,6 +62,8 @@ public:
 
     /// Whether the picture of the present settings is shown and counted, or refused with a message.
     [[nodiscard]] bool isSettled() const;
+    /// Whether all that is shown is also computed: settled, the badge and the cards with it.
+    [[nodiscard]] bool isComplete() const;
     /// The message above the canvas; empty when there is none.
     [[nodiscard]] QString message() const;
 
@@ -89,6 +96,7 @@ private:
     };
 
     void buildLayout();
+    void sizeDocks();
     QWidget* buildCanvas();
     void buildStatusBar();
     void connectParts();
@@ -98,6 +106,7 @@ private:
     void buildViewMenu();
     void buildAppearanceMenus(QMenu* view);
     void buildSettingsMenu();
+    void buildMistakesMenu();
     void buildHelpMenu();
     QMenu* addMenu(QMenu* parent, const char* text);
     QAction* add(QMenu* menu, const char* text, const QKeySequence& key, std::function<void()> run);
@@ -140,6 +149,8 @@ private:
     StageStrip* m_stageStrip = nullptr;
     PipelinePanel* m_pipelinePanel = nullptr;
     StatisticsPanel* m_statisticsPanel = nullptr;
+    Cards* m_cards = nullptr;
+    MistakeBadge* m_mistakeBadge = nullptr;
     Dock* m_pipelineDock = nullptr;
     Dock* m_statisticsDock = nullptr;
     QToolButton* m_copyCsv = nullptr;
@@ -160,6 +171,7 @@ private:
     std::vector<FieldKey> m_fieldKeys;
     QMenu* m_recentMenu = nullptr;
     QMenu* m_builtinMenu = nullptr;
+    MistakesMenu* m_mistakesMenu = nullptr;
     QAction* m_undo = nullptr;
     QAction* m_redo = nullptr;
     QAction* m_reset = nullptr;

@@ -1,9 +1,11 @@
 #include "core/builtin_scenes.h"
 #include "ui/applicability.h"
+#include "ui/cards.h"
 #include "ui/dock.h"
 #include "ui/help_overlay.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
+#include "ui/mistakes_section.h"
 #include "ui/navigation.h"
 #include "ui/pipeline_panel.h"
 #include "ui/step_mode.h"
@@ -64,6 +66,7 @@ void MainWindow::buildMenus()
     buildViewMenu();
     buildSettingsMenu();
     menuBar()->addMenu(m_stepMode->transport().menu());
+    buildMistakesMenu();
     buildHelpMenu();
 }
 
@@ -179,6 +182,8 @@ void MainWindow::buildAppearanceMenus(QMenu* view)
     for (Dock* dock : {m_pipelineDock, m_statisticsDock})
         panels->addAction(dock->toggleViewAction());
     panels->addAction(m_stepMode->transport().toggleViewAction());
+    for (Dock* dock : m_cards->docks())
+        panels->addAction(dock->toggleViewAction());
     add(view, QT_TR_NOOP("Reset &layout"), QKeySequence(Qt::CTRL | Qt::Key_0), [this] { resetLayout(); });
     m_presentation =
         addToggle(view, QT_TR_NOOP("P&resentation"), Qt::Key_F11, false, [this](bool on) { setPresentation(on); });
@@ -221,6 +226,18 @@ void MainWindow::buildSettingsMenu()
     }
 }
 
+void MainWindow::buildMistakesMenu()
+{
+    QMenu* menu = addMenu(nullptr, QT_TR_NOOP("&Mistakes"));
+    add(menu, QT_TR_NOOP("List of mistakes"), Qt::Key_M, [this] {
+        const bool open = !m_pipelineDock->isVisible() || !m_pipelinePanel->mistakes().isOpen();
+        m_pipelineDock->show();
+        m_pipelinePanel->mistakes().setOpen(open);
+    });
+    m_pipelinePanel->mistakes().setKeyHint(QKeySequence(Qt::Key_M).toString());
+    m_mistakesMenu = new MistakesMenu(m_document, m_language, menu);
+}
+
 void MainWindow::buildHelpMenu()
 {
     QMenu* help = addMenu(nullptr, QT_TR_NOOP("&Help"));
@@ -235,6 +252,8 @@ void MainWindow::buildHelpMenu()
 void MainWindow::retranslate()
 {
     retranslateActions();
+    m_mistakesMenu->retranslate();
+    m_cards->retranslate();
     m_pipelineDock->setTitle(tr("Scene"));
     m_statisticsDock->setTitle(tr("Statistics"));
     m_pipelineDock->toggleViewAction()->setText(tr("Scene and pipeline"));
@@ -327,6 +346,8 @@ void MainWindow::syncHelp()
                                      QCoreApplication::translate("Settings", field->title),
                                      valueTitle(*field, m_document.settings())});
     }
+    sections[0].lines.push_back(
+        {QStringLiteral("M"), tr("mistakes"), QString::number(m_document.settings().mistakes.size())});
     sections[1] = {tr("Canvas"),
                    {{tr("Wheel"), tr("zoom at the cursor"), {}},
                     {tr("Middle drag, Shift + drag"), tr("move the picture"), {}},

@@ -3,6 +3,7 @@
 #include "core/builtin_scenes.h"
 #include "core/render.h"
 #include "ui/field_row.h"
+#include "ui/mistakes_section.h"
 #include "ui/stage_strip.h"
 
 #include <QAbstractItemView>
@@ -119,6 +120,11 @@ PipelinePanel::PipelinePanel(Document& document, const Language& language, QWidg
     column->addStretch(1);
     m_scroll->setWidget(content);
     outer->addWidget(m_scroll, 1);
+    // Below what scrolls: which mistakes are on is always in sight.
+    m_mistakes = new MistakesSection(document, language);
+    connect(m_mistakes, &MistakesSection::opened, this,
+            [this, outer](bool open) { outer->setStretchFactor(m_mistakes, open ? 1 : 0); });
+    outer->addWidget(m_mistakes);
 
     connect(&document, &Document::sceneChanged, this, &PipelinePanel::syncScene);
     connect(&document, &Document::settingsChanged, this, &PipelinePanel::syncSettings);

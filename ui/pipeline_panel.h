@@ -18,6 +18,7 @@ namespace rasterlens
 {
 
 class FieldRow;
+class MistakesSection;
 
 /// The scene and every switch of the pipeline, in pipeline order, made from the field table.
 class PipelinePanel : public QWidget
@@ -30,6 +31,7 @@ public:
     /// Shows the key that steps a field beside its switch.
     void setKeyHint(const QString& fieldId, const QString& key);
     void scrollTo(Stage stage);
+    [[nodiscard]] MistakesSection& mistakes() { return *m_mistakes; }
 
     /// The switch of a field: a QComboBox, QSpinBox or QCheckBox.
     [[nodiscard]] QWidget* editor(const QString& fieldId) const;
@@ -69,6 +71,7 @@ private:
     QWidget* m_sizeDot = nullptr;
     std::map<Stage, QLabel*> m_groupHeadings;
     std::vector<FieldRow*> m_rows;
+    MistakesSection* m_mistakes = nullptr;
 };
 
 } // namespace rasterlens

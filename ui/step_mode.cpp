@@ -61,6 +61,10 @@ StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& wi
         Q_EMIT frameChanged();
         if (!recording && !m_wanted.isEmpty())
             showStep(std::exchange(m_wanted, {}));
+        if (!recording && m_wantedFace) {
+            const auto [face, pixel] = *std::exchange(m_wantedFace, std::nullopt);
+            showFace(face, pixel);
+        }
     });
     connect(&viewport, &ViewportWidget::pixelChanged, this,
             [this] { m_session.selectPixel(m_viewport.selectedPixel()); });
@@ -138,6 +142,20 @@ void StepMode::showStep(const QString& where)
         m_session.runUntil({*stop});
     else
         m_session.moveTo(std::size_t(where.toULongLong()));
+}
+
+void StepMode::showFace(quint32 face, QPoint pixel)
+{
+    m_session.open();
+    if (m_session.isRecording()) {
+        m_wantedFace = {face, pixel};
+        return;
+    }
+    const auto event = m_session.log() ? m_session.log()->firstEventOf(face, pixel.x(), pixel.y()) : std::nullopt;
+    if (event)
+        m_session.moveTo(*event + 1);
+    else
+        Q_EMIT message(tr("The record holds no step of face %1.").arg(face));
 }
 
 std::optional<QString> StepMode::exportRun(const QString& folder, std::size_t first, std::size_t last,

@@ -37,6 +37,8 @@ public:
     ///
     /// in  isPlace()
     void showStep(const QString& where);
+    /// Likewise to the first event of a face at a pixel.
+    void showFace(quint32 face, QPoint pixel);
     /// A number, `tie`, `sign-change`, `depth-fail`, `clip` or `nan`.
     [[nodiscard]] static bool isPlace(const QString& where);
     /// Nothing is being recorded.
@@ -69,6 +71,8 @@ private:
     std::shared_ptr<RenderedFrame> m_frame;       ///< last handed out
     std::shared_ptr<RenderedFrame> m_formerFrame; ///< before that
     QString m_wanted;                             ///< where to go when the record is there
+    /// Likewise.
+    std::optional<std::pair<quint32, QPoint>> m_wantedFace;
 };
 
 } // namespace rasterlens

@@ -88,6 +88,36 @@ QLabel#fps { font-weight: bold; font-size: @ptHuge; }
 QLabel#counter { font-family: "@mono"; font-weight: bold; }
 QLabel#counter:disabled { color: @muted; }
 QLabel#time, QLabel#readout { font-family: "@mono"; }
+QLabel#numbers { font-family: "@mono"; color: @muted; font-size: @ptSmall; }
+QLabel#pill { background: @accentSoft; color: @text; border: 1px solid @border; border-radius: 9px; padding: 1px 7px;
+              font-weight: bold; font-size: @ptSmall; }
+QFrame#whyRow { border: 1px solid transparent; border-radius: 6px; }
+QFrame#whyRow:hover { background: @window; border-color: @border; }
+QFrame#whyRow:focus { border-color: @accent; }
+QToolButton#fold { background: transparent; color: @text; border: 1px solid transparent; border-radius: 4px;
+                   font-weight: bold; padding: 1px 2px; }
+QToolButton#fold:hover { background: @accentSoft; }
+QToolButton#fold:focus { border-color: @accent; }
+QToolButton#flat:checked { background: @accent; color: @onAccent; border-color: @accent; }
+QToolButton#flat:disabled { background: transparent; color: @muted; }
+QToolButton#flat:hover:enabled { border-color: @accent; }
+QTabBar { background: @window; }
+QTabBar::tab { background: transparent; color: @muted; padding: 4px 12px; margin-right: 2px; border-radius: 6px; }
+QTabBar::tab:selected { background: @card; color: @text; border: 1px solid @border; font-weight: bold; }
+QTabBar::tab:hover:!selected { background: @accentSoft; }
+QTableView { background: @card; alternate-background-color: @window; color: @text; border: none;
+             selection-background-color: @accentSoft; selection-color: @text; }
+QTableView::item { padding: 1px 6px; }
+QHeaderView, QTableCornerButton::section { background: @card; border: none; }
+QHeaderView::section { background: @card; color: @muted; border: none; padding: 2px 8px; }
+QHeaderView::section:horizontal { color: @text; font-weight: bold; }
+QScrollBar:horizontal { background: transparent; height: 9px; margin: 0; }
+QScrollBar::handle:horizontal { background: @border; border-radius: 4px; min-width: 24px; }
+QScrollBar::handle:horizontal:hover { background: @muted; }
+QSlider::groove:horizontal { background: @border; height: 4px; border-radius: 2px; }
+QSlider::sub-page:horizontal { background: @accent; border-radius: 2px; }
+QSlider::handle:horizontal { background: @accent; width: 14px; height: 14px; margin: -5px 0; border-radius: 7px; }
+QSlider::handle:horizontal:disabled, QSlider::sub-page:horizontal:disabled { background: @muted; }
 QLabel#caption { background: @card; color: @text; border-top: 1px solid @border; }
 QScrollArea, QScrollArea > QWidget > QWidget#panelContent { background: transparent; border: none; }
 QScrollBar:vertical { background: transparent; width: 9px; margin: 0; }

@@ -95,7 +95,7 @@ struct NullObserver {
     }
     /// A corner of what is left of the face goes to the screen.
     constexpr void onViewport(std::uint32_t /*face*/, int /*corner*/, const ClipVertex&, const ScreenVertex&) {}
-    /// A face was cut by at least one plane and is drawn as so many triangles.
+    /// A face was cut by at least one plane and is drawn as so many triangles; none if it is culled.
     constexpr void onClipped(std::uint32_t /*face*/, int /*pieces*/) {}
     constexpr void onFacing(std::uint32_t /*face*/, const FacingDecision&) {}
     constexpr void onTriangle(const ScreenTriangle&) {}

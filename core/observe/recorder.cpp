@@ -63,8 +63,11 @@ StepRecorder::StepRecorder(const Scene& scene, const Settings& settings, const R
     const bool overdraw = rules.shading == Shading::Overdraw;
     m_log->m_clear = {overdraw ? overdrawColor(0) : packColor(scene.background), rules.depthClear};
     m_log->m_checkpoints.push_back({});
-    const std::size_t samples = std::size_t(rules.columns()) * std::size_t(rules.rows());
+    m_stride = rules.strideIsRows ? rules.rows() : rules.columns();
+    const std::size_t samples = std::size_t(std::max(rules.columns(), m_stride)) * std::size_t(rules.rows());
+    m_log->m_sampleCount = samples;
     m_lastEffect.resize(samples);
+    m_color.assign(samples, m_log->m_clear.color);
     if (overdraw)
         m_coverCount.resize(samples);
     if (filter.pixels) {
@@ -375,8 +378,11 @@ void StepRecorder::onFragment(const Fragment& fragment, float storedDepth, bool 
     const std::uint32_t sample = sampleIndex(fragment.x, fragment.y);
     if (!m_coverCount.empty() && m_coverCount[sample] != 0xffff) {
         const std::uint32_t before = m_coverCount[sample]++;
-        addEffect({sample, {overdrawColor(before), storedDepth}, {overdrawColor(before + 1), storedDepth}});
+        m_color[sample] = overdrawColor(before + 1);
+        addEffect({sample, {overdrawColor(before), storedDepth}, {m_color[sample], storedDepth}});
     }
+    if (!passed && m_rules.depthWrittenOnFail)
+        addEffect({sample, {m_color[sample], storedDepth}, {m_color[sample], fragment.depth}});
     if (!admit(fragment.y, fragment.x, fragment.x + 1)) {
         m_gap = true;
         return;
@@ -411,6 +417,7 @@ void StepRecorder::onWrite(int x, int y, Pixel before, Pixel after)
     const std::uint32_t sample = sampleIndex(x, y);
     if (!m_coverCount.empty()) // the picture shows how often a sample was covered, whatever is written
         before.color = after.color = overdrawColor(m_coverCount[sample]);
+    m_color[sample] = after.color;
     addEffect({sample, before, after});
     if (!admit(y, x, x + 1)) {
         m_gap = true;
@@ -419,7 +426,7 @@ void StepRecorder::onWrite(int x, int y, Pixel before, Pixel after)
     storePayload(sampleEvent(StepKind::Write, x, y), WriteStep{before, after});
 }
 
-std::shared_ptr<const StepLog> StepRecorder::finish(bool stopped)
+std::shared_ptr<const StepLog> StepRecorder::finish(bool stopped, const QImage& picture)
 {
     dropPending();
     StepLog& log = *m_log;
@@ -431,6 +438,8 @@ std::shared_ptr<const StepLog> StepRecorder::finish(bool stopped)
         m_filter.cap = log.m_events.size() + 1;
         m_face = m_triangle = StepEvent::kNone;
         storeFaceEvent(StepKind::End);
+        if (m_rules.resolve != Resolve::AllSamples)
+            log.m_finished = picture;
     }
     for (std::size_t i = 0; i < log.m_events.size(); ++i)
         log.m_byKind[static_cast<std::size_t>(log.m_events[i].kind)].push_back(static_cast<std::uint32_t>(i));

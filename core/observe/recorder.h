@@ -79,8 +79,8 @@ public:
 
     /// Ends the log.
     ///
-    /// in  whether the drawing was stopped from outside
-    [[nodiscard]] std::shared_ptr<const StepLog> finish(bool stopped);
+    /// in  whether the drawing was stopped from outside; the picture it made
+    [[nodiscard]] std::shared_ptr<const StepLog> finish(bool stopped, const QImage& picture);
 
 private:
     /// What to go back to when a face or triangle turns out to have nothing in the filter's pixels.
@@ -115,14 +115,14 @@ private:
     [[nodiscard]] std::size_t gapBegin() const { return m_log->m_events.empty() ? 0 : m_log->m_events.back().effects; }
     [[nodiscard]] std::uint32_t sampleIndex(int x, int y) const
     {
-        return static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(m_log->m_columns) +
-               static_cast<std::uint32_t>(x);
+        return static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(m_stride) + static_cast<std::uint32_t>(x);
     }
 
     const Scene* m_scene;
     Rules m_rules;
     StepFilter m_filter;
     PixelRect m_samples; ///< filter.pixels in samples
+    int m_stride = 0;    ///< samples from one row of the frame buffer to the next
     ClipVolume m_volume;
     std::stop_source m_stopDrawing;
     std::shared_ptr<StepLog> m_log;
@@ -142,6 +142,7 @@ private:
     int m_previousX = -2;
     int m_previousY = -2;
     std::vector<std::uint32_t> m_lastEffect; ///< of each sample, an index into effects that may be out of date
+    std::vector<std::uint32_t> m_color;      ///< of each sample
     std::vector<std::uint16_t> m_coverCount; ///< of each sample; overdraw only
 };
 

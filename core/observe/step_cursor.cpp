@@ -17,11 +17,10 @@ constexpr int kNowhere = std::numeric_limits<int>::max();
 StepCursor::StepCursor(std::shared_ptr<const StepLog> log) : m_log(std::move(log))
 {
     const int grid = m_log->grid();
-    const std::size_t samples = std::size_t(m_log->columns()) * std::size_t(m_log->rows());
     m_image = QImage(m_log->columns() / grid, m_log->rows() / grid, QImage::Format_RGB32);
     m_image.fill(m_log->clear().color);
-    m_color.assign(samples, m_log->clear().color);
-    m_depth.assign(samples, m_log->clear().depth);
+    m_color.assign(m_log->sampleCount(), m_log->clear().color);
+    m_depth.assign(m_log->sampleCount(), m_log->clear().depth);
     m_touched.assign(std::size_t(m_image.height()), {kNowhere, -1});
 }
 
@@ -35,10 +34,13 @@ void StepCursor::moveTo(std::size_t position)
         put(effects[i].sample, effects[i].after);
     for (std::size_t i = from; i > to; --i)
         put(effects[i - 1].sample, effects[i - 1].before);
+    const bool wasFinished = isFinished();
     m_position = position;
     m_changed = {};
     if (from != to)
         show();
+    if (isFinished() != wasFinished)
+        m_changed = {0, 0, m_image.width(), m_image.height()};
 }
 
 void StepCursor::put(std::uint32_t sample, const Pixel& pixel)
@@ -47,8 +49,11 @@ void StepCursor::put(std::uint32_t sample, const Pixel& pixel)
     m_depth[sample] = pixel.depth;
     const auto columns = static_cast<std::uint32_t>(m_log->columns());
     const auto grid = static_cast<std::uint32_t>(m_log->grid());
+    const std::uint32_t y = sample / columns / grid;
+    if (y >= m_touched.size())
+        return;
     const int x = static_cast<int>(sample % columns / grid);
-    RowRange& row = m_touched[sample / columns / grid];
+    RowRange& row = m_touched[y];
     row.left = std::min(row.left, x);
     row.right = std::max(row.right, x);
 }

@@ -32,7 +32,7 @@ public:
     }
 
     /// Pixels, Format_RGB32: with several samples their mean.
-    [[nodiscard]] const QImage& image() const { return m_image; }
+    [[nodiscard]] const QImage& image() const { return isFinished() ? m_log->finishedImage() : m_image; }
     /// The pixels that the last moveTo changed lie within; empty: none.
     [[nodiscard]] PixelRect changedPixels() const { return m_changed; }
     /// 0xffRRGGBB of each sample, row by row.
@@ -48,6 +48,7 @@ private:
         int right;
     };
 
+    [[nodiscard]] bool isFinished() const { return m_position == m_log->size() && !m_log->finishedImage().isNull(); }
     void put(std::uint32_t sample, const Pixel& pixel);
     /// Makes pixels of the samples that were put.
     void show();

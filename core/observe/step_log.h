@@ -3,6 +3,8 @@
 #include "core/observe/statistics.h"
 #include "core/settings.h"
 
+#include <QImage>
+
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -243,7 +245,7 @@ struct StepStop {
 
 /// A change of one sample of the frame buffer.
 struct StepEffect {
-    std::uint32_t sample; ///< row * columns + column
+    std::uint32_t sample; ///< where it is read from: row * columns + column
     Pixel before;
     Pixel after;
 };
@@ -283,7 +285,9 @@ public:
     [[nodiscard]] const Settings& settings() const { return m_settings; }
     [[nodiscard]] int columns() const { return m_columns; } ///< samples
     [[nodiscard]] int rows() const { return m_rows; }       ///< samples
-    [[nodiscard]] int grid() const { return m_grid; }       ///< samples a pixel along each axis
+    /// How many samples the frame buffer holds: columns * rows, but for a mistake in their addresses.
+    [[nodiscard]] std::size_t sampleCount() const { return m_sampleCount; }
+    [[nodiscard]] int grid() const { return m_grid; } ///< samples a pixel along each axis
     [[nodiscard]] int varyingCount() const { return m_varyingCount; }
     [[nodiscard]] Pixel clear() const { return m_clear; }
 
@@ -325,6 +329,9 @@ public:
     /// cost  at most kCheckpointEvents events
     [[nodiscard]] Statistics countersAt(std::size_t position) const;
 
+    /// The finished picture where a mistake makes it something else than the mean of the samples; else null.
+    [[nodiscard]] const QImage& finishedImage() const { return m_finished; }
+
     [[nodiscard]] std::span<const StepEffect> effects() const { return m_effects; }
     /// How many effects there are at a position.
     [[nodiscard]] std::size_t effectsAt(std::size_t position) const
@@ -357,6 +364,8 @@ private:
     Settings m_settings;
     int m_columns = 0;
     int m_rows = 0;
+    std::size_t m_sampleCount = 0;
+    QImage m_finished; ///< the finished picture, where it is not the mean of the samples
     int m_grid = 1;
     int m_varyingCount = 0;
     Pixel m_clear;

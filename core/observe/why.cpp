@@ -147,14 +147,15 @@ public:
     WhyReport answer()
     {
         for (const std::uint32_t face : m_geometry.order())
-            look(face);
+            if (look(face) == FaceFate::Rejected && !m_rules.continuesAfterReject)
+                break;
         draw();
         judge();
         return std::move(m_report);
     }
 
 private:
-    void look(std::uint32_t face)
+    FaceFate look(std::uint32_t face)
     {
         FaceWatch watch(m_volume);
         m_batch.clear();
@@ -168,13 +169,14 @@ private:
                                watch.boundsHold(m_centre, m_rules.fill == Fill::Solid ? 0 : m_margin) ||
                                ((cutAway || watch.fate == FaceFate::Rejected) && watch.isMetBy(m_ndc));
         if (!concerned)
-            return;
+            return watch.fate;
         WhyFace row;
         row.face = face;
         row.verdict = cutAway && watch.isMetBy(m_ndc) ? WhyVerdict::ClippedAway : verdictOf(watch.fate);
         row.planes = watch.fate == FaceFate::Rejected ? watch.rejectedBy() : watch.cutBy;
         row.facing = watch.facing;
         m_report.faces.push_back(row);
+        return watch.fate;
     }
 
     void draw()
@@ -184,8 +186,20 @@ private:
         filter.cap = std::numeric_limits<std::size_t>::max();
         StepRecorder recorder(m_scene, m_settings, m_rules, filter, std::stop_source());
         Frame frame;
-        Framebuffer framebuffer(frame, m_rules, {}, packColor(m_scene.background));
-        const std::size_t sample = framebuffer.samples().index(m_report.sampleX, m_report.sampleY);
+        if (m_settings.mistakes.empty())
+            drawPixel(frame, recorder);
+        else // samples may be drawn at other places than their own, and the picture finished in other ways
+            drawScene(m_scene, m_settings, frame, {true, false, false}, recorder, std::stop_token());
+        m_report.depth = frame.depth[std::size_t(m_report.y) * std::size_t(m_rules.width) + std::size_t(m_report.x)];
+        m_log = recorder.finish(false, frame.image);
+        m_report.background = m_log->clear().color;
+        m_report.color = frame.image.pixel(m_report.x, m_report.y);
+    }
+
+    /// Draws what may touch the pixel, and of that only the fragments of the pixel.
+    void drawPixel(Frame& frame, StepRecorder& recorder)
+    {
+        Framebuffer framebuffer(frame, m_rules, {true, false, false}, packColor(m_scene.background));
         FragmentStage<StepRecorder> stage(m_rules, framebuffer.samples(), glm::vec3(m_matrices.eyeWorld), recorder);
         const int grid = m_rules.sampleGrid;
         PixelStage pixelStage(stage, {m_report.x * grid, m_report.y * grid, grid, grid});
@@ -196,12 +210,7 @@ private:
                 if (isNear(triangle))
                     drawTriangle(m_scene, triangle, m_rules, pixelStage, recorder);
         }
-        m_report.depth =
-            framebuffer.samples().depth != nullptr ? framebuffer.samples().depth[sample] : m_rules.depthClear;
         framebuffer.resolve();
-        m_log = recorder.finish(false);
-        m_report.background = m_log->clear().color;
-        m_report.color = frame.image.pixel(m_report.x, m_report.y);
     }
 
     [[nodiscard]] bool isNear(const ScreenTriangle& triangle) const

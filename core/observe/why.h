@@ -71,7 +71,7 @@ struct WhyReport {
 /// in      settings for which unsupported() is empty; a pixel of the viewport
 /// covers  faces whose bounds on the screen hold the sample's centre; of faces that never get to the screen those that
 ///         lie before or behind the eye in the direction of the sample; all faces with a non-finite vertex
-/// cost    geometry for the whole scene, coverage for the faces concerned only
+/// cost    geometry for the whole scene, coverage for the faces concerned only; with mistakes the whole frame
 /// exact   verdicts are those of render(): the same stages are run
 [[nodiscard]] WhyReport why(const Scene& scene, const Settings& settings, int x, int y);
 

@@ -23,51 +23,59 @@ struct FanTriangle {
     double area2;
 };
 
-std::vector<FanTriangle> fanFrom(std::size_t apex, std::span<const ScreenVertex> polygon)
+struct Fan {
+    std::array<FanTriangle, ClipPolygon::kMaxVertices> triangles;
+    std::size_t count = 0;
+
+    [[nodiscard]] std::span<const FanTriangle> span() const { return {triangles.data(), count}; }
+};
+
+Fan fanFrom(std::size_t apex, std::span<const ScreenVertex> polygon)
 {
-    std::vector<FanTriangle> fan;
+    Fan fan;
     const std::size_t n = polygon.size();
     for (std::size_t i = 1; i + 1 < n; ++i) {
         const std::array<std::size_t, 3> c{apex, (apex + i) % n, (apex + i + 1) % n};
         const double area2 = twiceArea(polygon[c[0]].position, polygon[c[1]].position, polygon[c[2]].position);
         if (area2 != 0)
-            fan.push_back({c, area2});
+            fan.triangles[fan.count++] = {c, area2};
     }
     return fan;
 }
 
 } // namespace
 
-Geometry::Geometry(const Scene& scene, const Matrices& matrices, const Rules& rules)
+FaceStages::FaceStages(const Scene& scene, const Matrices& matrices, const Rules& rules)
     : m_scene(&scene), m_rules(rules), m_eyeWorld(matrices.eyeWorld), m_near(matrices.near), m_far(matrices.far),
       m_volume(clipVolume(rules))
 {
-    const std::vector<ClipVertex> clipVertices = shadeVertices(scene, matrices, rules);
-    m_vertices.resize(clipVertices.size());
-    for (std::size_t i = 0; i < clipVertices.size(); ++i) {
-        ProcessedVertex& v = m_vertices[i];
-        v.clip = clipVertices[i];
-        v.finite = isFinite(v.clip.positionClip);
-        if (!v.finite)
-            continue;
-        v.outcode = outcode(v.clip.positionClip, m_volume);
-        if (v.outcode.cut == 0)
-            v.screen = screenVertex(v.clip);
-    }
 }
 
-int Geometry::appendFan(std::uint32_t face, std::span<const ScreenVertex> polygon, std::vector<ScreenTriangle>& out)
+ProcessedVertex FaceStages::processVertex(const ClipVertex& vertex) const
+{
+    ProcessedVertex v;
+    v.clip = vertex;
+    v.finite = isFinite(v.clip.positionClip);
+    if (!v.finite)
+        return v;
+    v.outcode = outcode(v.clip.positionClip, m_volume);
+    if (v.outcode.cut == 0)
+        v.screen = screenVertex(v.clip);
+    return v;
+}
+
+int FaceStages::appendFan(std::uint32_t face, std::span<const ScreenVertex> polygon, std::vector<ScreenTriangle>& out)
 {
     const double area2 = twicePolygonArea(polygon);
     const auto sameWay = [&](const FanTriangle& t) { return (t.area2 > 0) == (area2 > 0); };
-    std::vector<FanTriangle> fan;
+    Fan fan;
     for (std::size_t apex = 0; apex < polygon.size(); ++apex) {
         fan = fanFrom(apex, polygon);
-        if (std::all_of(fan.begin(), fan.end(), sameWay))
+        if (const auto triangles = fan.span(); std::all_of(triangles.begin(), triangles.end(), sameWay))
             break;
     }
     int pieces = 0;
-    for (const FanTriangle& t : fan)
+    for (const FanTriangle& t : fan.span())
         if (sameWay(t)) {
             out.push_back({{polygon[t.corners[0]], polygon[t.corners[1]], polygon[t.corners[2]]}, face});
             ++pieces;
@@ -75,9 +83,9 @@ int Geometry::appendFan(std::uint32_t face, std::span<const ScreenVertex> polygo
     return pieces;
 }
 
-double Geometry::facingElsewhere(std::uint32_t face) const
+double FaceStages::facingElsewhere(std::uint32_t face, const Corners& corners) const
 {
-    const ClipTriangle triangle{{corner(face, 0).clip, corner(face, 1).clip, corner(face, 2).clip}, face};
+    const ClipTriangle triangle{{corners[0]->clip, corners[1]->clip, corners[2]->clip}, face};
     switch (m_rules.facing) {
     case Facing::ViewNormal: return viewFacing(m_scene->mesh, face, m_eyeWorld);
     case Facing::LightNormal: return lightFacing(m_scene->mesh, face);
@@ -89,11 +97,19 @@ double Geometry::facingElsewhere(std::uint32_t face) const
     return clipDeterminant(triangle);
 }
 
-void Geometry::giveWOfCorners(std::uint32_t face, std::span<ScreenTriangle> pieces) const
+void FaceStages::giveWOfCorners(const Corners& corners, std::span<ScreenTriangle> pieces)
 {
     for (ScreenTriangle& piece : pieces)
-        for (std::uint32_t i = 0; i < 3; ++i)
-            piece.vertices[i].invW = 1 / corner(face, i).clip.positionClip.w;
+        for (std::size_t i = 0; i < 3; ++i)
+            piece.vertices[i].invW = 1 / corners[i]->clip.positionClip.w;
+}
+
+Geometry::Geometry(const Scene& scene, const Matrices& matrices, const Rules& rules)
+    : m_scene(&scene), m_rules(rules), m_stages(scene, matrices, rules)
+{
+    m_vertices.reserve(scene.mesh.vertices.size());
+    for (const ClipVertex& vertex : shadeVertices(scene, matrices, rules))
+        m_vertices.push_back(m_stages.processVertex(vertex));
 }
 
 std::vector<std::uint32_t> Geometry::order() const

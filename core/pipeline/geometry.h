@@ -22,35 +22,28 @@ struct ProcessedVertex {
     bool finite;
 };
 
-/// The stages between vertex and coverage for one frame: assemble, reject, clip, to the screen, cull.
-class Geometry
+/// The stages a face goes through between vertex and coverage: reject, clip, to the screen, cull.
+class FaceStages
 {
 public:
-    Geometry(const Scene& scene, const Matrices& matrices, const Rules& rules);
+    using Corners = std::array<const ProcessedVertex*, 3>;
+
+    FaceStages(const Scene& scene, const Matrices& matrices, const Rules& rules);
+
+    [[nodiscard]] ProcessedVertex processVertex(const ClipVertex& vertex) const;
 
     /// Takes a face through the stages and appends the triangles to draw.
     ///
     /// out   0 triangles, 1, or as many as the fan of the clipped polygon has
     template <class Observer>
-    FaceFate process(std::uint32_t face, std::vector<ScreenTriangle>& out, Observer& observer) const
+    FaceFate process(std::uint32_t face, const Corners& corners, std::vector<ScreenTriangle>& out,
+                     Observer& observer) const
     {
-        const FaceFate fate = processFace(face, out, observer);
-        observer.onFace(face, fate);
-        return fate;
-    }
-
-    /// Faces from far to near by the mean depth of their corners (painter's algorithm), or in the order of the mesh.
-    [[nodiscard]] std::vector<std::uint32_t> order() const;
-
-private:
-    template <class Observer>
-    FaceFate processFace(std::uint32_t face, std::vector<ScreenTriangle>& out, Observer& observer) const
-    {
-        const ProcessedVertex& a = corner(face, 0);
-        const ProcessedVertex& b = corner(face, 1);
-        const ProcessedVertex& c = corner(face, 2);
+        const ProcessedVertex& a = *corners[0];
+        const ProcessedVertex& b = *corners[1];
+        const ProcessedVertex& c = *corners[2];
         for (std::uint32_t i = 0; i < 3; ++i)
-            observer.onVertex(face, static_cast<int>(i), meshVertex(face, i), corner(face, i).clip);
+            observer.onVertex(face, static_cast<int>(i), m_scene->mesh.indices[3 * face + i], corners[i]->clip);
         if (!a.finite || !b.finite || !c.finite)
             return FaceFate::NonFinite;
         const ClipVerdict verdict = clipVerdict(m_rules.clipping, a.outcode, b.outcode, c.outcode);
@@ -62,8 +55,8 @@ private:
                 return FaceFate::Degenerate;
             const std::array<ScreenVertex, 3> polygon{a.screen, b.screen, c.screen};
             for (std::uint32_t i = 0; i < 3; ++i)
-                observer.onViewport(face, static_cast<int>(i), corner(face, i).clip, polygon[i]);
-            const FaceFate fate = facing(face, polygon, observer);
+                observer.onViewport(face, static_cast<int>(i), corners[i]->clip, polygon[i]);
+            const FaceFate fate = facing(face, corners, polygon, observer);
             if (fate == FaceFate::Rasterized)
                 out.push_back({polygon, face});
             return fate;
@@ -79,38 +72,41 @@ private:
         }
         if (clipped.count == 0)
             return FaceFate::Rejected;
-        return drawClipped(face, clipped, out, observer);
+        return drawClipped(face, corners, clipped, out, observer);
     }
 
+private:
     template <class Observer>
-    FaceFate drawClipped(std::uint32_t face, const ClipPolygon& clipped, std::vector<ScreenTriangle>& out,
-                         Observer& observer) const
+    FaceFate drawClipped(std::uint32_t face, const Corners& corners, const ClipPolygon& clipped,
+                         std::vector<ScreenTriangle>& out, Observer& observer) const
     {
-        std::vector<ScreenVertex> polygon;
+        std::array<ScreenVertex, ClipPolygon::kMaxVertices> vertices;
+        std::size_t count = 0;
         for (const ClipVertex& vertex : clipped.span()) {
             if (!isBeforeEye(vertex))
                 return FaceFate::Degenerate; // the plane of the face runs through the eye
-            polygon.push_back(screenVertex(vertex));
-            observer.onViewport(face, static_cast<int>(polygon.size()) - 1, vertex, polygon.back());
+            vertices[count] = screenVertex(vertex);
+            observer.onViewport(face, static_cast<int>(count), vertex, vertices[count]);
+            ++count;
         }
-        const FaceFate fate = facing(face, polygon, observer);
-        if (fate == FaceFate::Rasterized) {
-            const int pieces = appendFan(face, polygon, out);
-            observer.onClipped(face, pieces);
-            if (!m_rules.clipUpdatesW)
-                giveWOfCorners(face, std::span(out).last(static_cast<std::size_t>(pieces)));
-        }
+        const std::span<const ScreenVertex> polygon(vertices.data(), count);
+        const FaceFate fate = facing(face, corners, polygon, observer);
+        const int pieces = fate == FaceFate::Rasterized ? appendFan(face, polygon, out) : 0;
+        observer.onClipped(face, pieces);
+        if (!m_rules.clipUpdatesW)
+            giveWOfCorners(corners, std::span(out).last(static_cast<std::size_t>(pieces)));
         return fate;
     }
 
     /// Front, back or edge-on, in the space the rules ask for; zero area on the screen draws nothing in any.
     template <class Observer>
-    FaceFate facing(std::uint32_t face, std::span<const ScreenVertex> polygon, Observer& observer) const
+    FaceFate facing(std::uint32_t face, const Corners& corners, std::span<const ScreenVertex> polygon,
+                    Observer& observer) const
     {
         FacingDecision decision;
         decision.by = m_rules.facing;
         decision.screenArea = twicePolygonArea(polygon) / 2;
-        decision.value = m_rules.facing == Facing::ScreenArea ? decision.screenArea : facingElsewhere(face);
+        decision.value = m_rules.facing == Facing::ScreenArea ? decision.screenArea : facingElsewhere(face, corners);
         decision.fate = fateOf(decision);
         observer.onFacing(face, decision);
         return decision.fate;
@@ -125,14 +121,9 @@ private:
     }
 
     /// Which way a face looks by what is not the area on the screen.
-    [[nodiscard]] double facingElsewhere(std::uint32_t face) const;
+    [[nodiscard]] double facingElsewhere(std::uint32_t face, const Corners& corners) const;
 
     [[nodiscard]] static bool isBeforeEye(const ClipVertex& vertex) { return vertex.positionClip.w > 0; }
-
-    [[nodiscard]] std::uint32_t meshVertex(std::uint32_t face, std::uint32_t i) const
-    {
-        return m_scene->mesh.indices[3 * face + i];
-    }
 
     [[nodiscard]] ScreenVertex screenVertex(const ClipVertex& vertex) const
     {
@@ -142,18 +133,13 @@ private:
         return out;
     }
 
-    [[nodiscard]] const ProcessedVertex& corner(std::uint32_t face, std::uint32_t i) const
-    {
-        return m_vertices[meshVertex(face, i)];
-    }
-
     /// Cuts a convex polygon into triangles from a corner that sees all of it: snapping may have dented it a little.
     ///
     /// out   the number of triangles
     static int appendFan(std::uint32_t face, std::span<const ScreenVertex> polygon, std::vector<ScreenTriangle>& out);
 
     /// Gives the pieces of a cut face the w of the face's vertices, as if there had been no cut.
-    void giveWOfCorners(std::uint32_t face, std::span<ScreenTriangle> pieces) const;
+    static void giveWOfCorners(const Corners& corners, std::span<ScreenTriangle> pieces);
 
     const Scene* m_scene;
     Rules m_rules;
@@ -161,6 +147,36 @@ private:
     double m_near;
     double m_far;
     ClipVolume m_volume;
+};
+
+/// The vertices of one frame and the stages of its faces.
+class Geometry
+{
+public:
+    Geometry(const Scene& scene, const Matrices& matrices, const Rules& rules);
+
+    /// Takes a face through the stages and appends the triangles to draw.
+    template <class Observer>
+    FaceFate process(std::uint32_t face, std::vector<ScreenTriangle>& out, Observer& observer) const
+    {
+        const FaceFate fate =
+            m_stages.process(face, {&corner(face, 0), &corner(face, 1), &corner(face, 2)}, out, observer);
+        observer.onFace(face, fate);
+        return fate;
+    }
+
+    /// Faces from far to near by the mean depth of their corners (painter's algorithm), or in the order of the mesh.
+    [[nodiscard]] std::vector<std::uint32_t> order() const;
+
+private:
+    [[nodiscard]] const ProcessedVertex& corner(std::uint32_t face, std::uint32_t i) const
+    {
+        return m_vertices[m_scene->mesh.indices[3 * face + i]];
+    }
+
+    const Scene* m_scene;
+    Rules m_rules;
+    FaceStages m_stages;
     std::vector<ProcessedVertex> m_vertices;
 };
 

@@ -8,10 +8,6 @@ namespace rasterlens
 namespace
 {
 
-/// Coefficients may be off by this much over the whole bounds before the plane is given up: well below the last bit
-/// of float32 depth, 2^-24.
-constexpr double kPlaneError = 0x1p-30;
-
 /// Rounds to a multiple of `quantum`, a power of two.
 double roundTo(double value, double quantum)
 {
@@ -31,16 +27,14 @@ DepthPlane depthPlane(const ScreenTriangle& triangle, double area2, const Rules&
     const double perX = (zc * ab.y - zb * ac.y) / area2;
     const double perY = (zb * ac.x - zc * ab.x) / area2;
 
-    // Where the plane is evaluated: the bounds of the triangle inside the target, and a few samples around for
-    // algorithms that work on blocks.
-    constexpr double kMargin = 4;
-    const glm::dvec2 low = glm::max(glm::min(glm::min(a.position, b.position), c.position), 0.0) - kMargin;
+    // Where the plane is evaluated: the bounds of the triangle inside the target, and a few samples around.
+    const glm::dvec2 low = glm::max(glm::min(glm::min(a.position, b.position), c.position), 0.0) - kPlaneMargin;
     const glm::dvec2 high =
         glm::min(glm::max(glm::max(a.position, b.position), c.position), glm::dvec2(rules.columns(), rules.rows())) +
-        kMargin;
+        kPlaneMargin;
     const double originAtZero = a.depth + perX * (0.5 - a.position.x) + perY * (0.5 - a.position.y);
-    const double largest = std::abs(originAtZero) + std::abs(perX) * std::max(std::abs(high.x), kMargin) +
-                           std::abs(perY) * std::max(std::abs(high.y), kMargin);
+    const double largest = std::abs(originAtZero) + std::abs(perX) * std::max(std::abs(high.x), kPlaneMargin) +
+                           std::abs(perY) * std::max(std::abs(high.y), kPlaneMargin);
     if (!std::isfinite(largest) || !rules.depthLinear)
         return {.byWeights = true};
     const double quantum = std::ldexp(1, std::ilogb(std::max(largest, 0x1p-900)) - 51);

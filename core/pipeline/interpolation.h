@@ -27,6 +27,11 @@ struct DepthPlane {
     bool byWeights = false;
 };
 
+/// Coefficients may be off by this much over the whole bounds before the plane is given up: well below the last bit
+/// of float32 depth, 2^-24.
+constexpr double kPlaneError = 0x1p-30;
+constexpr double kPlaneMargin = 4; ///< samples round the bounds where the plane is exact too, for work on blocks
+
 [[nodiscard]] DepthPlane depthPlane(const ScreenTriangle& triangle, double area2, const Rules& rules);
 
 /// The triangle with depth, w and varyings of its corners handed round as `data` says.

@@ -8,9 +8,6 @@ namespace rasterlens
 namespace
 {
 
-constexpr float kAmbient = 0.2F;
-constexpr float kDiffuse = 0.8F;
-
 float lambert(const glm::vec3& normal)
 {
     const glm::vec3 l = lightDirection();

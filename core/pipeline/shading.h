@@ -21,6 +21,11 @@ constexpr int kVaryingPosition = 8; ///< world space: phong
 /// How many floats this shading interpolates.
 [[nodiscard]] int varyingCount(Shading shading);
 
+// The light of every scene.
+constexpr float kAmbient = 0.2F;
+constexpr float kDiffuse = 0.8F;
+[[nodiscard]] glm::vec3 lightDirection();
+
 /// What the vertex stage computes for this shading: lit colour (gouraud, texture), attributes (the others).
 ///
 /// source  ambient 0.2 and diffuse 0.8 * max(0, n . l), l = normalize(0.3, 0.5, 1) in world space

@@ -16,4 +16,8 @@ namespace rasterlens
 /// covers  `reversedZ` of clip-space scenes, by mirroring z
 [[nodiscard]] std::vector<ClipVertex> shadeVertices(const Scene& scene, const Matrices& matrices, const Rules& rules);
 
+/// The same for one vertex, by its index in the mesh.
+[[nodiscard]] ClipVertex shadeVertexAt(const Scene& scene, const Matrices& matrices, const Rules& rules,
+                                       std::size_t index);
+
 } // namespace rasterlens

@@ -1,5 +1,4 @@
-<?xml version="1.0" encoding="utf-8"?>
-<!DOCTYPE TS>
+<?xml version='1.0' encoding='utf-8'?>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
     <name>Applicability</name>
@@ -203,7 +202,7 @@
         <translation>互相穿插的两个三角形</translation>
     </message>
     <message>
-        <source>Each is in front in one half. The painter&apos;s algorithm shows one of them whole.</source>
+        <source>Each is in front in one half. The painter's algorithm shows one of them whole.</source>
         <translation>每个三角形各有一半在前面。画家算法会把其中一个完整地显示出来。</translation>
     </message>
     <message>
@@ -262,6 +261,86 @@
         <source>The board goes from distance 1 on the left to 10 on the right, the markers stand at thirds of the screen. In the middle z/w is 0.8938 and the distance 1.818: z/w is linear on the screen, the distance is not. Board and markers have equal colours at equal distances, unless interpolation is affine.</source>
         <translation>木板左端距离为 1，右端为 10，标记位于屏幕的三等分处。正中间 z/w 为 0.8938，距离为 1.818：z/w 在屏幕上是线性的，距离则不是。木板和标记在相同距离处颜色相同，除非使用仿射插值。</translation>
     </message>
+    <message>
+        <source>The square, hits counted</source>
+        <translation>正方形，命中计数</translation>
+    </message>
+    <message>
+        <source>The square cut by its diagonal; colours tell how many triangles cover a pixel. It must be one.</source>
+        <translation>被对角线切开的正方形；颜色表示一个像素被几个三角形覆盖。应当恰好是一个。</translation>
+    </message>
+    <message>
+        <source>A panel close before a wall</source>
+        <translation>紧贴墙面的板</translation>
+    </message>
+    <message>
+        <source>As in z-fighting, but with the near plane at 0.5: 32-bit depth can tell panel and wall apart, 16 bits cannot.</source>
+        <translation>与“深度冲突”相同，但近平面在 0.5：32 位深度能分开板和墙，16 位不能。</translation>
+    </message>
+    <message>
+        <source>Near, far, middle</source>
+        <translation>近、远、中</translation>
+    </message>
+    <message>
+        <source>Three rectangles, sent in this order: orange in front, blue at the back, green between them.</source>
+        <translation>三个矩形按此顺序提交：橙色在前，蓝色在后，绿色在中间。</translation>
+    </message>
+    <message>
+        <source>Two squares, two windings</source>
+        <translation>两个正方形，两种环绕方向</translation>
+    </message>
+    <message>
+        <source>The left square is counter-clockwise, the right one clockwise. A rule must treat both alike. Colours tell how many triangles cover a pixel.</source>
+        <translation>左边的正方形逆时针，右边的顺时针。规则必须同等对待。颜色表示一个像素被几个三角形覆盖。</translation>
+    </message>
+    <message>
+        <source>Tiles smaller than a pixel</source>
+        <translation>比像素还小的方砖</translation>
+    </message>
+    <message>
+        <source>From half a pixel on the left to several on the right. However small they are, together they cover every pixel once.</source>
+        <translation>左边半个像素，到右边几个像素。无论多小，它们合起来恰好把每个像素覆盖一次。</translation>
+    </message>
+    <message>
+        <source>Edges between samples</source>
+        <translation>样本之间的边</translation>
+    </message>
+    <message>
+        <source>2 x 2 samples a pixel. The orange triangle is nearer and sent first; the white square is cut by its diagonal, of which nothing may be seen.</source>
+        <translation>每像素 2 × 2 个样本。橙色三角形更近且先提交；白色正方形被对角线切开，而对角线不应被看见。</translation>
+    </message>
+    <message>
+        <source>Triangles without area</source>
+        <translation>没有面积的三角形</translation>
+    </message>
+    <message>
+        <source>Three triangles are flattened to lines through pixel centres. They must not be seen.</source>
+        <translation>三个三角形被压成穿过像素中心的线。它们不应被看见。</translation>
+    </message>
+    <message>
+        <source>Two needles of 4,000 pixels</source>
+        <translation>两根 4,000 像素的细针</translation>
+    </message>
+    <message>
+        <source>They share a long edge. What is added up along it must not drift.</source>
+        <translation>它们共享一条长边。沿边累加的值不能漂移。</translation>
+    </message>
+    <message>
+        <source>A triangle of 60,000 pixels</source>
+        <translation>60,000 像素的三角形</translation>
+    </message>
+    <message>
+        <source>Not clipped: on the left half of the screen an edge value needs more than 32 bits.</source>
+        <translation>未裁剪：在屏幕左半边，边函数值超过 32 位。</translation>
+    </message>
+    <message>
+        <source>Over the right border</source>
+        <translation>超出右边界</translation>
+    </message>
+    <message>
+        <source>With a guard band the triangle is not clipped; the bounding box alone keeps it on the screen.</source>
+        <translation>有保护带时三角形不被裁剪；只靠包围盒把它留在屏幕内。</translation>
+    </message>
 </context>
 <context>
     <name>ImageExport</name>
@@ -311,6 +390,789 @@
     <message>
         <source>tie: %1, %2</source>
         <translation>平局: %1，%2</translation>
+    </message>
+</context>
+<context>
+    <name>Mistake</name>
+    <message>
+        <source>All edges are inclusive</source>
+        <translation>所有边都算在内</translation>
+    </message>
+    <message>
+        <source>Pixels on a shared edge are drawn by both triangles: wrong where colours blend or are counted.</source>
+        <translation>公共边上的像素被两个三角形各画一次：混合颜色或计数时就会出错。</translation>
+    </message>
+    <message>
+        <source>inside = e0 &gt;= 0 &amp;&amp; e1 &gt;= 0 &amp;&amp; e2 &gt;= 0</source>
+        <translation>inside = e0 &gt;= 0 &amp;&amp; e1 &gt;= 0 &amp;&amp; e2 &gt;= 0</translation>
+    </message>
+    <message>
+        <source>A point on the edge is in the triangle, is it not?</source>
+        <translation>边上的点难道不属于三角形吗？</translation>
+    </message>
+    <message>
+        <source>All edges are exclusive</source>
+        <translation>所有边都不算在内</translation>
+    </message>
+    <message>
+        <source>Pixels on a shared edge are drawn by neither triangle: a row of holes.</source>
+        <translation>公共边上的像素两个三角形都不画：留下一排洞。</translation>
+    </message>
+    <message>
+        <source>inside = e0 &gt; 0 &amp;&amp; e1 &gt; 0 &amp;&amp; e2 &gt; 0</source>
+        <translation>inside = e0 &gt; 0 &amp;&amp; e1 &gt; 0 &amp;&amp; e2 &gt; 0</translation>
+    </message>
+    <message>
+        <source>It stops pixels from being drawn twice.</source>
+        <translation>这样像素就不会被画两次。</translation>
+    </message>
+    <message>
+        <source>Top-left bias with "all positive or all negative"</source>
+        <translation>左上规则偏移加上“全正或全负”</translation>
+    </message>
+    <message>
+        <source>Counter-clockwise triangles are right, at the shared edges of clockwise ones pixels are drawn twice.</source>
+        <translation>逆时针三角形正确，顺时针三角形的公共边上像素被画两次。</translation>
+    </message>
+    <message>
+        <source>inside = all e + bias &gt;= 0 || all e + bias &lt;= 0</source>
+        <translation>inside = all e + bias &gt;= 0 || all e + bias &lt;= 0</translation>
+    </message>
+    <message>
+        <source>It makes the test independent of the winding; the bias is not.</source>
+        <translation>这样测试与环绕方向无关，但偏移并非如此。</translation>
+    </message>
+    <message>
+        <source>A fixed bias of 1 on floating-point edges</source>
+        <translation>浮点边函数上固定偏移 1</translation>
+    </message>
+    <message>
+        <source>A crack between neighbours, the wider the shorter the edge; small triangles vanish.</source>
+        <translation>相邻三角形之间出现裂缝，边越短裂缝越宽；小三角形消失。</translation>
+    </message>
+    <message>
+        <source>float bias = ownsPoints ? 0 : -1</source>
+        <translation>float bias = ownsPoints ? 0 : -1</translation>
+    </message>
+    <message>
+        <source>In integers, 1 is the smallest step. In floats it is a pixel.</source>
+        <translation>整数里 1 是最小的一步；浮点里它是一整个像素。</translation>
+    </message>
+    <message>
+        <source>Sampled at the pixel's corner</source>
+        <translation>在像素角上采样</translation>
+    </message>
+    <message>
+        <source>The picture sits half a pixel too far right and down.</source>
+        <translation>画面向右下偏移半个像素。</translation>
+    </message>
+    <message>
+        <source>edge(x, y) in place of edge(x + 0.5, y + 0.5)</source>
+        <translation>edge(x, y) in place of edge(x + 0.5, y + 0.5)</translation>
+    </message>
+    <message>
+        <source>The loop variables are right there.</source>
+        <translation>循环变量就在手边。</translation>
+    </message>
+    <message>
+        <source>Vertices are cast to int</source>
+        <translation>顶点被转换为 int</translation>
+    </message>
+    <message>
+        <source>Edges jump by whole pixels when something moves, and triangles smaller than a pixel collapse.</source>
+        <translation>物体移动时边按整像素跳动，小于一个像素的三角形塌缩。</translation>
+    </message>
+    <message>
+        <source>Vec2i p = {(int)v.x, (int)v.y}</source>
+        <translation>Vec2i p = {(int)v.x, (int)v.y}</translation>
+    </message>
+    <message>
+        <source>Pixels have integer coordinates.</source>
+        <translation>像素的坐标是整数。</translation>
+    </message>
+    <message>
+        <source>One winding only, and triangles are not oriented</source>
+        <translation>只处理一种环绕方向，且不调整三角形</translation>
+    </message>
+    <message>
+        <source>Clockwise triangles vanish although nothing is culled.</source>
+        <translation>没有剔除，顺时针三角形却消失了。</translation>
+    </message>
+    <message>
+        <source>area is not looked at before the edges are set up</source>
+        <translation>area is not looked at before the edges are set up</translation>
+    </message>
+    <message>
+        <source>The first triangle one tries works.</source>
+        <translation>试的第一个三角形是对的。</translation>
+    </message>
+    <message>
+        <source>Barycentric weights rotated by one corner</source>
+        <translation>重心坐标权重错位一个顶点</translation>
+    </message>
+    <message>
+        <source>All colours move on by one corner.</source>
+        <translation>所有颜色都挪到下一个顶点。</translation>
+    </message>
+    <message>
+        <source>e_AB / area is used as the weight of A</source>
+        <translation>e_AB / area is used as the weight of A</translation>
+    </message>
+    <message>
+        <source>The edge is named after its first corner; its value belongs to the corner opposite.</source>
+        <translation>边以它的第一个顶点命名，而它的值属于对面的顶点。</translation>
+    </message>
+    <message>
+        <source>Two barycentric weights exchanged</source>
+        <translation>两个重心坐标权重互换</translation>
+    </message>
+    <message>
+        <source>Two corners have each other's colour.</source>
+        <translation>两个顶点的颜色互换了。</translation>
+    </message>
+    <message>
+        <source>color = u * A + w * B + v * C</source>
+        <translation>color = u * A + w * B + v * C</translation>
+    </message>
+    <message>
+        <source>B and C were swapped to turn the triangle round, and only they.</source>
+        <translation>为了翻转三角形交换了 B 和 C，却只交换了它们。</translation>
+    </message>
+    <message>
+        <source>The interpolated position overwrites the pixel's</source>
+        <translation>插值得到的位置覆盖了像素位置</translation>
+    </message>
+    <message>
+        <source>Holes like pepper: 6.9999995 is cut to 6, and its neighbour is drawn twice.</source>
+        <translation>像胡椒一样的小洞：6.9999995 被截成 6，旁边的像素画了两次。</translation>
+    </message>
+    <message>
+        <source>x = (int)(u * A.x + v * B.x + w * C.x)</source>
+        <translation>x = (int)(u * A.x + v * B.x + w * C.x)</translation>
+    </message>
+    <message>
+        <source>Position is an attribute like all others.</source>
+        <translation>位置和其他属性没有区别。</translation>
+    </message>
+    <message>
+        <source>Sorting by y moves positions only</source>
+        <translation>按 y 排序时只移动了位置</translation>
+    </message>
+    <message>
+        <source>Colours sit at wrong corners, in some triangles and not in others.</source>
+        <translation>颜色落在错误的顶点上，有的三角形错，有的不错。</translation>
+    </message>
+    <message>
+        <source>if (b.y &lt; a.y) swap(a.position, b.position)</source>
+        <translation>if (b.y &lt; a.y) swap(a.position, b.position)</translation>
+    </message>
+    <message>
+        <source>The sort was there before the colours were.</source>
+        <translation>先有排序，后有颜色。</translation>
+    </message>
+    <message>
+        <source>+1 on the height of an edge</source>
+        <translation>边的高度加 1</translation>
+    </message>
+    <message>
+        <source>The short edges end beside the middle corner: a kink, and an outline that is off by up to a pixel.</source>
+        <translation>短边没有到达中间顶点：出现折角，轮廓最多偏差一个像素。</translation>
+    </message>
+    <message>
+        <source>slope = (b.x - a.x) / (b.y - a.y + 1)</source>
+        <translation>slope = (b.x - a.x) / (b.y - a.y + 1)</translation>
+    </message>
+    <message>
+        <source>It avoids dividing by zero.</source>
+        <translation>这样避免了除以零。</translation>
+    </message>
+    <message>
+        <source>Steep lines column by column</source>
+        <translation>陡线逐列绘制</translation>
+    </message>
+    <message>
+        <source>A line of 1 x 10 ends at y = 20; of vertical lines, which would divide by zero, only a dot is left.</source>
+        <translation>1 × 10 的线画到了 y = 20；竖线会除以零，只剩一个点。</translation>
+    </message>
+    <message>
+        <source>error += dy / dx; while (error &gt; 0.5) ++y</source>
+        <translation>error += dy / dx; while (error &gt; 0.5) ++y</translation>
+    </message>
+    <message>
+        <source>It looks like the line algorithm, for flat lines.</source>
+        <translation>对平缓的线，它看起来就是画线算法。</translation>
+    </message>
+    <message>
+        <source>The weight along a line divided in integers</source>
+        <translation>沿线的权重用整数除法</translation>
+    </message>
+    <message>
+        <source>Each line has one colour from its first pixel to the last but one.</source>
+        <translation>每条线从第一个像素到倒数第二个像素都是同一种颜色。</translation>
+    </message>
+    <message>
+        <source>float t = i / n, both int</source>
+        <translation>float t = i / n, both int</translation>
+    </message>
+    <message>
+        <source>The result is stored in a float.</source>
+        <translation>结果存放在 float 里。</translation>
+    </message>
+    <message>
+        <source>An octant of the line algorithm is missing</source>
+        <translation>画线算法漏了一个八分区</translation>
+    </message>
+    <message>
+        <source>Lines in one direction are not drawn.</source>
+        <translation>某个方向的线不画。</translation>
+    </message>
+    <message>
+        <source>if (dy &gt; dx &amp;&amp; dx &gt; 0 &amp;&amp; dy &gt; 0) is never written</source>
+        <translation>if (dy &gt; dx &amp;&amp; dx &gt; 0 &amp;&amp; dy &gt; 0) is never written</translation>
+    </message>
+    <message>
+        <source>Seven cases work.</source>
+        <translation>其他七种情况都对。</translation>
+    </message>
+    <message>
+        <source>The last pixel of a line is missing</source>
+        <translation>线的最后一个像素缺失</translation>
+    </message>
+    <message>
+        <source>Lines stop one pixel short: the corners on the right of triangles are open.</source>
+        <translation>线短了一个像素：三角形右侧的角是开口的。</translation>
+    </message>
+    <message>
+        <source>if (x1 &lt; x0) swap; for (x = x0; x &lt; x1; ++x)</source>
+        <translation>if (x1 &lt; x0) swap; for (x = x0; x &lt; x1; ++x)</translation>
+    </message>
+    <message>
+        <source>Loops end before the end.</source>
+        <translation>循环在终点之前结束。</translation>
+    </message>
+    <message>
+        <source>Attributes are linear on the screen</source>
+        <translation>属性在屏幕上线性插值</translation>
+    </message>
+    <message>
+        <source>Tiles and lines break at the diagonal of the square and swim when the camera moves.</source>
+        <translation>方砖和线条在正方形对角线处折断，相机移动时漂移。</translation>
+    </message>
+    <message>
+        <source>uv = u * A.uv + v * B.uv + w * C.uv</source>
+        <translation>uv = u * A.uv + v * B.uv + w * C.uv</translation>
+    </message>
+    <message>
+        <source>Right for z, and right without perspective.</source>
+        <translation>对 z 是对的，没有透视时也是对的。</translation>
+    </message>
+    <message>
+        <source>w is lost before interpolation</source>
+        <translation>插值之前丢了 w</translation>
+    </message>
+    <message>
+        <source>Perspective correction is on and changes nothing: the picture is the affine one.</source>
+        <translation>透视校正开着却毫无作用：画面仍是仿射插值的。</translation>
+    </message>
+    <message>
+        <source>v = v / v.w, and v.w is 1 from then on</source>
+        <translation>v = v / v.w, and v.w is 1 from then on</translation>
+    </message>
+    <message>
+        <source>After the divide nobody needs w any more.</source>
+        <translation>除法之后没人再需要 w 了。</translation>
+    </message>
+    <message>
+        <source>Weights of the correction exchanged: t Z2 for t Z1</source>
+        <translation>校正权重互换：t Z1 写成 t Z2</translation>
+    </message>
+    <message>
+        <source>The picture bends the other way: worse than without correction.</source>
+        <translation>画面向相反方向弯曲：比不校正还糟。</translation>
+    </message>
+    <message>
+        <source>n = m * Z2 / ((1 - m) * Z1 + m * Z2)</source>
+        <translation>n = m * Z2 / ((1 - m) * Z1 + m * Z2)</translation>
+    </message>
+    <message>
+        <source>The formula is symmetric enough to be remembered wrong.</source>
+        <translation>公式太对称，容易记反。</translation>
+    </message>
+    <message>
+        <source>w of the unclipped triangle used after clipping</source>
+        <translation>裁剪后仍使用裁剪前的 w</translation>
+    </message>
+    <message>
+        <source>Textures are torn in triangles that are cut, and right in all others.</source>
+        <translation>被裁剪的三角形纹理撕裂，其余都正确。</translation>
+    </message>
+    <message>
+        <source>the pieces keep the w of corner 0, 1, 2 of the face</source>
+        <translation>the pieces keep the w of corner 0, 1, 2 of the face</translation>
+    </message>
+    <message>
+        <source>w was stored per face, before there was a clipper.</source>
+        <translation>还没有裁剪器时，w 就按面存好了。</translation>
+    </message>
+    <message>
+        <source>z/w gets the perspective correction of attributes</source>
+        <translation>对 z/w 也做了属性的透视校正</translation>
+    </message>
+    <message>
+        <source>Depth between the corners is too near: things cut through each other at wrong places.</source>
+        <translation>顶点之间的深度偏近：物体在错误的位置互相穿插。</translation>
+    </message>
+    <message>
+        <source>z = interpolate(A.z / A.w, ...) with perspective weights</source>
+        <translation>z = interpolate(A.z / A.w, ...) with perspective weights</translation>
+    </message>
+    <message>
+        <source>z is an attribute like all others. But z/w is linear on the screen already.</source>
+        <translation>z 与其他属性一样？可 z/w 在屏幕上本来就是线性的。</translation>
+    </message>
+    <message>
+        <source>The distance is interpolated linearly on the screen</source>
+        <translation>距离在屏幕上线性插值</translation>
+    </message>
+    <message>
+        <source>Depth between the corners is too far: what lies behind shows through the middle of steep faces.</source>
+        <translation>顶点之间的深度偏远：后面的东西从倾斜面的中部透出来。</translation>
+    </message>
+    <message>
+        <source>z = u * A.z + v * B.z + w * C.z with z of view space</source>
+        <translation>z = u * A.z + v * B.z + w * C.z with z of view space</translation>
+    </message>
+    <message>
+        <source>The distance is what depth means. But only 1/z is linear on the screen.</source>
+        <translation>深度不就是距离吗？但屏幕上线性的只有 1/z。</translation>
+    </message>
+    <message>
+        <source>No clipping at the near plane</source>
+        <translation>不在近平面裁剪</translation>
+    </message>
+    <message>
+        <source>What is behind the camera comes back mirrored, upside down.</source>
+        <translation>相机背后的东西上下左右颠倒地出现。</translation>
+    </message>
+    <message>
+        <source>x / w, whatever the sign of w</source>
+        <translation>x / w, whatever the sign of w</translation>
+    </message>
+    <message>
+        <source>The divide works without complaint.</source>
+        <translation>除法照样进行，不会报错。</translation>
+    </message>
+    <message>
+        <source>A face is kept if any vertex is inside</source>
+        <translation>只要有一个顶点在内就保留整个面</translation>
+    </message>
+    <message>
+        <source>A triangle that covers the whole screen vanishes, as all its corners are outside.</source>
+        <translation>盖住整个屏幕的三角形消失，因为它的顶点都在外面。</translation>
+    </message>
+    <message>
+        <source>if (!inside(a) &amp;&amp; !inside(b) &amp;&amp; !inside(c)) reject</source>
+        <translation>if (!inside(a) &amp;&amp; !inside(b) &amp;&amp; !inside(c)) reject</translation>
+    </message>
+    <message>
+        <source>What is visible has a corner that is visible.</source>
+        <translation>看得见的东西总有一个看得见的顶点。</translation>
+    </message>
+    <message>
+        <source>Whole faces are dropped at near and far</source>
+        <translation>在远近平面处丢弃整个面</translation>
+    </message>
+    <message>
+        <source>Large triangles vanish as soon as one corner passes the camera.</source>
+        <translation>大三角形只要一个顶点越过相机就消失。</translation>
+    </message>
+    <message>
+        <source>if (any w &lt; near) reject</source>
+        <translation>if (any w &lt; near) reject</translation>
+    </message>
+    <message>
+        <source>It avoids the division by zero, and cutting.</source>
+        <translation>既避免除以零，又不用切割。</translation>
+    </message>
+    <message>
+        <source>Only edges are clipped</source>
+        <translation>只裁剪边</translation>
+    </message>
+    <message>
+        <source>Where the triangle covers a corner of the screen, the corner is cut off.</source>
+        <translation>三角形盖住屏幕角的地方，角被切掉。</translation>
+    </message>
+    <message>
+        <source>polygon = what Cohen-Sutherland leaves of the edges</source>
+        <translation>polygon = what Cohen-Sutherland leaves of the edges</translation>
+    </message>
+    <message>
+        <source>A triangle is its three edges.</source>
+        <translation>三角形就是三条边。</translation>
+    </message>
+    <message>
+        <source>return in place of continue</source>
+        <translation>continue 写成了 return</translation>
+    </message>
+    <message>
+        <source>Everything after the first rejected face is missing.</source>
+        <translation>第一个被拒绝的面之后全都不见了。</translation>
+    </message>
+    <message>
+        <source>if (outside) return;</source>
+        <translation>if (outside) return;</translation>
+    </message>
+    <message>
+        <source>The body of the loop was a function once.</source>
+        <translation>循环体以前是一个函数。</translation>
+    </message>
+    <message>
+        <source>Cut vertices are nudged inward by 0.001</source>
+        <translation>裁剪点向内推 0.001</translation>
+    </message>
+    <message>
+        <source>A gap at the border of the screen and in front of the camera.</source>
+        <translation>屏幕边缘和相机前方出现缝隙。</translation>
+    </message>
+    <message>
+        <source>t = t + 0.001</source>
+        <translation>t = t + 0.001</translation>
+    </message>
+    <message>
+        <source>So that the vertex lies inside for certain.</source>
+        <translation>好让顶点一定落在里面。</translation>
+    </message>
+    <message>
+        <source>Culling with the wrong sign</source>
+        <translation>剔除的符号反了</translation>
+    </message>
+    <message>
+        <source>One looks into closed bodies: only the insides of their backs are drawn.</source>
+        <translation>看进了封闭物体内部：只画出背面的内侧。</translation>
+    </message>
+    <message>
+        <source>if (area &gt; 0) cull</source>
+        <translation>if (area &gt; 0) cull</translation>
+    </message>
+    <message>
+        <source>y runs down on the screen, so the sign flips.</source>
+        <translation>屏幕上 y 向下，所以符号要翻转。</translation>
+    </message>
+    <message>
+        <source>Culled by the direction of the light</source>
+        <translation>按光线方向剔除</translation>
+    </message>
+    <message>
+        <source>What faces the camera but not the light is missing.</source>
+        <translation>朝向相机但背光的面不见了。</translation>
+    </message>
+    <message>
+        <source>if (dot(normal, light) &lt; 0) cull</source>
+        <translation>if (dot(normal, light) &lt; 0) cull</translation>
+    </message>
+    <message>
+        <source>In the first example light and gaze are one direction.</source>
+        <translation>第一个例子里光线和视线方向相同。</translation>
+    </message>
+    <message>
+        <source>Culled by the area before the divide</source>
+        <translation>用除法之前的面积剔除</translation>
+    </message>
+    <message>
+        <source>Faces seen at a grazing angle vanish or show their back.</source>
+        <translation>斜视的面消失或露出背面。</translation>
+    </message>
+    <message>
+        <source>area of clip.x, clip.y, without / w</source>
+        <translation>area of clip.x, clip.y, without / w</translation>
+    </message>
+    <message>
+        <source>The sign does not need the divide, if all w are alike.</source>
+        <translation>如果所有 w 相同，符号不需要除法。</translation>
+    </message>
+    <message>
+        <source>Culled by the divided area before clipping</source>
+        <translation>裁剪前就用除法后的面积剔除</translation>
+    </message>
+    <message>
+        <source>Faces that reach behind the camera vanish: there the divide turns them round.</source>
+        <translation>延伸到相机背后的面消失：除法在那里把它们翻了过来。</translation>
+    </message>
+    <message>
+        <source>area of x / w, y / w of the unclipped face</source>
+        <translation>area of x / w, y / w of the unclipped face</translation>
+    </message>
+    <message>
+        <source>It saves clipping what is culled anyway.</source>
+        <translation>反正要剔除，何必裁剪。</translation>
+    </message>
+    <message>
+        <source>No z-buffer</source>
+        <translation>没有深度缓冲</translation>
+    </message>
+    <message>
+        <source>What is sent last is in front: the mouth shows through the lips.</source>
+        <translation>后画的在前面：口腔透过嘴唇露出来。</translation>
+    </message>
+    <message>
+        <source>image.set(x, y, color) without a test</source>
+        <translation>image.set(x, y, color) without a test</translation>
+    </message>
+    <message>
+        <source>Culling alone is enough for convex bodies.</source>
+        <translation>对凸体只剔除就够了。</translation>
+    </message>
+    <message>
+        <source>z-buffer cleared to 0</source>
+        <translation>深度缓冲清为 0</translation>
+    </message>
+    <message>
+        <source>Nothing is drawn.</source>
+        <translation>什么也画不出来。</translation>
+    </message>
+    <message>
+        <source>fill(zbuffer, 0) where smaller is nearer</source>
+        <translation>fill(zbuffer, 0) where smaller is nearer</translation>
+    </message>
+    <message>
+        <source>Memory is cleared to 0.</source>
+        <translation>内存总是清零。</translation>
+    </message>
+    <message>
+        <source>z-buffer cleared to numeric_limits&lt;float&gt;::min()</source>
+        <translation>深度缓冲清为 numeric_limits&lt;float&gt;::min()</translation>
+    </message>
+    <message>
+        <source>Nothing is drawn: min() is the smallest number above 0, not the lowest of all.</source>
+        <translation>什么也画不出来：min() 是大于 0 的最小数，而不是最小的数。</translation>
+    </message>
+    <message>
+        <source>fill(zbuffer, numeric_limits&lt;float&gt;::min())</source>
+        <translation>fill(zbuffer, numeric_limits&lt;float&gt;::min())</translation>
+    </message>
+    <message>
+        <source>For int, min() is the lowest number.</source>
+        <translation>对 int 来说 min() 就是最小的数。</translation>
+    </message>
+    <message>
+        <source>The depth comparison is reversed</source>
+        <translation>深度比较反了</translation>
+    </message>
+    <message>
+        <source>What is farthest is in front.</source>
+        <translation>最远的跑到最前面。</translation>
+    </message>
+    <message>
+        <source>if (z &gt; zbuffer[i])</source>
+        <translation>if (z &gt; zbuffer[i])</translation>
+    </message>
+    <message>
+        <source>Other texts have z growing towards the viewer.</source>
+        <translation>别的教材里 z 朝观察者增大。</translation>
+    </message>
+    <message>
+        <source>Depth is written even if the test fails</source>
+        <translation>深度测试失败也写入深度</translation>
+    </message>
+    <message>
+        <source>A third surface shows through the nearest one where a second one lies between.</source>
+        <translation>中间夹着第二个面时，第三个面从最近的面里透出来。</translation>
+    </message>
+    <message>
+        <source>zbuffer[i] = z stands below the if, not in it</source>
+        <translation>zbuffer[i] = z stands below the if, not in it</translation>
+    </message>
+    <message>
+        <source>A pair of braces.</source>
+        <translation>少了一对花括号。</translation>
+    </message>
+    <message>
+        <source>Few depth bits and a near plane close to the eye</source>
+        <translation>深度位数少，近平面又贴近眼睛</translation>
+    </message>
+    <message>
+        <source>Surfaces close to each other flicker in stripes.</source>
+        <translation>靠得近的表面闪烁出条纹。</translation>
+    </message>
+    <message>
+        <source>16-bit depth, near = 0.5, far = 1000</source>
+        <translation>16-bit depth, near = 0.5, far = 1000</translation>
+    </message>
+    <message>
+        <source>The nearer the near plane, the less is lost, one thinks; it takes most of the depth values.</source>
+        <translation>以为近平面越近丢得越少；其实它占去了大部分深度值。</translation>
+    </message>
+    <message>
+        <source>Coverage times colour in place of stored samples</source>
+        <translation>用覆盖率乘颜色代替存储样本</translation>
+    </message>
+    <message>
+        <source>Dark lines along edges, also where two triangles of one colour meet.</source>
+        <translation>边上出现暗线，同色三角形相接处也有。</translation>
+    </message>
+    <message>
+        <source>pixel = color * inside / 4</source>
+        <translation>pixel = color * inside / 4</translation>
+    </message>
+    <message>
+        <source>Four samples inside: the full colour; two: half of it.</source>
+        <translation>四个样本在内取全色，两个取一半。</translation>
+    </message>
+    <message>
+        <source>One depth for all samples of a pixel</source>
+        <translation>像素的所有样本共用一个深度</translation>
+    </message>
+    <message>
+        <source>A fringe of background round what was drawn first: what lies behind fails its test there.</source>
+        <translation>先画的物体周围有一圈背景色：后面的东西在那里通不过测试。</translation>
+    </message>
+    <message>
+        <source>zbuffer[pixel] in place of zbuffer[sample]</source>
+        <translation>zbuffer[pixel] in place of zbuffer[sample]</translation>
+    </message>
+    <message>
+        <source>One value a pixel was enough before.</source>
+        <translation>以前每个像素一个值就够了。</translation>
+    </message>
+    <message>
+        <source>inside(int, int) truncates the samples</source>
+        <translation>inside(int, int) 截断了样本位置</translation>
+    </message>
+    <message>
+        <source>Edges are as jagged as with one sample, at four times the cost.</source>
+        <translation>边缘和单采样一样锯齿，代价却是四倍。</translation>
+    </message>
+    <message>
+        <source>bool inside(int x, int y) called with x + 0.25</source>
+        <translation>bool inside(int x, int y) called with x + 0.25</translation>
+    </message>
+    <message>
+        <source>The compiler converts in silence.</source>
+        <translation>编译器默默地做了转换。</translation>
+    </message>
+    <message>
+        <source>Rows of samples at the wrong stride</source>
+        <translation>样本行距弄错</translation>
+    </message>
+    <message>
+        <source>The picture is sheared into stripes; in a square window it is right.</source>
+        <translation>画面被错切成条纹；在正方形窗口里却是对的。</translation>
+    </message>
+    <message>
+        <source>samples[y * height + x]</source>
+        <translation>samples[y * height + x]</translation>
+    </message>
+    <message>
+        <source>Tried in a square window.</source>
+        <translation>是在正方形窗口里试的。</translation>
+    </message>
+    <message>
+        <source>The bounding box is not clamped to the window</source>
+        <translation>包围盒没有限制在窗口内</translation>
+    </message>
+    <message>
+        <source>What hangs over the right border comes in at the left, a row lower; elsewhere memory is overwritten.</source>
+        <translation>超出右边界的部分从左边低一行处冒出来；别处则改写内存。</translation>
+    </message>
+    <message>
+        <source>for (x = floor(minX); x &lt;= ceil(maxX); ++x)</source>
+        <translation>for (x = floor(minX); x &lt;= ceil(maxX); ++x)</translation>
+    </message>
+    <message>
+        <source>Everything was on the screen so far.</source>
+        <translation>到目前为止一切都在屏幕内。</translation>
+    </message>
+    <message>
+        <source>The bounding box is off by one</source>
+        <translation>包围盒差一</translation>
+    </message>
+    <message>
+        <source>The last column and the last row of each triangle are missing.</source>
+        <translation>每个三角形缺最后一列和最后一行。</translation>
+    </message>
+    <message>
+        <source>for (x = minX; x &lt; maxX; ++x)</source>
+        <translation>for (x = minX; x &lt; maxX; ++x)</translation>
+    </message>
+    <message>
+        <source>Edge values in 32 bits</source>
+        <translation>边函数值用 32 位</translation>
+    </message>
+    <message>
+        <source>Above 46,341 pixels, whose square needs more than 31 bits, values wrap round: triangles have holes with straight edges.</source>
+        <translation>超过 46,341 像素（平方超出 31 位）时数值回绕：三角形出现直边的洞。</translation>
+    </message>
+    <message>
+        <source>int e = (x - a.x) * (b.y - a.y) - ...</source>
+        <translation>int e = (x - a.x) * (b.y - a.y) - ...</translation>
+    </message>
+    <message>
+        <source>No screen is that large. Unclipped triangles are.</source>
+        <translation>没有那么大的屏幕，但未裁剪的三角形有那么大。</translation>
+    </message>
+    <message>
+        <source>Triangles without area are not rejected</source>
+        <translation>不拒绝没有面积的三角形</translation>
+    </message>
+    <message>
+        <source>Black lines: the weights are 0/0, which no comparison holds back.</source>
+        <translation>黑线：权重是 0/0，任何比较都拦不住。</translation>
+    </message>
+    <message>
+        <source>u = e / area, without a look at area</source>
+        <translation>u = e / area, without a look at area</translation>
+    </message>
+    <message>
+        <source>Who would send such triangles?</source>
+        <translation>谁会提交这种三角形？</translation>
+    </message>
+    <message>
+        <source>Triangles of less than half a pixel are dropped</source>
+        <translation>丢弃小于半个像素的三角形</translation>
+    </message>
+    <message>
+        <source>Meshes finer than the pixels have holes or vanish.</source>
+        <translation>比像素还细的网格出现洞或消失。</translation>
+    </message>
+    <message>
+        <source>if (abs(area2) &lt; 1) return</source>
+        <translation>if (abs(area2) &lt; 1) return</translation>
+    </message>
+    <message>
+        <source>It avoids dividing by almost zero.</source>
+        <translation>这样避免除以接近零的数。</translation>
+    </message>
+    <message>
+        <source>Edge values added up in float32</source>
+        <translation>边函数值用 float32 累加</translation>
+    </message>
+    <message>
+        <source>Rounding piles up along a long row: holes and double hits at shared edges.</source>
+        <translation>舍入沿长行累积：公共边上出现洞和重复命中。</translation>
+    </message>
+    <message>
+        <source>float e; e += dx</source>
+        <translation>float e; e += dx</translation>
+    </message>
+    <message>
+        <source>One addition is cheaper than a product.</source>
+        <translation>一次加法比一次乘法便宜。</translation>
+    </message>
+    <message>
+        <source>y is flipped in one stage only</source>
+        <translation>只在一个阶段翻转了 y</translation>
+    </message>
+    <message>
+        <source>The picture stands on its head, and one sees the backs: the windings are flipped with it.</source>
+        <translation>画面倒立，而且看到背面：环绕方向也随之翻转。</translation>
+    </message>
+    <message>
+        <source>ys = (0.5 + y / w * 0.5) * height</source>
+        <translation>ys = (0.5 + y / w * 0.5) * height</translation>
+    </message>
+    <message>
+        <source>One of two flips was taken out.</source>
+        <translation>两次翻转去掉了一次。</translation>
     </message>
 </context>
 <context>
@@ -468,7 +1330,7 @@
         <translation>深度缓冲</translation>
     </message>
     <message>
-        <source>Painter&apos;s algorithm</source>
+        <source>Painter's algorithm</source>
         <translation>画家算法</translation>
     </message>
     <message>
@@ -596,7 +1458,7 @@
         <translation>反向 z</translation>
     </message>
     <message>
-        <source>The near plane maps to 1 and the far plane to 0, which spends float&apos;s precision where it is needed.</source>
+        <source>The near plane maps to 1 and the far plane to 0, which spends float's precision where it is needed.</source>
         <translation>近平面映射到 1，远平面映射到 0，把浮点精度用在需要的地方。</translation>
     </message>
     <message>
@@ -923,7 +1785,7 @@
         <translation>整帧</translation>
     </message>
     <message>
-        <source>Frames per second: counted while frames keep coming, else what the last frame&apos;s time allows.</source>
+        <source>Frames per second: counted while frames keep coming, else what the last frame's time allows.</source>
         <translation>每秒帧数：连续出帧时为实际计数，否则按上一帧的用时推算。</translation>
     </message>
     <message>
@@ -1074,6 +1936,222 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::Cards</name>
+    <message>
+        <source>Pixel card: why this pixel?</source>
+        <translation>像素卡：为什么是这个像素？</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>顶点</translation>
+    </message>
+    <message>
+        <source>Clip theatre</source>
+        <translation>裁剪剧场</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Algorithm race</source>
+        <translation>算法竞赛</translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation>复制为文本</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::ClipTheatre</name>
+    <message>
+        <source>clip space: %1 across, w up</source>
+        <translation>裁剪空间：横轴 %1，纵轴 w</translation>
+    </message>
+    <message>
+        <source>the nine regions: above, below, right, left</source>
+        <translation>九个区域：上、下、右、左</translation>
+    </message>
+    <message>
+        <source>the screen after the divide, and the fan</source>
+        <translation>除法之后的屏幕与三角扇</translation>
+    </message>
+    <message>
+        <source>no face</source>
+        <translation>没有面</translation>
+    </message>
+    <message>
+        <source>a corner is not a finite number</source>
+        <translation>有顶点不是有限数</translation>
+    </message>
+    <message>
+        <source>rejected whole: no plane had to cut</source>
+        <translation>整体拒绝：无需切割</translation>
+    </message>
+    <message>
+        <source>wholly inside: no plane cuts</source>
+        <translation>全部在内：没有平面切割</translation>
+    </message>
+    <message>
+        <source>kept whole: no plane of the mode cuts</source>
+        <translation>整体保留：此模式没有平面切割</translation>
+    </message>
+    <message>
+        <source>%1 corners: nothing is left</source>
+        <translation>%1 个顶点：什么也没剩下</translation>
+    </message>
+    <message>
+        <source>%1 corners, a fan of %2</source>
+        <translation>%1 个顶点，扇形共 %2 个三角形</translation>
+    </message>
+    <message>
+        <source>%1  outcode %2</source>
+        <translation>%1  区域码 %2</translation>
+    </message>
+    <message>
+        <source>all corners are inside: nothing to cut here</source>
+        <translation>所有顶点都在内：这里不用切</translation>
+    </message>
+    <message>
+        <source>Plane %1: %2 corners before, %3 after</source>
+        <translation>平面 %1：之前 %2 个顶点，之后 %3 个</translation>
+    </message>
+    <message>
+        <source>Plane %1 does not cut this face</source>
+        <translation>平面 %1 不切这个面</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>裁剪前</translation>
+    </message>
+    <message>
+        <source>The triangle before any plane</source>
+        <translation>任何平面之前的三角形</translation>
+    </message>
+    <message>
+        <source>sides</source>
+        <translation>四边</translation>
+    </message>
+    <message>
+        <source>The four sides of the screen, edge by edge</source>
+        <translation>屏幕的四条边，逐边裁剪</translation>
+    </message>
+    <message>
+        <source>The coordinate that is drawn against w</source>
+        <translation>与 w 对画的坐标</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::CurvesPanel</name>
+    <message>
+        <source>The scene has no camera: near and far are examples.</source>
+        <translation>场景没有相机：近、远平面是示例值。</translation>
+    </message>
+    <message>
+        <source>An end of this edge is behind the eye: the numbers of the textbook are shown.</source>
+        <translation>这条边有一端在眼睛后面：显示教科书中的数字。</translation>
+    </message>
+    <message>
+        <source>Perspective correction n(m)</source>
+        <translation>透视校正 n(m)</translation>
+    </message>
+    <message>
+        <source>m, on the screen</source>
+        <translation>m，屏幕上</translation>
+    </message>
+    <message>
+        <source>n, in space</source>
+        <translation>n，空间中</translation>
+    </message>
+    <message>
+        <source>affine</source>
+        <translation>仿射</translation>
+    </message>
+    <message>
+        <source>z' = n + f − nf / z</source>
+        <translation>z' = n + f − nf / z</translation>
+    </message>
+    <message>
+        <source>z, distance</source>
+        <translation>z，距离</translation>
+    </message>
+    <message>
+        <source>z'</source>
+        <translation>z'</translation>
+    </message>
+    <message>
+        <source>z' = z</source>
+        <translation>z' = z</translation>
+    </message>
+    <message>
+        <source>Four-z board</source>
+        <translation>四 z 对照表</translation>
+    </message>
+    <message>
+        <source>NDC z</source>
+        <translation>NDC z</translation>
+    </message>
+    <message>
+        <source>distance z</source>
+        <translation>距离 z</translation>
+    </message>
+    <message>
+        <source>truth</source>
+        <translation>真值</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>线性</translation>
+    </message>
+    <message>
+        <source>  error</source>
+        <translation>  误差</translation>
+    </message>
+    <message>
+        <source>"corrected"</source>
+        <translation>“校正”</translation>
+    </message>
+    <message>
+        <source>Edge AB</source>
+        <translation>边 AB</translation>
+    </message>
+    <message>
+        <source>Edge BC</source>
+        <translation>边 BC</translation>
+    </message>
+    <message>
+        <source>Edge CA</source>
+        <translation>边 CA</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>边</translation>
+    </message>
+    <message>
+        <source>Fraction of the way on the screen</source>
+        <translation>屏幕上走过的比例</translation>
+    </message>
+    <message>
+        <source>Textbook: n .1, f 50, z 1..10</source>
+        <translation>教科书：n .1, f 50, z 1..10</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::FacePicker</name>
+    <message>
+        <source>Face</source>
+        <translation>面</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>共 %1</translation>
+    </message>
+    <message>
+        <source>Faces are counted from 0. A click on a pixel chooses the face seen there.</source>
+        <translation>面从 0 开始计数。点击像素即选择在那里看到的面。</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::FieldRow</name>
     <message>
         <source>The scene asks for: %1. Click to put it back.</source>
@@ -1119,7 +2197,7 @@
         <translation>深度 %1</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no pixel of the picture. Write x, y with 0 to %2 and 0 to %3.</source>
+        <source>"%1" is no pixel of the picture. Write x, y with 0 to %2 and 0 to %3.</source>
         <translation>“%1”不是图像中的像素。请输入 x, y，范围为 0 到 %2 和 0 到 %3。</translation>
     </message>
     <message>
@@ -1574,6 +2652,18 @@
         <source>SVG drawings (*.svg)</source>
         <translation>SVG 图形 (*.svg)</translation>
     </message>
+    <message>
+        <source>&amp;Mistakes</source>
+        <translation>错误(&amp;M)</translation>
+    </message>
+    <message>
+        <source>List of mistakes</source>
+        <translation>错误列表</translation>
+    </message>
+    <message>
+        <source>mistakes</source>
+        <translation>错误</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::MessageBar</name>
@@ -1589,9 +2679,144 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::MistakeBadge</name>
+    <message>
+        <source>hit twice</source>
+        <translation>重复命中</translation>
+    </message>
+    <message>
+        <source>covered</source>
+        <translation>覆盖</translation>
+    </message>
+    <message>
+        <source>tested</source>
+        <translation>测试</translation>
+    </message>
+    <message>
+        <source>depth passed</source>
+        <translation>深度通过</translation>
+    </message>
+    <message>
+        <source>depth failed</source>
+        <translation>深度失败</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>culled, back</source>
+        <translation>剔除，背面</translation>
+    </message>
+    <message>
+        <source>degenerate</source>
+        <translation>退化</translation>
+    </message>
+    <message>
+        <source>rasterized</source>
+        <translation>已光栅化</translation>
+    </message>
+    <message>
+        <source>holes</source>
+        <translation>洞</translation>
+    </message>
+    <message>
+        <source>stray pixels</source>
+        <translation>多余像素</translation>
+    </message>
+    <message>
+        <source>pixels of a wrong face</source>
+        <translation>面错误的像素</translation>
+    </message>
+    <message>
+        <source>wrong pixels</source>
+        <translation>错误像素</translation>
+    </message>
+    <message>
+        <source>depth error</source>
+        <translation>深度误差</translation>
+    </message>
+    <message>
+        <source>colours</source>
+        <translation>颜色数</translation>
+    </message>
+    <message>
+        <source>white pixels of light lost</source>
+        <translation>丢失的亮度（白像素）</translation>
+    </message>
+    <message>
+        <source>, right: %1</source>
+        <translation>，正确值：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>还有 %n 个</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::MistakesMenu</name>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Show in its scene</source>
+        <translation>在它的场景中演示</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::MistakesSection</name>
+    <message>
+        <source>The wrong line</source>
+        <translation>错误的一行</translation>
+    </message>
+    <message>
+        <source>What one sees</source>
+        <translation>看到的现象</translation>
+    </message>
+    <message>
+        <source>Why people write it</source>
+        <translation>为什么会这样写</translation>
+    </message>
+    <message>
+        <source>Mistakes: none</source>
+        <translation>错误：无</translation>
+    </message>
+    <message>
+        <source>Mistakes: %1</source>
+        <translation>错误：%1</translation>
+    </message>
+    <message>
+        <source>Mistakes that people make in a rasterizer, to switch on and look at</source>
+        <translation>人们写光栅化器时常犯的错误，可以打开来看</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>全部关闭</translation>
+    </message>
+    <message>
+        <source>Switch all mistakes off</source>
+        <translation>关闭所有错误</translation>
+    </message>
+    <message>
+        <source>show</source>
+        <translation>演示</translation>
+    </message>
+    <message>
+        <source>Show in its scene</source>
+        <translation>在它的场景中演示</translation>
+    </message>
+    <message>
+        <source>Show %1 in its scene</source>
+        <translation>在它的场景中演示 %1</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::PipelinePanel</name>
     <message>
-        <source>&quot;%1&quot; is not a size. Write WIDTH x HEIGHT with 1 to %2 each.</source>
+        <source>"%1" is not a size. Write WIDTH x HEIGHT with 1 to %2 each.</source>
         <translation>“%1”不是尺寸。请输入 宽 x 高，各为 1 到 %2。</translation>
     </message>
     <message>
@@ -1623,6 +2848,210 @@
     <message>
         <source>Width and height of the picture, 1 to %1 each. The window only magnifies it.</source>
         <translation>图像的宽和高，各为 1 到 %1。窗口只负责放大显示。</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::PixelCard</name>
+    <message>
+        <source>left edge</source>
+        <translation>左边</translation>
+    </message>
+    <message>
+        <source>top edge</source>
+        <translation>上边</translation>
+    </message>
+    <message>
+        <source>neither left nor top</source>
+        <translation>既非左边也非上边</translation>
+    </message>
+    <message>
+        <source>no plane</source>
+        <translation>没有平面</translation>
+    </message>
+    <message>
+        <source>dropped: a corner is not a finite number</source>
+        <translation>丢弃：有顶点不是有限数</translation>
+    </message>
+    <message>
+        <source>rejected by %1</source>
+        <translation>被 %1 平面拒绝</translation>
+    </message>
+    <message>
+        <source>culled: back face</source>
+        <translation>剔除：背面</translation>
+    </message>
+    <message>
+        <source>culled: front face</source>
+        <translation>剔除：正面</translation>
+    </message>
+    <message>
+        <source>no area on the screen</source>
+        <translation>屏幕上没有面积</translation>
+    </message>
+    <message>
+        <source>clipped away by %1</source>
+        <translation>被 %1 平面裁掉</translation>
+    </message>
+    <message>
+        <source>outside of what clipping left</source>
+        <translation>在裁剪剩下的部分之外</translation>
+    </message>
+    <message>
+        <source>%1, outside</source>
+        <translation>%1，在外侧</translation>
+    </message>
+    <message>
+        <source>%1, lost the tie: %2</source>
+        <translation>%1，平局落败：%2</translation>
+    </message>
+    <message>
+        <source>failed depth: not %1 %2 %3</source>
+        <translation>深度失败：%1 %2 %3 不成立</translation>
+    </message>
+    <message>
+        <source>covered, but not drawn by this algorithm</source>
+        <translation>已覆盖，但此算法没有画</translation>
+    </message>
+    <message>
+        <source>written, overwritten later by face %1</source>
+        <translation>已写入，后来被面 %1 覆盖</translation>
+    </message>
+    <message>
+        <source>written: what you see</source>
+        <translation>已写入：就是所见</translation>
+    </message>
+    <message>
+        <source>perspective %1</source>
+        <translation>透视 %1</translation>
+    </message>
+    <message>
+        <source>z %1 %2 %3, passed</source>
+        <translation>z %1 %2 %3，通过</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>screen area</source>
+        <translation>屏幕面积</translation>
+    </message>
+    <message>
+        <source>won the tie on %1: %2</source>
+        <translation>%1 上平局获胜：%2</translation>
+    </message>
+    <message>
+        <source>%1 over %2</source>
+        <translation>%1 覆盖 %2</translation>
+    </message>
+    <message>
+        <source>Why pixel (%1, %2)?</source>
+        <translation>像素 (%1, %2) 为什么？</translation>
+    </message>
+    <message>
+        <source>Why this pixel?</source>
+        <translation>为什么是这个像素？</translation>
+    </message>
+    <message>
+        <source>face %1</source>
+        <translation>面 %1</translation>
+    </message>
+    <message>
+        <source>face %1 is seen</source>
+        <translation>看到的是面 %1</translation>
+    </message>
+    <message>
+        <source>background: no face was written</source>
+        <translation>背景：没有面写入</translation>
+    </message>
+    <message>
+        <source>Show the step at which this was decided</source>
+        <translation>显示作出决定的那一步</translation>
+    </message>
+    <message>
+        <source>Click a pixel of the picture: here you see every face that could concern it, how far it got, and the numbers that decided.</source>
+        <translation>点击画面上的一个像素：这里会列出所有可能与它有关的面、各走到了哪一步，以及起决定作用的数字。</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more faces; Copy as text has them all</source>
+        <translation>
+            <numerusform>还有 %n 个面；“复制为文本”包含全部</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No face comes near this pixel.</source>
+        <translation>没有面靠近这个像素。</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::RacePanel</name>
+    <message>
+        <source>Edge walking</source>
+        <translation>边步进</translation>
+    </message>
+    <message>
+        <source>Edge equation</source>
+        <translation>边函数</translation>
+    </message>
+    <message>
+        <source>samples tested</source>
+        <translation>测试样本</translation>
+    </message>
+    <message>
+        <source>covered</source>
+        <translation>覆盖</translation>
+    </message>
+    <message>
+        <source>wasted</source>
+        <translation>白费</translation>
+    </message>
+    <message>
+        <source>additions</source>
+        <translation>加法</translation>
+    </message>
+    <message>
+        <source>multiplications</source>
+        <translation>乘法</translation>
+    </message>
+    <message>
+        <source>divisions</source>
+        <translation>除法</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>播放</translation>
+    </message>
+    <message>
+        <source>this face is not drawn</source>
+        <translation>这个面没有画</translation>
+    </message>
+    <message>
+        <source>sample %1 of %2</source>
+        <translation>样本 %1 / %2</translation>
+    </message>
+    <message>
+        <source>To the start</source>
+        <translation>回到开头</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>单步</translation>
+    </message>
+    <message>
+        <source>One sample further, in both</source>
+        <translation>两边各前进一个样本</translation>
+    </message>
+    <message>
+        <source>Sample of the race</source>
+        <translation>竞赛中的样本</translation>
+    </message>
+    <message>
+        <source>Blue: covered. Orange: tested in vain. What one of the two alone chose blinks at the end.</source>
+        <translation>蓝色：覆盖。橙色：白测了。只有一方选中的像素在结束时闪烁。</translation>
     </message>
 </context>
 <context>
@@ -1723,7 +3152,7 @@
         <translation>起止步骤，例如 10-60：</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no run of steps 0 to %2.</source>
+        <source>"%1" is no run of steps 0 to %2.</source>
         <translation>“%1”不是 0 到 %2 之间的一段步骤。</translation>
     </message>
     <message>
@@ -1733,6 +3162,10 @@
     <message>
         <source>Written: %1</source>
         <translation>已写入：%1</translation>
+    </message>
+<message>
+        <source>The record holds no step of face %1.</source>
+        <translation>记录中没有面 %1 的步骤。</translation>
     </message>
 </context>
 <context>
@@ -1929,6 +3362,84 @@
         <translation>速度 %1 ▾</translation>
     </message>
 </context>
+<context>
+    <name>rasterlens::VertexPanel</name>
+    <message>
+        <source>Type over the blue numbers, or drag the corners on the canvas. Undo takes it back; the scene's file stays as it is.</source>
+        <translation>可改写蓝色数字，或在画布上拖动顶点。可以撤销；场景文件不变。</translation>
+    </message>
+    <message>
+        <source>Scenes of up to %1 faces can be edited here.</source>
+        <translation>不超过 %1 个面的场景可以在这里编辑。</translation>
+    </message>
+    <message>
+        <source>The corners of the face in every space</source>
+        <translation>面的顶点在各个空间中的坐标</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::VertexTableModel</name>
+    <message>
+        <source>inside</source>
+        <translation>在内</translation>
+    </message>
+    <message>
+        <source>Double-click to type other numbers</source>
+        <translation>双击可输入其他数字</translation>
+    </message>
+    <message>
+        <source>given  x, y, z, w</source>
+        <translation>给定  x, y, z, w</translation>
+    </message>
+    <message>
+        <source>object  x, y, z</source>
+        <translation>物体  x, y, z</translation>
+    </message>
+    <message>
+        <source>view  x, y, z</source>
+        <translation>视图  x, y, z</translation>
+    </message>
+    <message>
+        <source>clip  x, y, z, w</source>
+        <translation>裁剪  x, y, z, w</translation>
+    </message>
+    <message>
+        <source>NDC  clip / w</source>
+        <translation>NDC  裁剪 / w</translation>
+    </message>
+    <message>
+        <source>screen  pixels</source>
+        <translation>屏幕  像素</translation>
+    </message>
+    <message>
+        <source>snapped  pixels</source>
+        <translation>吸附后  像素</translation>
+    </message>
+    <message>
+        <source>depth  0..1</source>
+        <translation>深度  0..1</translation>
+    </message>
+    <message>
+        <source>outside of</source>
+        <translation>在其外侧</translation>
+    </message>
+    <message>
+        <source>outcode  above, below, right, left</source>
+        <translation>区域码  上、下、右、左</translation>
+    </message>
+    <message>
+        <source>%1, vertex %2</source>
+        <translation>%1，顶点 %2</translation>
+    </message>
+<message>
+        <source>outcode</source>
+        <translation>区域码</translation>
+    </message>
+    <message>
+        <source>One bit each: above, below, right, left of the screen</source>
+        <translation>各占一位：屏幕的上、下、右、左</translation>
+    </message>
+    </context>
 <context>
     <name>rasterlens::ViewportWidget</name>
     <message>

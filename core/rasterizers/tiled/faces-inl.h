@@ -1,0 +1,536 @@
+// Faces: reject, cull, set up many at once and sort them into the tiles. Included once for each target.
+#if defined(RASTERLENS_TILED_FACES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RASTERLENS_TILED_FACES_INL_H
+#undef RASTERLENS_TILED_FACES_INL_H
+#else
+#define RASTERLENS_TILED_FACES_INL_H
+#endif
+
+#include "core/pipeline/interpolation.h"
+#include "core/rasterizers/tiled/exact_path.h"
+#include "core/rasterizers/tiled/kernels.h"
+#include "core/rasterizers/tiled/lanes-inl.h"
+#include "core/rasterizers/tiled/planes-inl.h"
+#include "core/rasterizers/tiled/vertices-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rasterlens::tiled::HWY_NAMESPACE
+{
+
+constexpr std::uint32_t kFaceBatch = 64;
+
+/// Triangles that passed every test and wait for their set-up, corner by corner.
+struct alignas(64) SetupQueue {
+    static constexpr std::size_t kCapacity = 2 * kFaceBatch + 16;
+    std::array<std::array<std::int32_t, kCapacity>, 3> x; ///< units
+    std::array<std::array<std::int32_t, kCapacity>, 3> y;
+    std::array<std::array<double, kCapacity>, 3> depth;
+    std::array<std::uint32_t, kCapacity> source;
+    std::size_t count = 0;
+
+    void moveToFront(std::size_t from)
+    {
+        const auto move = [&](auto& lanes) {
+            std::copy_n(lanes.begin() + std::ptrdiff_t(from), count - from, lanes.begin());
+        };
+        for (std::size_t k = 0; k < 3; ++k) {
+            move(x[k]);
+            move(y[k]);
+            move(depth[k]);
+        }
+        move(source);
+        count -= from;
+    }
+};
+
+/// First and last sample along an axis whose centre lies between two positions, inside the target.
+struct SampleLanes {
+    HalfInts first;
+    HalfInts last;
+};
+
+HWY_INLINE SampleLanes SamplesBetween(HalfInts low, HalfInts high, int size)
+{
+    constexpr HalfIntTag tag;
+    return {hn::Max(hn::ShiftRight<8>(hn::Add(low, hn::Set(tag, kUnit / 2 - 1))), hn::Zero(tag)),
+            hn::Min(hn::ShiftRight<8>(hn::Sub(high, hn::Set(tag, kUnit / 2))), hn::Set(tag, size - 1))};
+}
+
+HWY_INLINE HalfInts Min3(HalfInts a, HalfInts b, HalfInts c) { return hn::Min(hn::Min(a, b), c); }
+HWY_INLINE HalfInts Max3(HalfInts a, HalfInts b, HalfInts c) { return hn::Max(hn::Max(a, b), c); }
+HWY_INLINE Doubles Min3(Doubles a, Doubles b, Doubles c) { return hn::Min(hn::Min(a, b), c); }
+HWY_INLINE Doubles Max3(Doubles a, Doubles b, Doubles c) { return hn::Max(hn::Max(a, b), c); }
+
+/// twiceArea() of positions in any unit.
+HWY_INLINE Doubles TwiceArea(Doubles abX, Doubles abY, Doubles acX, Doubles acY)
+{
+    return hn::Sub(hn::Mul(abY, acX), hn::Mul(abX, acY));
+}
+
+/// Corners of a batch of faces.
+struct alignas(64) FaceBatch {
+    std::array<std::array<std::int32_t, kFaceBatch>, 3> x;
+    std::array<std::array<std::int32_t, kFaceBatch>, 3> y;
+    std::array<std::array<double, kFaceBatch>, 3> depth;
+};
+
+HWY_INLINE void GatherFaces(const FrameJob& job, std::uint32_t first, std::uint32_t count, FaceBatch& batch)
+{
+    const std::uint32_t* indices = job.scene->mesh.indices.data() + 3 * std::size_t(first);
+    const auto put = [&](std::size_t i, std::size_t k, const ScreenPoint& p) {
+        batch.x[k][i] = p.x;
+        batch.y[k][i] = p.y;
+        batch.depth[k][i] = p.depth;
+    };
+    if (job.points != nullptr) {
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t k = 0; k < 3; ++k)
+                put(i, k, job.points[indices[3 * i + k]]);
+    } else {
+        std::array<ScreenPoint, 3 * kFaceBatch> corners;
+        ProcessCorners(job, indices, 3 * std::size_t(count), corners.data());
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t k = 0; k < 3; ++k)
+                put(i, k, corners[3 * i + k]);
+    }
+    for (std::size_t i = count; i < kFaceBatch && i % kDoubles != 0; ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            put(i, k, {0, 0, 0});
+}
+
+/// What becomes of the faces in the lanes of a vector, a bit each.
+struct FaceVerdicts {
+    std::uint32_t outside = 0; ///< a corner is not inside the view volume
+    std::uint32_t degenerate = 0;
+    std::uint32_t front = 0;
+    std::uint32_t holdsSamples = 0; ///< the bounds hold a sample centre
+};
+
+HWY_INLINE FaceVerdicts JudgeFaces(const Rules& rules, const FaceBatch& batch, std::size_t at)
+{
+    constexpr HalfIntTag tag;
+    constexpr DoubleTag wide;
+    const HalfInts ax = hn::Load(tag, batch.x[0].data() + at);
+    const HalfInts bx = hn::Load(tag, batch.x[1].data() + at);
+    const HalfInts cx = hn::Load(tag, batch.x[2].data() + at);
+    const HalfInts ay = hn::Load(tag, batch.y[0].data() + at);
+    const HalfInts by = hn::Load(tag, batch.y[1].data() + at);
+    const HalfInts cy = hn::Load(tag, batch.y[2].data() + at);
+    const HalfInts lowX = Min3(ax, bx, cx);
+    const Doubles area = TwiceArea(hn::PromoteTo(wide, hn::Sub(bx, ax)), hn::PromoteTo(wide, hn::Sub(by, ay)),
+                                   hn::PromoteTo(wide, hn::Sub(cx, ax)), hn::PromoteTo(wide, hn::Sub(cy, ay)));
+    const SampleLanes columns = SamplesBetween(lowX, Max3(ax, bx, cx), rules.columns());
+    const SampleLanes rows = SamplesBetween(Min3(ay, by, cy), Max3(ay, by, cy), rules.rows());
+    FaceVerdicts verdicts;
+    verdicts.outside = BitsOf(tag, hn::Eq(lowX, hn::Set(tag, kOutside)));
+    verdicts.degenerate = BitsOf(wide, hn::Eq(area, hn::Zero(wide)));
+    verdicts.front = BitsOf(wide, hn::Gt(hn::Mul(area, hn::Set(wide, rules.frontSign)), hn::Zero(wide)));
+    verdicts.holdsSamples = ~BitsOf(tag, hn::Or(hn::Lt(columns.last, columns.first), hn::Lt(rows.last, rows.first)));
+    return verdicts;
+}
+
+/// Puts the pieces of a face that went through the scalar stages into the queue.
+inline void QueueOutsideFace(const FrameJob& job, Chunk& chunk, std::uint32_t face, std::array<std::int32_t, 3> codes,
+                             SetupQueue& queue, auto&& makeRoom)
+{
+    processOutsideFace(job, chunk, face, codes);
+    for (const ScreenTriangle& triangle : chunk.clipped) {
+        makeRoom();
+        const std::size_t at = queue.count++;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const ScreenVertex& v = triangle.vertices[k];
+            queue.x[k][at] = static_cast<std::int32_t>(v.position.x * kUnit);
+            queue.y[k][at] = static_cast<std::int32_t>(v.position.y * kUnit);
+            queue.depth[k][at] = v.depth;
+        }
+        queue.source[at] = kPiece | static_cast<std::uint32_t>(chunk.pieces.size());
+        chunk.pieces.push_back({triangle});
+    }
+}
+
+/// The edge from one corner to the next, in units; c in 256ths of a unit, at the target's first sample.
+struct EdgeLanes {
+    HalfInts a, b;
+    Doubles c;
+};
+
+HWY_INLINE EdgeLanes MakeEdge(HalfInts fromX, HalfInts fromY, HalfInts toX, HalfInts toY, const Rules& rules)
+{
+    constexpr HalfIntTag tag;
+    constexpr DoubleTag wide;
+    const HalfInts a = hn::Sub(toY, fromY);
+    const HalfInts b = hn::Sub(fromX, toX);
+    const HalfInts zero = hn::Zero(tag);
+    const auto owner = hn::Or(hn::Gt(a, zero), hn::And(hn::Eq(a, zero), hn::Gt(b, zero)));
+    const Doubles threshold =
+        hn::PromoteTo(wide, hn::IfThenElse(owner, hn::Set(tag, rules.tie.owner), hn::Set(tag, rules.tie.other)));
+    const HalfInts half = hn::Set(tag, kUnit / 2);
+    const Doubles value = hn::Add(hn::Mul(hn::PromoteTo(wide, a), hn::PromoteTo(wide, hn::Sub(half, fromX))),
+                                  hn::Mul(hn::PromoteTo(wide, b), hn::PromoteTo(wide, hn::Sub(half, fromY))));
+    return {a, b, hn::Floor(hn::Mul(hn::Sub(value, threshold), hn::Set(wide, 1.0 / kUnit)))};
+}
+
+/// Rounds to a multiple of a power of two, as depthPlane() does.
+HWY_INLINE Doubles RoundTo(Doubles value, Doubles quantum)
+{
+    const Doubles magic = hn::Mul(quantum, hn::Set(DoubleTag(), 0x1.8p52));
+    return hn::Sub(hn::Add(value, magic), magic);
+}
+
+struct CornerLanes {
+    Doubles x, y, depth; ///< samples
+};
+
+struct PlaneLanes {
+    Doubles origin, perX, perY;
+    hn::Mask<DoubleTag> plane; ///< false: a needle
+};
+
+/// depthPlane(), operation by operation.
+HWY_INLINE PlaneLanes MakeDepthPlane(const CornerLanes& a, const CornerLanes& b, const CornerLanes& c,
+                                     const Rules& rules)
+{
+    constexpr DoubleTag tag;
+    const auto set = [](double value) HWY_ATTR { return hn::Set(DoubleTag(), value); };
+    const Doubles abX = hn::Sub(b.x, a.x);
+    const Doubles abY = hn::Sub(b.y, a.y);
+    const Doubles acX = hn::Sub(c.x, a.x);
+    const Doubles acY = hn::Sub(c.y, a.y);
+    const Doubles area2 = TwiceArea(abX, abY, acX, acY);
+    const Doubles zb = hn::Sub(b.depth, a.depth);
+    const Doubles zc = hn::Sub(c.depth, a.depth);
+    const Doubles zcAbY = hn::Mul(zc, abY);
+    const Doubles zbAcY = hn::Mul(zb, acY);
+    const Doubles zbAcX = hn::Mul(zb, acX);
+    const Doubles zcAbX = hn::Mul(zc, abX);
+    const Doubles perX = hn::Div(hn::Sub(zcAbY, zbAcY), area2);
+    const Doubles perY = hn::Div(hn::Sub(zbAcX, zcAbX), area2);
+
+    const Doubles margin = set(kPlaneMargin);
+    const Doubles lowX = hn::Sub(hn::Max(Min3(a.x, b.x, c.x), set(0)), margin);
+    const Doubles lowY = hn::Sub(hn::Max(Min3(a.y, b.y, c.y), set(0)), margin);
+    const Doubles highX = hn::Add(hn::Min(Max3(a.x, b.x, c.x), set(rules.columns())), margin);
+    const Doubles highY = hn::Add(hn::Min(Max3(a.y, b.y, c.y), set(rules.rows())), margin);
+    const Doubles toOriginX = hn::Sub(set(0.5), a.x);
+    const Doubles toOriginY = hn::Sub(set(0.5), a.y);
+    const Doubles originAtZero = hn::Add(hn::Add(a.depth, hn::Mul(perX, toOriginX)), hn::Mul(perY, toOriginY));
+    const Doubles largest =
+        hn::Add(hn::Add(hn::Abs(originAtZero), hn::Mul(hn::Abs(perX), hn::Max(hn::Abs(highX), margin))),
+                hn::Mul(hn::Abs(perY), hn::Max(hn::Abs(highY), margin)));
+    // 2^(exponent - 51)
+    constexpr DoubleBitsTag bits;
+    const auto exponent =
+        hn::And(hn::BitCast(bits, hn::Max(largest, set(0x1p-900))), hn::Set(bits, std::int64_t(0x7ff) << 52));
+    const Doubles quantum = hn::BitCast(tag, hn::Sub(exponent, hn::Set(bits, std::int64_t(51) << 52)));
+    const Doubles extent = hn::Add(hn::Add(hn::Sub(highX, lowX), hn::Sub(highY, lowY)), set(1));
+    const Doubles products = hn::Add(hn::Add(hn::Add(hn::Abs(zcAbY), hn::Abs(zbAcY)), hn::Abs(zbAcX)), hn::Abs(zcAbX));
+    const Doubles steepness = hn::Mul(hn::Div(products, hn::Abs(area2)), set(0x1p-52));
+    const auto finite = hn::Le(largest, set(std::numeric_limits<double>::max()));
+    PlaneLanes plane;
+    plane.plane = hn::And(finite, hn::Lt(hn::Mul(hn::Add(quantum, steepness), extent), set(kPlaneError)));
+    plane.perX = RoundTo(perX, quantum);
+    plane.perY = RoundTo(perY, quantum);
+    plane.origin =
+        RoundTo(hn::Add(hn::Add(a.depth, hn::Mul(plane.perX, toOriginX)), hn::Mul(plane.perY, toOriginY)), quantum);
+    return plane;
+}
+
+/// Narrows the bounds of triangles of at most 4 x 4 samples to the rows and columns they cover, to nothing if they
+/// cover none: it is cheaper to find that out here, many at a time, than in the tiles.
+HWY_INLINE void NarrowBounds(const std::array<EdgeLanes, 3>& edges, SampleLanes& columns, SampleLanes& rows)
+{
+    constexpr HalfIntTag tag;
+    constexpr DoubleTag wide;
+    const HalfInts side = hn::Set(tag, kBlockSide);
+    const auto small =
+        hn::And(hn::Lt(hn::Sub(columns.last, columns.first), side), hn::Lt(hn::Sub(rows.last, rows.first), side));
+    if (hn::AllFalse(tag, small))
+        return;
+    std::array<HalfInts, 3> row;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Doubles corner =
+            hn::Add(edges[k].c, hn::Add(hn::Mul(hn::PromoteTo(wide, edges[k].a), hn::PromoteTo(wide, columns.first)),
+                                        hn::Mul(hn::PromoteTo(wide, edges[k].b), hn::PromoteTo(wide, rows.first))));
+        const Doubles limit = hn::Set(wide, double(kFarInside));
+        row[k] = hn::DemoteTo(tag, hn::Min(hn::Max(corner, hn::Neg(limit)), limit));
+    }
+    const HalfInts outside = hn::Set(tag, -1);
+    const HalfInts none = hn::Set(tag, kBlockSide);
+    HalfInts firstColumn = none, lastColumn = outside, firstRow = none, lastRow = outside;
+    for (int y = 0; y < kBlockSide; ++y) {
+        std::array<HalfInts, 3> e = row;
+        for (int x = 0; x < kBlockSide; ++x) {
+            const auto covered = hn::Gt(hn::Or3(e[0], e[1], e[2]), outside);
+            const HalfInts column = hn::Set(tag, x);
+            const HalfInts line = hn::Set(tag, y);
+            firstColumn = hn::IfThenElse(covered, hn::Min(firstColumn, column), firstColumn);
+            lastColumn = hn::IfThenElse(covered, hn::Max(lastColumn, column), lastColumn);
+            firstRow = hn::IfThenElse(covered, hn::Min(firstRow, line), firstRow);
+            lastRow = hn::IfThenElse(covered, line, lastRow);
+            for (std::size_t k = 0; k < 3; ++k)
+                e[k] = hn::Add(e[k], edges[k].a);
+        }
+        for (std::size_t k = 0; k < 3; ++k)
+            row[k] = hn::Add(row[k], edges[k].b);
+    }
+    // Samples beyond the target may be covered too.
+    columns = {hn::IfThenElse(small, hn::Add(columns.first, firstColumn), columns.first),
+               hn::Min(columns.last, hn::IfThenElse(small, hn::Add(columns.first, lastColumn), columns.last))};
+    rows = {hn::IfThenElse(small, hn::Add(rows.first, firstRow), rows.first),
+            hn::Min(rows.last, hn::IfThenElse(small, hn::Add(rows.first, lastRow), rows.last))};
+}
+
+/// Triangles ready for the bins, lane by lane.
+struct alignas(64) SetupLanes {
+    std::array<std::array<std::int32_t, kDoubles>, 3> a;
+    std::array<std::array<std::int32_t, kDoubles>, 3> b;
+    std::array<std::array<double, kDoubles>, 3> c;
+    std::array<double, kDoubles> origin;
+    std::array<double, kDoubles> perX;
+    std::array<double, kDoubles> perY;
+    std::array<float, kDoubles> nearest;
+    std::array<std::int32_t, kDoubles> x0, y0, x1, y1;
+    std::uint32_t exact; ///< a bit for each lane the fast path cannot draw
+};
+
+/// How much nearer than its corners a sample may come out: rounding of the plane and of the depth format.
+inline double DepthSlack(DepthFormat format)
+{
+    switch (format) {
+    case DepthFormat::Float32: break;
+    case DepthFormat::Unorm24: return 0x1p-23;
+    case DepthFormat::Unorm16: return 0x1p-15;
+    }
+    return 0x1p-28;
+}
+
+HWY_INLINE void SetUpLanes(const Rules& rules, const SetupQueue& queue, std::size_t at, SetupLanes& out)
+{
+    constexpr HalfIntTag tag;
+    constexpr DoubleTag wide;
+    std::array<HalfInts, 3> x;
+    std::array<HalfInts, 3> y;
+    std::array<CornerLanes, 3> corner;
+    const Doubles samplesPerUnit = hn::Set(wide, 1.0 / kUnit);
+    for (std::size_t k = 0; k < 3; ++k) {
+        x[k] = hn::LoadU(tag, queue.x[k].data() + at);
+        y[k] = hn::LoadU(tag, queue.y[k].data() + at);
+        corner[k] = {hn::Mul(hn::PromoteTo(wide, x[k]), samplesPerUnit),
+                     hn::Mul(hn::PromoteTo(wide, y[k]), samplesPerUnit), hn::LoadU(wide, queue.depth[k].data() + at)};
+    }
+    const PlaneLanes plane = MakeDepthPlane(corner[0], corner[1], corner[2], rules);
+    hn::Store(plane.origin, wide, out.origin.data());
+    hn::Store(plane.perX, wide, out.perX.data());
+    hn::Store(plane.perY, wide, out.perY.data());
+    const Doubles nearest = Min3(corner[0].depth, corner[1].depth, corner[2].depth);
+    hn::Store(hn::DemoteTo(HalfFloatTag(), hn::Sub(nearest, hn::Set(wide, DepthSlack(rules.depthFormat)))),
+              HalfFloatTag(), out.nearest.data());
+
+    // Inside is where all three edges are positive: B and C change places where the triangle winds the other way.
+    const Doubles area = TwiceArea(hn::Sub(corner[1].x, corner[0].x), hn::Sub(corner[1].y, corner[0].y),
+                                   hn::Sub(corner[2].x, corner[0].x), hn::Sub(corner[2].y, corner[0].y));
+    const auto swapped =
+        hn::Gt(hn::DemoteTo(tag, hn::IfThenElseZero(hn::Lt(area, hn::Zero(wide)), hn::Set(wide, 1.0))), hn::Zero(tag));
+    const HalfInts bx = hn::IfThenElse(swapped, x[2], x[1]);
+    const HalfInts by = hn::IfThenElse(swapped, y[2], y[1]);
+    const HalfInts cx = hn::IfThenElse(swapped, x[1], x[2]);
+    const HalfInts cy = hn::IfThenElse(swapped, y[1], y[2]);
+    const std::array<EdgeLanes, 3> edges{MakeEdge(x[0], y[0], bx, by, rules), MakeEdge(bx, by, cx, cy, rules),
+                                         MakeEdge(cx, cy, x[0], y[0], rules)};
+    HalfInts steepest = hn::Zero(tag);
+    for (std::size_t k = 0; k < 3; ++k) {
+        hn::Store(edges[k].a, tag, out.a[k].data());
+        hn::Store(edges[k].b, tag, out.b[k].data());
+        hn::Store(edges[k].c, wide, out.c[k].data());
+        steepest = Max3(steepest, hn::Abs(edges[k].a), hn::Abs(edges[k].b));
+    }
+    SampleLanes columns = SamplesBetween(Min3(x[0], x[1], x[2]), Max3(x[0], x[1], x[2]), rules.columns());
+    SampleLanes rows = SamplesBetween(Min3(y[0], y[1], y[2]), Max3(y[0], y[1], y[2]), rules.rows());
+    NarrowBounds(edges, columns, rows);
+    hn::Store(columns.first, tag, out.x0.data());
+    hn::Store(columns.last, tag, out.x1.data());
+    hn::Store(rows.first, tag, out.y0.data());
+    hn::Store(rows.last, tag, out.y1.data());
+    out.exact = BitsOf(tag, hn::Gt(steepest, hn::Set(tag, kLargestGradient))) | ~BitsOf(wide, plane.plane);
+}
+
+/// Writes a triangle into the bin of a tile, if it may cover samples there.
+HWY_INLINE void EmitToTile(const FrameJob& job, Chunk& chunk, const SetupLanes& lanes, std::size_t i,
+                           std::uint32_t number, int column, int row)
+{
+    const int originX = column * job.grid.pitch;
+    const int originY = row * job.grid.pitch;
+    std::array<std::int32_t, 3> c{};
+    for (std::size_t k = 0; k < 3 && (number & kExact) == 0; ++k) {
+        const double a = lanes.a[k][i];
+        const double b = lanes.b[k][i];
+        const double value = lanes.c[k][i] + a * originX + b * originY;
+        if (value + (std::max(a, 0.0) + std::max(b, 0.0)) * (kTileSide - 1) < 0)
+            return;
+        c[k] = static_cast<std::int32_t>(std::min(value, double(kFarInside)));
+    }
+    TileTriangle& t = chunk.append(job.grid.index(column, row));
+    t.a = {lanes.a[0][i], lanes.a[1][i]};
+    t.b = {lanes.b[0][i], lanes.b[1][i]};
+    t.c = c;
+    t.nearest = lanes.nearest[i];
+    t.number = number;
+    t.x0 = static_cast<std::uint8_t>(std::max(lanes.x0[i] - originX, 0));
+    t.y0 = static_cast<std::uint8_t>(std::max(lanes.y0[i] - originY, 0));
+    t.x1 = static_cast<std::uint8_t>(std::min(lanes.x1[i] - originX, job.grid.pitch - 1));
+    t.y1 = static_cast<std::uint8_t>(std::min(lanes.y1[i] - originY, job.grid.pitch - 1));
+    t.depthOrigin = lanes.origin[i];
+    t.depthPerX = lanes.perX[i];
+    t.depthPerY = lanes.perY[i];
+}
+
+/// Lanes whose bounds hold samples.
+HWY_INLINE std::uint32_t LanesWithSamples(const SetupLanes& lanes, std::size_t count)
+{
+    constexpr HalfIntTag tag;
+    const auto load = [](const auto& numbers) HWY_ATTR { return hn::Load(HalfIntTag(), numbers.data()); };
+    const auto empty = hn::Or(hn::Lt(load(lanes.x1), load(lanes.x0)), hn::Lt(load(lanes.y1), load(lanes.y0)));
+    return ~BitsOf(tag, empty) & ((1U << count) - 1);
+}
+
+/// Colours of the lanes, which become the triangles from firstNumber on.
+HWY_INLINE void SetUpColors(const FrameJob& job, Chunk& chunk, const SetupQueue& queue, std::size_t at,
+                            const SetupLanes& lanes, std::uint32_t used, std::uint32_t firstNumber)
+{
+    constexpr DoubleTag wide;
+    CornerStage stage;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto toSamples = [&](const auto& units) HWY_ATTR {
+            return hn::Mul(hn::PromoteTo(DoubleTag(), hn::LoadU(HalfIntTag(), units.data() + at)),
+                           hn::Set(DoubleTag(), 1.0 / kUnit));
+        };
+        hn::Store(toSamples(queue.x[k]), wide, stage.x[k].data());
+        hn::Store(toSamples(queue.y[k]), wide, stage.y[k].data());
+        hn::Store(hn::Set(wide, 1.0), wide, stage.w[k].data());
+        for (auto& channel : stage.color[k])
+            hn::Store(hn::Zero(HalfFloatTag()), HalfFloatTag(), channel.data());
+    }
+    stage.anchorX.fill(0);
+    stage.anchorY.fill(0);
+    std::array<ColorPlanes*, kDoubles> out{};
+    for (std::uint32_t bits = used; bits != 0; bits &= bits - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+        const std::uint32_t source = queue.source[at + lane];
+        if ((source & kPiece) != 0)
+            StagePieceColors(chunk.pieces[source & ~kPiece].triangle, lane, stage);
+        else
+            StageFaceColors(job, source, lane, stage);
+        stage.anchorX[lane] = lanes.x0[lane] / kBlockSide * kBlockSide + 0.5;
+        stage.anchorY[lane] = lanes.y0[lane] / kBlockSide * kBlockSide + 0.5;
+        out[lane] = &chunk.planes(firstNumber++);
+    }
+    MakePlanes(job, stage, used, out);
+}
+
+/// Sets up one vector of triangles from the queue and writes them into the bins.
+HWY_INLINE void SetUpAndBin(const FrameJob& job, Chunk& chunk, const SetupQueue& queue, std::size_t at,
+                            std::size_t count)
+{
+    SetupLanes lanes;
+    SetUpLanes(job.rules, queue, at, lanes);
+    const std::uint32_t used = LanesWithSamples(lanes, count);
+    if (used == 0)
+        return;
+    if (job.interpolatesColor())
+        SetUpColors(job, chunk, queue, at, lanes, used, static_cast<std::uint32_t>(chunk.sources.size()));
+    const int pitch = job.grid.pitch;
+    for (std::uint32_t bits = used; bits != 0; bits &= bits - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(bits));
+        std::uint32_t source = queue.source[at + i];
+        auto number = static_cast<std::uint32_t>(chunk.sources.size());
+        if ((lanes.exact >> i & 1) != 0) {
+            const ScreenTriangle triangle = screenTriangle(job, chunk, source);
+            source = kPiece | static_cast<std::uint32_t>(chunk.pieces.size());
+            chunk.pieces.push_back({triangle});
+            number |= kExact;
+        }
+        chunk.sources.push_back(source);
+        for (int row = lanes.y0[i] / pitch; row <= lanes.y1[i] / pitch; ++row)
+            for (int column = lanes.x0[i] / pitch; column <= lanes.x1[i] / pitch; ++column)
+                EmitToTile(job, chunk, lanes, i, number, column, row);
+    }
+}
+
+/// Sets up whole vectors of the queue; `all`: the rest too.
+HWY_INLINE void DrainQueue(const FrameJob& job, Chunk& chunk, SetupQueue& queue, bool all)
+{
+    std::size_t at = 0;
+    for (; at + kDoubles <= queue.count; at += kDoubles)
+        SetUpAndBin(job, chunk, queue, at, kDoubles);
+    if (all && at < queue.count) {
+        for (std::size_t i = queue.count; i < at + kDoubles; ++i)
+            for (std::size_t k = 0; k < 3; ++k) {
+                queue.x[k][i] = queue.y[k][i] = 0;
+                queue.depth[k][i] = 0;
+            }
+        SetUpAndBin(job, chunk, queue, at, queue.count - at);
+        queue.count = at;
+    }
+    queue.moveToFront(at);
+}
+
+/// One vector of a batch: counts fates, queues what is to be drawn.
+HWY_INLINE void SortFaces(const FrameJob& job, Chunk& chunk, const FaceBatch& batch, std::uint32_t firstFace,
+                          std::size_t at, std::uint32_t present, SetupQueue& queue)
+{
+    const Rules& rules = job.rules;
+    const FaceVerdicts verdicts = JudgeFaces(rules, batch, at);
+    const std::uint32_t outside = (rules.facing == Facing::ScreenArea ? verdicts.outside : ~0U) & present;
+    const std::uint32_t inside = present & ~outside;
+    const std::uint32_t degenerate = inside & verdicts.degenerate;
+    const std::uint32_t culledFront = rules.culling == Culling::Front ? inside & ~degenerate & verdicts.front : 0;
+    const std::uint32_t culledBack = rules.culling == Culling::Back ? inside & ~degenerate & ~verdicts.front : 0;
+    const std::uint32_t drawn = inside & ~(degenerate | culledFront | culledBack);
+    Statistics::Faces& faces = chunk.faces;
+    faces.submitted += static_cast<unsigned>(std::popcount(inside));
+    faces.degenerate += static_cast<unsigned>(std::popcount(degenerate));
+    faces.culledFront += static_cast<unsigned>(std::popcount(culledFront));
+    faces.culledBack += static_cast<unsigned>(std::popcount(culledBack));
+    faces.rasterized += static_cast<unsigned>(std::popcount(drawn));
+    const auto makeRoom = [&] {
+        if (queue.count >= kFaceBatch)
+            DrainQueue(job, chunk, queue, false);
+    };
+    makeRoom();
+    for (std::uint32_t bits = (drawn & verdicts.holdsSamples) | outside; bits != 0; bits &= bits - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+        const std::size_t i = at + lane;
+        const auto face = static_cast<std::uint32_t>(firstFace + i);
+        if ((outside >> lane & 1) != 0) {
+            const auto code = [&](std::size_t k) { return batch.x[k][i] == kOutside ? batch.y[k][i] : 0; };
+            QueueOutsideFace(job, chunk, face, {code(0), code(1), code(2)}, queue, makeRoom);
+            continue;
+        }
+        const std::size_t slot = queue.count++;
+        for (std::size_t k = 0; k < 3; ++k) {
+            queue.x[k][slot] = batch.x[k][i];
+            queue.y[k][slot] = batch.y[k][i];
+            queue.depth[k][slot] = batch.depth[k][i];
+        }
+        queue.source[slot] = face;
+    }
+}
+
+inline void ProcessFaces(const FrameJob& job, Chunk& chunk, std::uint32_t begin, std::uint32_t end)
+{
+    SetupQueue queue;
+    FaceBatch batch;
+    for (std::uint32_t first = begin; first < end; first += kFaceBatch) {
+        const std::uint32_t count = std::min(kFaceBatch, end - first);
+        GatherFaces(job, first, count, batch);
+        for (std::uint32_t at = 0; at < count; at += kDoubles) {
+            const std::uint32_t lanes = std::min<std::uint32_t>(kDoubles, count - at);
+            SortFaces(job, chunk, batch, first, at, (1U << lanes) - 1, queue);
+        }
+    }
+    DrainQueue(job, chunk, queue, true);
+}
+
+} // namespace rasterlens::tiled::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,60 @@
+#include "core/rasterizers/tiled/kernels.h"
+
+// Every instruction set with vectors of four floats and more.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/rasterizers/tiled/kernels.cpp"
+#include <hwy/foreach_target.h>
+
+#include "core/rasterizers/tiled/tile-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rasterlens::tiled::HWY_NAMESPACE
+{
+const Kernels* TargetKernels() { return &kKernels; }
+} // namespace rasterlens::tiled::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include "core/rasterizers/tiled/kernels_scalar.h"
+
+namespace rasterlens::tiled
+{
+namespace
+{
+
+struct Target {
+    Simd simd;
+    std::int64_t flag;
+    const Kernels* (*kernels)();
+};
+
+/// Best first.
+constexpr Target kTargets[] = {
+#if HWY_TARGETS & HWY_AVX3
+    {Simd::Avx512, HWY_AVX3, N_AVX3::TargetKernels},
+#endif
+#if HWY_TARGETS & HWY_AVX2
+    {Simd::Avx2, HWY_AVX2, N_AVX2::TargetKernels},
+#endif
+#if HWY_TARGETS & HWY_SSE4
+    {Simd::Sse4, HWY_SSE4, N_SSE4::TargetKernels},
+#endif
+#if HWY_TARGETS & HWY_NEON
+    {Simd::Neon, HWY_NEON, N_NEON::TargetKernels},
+#endif
+};
+
+} // namespace
+
+const Kernels* kernelsFor(Simd simd)
+{
+    static const std::int64_t supported = hwy::SupportedTargets();
+    for (const Target& target : kTargets)
+        if ((simd == Simd::Auto || simd == target.simd) && (supported & target.flag) != 0)
+            return target.kernels();
+    return simd == Simd::Auto || simd == Simd::Scalar ? scalarKernels() : nullptr;
+}
+
+} // namespace rasterlens::tiled
+#endif

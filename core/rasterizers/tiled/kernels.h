@@ -1,0 +1,100 @@
+#pragma once
+#include "core/pipeline/geometry.h"
+#include "core/rasterizers/tiled/tile_data.h"
+#include "core/render.h"
+
+#include <array>
+#include <span>
+
+namespace rasterlens::tiled
+{
+
+/// Everything the stages of a frame read.
+struct FrameJob {
+    const Scene* scene = nullptr;
+    Rules rules;
+    Matrices matrices;
+    const FaceStages* stages = nullptr; ///< for faces that need more than the fast path has
+    TileGrid grid;
+    Outputs outputs;
+    bool counting = false; ///< count samples: nothing hidden is skipped then
+    std::uint32_t clearColor = 0;
+    /// A vertex of the mesh each; null: every corner of a face is processed with it.
+    ScreenPoint* points = nullptr;
+    /// Likewise: lit colour, w of clip space; null where the mesh has both or nobody asks.
+    glm::vec4* colors = nullptr;
+    std::vector<Chunk>* chunks = nullptr;
+    std::uint32_t* color = nullptr; ///< the picture, row by row
+    float* depth = nullptr;         ///< null if not asked for, as the following
+    std::int32_t* ids = nullptr;
+    std::uint16_t* coverage = nullptr;
+
+    [[nodiscard]] bool interpolatesColor() const { return rules.shading == Shading::Gouraud; }
+    [[nodiscard]] bool countsCoverage() const
+    {
+        return counting || outputs.coverage || rules.shading == Shading::Overdraw;
+    }
+};
+
+/// A triangle of the tile that won samples.
+struct VisibleTriangle {
+    std::uint32_t source;
+    std::uint32_t color; ///< of shadings that have one a face
+    const Chunk* chunk;
+    const ColorPlanes* planes; ///< of shadings that interpolate a colour
+};
+
+/// A block and the samples of it that a triangle won.
+struct BlockShare {
+    std::uint16_t block;
+    std::uint16_t lanes; ///< a bit each
+    std::uint32_t visible;
+};
+
+/// Triangles of a tile.
+struct TileBlock {
+    const BinBlock* bin;
+    const Chunk* chunk;
+    std::uint32_t count;
+};
+
+/// The memory one thread draws tiles with; kept from frame to frame.
+struct Worker {
+    TileSamples samples;
+    std::vector<TileBlock> blocks;        ///< of the tile, in the order of the faces
+    std::vector<std::uint32_t> visibleOf; ///< of a triangle of the tile
+    std::vector<VisibleTriangle> visible;
+    std::array<BlockShare, kTileSamples> shares; ///< as many as can be
+    std::size_t shareCount = 0;
+    bool full = false; ///< every sample of the tile that is on the target has been won
+
+    [[nodiscard]] std::span<const BlockShare> sharesInUse() const { return {shares.data(), shareCount}; }
+
+    Statistics::Pixels pixels;
+
+    /// Triangles of a tile are numbered block by block.
+    [[nodiscard]] const TileTriangle& triangle(std::uint32_t number) const
+    {
+        return blocks[number / BinBlock::kCapacity].bin->triangles[number % BinBlock::kCapacity];
+    }
+    [[nodiscard]] std::uint32_t source(std::uint32_t number) const
+    {
+        return chunkOf(number).sources[triangle(number).number & ~kExact];
+    }
+    [[nodiscard]] const Chunk& chunkOf(std::uint32_t number) const
+    {
+        return *blocks[number / BinBlock::kCapacity].chunk;
+    }
+};
+
+/// The stages that are written in vector instructions.
+struct Kernels {
+    void (*processVertices)(const FrameJob& job, std::size_t begin, std::size_t end);
+    void (*processFaces)(const FrameJob& job, Chunk& chunk, std::uint32_t begin, std::uint32_t end);
+    void (*drawTiles)(const FrameJob& job, Worker& worker, int columnBegin, int columnEnd, int row);
+};
+
+/// The stages for an instruction set, or nothing where the machine does not have it. Auto is the best there is.
+[[nodiscard]] const Kernels* kernelsFor(Simd simd);
+
+} // namespace rasterlens::tiled

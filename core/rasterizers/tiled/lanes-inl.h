@@ -1,0 +1,109 @@
+// Vectors of this instruction set, and what Highway's one-lane target lacks. Included once for each target.
+#if defined(RASTERLENS_TILED_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RASTERLENS_TILED_LANES_INL_H
+#undef RASTERLENS_TILED_LANES_INL_H
+#else
+#define RASTERLENS_TILED_LANES_INL_H
+#endif
+
+#include "core/rasterizers/tiled/tile_data.h"
+
+#include <cstring>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace rasterlens::tiled::HWY_NAMESPACE
+{
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Sixteen samples (or blocks, or subtiles) at a time, in one vector or several.
+using FloatTag = hn::CappedTag<float, kLanes>;
+using IntTag = hn::RebindToSigned<FloatTag>;
+using UintTag = hn::RebindToUnsigned<FloatTag>;
+using Floats = hn::Vec<FloatTag>;
+using Ints = hn::Vec<IntTag>;
+using Uints = hn::Vec<UintTag>;
+constexpr std::size_t kPerVector = hn::MaxLanes(FloatTag());
+constexpr std::size_t kVectors = kLanes / kPerVector;
+
+// Doubles, and as many 32-bit numbers.
+using DoubleTag = hn::CappedTag<double, 8>;
+using DoubleBitsTag = hn::RebindToSigned<DoubleTag>;
+using HalfFloatTag = hn::Rebind<float, DoubleTag>;
+using HalfIntTag = hn::Rebind<std::int32_t, DoubleTag>;
+using Doubles = hn::Vec<DoubleTag>;
+using HalfFloats = hn::Vec<HalfFloatTag>;
+using HalfInts = hn::Vec<HalfIntTag>;
+constexpr std::size_t kDoubles = hn::MaxLanes(DoubleTag());
+constexpr std::size_t kParts = kPerVector / kDoubles; ///< vectors of double for one of float
+
+/// Column and row of each lane in its block.
+struct alignas(64) LanePattern {
+    std::array<std::int32_t, kLanes> x{0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+    std::array<std::int32_t, kLanes> y{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+    std::array<float, kLanes> floatX{0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+    std::array<float, kLanes> floatY{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+    std::array<double, kLanes> doubleX{0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+    std::array<double, kLanes> doubleY{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+};
+inline constexpr LanePattern kPattern;
+
+/// As many doubles as a vector of floats has lanes.
+struct WideDoubles {
+    std::array<Doubles, kParts> part;
+};
+
+HWY_INLINE WideDoubles Add(const WideDoubles& a, Doubles b)
+{
+    WideDoubles sum;
+    for (std::size_t p = 0; p < kParts; ++p)
+        sum.part[p] = hn::Add(a.part[p], b);
+    return sum;
+}
+
+HWY_INLINE WideDoubles Mul(const WideDoubles& a, Doubles b)
+{
+    WideDoubles product;
+    for (std::size_t p = 0; p < kParts; ++p)
+        product.part[p] = hn::Mul(a.part[p], b);
+    return product;
+}
+
+HWY_INLINE void Store(const WideDoubles& wide, double* to)
+{
+    for (std::size_t p = 0; p < kParts; ++p)
+        hn::Store(wide.part[p], DoubleTag(), to + p * kDoubles);
+}
+
+/// Rounds to nearest.
+HWY_INLINE Floats ToFloats(const WideDoubles& wide)
+{
+#if HWY_TARGET == HWY_SCALAR
+    return hn::DemoteTo(HalfFloatTag(), wide.part[0]);
+#else
+    return hn::Combine(FloatTag(), hn::DemoteTo(HalfFloatTag(), wide.part[1]),
+                       hn::DemoteTo(HalfFloatTag(), wide.part[0]));
+#endif
+}
+
+/// A bit for each lane of a mask.
+template <class Tag, class Mask>
+HWY_INLINE std::uint32_t BitsOf(Tag tag, Mask mask)
+{
+    alignas(8) std::array<std::uint8_t, 8> bytes{};
+    hn::StoreMaskBits(tag, mask, bytes.data());
+    return bytes[0] | std::uint32_t(bytes[1]) << 8;
+}
+
+/// The mask of the lowest bits.
+template <class Tag>
+HWY_INLINE hn::Mask<Tag> MaskOf(Tag tag, std::uint32_t bits)
+{
+    alignas(8) std::array<std::uint8_t, 8> bytes;
+    std::memcpy(bytes.data(), &bits, sizeof bits);
+    return hn::LoadMaskBits(tag, bytes.data());
+}
+
+} // namespace rasterlens::tiled::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

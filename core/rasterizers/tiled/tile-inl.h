@@ -1,0 +1,59 @@
+// One tile from its bins to the picture. Included once for each target.
+#if defined(RASTERLENS_TILED_TILE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RASTERLENS_TILED_TILE_INL_H
+#undef RASTERLENS_TILED_TILE_INL_H
+#else
+#define RASTERLENS_TILED_TILE_INL_H
+#endif
+
+#include "core/rasterizers/tiled/cover-inl.h"
+#include "core/rasterizers/tiled/faces-inl.h"
+#include "core/rasterizers/tiled/shade-inl.h"
+#include "core/rasterizers/tiled/tile_output.h"
+#include "core/rasterizers/tiled/vertices-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rasterlens::tiled::HWY_NAMESPACE
+{
+
+/// Collects the blocks of a tile's bins in the order of the faces.
+inline void CollectBlocks(const FrameJob& job, std::size_t tile, Worker& worker)
+{
+    worker.blocks.clear();
+    for (const Chunk& chunk : *job.chunks) {
+        const Bin& bin = chunk.bins[tile];
+        for (std::uint32_t block = bin.first; block != kNobody; block = chunk.arena.next(block))
+            worker.blocks.push_back(
+                {&chunk.arena.block(block), &chunk, block == bin.last ? bin.used : BinBlock::kCapacity});
+    }
+}
+
+/// Some tiles of a row; neighbours that are empty are cleared together.
+inline void DrawTiles(const FrameJob& job, Worker& worker, int columnBegin, int columnEnd, int row)
+{
+    const int pitch = job.grid.pitch;
+    int emptyBegin = columnBegin;
+    const auto clearUpTo = [&](int column) {
+        if (emptyBegin < column)
+            clearTiles(job, {emptyBegin * pitch, row * pitch}, column - emptyBegin);
+        emptyBegin = column + 1;
+    };
+    for (int column = columnBegin; column < columnEnd; ++column) {
+        CollectBlocks(job, job.grid.index(column, row), worker);
+        if (worker.blocks.empty())
+            continue;
+        clearUpTo(column);
+        const TileOrigin origin{column * pitch, row * pitch};
+        CoverTile(job, worker, origin);
+        prefetchTile(job, origin);
+        ShadeTile(job, worker, origin);
+        writeTile(job, worker, origin);
+    }
+    clearUpTo(columnEnd);
+}
+
+inline constexpr Kernels kKernels{ProcessVertices, ProcessFaces, DrawTiles};
+
+} // namespace rasterlens::tiled::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

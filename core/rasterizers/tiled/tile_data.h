@@ -1,0 +1,199 @@
+#pragma once
+#include "core/observe/statistics.h"
+#include "core/pipeline/types.h"
+#include "core/rasterizers/tiled/large_array.h"
+#include "core/rules.h"
+#include "core/scene.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace rasterlens::tiled
+{
+
+// A tile is 64 x 64 samples, stored block by block: 4 x 4 subtiles of 16 x 16 samples, each of 4 x 4 blocks of 4 x 4
+// samples. So one set of 16 lanes serves the samples of a block, the blocks of a subtile and the subtiles of a tile.
+constexpr int kTileSide = 64;
+constexpr int kBlockSide = 4;
+constexpr int kLanes = 16;
+constexpr int kTileBlocks = 256;
+constexpr int kTileSamples = kTileSide * kTileSide;
+
+/// The block at column and row of blocks in a tile.
+[[nodiscard]] constexpr int blockIndex(int column, int row)
+{
+    return (row >> 2) * 64 + (column >> 2) * 16 + (row & 3) * 4 + (column & 3);
+}
+
+[[nodiscard]] constexpr int blockColumn(int block) { return (block >> 4 & 3) * 4 + (block & 3); }
+[[nodiscard]] constexpr int blockRow(int block) { return (block >> 6) * 4 + (block >> 2 & 3); }
+
+/// The place of a sample of a tile in its arrays.
+[[nodiscard]] constexpr int sampleIndex(int x, int y)
+{
+    return blockIndex(x >> 2, y >> 2) * kLanes + (y & 3) * kBlockSide + (x & 3);
+}
+
+/// Units of a sample: 1/256, the grid of the edge functions.
+constexpr int kUnit = 256;
+
+/// A vertex on the screen in units, y down, or outside the view volume.
+struct ScreenPoint {
+    std::int32_t x; ///< kOutside: not to be drawn as it is
+    std::int32_t y; ///< or the planes it is outside of (ClipPlanes), kNotFinite
+    double depth;
+};
+static_assert(sizeof(ScreenPoint) == 16);
+
+constexpr std::int32_t kOutside = std::numeric_limits<std::int32_t>::min();
+constexpr std::int32_t kNotFinite = 1 << 30;
+
+/// Where edges are decided in 32 bits: both gradients of each edge are at most this, in units.
+///
+/// exact  Over a tile an edge value changes by at most 2 * 63 * kLargestGradient < 2^29, and values from kFarInside on
+///        are held there, so no value leaves 32 bits.
+constexpr std::int32_t kLargestGradient = 1 << 22;
+constexpr std::int32_t kFarInside = 1 << 30;
+static_assert(2LL * 63 * kLargestGradient < kFarInside);
+static_assert(kFarInside + 2LL * 63 * kLargestGradient <= std::numeric_limits<std::int32_t>::max());
+
+/// What a tile needs to know of a triangle to find its samples: one cache line.
+struct alignas(64) TileTriangle {
+    std::array<std::int32_t, 2> a; ///< AB, BC; CA's are minus their sum
+    std::array<std::int32_t, 2> b;
+    std::array<std::int32_t, 3> c; ///< edge values >> 8 with the tie threshold taken off, at the tile's first sample
+    float nearest;                 ///< no sample is nearer than this
+    std::uint32_t number;          ///< of the triangle in its chunk; kExact: look at the piece
+    std::uint8_t x0, y0, x1, y1;   ///< bounds in samples of the tile, both ends included
+    double depthOrigin;            ///< DepthPlane
+    double depthPerX;
+    double depthPerY;
+};
+static_assert(sizeof(TileTriangle) == 64);
+
+constexpr std::uint32_t kExact = 1U << 31;
+
+/// Where a triangle comes from: a face, or kPiece + the place of a piece of the chunk.
+constexpr std::uint32_t kPiece = 1U << 31;
+
+/// A triangle that is not a face of the mesh as it stands: cut by a clip plane, or beyond the numbers of the fast path.
+struct Piece {
+    ScreenTriangle triangle;
+};
+
+constexpr std::uint32_t kNobody = 0xffffffffU;
+constexpr std::uint32_t kEmpty = 0xfffffffeU;
+
+/// A tile's part of the faces of a chunk, in their order, is a list of these.
+struct BinBlock {
+    static constexpr std::uint32_t kCapacity = 32;
+    std::array<TileTriangle, kCapacity> triangles;
+};
+
+/// Blocks of bins, by number. Their memory is kept from frame to frame.
+class BinArena
+{
+public:
+    void reset() { m_next.clear(); }
+    [[nodiscard]] std::uint32_t allocate();
+    [[nodiscard]] BinBlock& block(std::uint32_t number) const
+    {
+        return m_slabs[number / kSlabBlocks].data()[number % kSlabBlocks];
+    }
+    /// The block that follows in its bin, or kNobody.
+    [[nodiscard]] std::uint32_t& next(std::uint32_t number) { return m_next[number]; }
+    [[nodiscard]] std::uint32_t next(std::uint32_t number) const { return m_next[number]; }
+
+private:
+    static constexpr std::size_t kSlabBlocks = 1024; // 2 MiB
+    std::vector<LargeArray<BinBlock>> m_slabs;
+    std::vector<std::uint32_t> m_next; ///< apart from the blocks: a walk along a list touches few lines
+};
+
+struct Bin {
+    BinBlock* lastBlock = nullptr;
+    std::uint32_t first = kNobody;
+    std::uint32_t last = kNobody;
+    std::uint32_t used = BinBlock::kCapacity; ///< triangles in the last block
+};
+
+/// 1/w and colour over a triangle, colour times 255/w, as planes anchored at a block of the target.
+struct alignas(64) ColorPlanes {
+    std::array<float, 4> origin;
+    std::array<float, 4> perX;
+    std::array<float, 4> perY;
+    float x0; ///< the anchor, in samples
+    float y0;
+    bool exact; ///< too steep for float32: shaded sample by sample
+};
+static_assert(sizeof(ColorPlanes) == 64);
+
+/// A run of consecutive faces, sorted into tiles by one thread.
+struct Chunk {
+    std::vector<Bin> bins;              ///< one a tile
+    std::vector<std::uint32_t> sources; ///< of its triangles
+    std::vector<Piece> pieces;
+    BinArena arena;
+    Statistics::Faces faces;
+    std::vector<ScreenTriangle> clipped; ///< of one face
+
+    TileTriangle& append(std::size_t tile)
+    {
+        Bin& bin = bins[tile];
+        if (bin.used == BinBlock::kCapacity)
+            grow(bin);
+        TileTriangle* triangle = &bin.lastBlock->triangles[bin.used++];
+        __builtin_prefetch(triangle + 1, 1); // the next one comes after those of many other tiles
+        return *triangle;
+    }
+
+    /// Planes of the triangle with that number.
+    [[nodiscard]] ColorPlanes& planes(std::uint32_t number)
+    {
+        while (number / kSlabPlanes >= m_planes.size())
+            m_planes.emplace_back().reserve(kSlabPlanes);
+        return m_planes[number / kSlabPlanes].data()[number % kSlabPlanes];
+    }
+    [[nodiscard]] const ColorPlanes& planes(std::uint32_t number) const
+    {
+        return m_planes[number / kSlabPlanes].data()[number % kSlabPlanes];
+    }
+
+private:
+    void grow(Bin& bin);
+
+    static constexpr std::size_t kSlabPlanes = 1U << 15; // 2 MiB
+    std::vector<LargeArray<ColorPlanes>> m_planes;
+};
+
+/// The samples of a tile while it is drawn, block by block.
+struct alignas(64) TileSamples {
+    /// Depth as its bits, which order like it from 0 to 1; turned round where the larger depth wins. Smaller is nearer.
+    std::array<std::int32_t, kTileSamples> key;
+    std::array<std::uint32_t, kTileSamples> ids; ///< number of the triangle in the tile, or kNobody
+    std::array<std::uint32_t, kTileSamples> color;
+    std::array<std::uint16_t, kTileSamples> coverage; ///< only if asked for
+    std::array<std::int32_t, kTileBlocks> farthest;   ///< a key no sample of the block is farther than
+    std::array<std::int32_t, kTileBlocks> nearest;    ///< a key no sample of the block is nearer than
+    /// Number of the triangle that has the whole block, or kEmpty: its keys and ids are then not written yet. Or
+    /// kNobody.
+    std::array<std::uint32_t, kTileBlocks> owner;
+    std::int32_t clearKey; ///< last: the arrays stay aligned
+};
+
+/// A picture cut into tiles.
+struct TileGrid {
+    int pitch = kTileSide; ///< samples from tile to tile: a multiple of a block and of the sample grid
+    int columns = 0;
+    int rows = 0;
+
+    [[nodiscard]] std::size_t count() const { return std::size_t(columns) * std::size_t(rows); }
+    [[nodiscard]] std::size_t index(int column, int row) const
+    {
+        return std::size_t(row) * std::size_t(columns) + std::size_t(column);
+    }
+};
+
+} // namespace rasterlens::tiled

@@ -1,0 +1,232 @@
+#include "core/rasterizers/tiled/tiled.h"
+
+#include "core/camera.h"
+#include "core/pipeline/shading.h"
+#include "core/rasterizers/tiled/context.h"
+#include "core/stopwatch.h"
+
+#include <algorithm>
+
+namespace rasterlens
+{
+namespace
+{
+
+using namespace tiled;
+
+constexpr std::size_t kVerticesPerTask = 4096;
+constexpr int kTilesPerTask = 8;
+constexpr std::size_t kFewestFacesPerChunk = 2048;
+constexpr std::size_t kChunksPerThread = 4; ///< so that threads finish about together
+
+int threadCount(const Settings& settings)
+{
+    return settings.threads > 0 ? settings.threads
+                                : std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 256);
+}
+
+/// The frame's context, made or, where a copy of the frame has it too, made anew.
+TiledContext& contextOf(Frame& frame, int threads)
+{
+    if (!frame.tiled || frame.tiled.use_count() > 1)
+        frame.tiled = std::make_shared<TiledContext>();
+    TiledContext& context = *frame.tiled;
+    if (!context.pool || context.pool->threads() != threads)
+        context.pool = std::make_unique<ThreadPool>(threads);
+    while (context.workers.size() < static_cast<std::size_t>(threads))
+        context.workers.push_back(std::make_unique<Worker>());
+    for (const auto& worker : context.workers)
+        worker->pixels = {};
+    return context;
+}
+
+TileGrid tileGrid(const Rules& rules)
+{
+    TileGrid grid;
+    // The largest multiple of a block and of a pixel's samples that fits: 48 for 3 x 3 samples.
+    const int unit = rules.sampleGrid == 3 ? 12 : kBlockSide;
+    grid.pitch = kTileSide / unit * unit;
+    if (rules.sampleGrid == 3)
+        grid.pitch = 48;
+    grid.columns = (rules.columns() + grid.pitch - 1) / grid.pitch;
+    grid.rows = (rules.rows() + grid.pitch - 1) / grid.pitch;
+    return grid;
+}
+
+void clearChunks(TiledContext& context, const FrameJob& job, std::size_t faces, int threads)
+{
+    const std::size_t wanted = threads == 1 ? 1 : kChunksPerThread * static_cast<std::size_t>(threads);
+    const std::size_t count = std::clamp<std::size_t>(faces / kFewestFacesPerChunk, 1, wanted);
+    context.chunks.resize(count);
+    for (Chunk& chunk : context.chunks) {
+        chunk.bins.assign(job.grid.count(), {});
+        chunk.pieces.clear();
+        chunk.sources.clear();
+        chunk.arena.reset();
+        chunk.faces = {};
+    }
+}
+
+template <class T>
+T* output(std::vector<T>& memory, bool asked, std::size_t count)
+{
+    memory.resize(asked ? count : 0);
+    return asked ? memory.data() : nullptr;
+}
+
+void aim(FrameJob& job, Frame& frame)
+{
+    const Rules& rules = job.rules;
+    if (frame.image.size() != QSize(rules.width, rules.height) || frame.image.format() != QImage::Format_RGB32)
+        frame.image = QImage(rules.width, rules.height, QImage::Format_RGB32);
+    const std::size_t pixels = std::size_t(rules.width) * std::size_t(rules.height);
+    job.color = reinterpret_cast<std::uint32_t*>(frame.image.bits());
+    job.depth = output(frame.depth, job.outputs.depth, pixels);
+    job.ids = output(frame.ids, job.outputs.ids, pixels);
+    job.coverage = output(frame.coverage, job.outputs.coverage, pixels);
+}
+
+void add(Statistics::Faces& sum, const Statistics::Faces& f)
+{
+    sum.submitted += f.submitted;
+    sum.rejected += f.rejected;
+    sum.culledBack += f.culledBack;
+    sum.culledFront += f.culledFront;
+    sum.degenerate += f.degenerate;
+    sum.nonFinite += f.nonFinite;
+    sum.clipped += f.clipped;
+    sum.createdByClipping += f.createdByClipping;
+    sum.rasterized += f.rasterized;
+}
+
+void add(Statistics::Pixels& sum, const Statistics::Pixels& p)
+{
+    sum.tested += p.tested;
+    sum.covered += p.covered;
+    sum.depthPassed += p.depthPassed;
+    sum.depthFailed += p.depthFailed;
+    sum.shaded += p.shaded;
+    sum.written += p.shaded;
+}
+
+Statistics collect(const TiledContext& context)
+{
+    Statistics statistics;
+    for (const Chunk& chunk : context.chunks)
+        add(statistics.faces, chunk.faces);
+    for (const auto& worker : context.workers)
+        add(statistics.pixels, worker->pixels);
+    return statistics;
+}
+
+/// Whether faces share so many vertices that it pays to process each once and keep it.
+bool sharesVertices(const Mesh& mesh)
+{
+    constexpr std::size_t kMostCorners = 1U << 27; // their places in the mesh fit 32 bits
+    return mesh.vertices.size() < 2 * mesh.faceCount() || mesh.vertices.size() > kMostCorners;
+}
+
+void processVertices(const FrameJob& job, const Kernels& kernels, ThreadPool& pool)
+{
+    const std::size_t count = job.scene->mesh.vertices.size();
+    pool.forEach((count + kVerticesPerTask - 1) / kVerticesPerTask, [&](int, std::size_t task) {
+        const std::size_t begin = task * kVerticesPerTask;
+        kernels.processVertices(job, begin, std::min(begin + kVerticesPerTask, count));
+    });
+}
+
+void processFaces(const FrameJob& job, const Kernels& kernels, ThreadPool& pool)
+{
+    const std::size_t faces = job.scene->mesh.faceCount();
+    std::vector<Chunk>& chunks = *job.chunks;
+    pool.forEach(chunks.size(), [&](int, std::size_t i) {
+        kernels.processFaces(job, chunks[i], static_cast<std::uint32_t>(faces * i / chunks.size()),
+                             static_cast<std::uint32_t>(faces * (i + 1) / chunks.size()));
+    });
+}
+
+void drawTiles(const FrameJob& job, const Kernels& kernels, TiledContext& context, const std::stop_token& stop)
+{
+    const int tasksPerRow = (job.grid.columns + kTilesPerTask - 1) / kTilesPerTask;
+    context.pool->forEach(std::size_t(tasksPerRow) * std::size_t(job.grid.rows), [&](int worker, std::size_t task) {
+        if (stop.stop_requested())
+            return;
+        const int column = static_cast<int>(task) % tasksPerRow * kTilesPerTask;
+        kernels.drawTiles(job, *context.workers[static_cast<std::size_t>(worker)], column,
+                          std::min(column + kTilesPerTask, job.grid.columns), static_cast<int>(task) / tasksPerRow);
+    });
+}
+
+} // namespace
+
+std::optional<QString> Tiled::supports(const Rules& rules)
+{
+    if (rules.numberType != NumberType::Fixed)
+        return QStringLiteral("algorithm tiled needs number-type fixed");
+    if (rules.fill != Fill::Solid)
+        return QStringLiteral("algorithm tiled needs fill solid");
+    if (rules.painter)
+        return QStringLiteral("algorithm tiled needs visibility z-buffer or submission-order");
+    if (rules.tie.owner != 0 || rules.tie.other != 1)
+        return QStringLiteral("algorithm tiled needs tie-rule top-left");
+    if (rules.attributePath == AttributePath::EdgeThenSpan)
+        return QStringLiteral("attribute-path edge-then-span needs algorithm edge-walking");
+    return std::nullopt;
+}
+
+std::optional<QString> Tiled::supports(const Settings& settings)
+{
+    if (!settings.mistakes.isEmpty())
+        return QStringLiteral("algorithm tiled makes no mistakes; edge-equation and edge-walking do");
+    if (kernelsFor(settings.simd) == nullptr)
+        return QStringLiteral("this machine does not have simd %1")
+            .arg(valueId(*findSettingsField(QStringLiteral("simd")), settings));
+    return std::nullopt;
+}
+
+void Tiled::draw(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs, Statistics* statistics,
+                 const std::stop_token& stop)
+{
+    Stopwatch total;
+    Stopwatch watch;
+    StageTimes times;
+    const Kernels& kernels = *kernelsFor(settings.simd);
+    const int threads = threadCount(settings);
+    TiledContext& context = contextOf(frame, threads);
+    ThreadPool& pool = *context.pool;
+
+    FrameJob job;
+    job.scene = &scene;
+    job.rules = rulesFor(scene, settings);
+    job.matrices = cameraMatrices(scene, settings);
+    const FaceStages stages(scene, job.matrices, job.rules);
+    job.stages = &stages;
+    job.grid = tileGrid(job.rules);
+    job.outputs = outputs;
+    job.counting = statistics != nullptr;
+    job.clearColor = packColor(scene.background);
+    job.chunks = &context.chunks;
+    aim(job, frame);
+    const std::size_t vertices = scene.mesh.vertices.size();
+    if (job.interpolatesColor() && (scene.lit || scene.space == SceneSpace::Object))
+        job.colors = context.colors.reserve(vertices);
+    if (job.colors != nullptr || sharesVertices(scene.mesh))
+        job.points = context.points.reserve(vertices);
+    clearChunks(context, job, scene.mesh.faceCount(), threads);
+
+    if (job.points != nullptr)
+        processVertices(job, kernels, pool);
+    times.vertex = watch.lap();
+    if (!stop.stop_requested())
+        processFaces(job, kernels, pool);
+    times.geometry = watch.lap();
+    if (!stop.stop_requested())
+        drawTiles(job, kernels, context, stop);
+    times.raster = watch.lap();
+    times.total = total.lap();
+    frame.times = times;
+    if (statistics != nullptr)
+        *statistics = collect(context);
+}
+
+} // namespace rasterlens

@@ -1,0 +1,516 @@
+// The panels about one pixel or one face show what core computes, and edit what they say they edit.
+#include "core/builtin_scenes.h"
+#include "core/case_file.h"
+#include "core/mistakes.h"
+#include "core/observe/race.h"
+#include "core/observe/step_text.h"
+#include "core/observe/why.h"
+#include "ui/cards.h"
+#include "ui/clip_theatre.h"
+#include "ui/curves_panel.h"
+#include "ui/main_window.h"
+#include "ui/mistake_badge.h"
+#include "ui/mistakes_section.h"
+#include "ui/pipeline_panel.h"
+#include "ui/pixel_card.h"
+#include "ui/race_panel.h"
+#include "ui/step_mode.h"
+#include "ui/vertex_handles.h"
+#include "ui/vertex_panel.h"
+
+#include <QAbstractItemModelTester>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QMenu>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QtTest>
+
+using namespace rasterlens;
+
+namespace
+{
+
+constexpr int kPatienceMs = 30000;
+
+/// One corner beyond the right side, one above the top: 3 -> 4 -> 5 corners.
+constexpr auto kTwoCuts = "size 32 32\ntri -0.5 -0.5 0 1 1 0 0   2 -0.5 0 1 0 1 0   -0.5 2 0 1 0 0 1\n";
+
+QString plain(QString text)
+{
+    return text.replace(QChar(0x2212), QLatin1Char('-')).replace(QChar(0xa0), QLatin1Char(' '));
+}
+
+} // namespace
+
+class TestCards : public QObject
+{
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+    std::unique_ptr<MainWindow> m_window;
+
+    Document& document() { return m_window->document(); }
+    Cards& cards() { return m_window->cards(); }
+
+    bool settle()
+    {
+        return QTest::qWaitFor([this] { return m_window->isComplete(); }, kPatienceMs);
+    }
+    bool open(const QString& name)
+    {
+        document().open(name);
+        return settle() && document().scene()->id == name;
+    }
+    bool openText(const char* caseText)
+    {
+        document().setScene(std::make_shared<const Scene>(*parseCase(caseText, QStringLiteral("text.case")).scene));
+        return settle();
+    }
+    bool select(QPoint pixel)
+    {
+        m_window->viewport().selectPixel(pixel);
+        return settle();
+    }
+    bool show(const char* panel) { return cards().show(QLatin1String(panel)) && settle(); }
+    QImage picture() { return m_window->viewport().frame()->frame.image.copy(); }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QStandardPaths::setTestModeEnabled(true);
+        QCoreApplication::setOrganizationName(QStringLiteral("RasterLensTest"));
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.filePath(QStringLiteral("config")));
+    }
+    void init()
+    {
+        m_window = std::make_unique<MainWindow>(MainWindow::Memory::Forget);
+        m_window->resize(1280, 800);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_window->activateWindow();
+        m_window->viewport().setFocus();
+    }
+    void cleanup()
+    {
+        if (m_window)
+            m_window->setLanguage(LanguageKind::English);
+        m_window.reset();
+    }
+
+    void pixelCardEqualsWhy();
+    void pixelCardFollowsTheSettings();
+    void pixelCardFollowsLanguageAndTheme();
+    void pixelCardRowsAskForTheirStep();
+    void pixelCardIsEmptyWithoutAPixel();
+    void mistakesChangeSettingsAndPicture();
+    void mistakeOpensItsScene();
+    void keyUnfoldsTheMistakes();
+    void vertexModelIsSound();
+    void vertexCellsEqualTheTable();
+    void vertexEditsAreUndone();
+    void largeScenesAreNotEdited();
+    void handlesSnapToTheSubpixelGrid();
+    void draggingOnTheCanvasIsOneUndoStep();
+    void clipTheatreCounts();
+    void clipTheatreShowsCuts();
+    void clipTheatreShowsTheRegions();
+    void boardHasTheNumbersOfTheTextbook();
+    void curvesTakeTheEdge();
+    void raceCountsInLockstep();
+    void panelsAreHiddenAtFirstAndInTheMenu();
+};
+
+void TestCards::pixelCardEqualsWhy()
+{
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    for (const QPoint pixel : {QPoint(3, 4), QPoint(0, 0), QPoint(7, 7), QPoint(6, 1)}) {
+        QVERIFY(select(pixel));
+        const WhyReport report = why(*document().scene(), document().settings(), pixel.x(), pixel.y());
+        const PixelCard& card = cards().pixelCard();
+        QVERIFY(card.report());
+        QVERIFY(toJson(*card.report()) == toJson(report));
+        QCOMPARE(card.rows().size(), report.faces.size());
+        const QString text = plain(card.asText());
+        QVERIFY(text.contains(QStringLiteral("(%1, %2)").arg(pixel.x()).arg(pixel.y())));
+        for (std::size_t i = 0; i < report.faces.size(); ++i) {
+            const WhyFace& face = report.faces[i];
+            const WhyWords& words = card.rows()[i];
+            QCOMPARE(words.face, face.face);
+            QCOMPARE(words.good, face.verdict == WhyVerdict::Written);
+            const QString row = plain(words.verdict + QLatin1Char('\n') + words.details.join(QLatin1Char('\n')));
+            for (const WhyEdge& edge : face.edges)
+                QVERIFY2(row.contains(edge.name) && row.contains(edgeValueText(edge.value, face.unitsPerArea)),
+                         qPrintable(row));
+        }
+    }
+    // The diagonal: face 0 lost the tie that face 1 won.
+    QVERIFY(select({3, 4}));
+    QVERIFY(plain(cards().pixelCard().rows()[0].verdict).contains(QStringLiteral("lost the tie")));
+    QVERIFY(plain(cards().pixelCard().asText()).contains(QStringLiteral("won the tie")));
+}
+
+void TestCards::pixelCardFollowsTheSettings()
+{
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    QVERIFY(select({3, 4}));
+    QCOMPARE(cards().pixelCard().report()->faces[0].verdict, WhyVerdict::LostTie);
+    Settings next = document().settings();
+    next.tieRule = TieRule::Inclusive;
+    document().setSettings(next);
+    QVERIFY(settle());
+    QVERIFY(cards().pixelCard().report()->faces[0].verdict > WhyVerdict::LostTie);
+}
+
+void TestCards::pixelCardFollowsLanguageAndTheme()
+{
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    QVERIFY(select({3, 4}));
+    const QString english = cards().pixelCard().rows()[0].verdict;
+    m_window->setLook({ThemeKind::Dark, false});
+    m_window->setLanguage(LanguageKind::Chinese);
+    QVERIFY(QTest::qWaitFor([&] { return cards().pixelCard().rows()[0].verdict != english; }, kPatienceMs));
+    m_window->setLook({ThemeKind::Light, false});
+    m_window->setLanguage(LanguageKind::English);
+    QVERIFY(QTest::qWaitFor([&] { return cards().pixelCard().rows()[0].verdict == english; }, kPatienceMs));
+}
+
+void TestCards::pixelCardRowsAskForTheirStep()
+{
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    QVERIFY(select({3, 4}));
+    QSignalSpy asked(&cards(), &Cards::stepRequested);
+    const auto rows = cards().pixelCard().findChildren<QFrame*>(QStringLiteral("whyRow"));
+    QCOMPARE(rows.size(), 2);
+    QTest::mouseClick(rows[1], Qt::LeftButton);
+    QCOMPARE(asked.size(), 1);
+    QCOMPARE(asked[0][0].toUInt(), cards().pixelCard().rows()[1].face);
+    QCOMPARE(asked[0][1].toPoint(), QPoint(3, 4));
+    QVERIFY(settle());
+    const StepSession& session = m_window->stepMode().session();
+    QVERIFY(session.isOpen());
+    QVERIFY(session.event());
+    QCOMPARE(session.event()->face, cards().pixelCard().rows()[1].face);
+    QCOMPARE(session.event()->kind, StepKind::Sample);
+    QCOMPARE(QPoint(session.event()->x, session.event()->y), QPoint(3, 4));
+}
+
+void TestCards::pixelCardIsEmptyWithoutAPixel()
+{
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    QVERIFY(!cards().pixelCard().report());
+    QVERIFY(select({1, 1}));
+    QVERIFY(cards().pixelCard().report());
+    m_window->viewport().selectPixel(std::nullopt);
+    QVERIFY(settle());
+    QVERIFY(!cards().pixelCard().report());
+    QVERIFY(cards().pixelCard().asText().isEmpty());
+}
+
+void TestCards::mistakesChangeSettingsAndPicture()
+{
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    const QImage right = picture();
+    MistakesSection& section = m_window->pipelinePanel().mistakes();
+    for (const Mistake& mistake : mistakes()) {
+        const QString id = QLatin1String(mistake.id);
+        section.box(id)->setChecked(true);
+        QCOMPARE(document().settings().mistakes, QStringList{id});
+        QVERIFY(section.heading().contains(QLatin1String(mistake.number)));
+        section.box(id)->setChecked(false);
+        QVERIFY(document().settings().mistakes.isEmpty());
+    }
+    section.box(QStringLiteral("all-exclusive"))->setChecked(true);
+    QVERIFY(settle());
+    QVERIFY(picture() != right);
+    QVERIFY(m_window->mistakeBadge().isVisible());
+    QCOMPARE(m_window->mistakeBadge().lines().size(), 1);
+    QVERIFY2(m_window->mistakeBadge().lines()[0].endsWith(QStringLiteral("holes 8")),
+             qPrintable(m_window->mistakeBadge().lines()[0]));
+    section.box(QStringLiteral("all-exclusive"))->setChecked(false);
+    section.box(QStringLiteral("all-inclusive"))->setChecked(true);
+    QVERIFY(settle());
+    QVERIFY2(m_window->mistakeBadge().lines()[0].endsWith(QStringLiteral("hit twice 8")),
+             qPrintable(m_window->mistakeBadge().lines()[0]));
+    document().undo();
+    document().undo();
+    document().undo();
+    QVERIFY(settle());
+    QVERIFY(!section.box(QStringLiteral("all-inclusive"))->isChecked());
+    QCOMPARE(picture(), right);
+    QVERIFY(!m_window->mistakeBadge().isVisible());
+}
+
+void TestCards::mistakeOpensItsScene()
+{
+    document().openMistake(QStringLiteral("any-vertex-inside"));
+    QVERIFY(settle());
+    const Mistake& mistake = *findMistake(QStringLiteral("any-vertex-inside"));
+    QCOMPARE(document().scene()->id, QStringLiteral("builtin:") + QLatin1String(mistake.scene));
+    QVERIFY(document().settings() == mistakeDemo(mistake).mistaken);
+    QVERIFY(m_window->mistakeBadge().isVisible());
+}
+
+void TestCards::keyUnfoldsTheMistakes()
+{
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    MistakesSection& section = m_window->pipelinePanel().mistakes();
+    QVERIFY(!section.isOpen());
+    QTest::keyClick(&m_window->viewport(), Qt::Key_M);
+    QVERIFY(section.isOpen());
+    QTest::keyClick(&m_window->viewport(), Qt::Key_M);
+    QVERIFY(!section.isOpen());
+}
+
+void TestCards::vertexModelIsSound()
+{
+    FaceSelection selection;
+    Document own;
+    VertexTableModel model(own, selection);
+    QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    model.refresh();
+    own.setScene(std::make_shared<const Scene>(*makeBuiltinScene(QStringLiteral("cube")).scene));
+    selection.setCount(12);
+    model.refresh();
+    selection.setFace(7);
+    model.refresh();
+    QCOMPARE(model.rowCount(), int(VertexTableModel::kRowCount));
+    QCOMPARE(model.columnCount(), 3);
+}
+
+void TestCards::vertexCellsEqualTheTable()
+{
+    QVERIFY(open(QStringLiteral("builtin:tile-square")));
+    QVERIFY(show("vertices"));
+    cards().selection().setFace(1);
+    QVERIFY(settle());
+    const auto table = vertexTable(*document().scene(), document().settings(), 1);
+    const VertexTableModel& model = cards().vertexPanel().model();
+    const auto cell = [&](int row, int column) { return plain(model.index(row, column).data().toString()); };
+    for (int i = 0; i < 3; ++i) {
+        const VertexRow& corner = table[static_cast<std::size_t>(i)];
+        QVERIFY(model.headerData(i, Qt::Horizontal, Qt::DisplayRole)
+                    .toString()
+                    .endsWith(QString::number(corner.meshVertex)));
+        QVERIFY(cell(VertexTableModel::ClipSpace, i).endsWith(shortNumber(corner.clip.w)));
+        QVERIFY(cell(VertexTableModel::ViewSpace, i).startsWith(shortNumber(corner.view.x)));
+        QVERIFY(cell(VertexTableModel::SnappedSpace, i).startsWith(fullNumber(corner.snapped.x)));
+        QCOMPARE(cell(VertexTableModel::DepthValue, i), shortNumber(corner.depth));
+    }
+}
+
+void TestCards::vertexEditsAreUndone()
+{
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    QVERIFY(show("vertices"));
+    const QImage before = picture();
+    const auto original = document().scene();
+    VertexTableModel& model = cards().vertexPanel().model();
+    const QModelIndex cell = model.index(VertexTableModel::ObjectSpace, 0);
+    QVERIFY(cell.flags() & Qt::ItemIsEditable);
+    QVERIFY(!model.setData(cell, QStringLiteral("a b c")));
+    QVERIFY(!model.setData(cell, QStringLiteral("1 2")));
+    QVERIFY(document().scene() == original);
+    QVERIFY(model.setData(cell, QStringLiteral("0 0.5 0 1")));
+    QVERIFY(settle());
+    const std::uint32_t vertex = original->mesh.indices[0];
+    QVERIFY(document().scene()->mesh.vertices[vertex].position == glm::vec4(0, 0.5F, 0, 1));
+    QVERIFY(document().isDirty());
+    QVERIFY(picture() != before);
+    document().undo();
+    QVERIFY(settle());
+    QVERIFY(document().scene() == original);
+    QCOMPARE(picture(), before);
+    document().redo();
+    QVERIFY(document().scene() != original);
+}
+
+void TestCards::largeScenesAreNotEdited()
+{
+    QVERIFY(open(QStringLiteral("builtin:cube")));
+    QVERIFY(show("vertices"));
+    VertexTableModel& model = cards().vertexPanel().model();
+    const QModelIndex cell = model.index(VertexTableModel::ObjectSpace, 0);
+    QVERIFY(!(cell.flags() & Qt::ItemIsEditable));
+    QVERIFY(!model.setData(cell, QStringLiteral("0 0 0")));
+    QVERIFY(!cards().vertexHandles().isVisible());
+}
+
+void TestCards::handlesSnapToTheSubpixelGrid()
+{
+    for (const char* name : {"builtin:square-diagonal", "builtin:tile-square"}) {
+        QVERIFY(open(QLatin1String(name)));
+        QVERIFY(show("vertices"));
+        const std::uint32_t vertex = document().scene()->mesh.indices[1];
+        VertexHandles& handles = cards().vertexHandles();
+        const auto from = handles.screenOf(vertex);
+        QVERIFY(from);
+        const double w = vertexTable(*document().scene(), document().settings(), 0)[1].clip.w;
+        handles.moveVertex(vertex, *from + QPointF(1.3001, -0.7003));
+        QVERIFY(settle());
+        const VertexRow moved = vertexTable(*document().scene(), document().settings(), 0)[1];
+        const glm::dvec2 target = glm::round(glm::dvec2(from->x() + 1.3001, from->y() - 0.7003) * 256.0) / 256.0;
+        QCOMPARE(moved.snapped.x, target.x);
+        QCOMPARE(moved.snapped.y, target.y);
+        QVERIFY(std::abs(moved.clip.w - w) < 1e-5 * w);
+    }
+}
+
+void TestCards::draggingOnTheCanvasIsOneUndoStep()
+{
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    QVERIFY(show("vertices"));
+    const auto original = document().scene();
+    const std::uint32_t vertex = original->mesh.indices[0];
+    ViewportWidget& canvas = m_window->viewport();
+    const auto at = [&](QPointF pixels) { return canvas.transform().toCanvas(pixels).toPoint(); };
+    const QPointF from = *cards().vertexHandles().screenOf(vertex);
+    QTest::mousePress(&canvas, Qt::LeftButton, {}, at(from));
+    for (int i = 1; i <= 4; ++i)
+        QTest::mouseMove(&canvas, at(from + QPointF(0.5, 0.5) * i));
+    QTest::mouseRelease(&canvas, Qt::LeftButton, {}, at(from + QPointF(2, 2)));
+    QVERIFY(settle());
+    const QPointF to = *cards().vertexHandles().screenOf(vertex);
+    QVERIFY(std::hypot(to.x() - from.x() - 2, to.y() - from.y() - 2) < 0.1);
+    QVERIFY(document().scene() != original);
+    document().undo();
+    QVERIFY(document().scene() == original);
+    QVERIFY(!document().canUndo());
+}
+
+void TestCards::clipTheatreCounts()
+{
+    QVERIFY(openText(kTwoCuts));
+    QVERIFY(show("clip"));
+    ClipTheatre& theatre = cards().clipTheatre();
+    QVERIFY(theatre.story());
+    QCOMPARE(theatre.story()->counts(), (std::vector<int>{3, 4, 5}));
+    QCOMPARE(theatre.story()->pieces, 3);
+    QVERIFY(theatre.summary().startsWith(QStringLiteral("3 \u2192 4 \u2192 5")));
+    QVERIFY(theatre.planeButton(ClipPlane::Right)->isEnabled());
+    QVERIFY(theatre.planeButton(ClipPlane::Top)->isEnabled());
+    for (const ClipPlane plane : {ClipPlane::W, ClipPlane::Left, ClipPlane::Bottom, ClipPlane::Near, ClipPlane::Far})
+        QVERIFY(!theatre.planeButton(plane)->isEnabled());
+    QVERIFY(theatre.planeButton(ClipPlane::Right)->text().endsWith(QLatin1Char('4')));
+    QVERIFY(theatre.planeButton(ClipPlane::Top)->text().endsWith(QLatin1Char('5')));
+
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    QVERIFY(theatre.story()->steps.empty());
+    QCOMPARE(theatre.story()->counts(), std::vector<int>{3});
+}
+
+void TestCards::clipTheatreShowsCuts()
+{
+    QVERIFY(openText(kTwoCuts));
+    QVERIFY(show("clip"));
+    ClipTheatre& theatre = cards().clipTheatre();
+    theatre.planeButton(ClipPlane::Right)->click();
+    QCOMPARE(theatre.stage(), std::size_t(1));
+    const QStringList cuts = theatre.cuts();
+    QCOMPARE(cuts.size(), 2);
+    // From A (-0.5) to B (2): x = w at t = 1.5 / 2.5.
+    QVERIFY2(cuts.join(QLatin1Char('\n')).contains(QStringLiteral("A \u2192 B  t = 0.6000")),
+             qPrintable(cuts.join(QLatin1Char('\n'))));
+    // From C (-0.5, 2) to B (2, -0.5), likewise.
+    QVERIFY(cuts.join(QLatin1Char('\n')).contains(QStringLiteral("C \u2192 B  t = 0.6000")));
+    theatre.setStage(0);
+    QCOMPARE(theatre.cuts().size(), 3);
+}
+
+void TestCards::clipTheatreShowsTheRegions()
+{
+    QVERIFY(openText(kTwoCuts));
+    QVERIFY(show("clip"));
+    Settings next = document().settings();
+    next.clipping = Clipping::CohenSutherland;
+    document().setSettings(next);
+    QVERIFY(settle());
+    ClipTheatre& theatre = cards().clipTheatre();
+    QVERIFY(theatre.story()->regions);
+    const QString text = theatre.cuts().join(QLatin1Char('\n'));
+    QVERIFY2(text.contains(QStringLiteral("A  outcode 0000")) && text.contains(QStringLiteral("B  outcode 0010")) &&
+                 text.contains(QStringLiteral("C  outcode 1000")),
+             qPrintable(text));
+}
+
+void TestCards::boardHasTheNumbersOfTheTextbook()
+{
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    QVERIFY(show("curves"));
+    CurvesPanel& curves = cards().curvesPanel();
+    curves.edgeBox()->setCurrentIndex(3);
+    QCOMPARE(curves.boardText(0, 0), QStringLiteral("0.8938"));
+    QCOMPARE(curves.boardText(0, 1), QStringLiteral("0.8938"));
+    QCOMPARE(curves.boardText(0, 3), QStringLiteral("0.8200"));
+    QCOMPARE(curves.boardText(1, 0), QStringLiteral("1.8182"));
+    QCOMPARE(curves.boardText(1, 1), QStringLiteral("5.5000"));
+    QCOMPARE(curves.boardText(1, 3), QStringLiteral("1.8182"));
+    QCOMPARE(plain(curves.boardText(0, 4)), QStringLiteral("-0.0738"));
+    curves.slider()->setValue(0);
+    QCOMPARE(curves.boardText(1, 0), QStringLiteral("1.0000"));
+}
+
+void TestCards::curvesTakeTheEdge()
+{
+    QVERIFY(open(QStringLiteral("builtin:four-z")));
+    QVERIFY(show("curves"));
+    const auto corners = vertexTable(*document().scene(), document().settings(), 0);
+    const CurvesPanel& curves = cards().curvesPanel();
+    for (int edge = 0; edge < 3; ++edge) {
+        curves.edgeBox()->setCurrentIndex(edge);
+        QVERIFY(curves.input().ofEdge);
+        QCOMPARE(curves.input().z1, corners[static_cast<std::size_t>(edge)].clip.w);
+        QCOMPARE(curves.input().z2, corners[static_cast<std::size_t>((edge + 1) % 3)].clip.w);
+    }
+}
+
+void TestCards::raceCountsInLockstep()
+{
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    QVERIFY(show("race"));
+    RacePanel& panel = cards().racePanel();
+    const AlgorithmRace race = raceAlgorithms(*document().scene(), document().settings(), 0);
+    QVERIFY(panel.race());
+    QVERIFY(!panel.isPlaying());
+    QCOMPARE(panel.tick(), panel.ticks());
+    QVERIFY(panel.counts(Algorithm::EdgeEquation) == race.equation.total);
+    QVERIFY(panel.counts(Algorithm::EdgeWalking) == race.walking.total);
+    for (std::size_t tick = 0; tick <= panel.ticks(); ++tick) {
+        panel.setTick(tick);
+        QCOMPARE(panel.counts(Algorithm::EdgeEquation).candidates,
+                 std::uint64_t(std::min(tick, race.equation.ticks.size())));
+        QCOMPARE(panel.counts(Algorithm::EdgeWalking).candidates,
+                 std::uint64_t(std::min(tick, race.walking.ticks.size())));
+    }
+    panel.setPlaying(true);
+    QCOMPARE(panel.tick(), std::size_t(0));
+    QVERIFY(QTest::qWaitFor([&] { return panel.tick() > 0; }, kPatienceMs));
+    panel.setPlaying(false);
+}
+
+void TestCards::panelsAreHiddenAtFirstAndInTheMenu()
+{
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    for (const QString& name : Cards::names()) {
+        auto* dock = m_window->findChild<QDockWidget*>(name + QStringLiteral("Dock"));
+        QVERIFY(dock);
+        QCOMPARE(dock->isVisible(), name == QLatin1String("why"));
+        QVERIFY(!dock->toggleViewAction()->text().isEmpty());
+        QVERIFY(cards().show(name));
+        QVERIFY(settle());
+        QVERIFY(dock->isVisible());
+    }
+    m_window->resetLayout();
+    QVERIFY(!m_window->findChild<QDockWidget*>(QStringLiteral("raceDock"))->isVisible());
+    QVERIFY(m_window->findChild<QDockWidget*>(QStringLiteral("whyDock"))->isVisible());
+}
+
+QTEST_MAIN(TestCards)
+#include "test_cards.moc"
