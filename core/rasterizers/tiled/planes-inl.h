@@ -91,10 +91,10 @@ HWY_INLINE void MakePlanes(const FrameJob& job, const CornerStage& stage, std::u
     const WeightLanes weights = MakeWeights(stage);
     const Doubles one = hn::Set(tag, 1.0);
     std::array<Doubles, 3> q{one, one, one};
+    // 1/w in units of the first corner's: only ratios matter, and w itself may be beyond what float32 can invert.
     if (job.rules.perspectiveCorrect)
-        for (std::size_t k = 0; k < 3; ++k)
-            q[k] =
-                hn::Div(hn::Load(tag, stage.w[0].data()), hn::Load(tag, stage.w[k].data())); // w_A / w: no w overflows
+        for (std::size_t k = 1; k < 3; ++k)
+            q[k] = hn::Div(hn::Load(tag, stage.w[0].data()), hn::Load(tag, stage.w[k].data()));
     alignas(64) std::array<std::array<std::array<float, kDoubles>, 4>, 3> planes;
     const auto makePlane = [&](std::size_t i, Doubles a, Doubles b, Doubles c) HWY_ATTR {
         const Doubles ab = hn::Sub(b, a);

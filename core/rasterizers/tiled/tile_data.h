@@ -119,7 +119,8 @@ struct Bin {
     std::uint32_t used = BinBlock::kCapacity; ///< triangles in the last block
 };
 
-/// 1/w and colour over a triangle, colour times 255/w, as planes anchored at a block of the target.
+/// 1/w (relative to a corner) and colour over a triangle, colour times 255/w, as planes anchored at a block of the
+/// target.
 struct alignas(64) ColorPlanes {
     std::array<float, 4> origin;
     std::array<float, 4> perX;
