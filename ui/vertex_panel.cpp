@@ -73,7 +73,7 @@ std::shared_ptr<const Scene> withVertex(const Scene& scene, std::uint32_t vertex
 }
 
 VertexTableModel::VertexTableModel(Document& document, const FaceSelection& selection, QObject* parent)
-    : QAbstractTableModel(parent), m_document(document), m_selection(selection)
+    : QAbstractTableModel(parent), m_document(document), m_scene(document.scene()), m_selection(selection)
 {
 }
 
@@ -83,7 +83,7 @@ int VertexTableModel::columnCount(const QModelIndex& parent) const { return pare
 
 QString VertexTableModel::cell(int row, const VertexRow& corner) const
 {
-    const bool inClipSpace = m_document.scene()->space == SceneSpace::Clip;
+    const bool inClipSpace = m_scene->space == SceneSpace::Clip;
     const auto& o = corner.object;
     switch (row) {
     case ObjectSpace: return inClipSpace ? tuple({o.x, o.y, o.z, o.w}) : tuple({o.x, o.y, o.z});
@@ -132,8 +132,7 @@ QVariant VertexTableModel::headerData(int section, Qt::Orientation orientation, 
                                               .arg((*m_corners)[static_cast<std::size_t>(section)].meshVertex)
                                         : QVariant();
     switch (section) {
-    case ObjectSpace:
-        return m_document.scene()->space == SceneSpace::Clip ? tr("given  x, y, z, w") : tr("object  x, y, z");
+    case ObjectSpace: return m_scene->space == SceneSpace::Clip ? tr("given  x, y, z, w") : tr("object  x, y, z");
     case ViewSpace: return tr("view  x, y, z");
     case ClipSpace: return tr("clip  x, y, z, w");
     case NdcSpace: return tr("NDC  clip / w");
@@ -149,7 +148,7 @@ QVariant VertexTableModel::headerData(int section, Qt::Orientation orientation, 
 Qt::ItemFlags VertexTableModel::flags(const QModelIndex& index) const
 {
     Qt::ItemFlags flags = QAbstractTableModel::flags(index);
-    if (index.isValid() && m_corners && index.row() == ObjectSpace && isEditable(*m_document.scene()))
+    if (index.isValid() && m_corners && index.row() == ObjectSpace && isEditable(*m_scene))
         flags |= Qt::ItemIsEditable;
     return flags;
 }
@@ -170,8 +169,9 @@ bool VertexTableModel::setData(const QModelIndex& index, const QVariant& value, 
 
 void VertexTableModel::refresh()
 {
-    if (m_selection.face() < m_document.scene()->mesh.faceCount())
-        m_corners = vertexTable(*m_document.scene(), m_document.settings(), m_selection.face());
+    m_scene = m_document.scene();
+    if (m_selection.face() < m_scene->mesh.faceCount())
+        m_corners = vertexTable(*m_scene, m_document.settings(), m_selection.face());
     else
         m_corners.reset();
     Q_EMIT dataChanged(index(0, 0), index(kRowCount - 1, 2));

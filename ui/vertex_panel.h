@@ -60,6 +60,7 @@ private:
     [[nodiscard]] QString cell(int row, const VertexRow& corner) const;
 
     Document& m_document;
+    std::shared_ptr<const Scene> m_scene; ///< what the table shows; views ask for it until their end
     const FaceSelection& m_selection;
     std::optional<std::array<VertexRow, 3>> m_corners;
 };
