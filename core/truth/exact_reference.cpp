@@ -10,6 +10,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace rasterlens
 {
@@ -464,11 +465,13 @@ glm::dvec3 ExactFrame::pixelColor(int x, int y, glm::vec3 background) const
     return sum / static_cast<double>(sampleGrid * sampleGrid);
 }
 
-ExactFrame exactReference(std::span<const ClipTriangle> triangles, const ExactOptions& options)
+ExactFrame exactReference(std::span<const ClipTriangle> triangles, const ExactOptions& options, std::stop_token stop)
 {
     ExactFrame frame = emptyFrame(options);
     Painter painter(options, frame);
     for (const ClipTriangle& triangle : triangles) {
+        if (stop.stop_requested())
+            break;
         if (isFinite(triangle))
             painter.draw(triangle);
         else
@@ -516,9 +519,9 @@ std::vector<ClipTriangle> exactTriangles(const Scene& scene, const Settings& set
     return triangles;
 }
 
-ExactFrame exactReference(const Scene& scene, const Settings& settings)
+ExactFrame exactReference(const Scene& scene, const Settings& settings, std::stop_token stop)
 {
-    return exactReference(exactTriangles(scene, settings), exactOptions(scene, settings));
+    return exactReference(exactTriangles(scene, settings), exactOptions(scene, settings), std::move(stop));
 }
 
 } // namespace rasterlens

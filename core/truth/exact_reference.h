@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace rasterlens
@@ -86,11 +87,13 @@ struct ExactFrame {
 ///         faces over 256 x 256: 0.02 s for small ones, 0.8 s for 31 million covered samples. Edge distances cost
 ///         their length.
 /// exact   cover and id; depth to 1e-15; colour to some 1e-15 of the largest corner value
-/// errors  faces with a non-finite position are dropped and counted
+/// errors  faces with a non-finite position are dropped and counted; `stop` ends the work early and leaves an
+///         unfinished frame
 /// source  Olano & Greer, Triangle scan conversion using 2D homogeneous coordinates, Graphics Hardware 1997.
 ///         Numbers: Boost.Multiprecision cpp_int rather than GMP: headers only, nothing to ship or link, and with 512
 ///         bits in place common input allocates nothing, which is fast enough by the measurement above.
-[[nodiscard]] ExactFrame exactReference(std::span<const ClipTriangle> triangles, const ExactOptions& options);
+[[nodiscard]] ExactFrame exactReference(std::span<const ClipTriangle> triangles, const ExactOptions& options,
+                                        std::stop_token stop = {});
 
 /// What these settings ought to draw: z-buffer visibility, the top-left rule, culling by the snapped area and correct
 /// rules whatever the settings say about algorithm, clipping, visibility, ties, interpolation and mistakes. Vertices
@@ -101,6 +104,6 @@ struct ExactFrame {
 [[nodiscard]] std::vector<ClipTriangle> exactTriangles(const Scene& scene, const Settings& settings);
 
 /// The truth about a scene.
-[[nodiscard]] ExactFrame exactReference(const Scene& scene, const Settings& settings);
+[[nodiscard]] ExactFrame exactReference(const Scene& scene, const Settings& settings, std::stop_token stop = {});
 
 } // namespace rasterlens
