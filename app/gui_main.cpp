@@ -4,6 +4,7 @@
 #include "ui/mistakes_section.h"
 #include "ui/pipeline_panel.h"
 #include "ui/step_mode.h"
+#include "ui/truth_mode.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -35,6 +36,8 @@ struct Arguments {
     std::optional<QSize> windowSize;
     QString panel;
     std::optional<QPoint> pixel;
+    bool referee = false;
+    rasterlens::CompareView compare = rasterlens::CompareView::Off;
     std::optional<rasterlens::LanguageKind> language;
     std::optional<rasterlens::ThemeKind> theme;
 };
@@ -78,7 +81,13 @@ ParsedArguments parseArguments(const QStringList& words)
         QStringLiteral("step"),
         QStringLiteral("Opens the step mode at a position, or at the first tie, sign-change, depth-fail, clip or nan."),
         QStringLiteral("where"));
-    parser.addOptions({help, version, screenshot, windowSize, language, theme, panel, pixel, step});
+    const QCommandLineOption referee(QStringLiteral("referee"),
+                                     QStringLiteral("Checks the picture against the exact reference."));
+    const QCommandLineOption compare(
+        QStringLiteral("compare"),
+        QStringLiteral("Compares with the picture without mistakes or as the scene asks: wipe, blink or difference."),
+        QStringLiteral("view"));
+    parser.addOptions({help, version, screenshot, windowSize, language, theme, panel, pixel, step, referee, compare});
     parser.addPositionalArgument(QStringLiteral("scene"),
                                  QStringLiteral("An .obj, a .case, a session .json, builtin:NAME or stress:NAME."),
                                  QStringLiteral("[scene]"));
@@ -125,6 +134,14 @@ ParsedArguments parseArguments(const QStringList& words)
         arguments.panel = parser.value(panel);
         if (!panelNames().contains(arguments.panel))
             return refuse(QStringLiteral("--panel takes %1").arg(panelNames().join(", ")));
+    }
+    arguments.referee = parser.isSet(referee);
+    if (parser.isSet(compare)) {
+        const QStringList views{QStringLiteral("wipe"), QStringLiteral("blink"), QStringLiteral("difference")};
+        const qsizetype view = views.indexOf(parser.value(compare));
+        if (view < 0)
+            return refuse(QStringLiteral("--compare takes %1").arg(views.join(QStringLiteral(", "))));
+        arguments.compare = static_cast<rasterlens::CompareView>(view + 1);
     }
     if (parser.isSet(pixel)) {
         const QStringList parts = parser.value(pixel).split(QLatin1Char(','));
@@ -209,6 +226,8 @@ int main(int argc, char** argv)
         window.document().disconnect(&starting);
         if (arguments.pixel)
             window.viewport().selectPixel(arguments.pixel);
+        window.truthMode().referee().setOn(arguments.referee);
+        window.truthMode().comparison().setView(arguments.compare);
         if (!arguments.panel.isEmpty())
             openPanel(window, arguments.panel);
         if (forScreenshot)

@@ -125,6 +125,19 @@ void Document::open(const QString& name)
     startOpening(name, [name] { return load(name); });
 }
 
+void Document::openWith(const QString& name, std::function<void(Settings&)> change)
+{
+    startOpening(name, [name, change = std::move(change)] {
+        Opened opened = load(name);
+        if (opened.scene) {
+            Settings settings = opened.settings.value_or(opened.scene->defaults);
+            change(settings);
+            opened.settings = settings;
+        }
+        return opened;
+    });
+}
+
 void Document::openMistake(const QString& id)
 {
     const Mistake* mistake = findMistake(id);

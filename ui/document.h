@@ -51,6 +51,8 @@ public:
     ///
     /// errors  diagnosticsReported; scene and settings stay as they were
     void open(const QString& name);
+    /// Likewise, with a change of the settings that the file asks for.
+    void openWith(const QString& name, std::function<void(Settings&)> change);
     [[nodiscard]] bool isLoading() const { return m_loading; }
     /// Opens the scene and the settings in which a mistake shows, likewise.
     void openMistake(const QString& id);

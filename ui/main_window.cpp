@@ -17,6 +17,7 @@
 #include "ui/step_listing.h"
 #include "ui/step_mode.h"
 #include "ui/transport_dock.h"
+#include "ui/truth_mode.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -156,6 +157,7 @@ QWidget* MainWindow::buildCanvas()
     column->addLayout(messages);
 
     m_viewport = new ViewportWidget;
+    m_truth = std::make_unique<TruthMode>(m_document, *m_viewport, *this, *column);
     m_mistakeBadge = new MistakeBadge(m_viewport);
     column->addWidget(m_viewport, 1);
     m_stepMode = std::make_unique<StepMode>(m_document, *m_viewport, *this);
@@ -245,6 +247,7 @@ void MainWindow::connectParts()
         m_pipelinePanel->mistakes().setOpen(true);
     });
     connect(m_pipelinePanel, &PipelinePanel::sceneChosen, &m_document, &Document::open);
+    connect(m_pipelinePanel, &PipelinePanel::floatFailureChosen, m_truth.get(), &TruthMode::showFloatFailure);
     connect(m_pipelinePanel, &PipelinePanel::openRequested, this, &MainWindow::chooseFileToOpen);
     connect(m_pipelinePanel, &PipelinePanel::invalidInput, m_message,
             [this](const QString& message) { m_message->show(MessageKind::Error, message); });
@@ -339,7 +342,7 @@ void MainWindow::showFrame()
     const FramePtr& frame = step ? step : m_lastFrame;
     if (!frame)
         return;
-    m_viewport->setFrame(frame);
+    m_truth->showOnCanvas(frame, step != nullptr);
     m_stageStrip->setFrame(frame);
     m_statisticsPanel->setFrame(frame);
 }
@@ -352,7 +355,10 @@ bool MainWindow::isSettled() const
                          m_lastFrame->settings == m_document.settings());
 }
 
-bool MainWindow::isComplete() const { return isSettled() && !m_cards->isBusy() && !m_mistakeBadge->isCounting(); }
+bool MainWindow::isComplete() const
+{
+    return isSettled() && !m_cards->isBusy() && !m_mistakeBadge->isCounting() && !m_truth->isBusy();
+}
 
 QString MainWindow::message() const
 {

@@ -29,6 +29,7 @@ class PipelinePanel;
 class StageStrip;
 class StatisticsPanel;
 class StepMode;
+class TruthMode;
 
 /// The window: canvas in the middle, pipeline left, statistics right.
 class MainWindow : public QMainWindow
@@ -51,6 +52,7 @@ public:
     [[nodiscard]] MistakeBadge& mistakeBadge() { return *m_mistakeBadge; }
     [[nodiscard]] RenderWorker& worker() { return m_worker; }
     [[nodiscard]] StepMode& stepMode() { return *m_stepMode; }
+    [[nodiscard]] TruthMode& truthMode() { return *m_truth; }
 
     void openDefaultScene();
     void setLanguage(LanguageKind kind);
@@ -146,6 +148,7 @@ private:
 
     ViewportWidget* m_viewport = nullptr;
     std::unique_ptr<StepMode> m_stepMode;
+    std::unique_ptr<TruthMode> m_truth;
     StageStrip* m_stageStrip = nullptr;
     PipelinePanel* m_pipelinePanel = nullptr;
     StatisticsPanel* m_statisticsPanel = nullptr;

@@ -10,6 +10,7 @@
 #include "ui/pipeline_panel.h"
 #include "ui/step_mode.h"
 #include "ui/transport_dock.h"
+#include "ui/truth_mode.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -66,6 +67,7 @@ void MainWindow::buildMenus()
     buildViewMenu();
     buildSettingsMenu();
     menuBar()->addMenu(m_stepMode->transport().menu());
+    menuBar()->addMenu(m_truth->menu());
     buildMistakesMenu();
     buildHelpMenu();
 }
@@ -254,6 +256,7 @@ void MainWindow::retranslate()
     retranslateActions();
     m_mistakesMenu->retranslate();
     m_cards->retranslate();
+    m_truth->retranslate();
     m_pipelineDock->setTitle(tr("Scene"));
     m_statisticsDock->setTitle(tr("Statistics"));
     m_pipelineDock->toggleViewAction()->setText(tr("Scene and pipeline"));
@@ -383,6 +386,15 @@ void MainWindow::syncHelp()
                          {tr("Ctrl + Shift + Left, Right"), tr("one stage"), {}},
                          {tr("Ctrl + Home, End"), tr("to the start, the end"), {}},
                          {QStringLiteral("[  ]"), tr("slower, faster"), {}}}});
+    const CompareView compared = m_truth->comparison().view();
+    sections.push_back(
+        {tr("Compare"),
+         {{QStringLiteral("V"), tr("exact referee"), m_truth->referee().isOn() ? on : off},
+          {QStringLiteral("Shift+V"), tr("next wrong pixel"), {}},
+          {QStringLiteral("S"), tr("wipe between A and B"), compared == CompareView::Wipe ? on : off},
+          {QStringLiteral("B"), tr("blink A and B"), compared == CompareView::Blink ? on : off},
+          {QStringLiteral("D"), tr("difference of A and B"), compared == CompareView::Difference ? on : off},
+          {QStringLiteral("A  Shift+A"), tr("pin A, exchange A and B"), {}}}});
     m_help->setSections(sections);
 }
 

@@ -41,7 +41,7 @@ StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& wi
       m_listing(new StepListing(m_session)), m_window(window)
 {
     window.addDockWidget(Qt::BottomDockWidgetArea, m_transport);
-    viewport.setLayer(&m_lens);
+    viewport.addLayer(&m_lens);
     connect(&m_session, &StepSession::logChanged, this, &StepMode::syncLens);
     connect(&m_session, &StepSession::positionChanged, this, [this] {
         syncLens();
@@ -78,7 +78,7 @@ StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& wi
             [this] { Q_EMIT message(tr("The record ends without another such event.")); });
 }
 
-StepMode::~StepMode() { m_viewport.setLayer(nullptr); }
+StepMode::~StepMode() { m_viewport.removeLayer(&m_lens); }
 
 /// The model reads the log, which it must not outlive.
 void StepMode::syncLens()

@@ -2043,6 +2043,112 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::CompareBar</name>
+    <message>
+        <source>A and B have the same settings: change one, or pin A and go on</source>
+        <translation>A 与 B 的设置相同：改动一项，或固定 A 后继续</translation>
+    </message>
+    <message>
+        <source>no mistakes</source>
+        <translation>没有错误</translation>
+    </message>
+    <message>
+        <source>scene&apos;s own</source>
+        <translation>场景设定</translation>
+    </message>
+    <message>
+        <source>pinned</source>
+        <translation>已固定</translation>
+    </message>
+    <message>
+        <source>Picture A</source>
+        <translation>画面 A</translation>
+    </message>
+    <message>
+        <source>Picture A; B is always the present one</source>
+        <translation>画面 A；B 始终是当前画面</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>固定</translation>
+    </message>
+    <message>
+        <source>Keep the present settings as A (A)</source>
+        <translation>把当前设置固定为 A（A）</translation>
+    </message>
+    <message>
+        <source>Exchange A and B (Shift+A)</source>
+        <translation>交换 A 与 B（Shift+A）</translation>
+    </message>
+    <message>
+        <source>Wipe</source>
+        <translation>划分</translation>
+    </message>
+    <message>
+        <source>A left of the line, B right of it; drag the line (S)</source>
+        <translation>线左为 A，线右为 B；可拖动这条线（S）</translation>
+    </message>
+    <message>
+        <source>Blink</source>
+        <translation>闪烁</translation>
+    </message>
+    <message>
+        <source>A and B in turn (B)</source>
+        <translation>A 与 B 轮流显示（B）</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>差异</translation>
+    </message>
+    <message>
+        <source>Where A and B differ, and how much (D)</source>
+        <translation>A 与 B 何处不同、相差多少（D）</translation>
+    </message>
+    <message>
+        <source>Stop comparing</source>
+        <translation>结束比较</translation>
+    </message>
+    <message>
+        <source>Amplification</source>
+        <translation>放大倍数</translation>
+    </message>
+    <message>
+        <source>Differences are multiplied by this before they are coloured</source>
+        <translation>差异先乘以此数再上色</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::Comparison</name>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>A cannot be drawn: %1</source>
+        <translation>无法绘制 A：%1</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for another picture of this size.</source>
+        <translation>内存不足，无法再画一幅这样大小的画面。</translation>
+    </message>
+    <message>
+        <source>drawing A …</source>
+        <translation>正在绘制 A……</translation>
+    </message>
+    <message>
+        <source>A and B are the same in all %1 pixels</source>
+        <translation>A 与 B 的全部 %1 个像素都相同</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pixels differ, by at most %3 of 255 steps · PSNR %4 dB</source>
+        <translation>%2 个像素中有 %1 个不同，最多差 %3 级（共 255 级）· PSNR %4 dB</translation>
+    </message>
+    <message>
+        <source>Mistakes</source>
+        <translation>错误</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::CurvesPanel</name>
     <message>
         <source>The scene has no camera: near and far are examples.</source>
@@ -2665,6 +2771,34 @@
         <source>mistakes</source>
         <translation>错误</translation>
     </message>
+    <message>
+        <source>Compare</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>exact referee</source>
+        <translation>精确裁判</translation>
+    </message>
+    <message>
+        <source>next wrong pixel</source>
+        <translation>下一个错误像素</translation>
+    </message>
+    <message>
+        <source>wipe between A and B</source>
+        <translation>在 A 与 B 之间划分</translation>
+    </message>
+    <message>
+        <source>blink A and B</source>
+        <translation>A 与 B 闪烁</translation>
+    </message>
+    <message>
+        <source>difference of A and B</source>
+        <translation>A 与 B 的差异</translation>
+    </message>
+    <message>
+        <source>pin A, exchange A and B</source>
+        <translation>固定 A，交换 A 与 B</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::MessageBar</name>
@@ -2815,6 +2949,45 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::NumberDial</name>
+    <message>
+        <source>1 unit = %1 px</source>
+        <translation>1 单位 = %1 像素</translation>
+    </message>
+    <message>
+        <source>step %1 px</source>
+        <translation>步长 %1 像素</translation>
+    </message>
+    <message>
+        <source>%1 of %2 bits, %3 left</source>
+        <translation>用 %1/%2 位，余 %3 位</translation>
+    </message>
+    <message>
+        <source>needs %1 bits, has %2</source>
+        <translation>需 %1 位，只有 %2 位</translation>
+    </message>
+    <message>
+        <source>float</source>
+        <translation>浮点</translation>
+    </message>
+    <message>
+        <source>fixed point, bits after the point</source>
+        <translation>定点数，小数位数</translation>
+    </message>
+    <message>
+        <source>Number dial: %1, %2</source>
+        <translation>数值转盘：%1，%2</translation>
+    </message>
+    <message>
+        <source>The numbers that decide which samples are inside. Up and Down turn the dial.</source>
+        <translation>决定哪些样本在内部的数值。按上、下键转动转盘。</translation>
+    </message>
+    <message>
+        <source>The bar shows the bits of the largest edge value on this picture: filled are those it needs; what does not fit into the number is rounded away, and samples close to an edge may be decided wrongly.</source>
+        <translation>横条表示此画面上最大边函数值的位数：填色部分是它所需的位；放不下的位会被舍入，靠近边的样本就可能判错。</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::PipelinePanel</name>
     <message>
         <source>&quot;%1&quot; is not a size. Write WIDTH x HEIGHT with 1 to %2 each.</source>
@@ -2849,6 +3022,14 @@
     <message>
         <source>Width and height of the picture, 1 to %1 each. The window only magnifies it.</source>
         <translation>图像的宽和高，各为 1 到 %1。窗口只负责放大显示。</translation>
+    </message>
+    <message>
+        <source>Where float32 fails</source>
+        <translation>float32 在哪里出错</translation>
+    </message>
+    <message>
+        <source>Opens a scene with float32 and has the referee check it</source>
+        <translation>用 float32 打开一个场景，并请裁判核对</translation>
     </message>
 </context>
 <context>
@@ -3057,6 +3238,104 @@
     <message>
         <source>Blue: covered. Orange: tested in vain. What one of the two alone chose blinks at the end.</source>
         <translation>蓝色：覆盖。橙色：白测了。只有一方选中的像素在结束时闪烁。</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::Referee</name>
+    <message>
+        <source>not checked: these settings cannot be drawn</source>
+        <translation>未核对：这些设置无法绘制</translation>
+    </message>
+    <message>
+        <source>not checked: only filled triangles have a true coverage</source>
+        <translation>未核对：只有填充的三角形才有真实覆盖</translation>
+    </message>
+    <message>
+        <source>not checked: %1 samples, and memory is set aside for %2. Choose a smaller picture.</source>
+        <translation>未核对：共 %1 个样本，而内存只留给 %2 个。请选用更小的画面。</translation>
+    </message>
+    <message>
+        <source>checking …</source>
+        <translation>正在核对……</translation>
+    </message>
+    <message>
+        <source>none wrong of %1 samples</source>
+        <translation>%1 个样本全部正确</translation>
+    </message>
+    <message>
+        <source>none wrong of %1 pixels, judged by their middle samples</source>
+        <translation>%1 个像素全部正确（按中间的样本判定）</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>，</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples</source>
+        <translation>%1（共 %2 个样本）</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pixels, judged by their middle samples</source>
+        <translation>%1（共 %2 个像素，按中间的样本判定）</translation>
+    </message>
+    <message>
+        <source>depth off by at most %1</source>
+        <translation>深度误差不超过 %1</translation>
+    </message>
+    <message>
+        <source>colour by at most %1 of 255 steps</source>
+        <translation>颜色误差不超过 %1 级（共 255 级）</translation>
+    </message>
+    <message>
+        <source>%1 within %2 px of an edge let pass</source>
+        <translation>距边 %2 像素以内的 %1 个放行</translation>
+    </message>
+    <message>
+        <source>%1 right</source>
+        <translation>正确 %1</translation>
+    </message>
+    <message>
+        <source>%1 of another face</source>
+        <translation>别的面 %1</translation>
+    </message>
+    <message>
+        <source>%1 hit too seldom</source>
+        <translation>命中过少 %1</translation>
+    </message>
+    <message>
+        <source>%1 hit twice</source>
+        <translation>重复命中 %1</translation>
+    </message>
+    <message>
+        <source>%1 extra</source>
+        <translation>多余 %1</translation>
+    </message>
+    <message>
+        <source>%1 missing</source>
+        <translation>缺失 %1</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::RefereeBar</name>
+    <message>
+        <source>Referee</source>
+        <translation>裁判</translation>
+    </message>
+    <message>
+        <source>Every sample against the exact reference: integers of any length, no rounding anywhere</source>
+        <translation>每个样本都与精确参考对照：任意长整数，处处不舍入</translation>
+    </message>
+    <message>
+        <source>Next ›</source>
+        <translation>下一个 ›</translation>
+    </message>
+    <message>
+        <source>Show the next wrong pixel (Shift+V)</source>
+        <translation>显示下一个错误像素（Shift+V）</translation>
+    </message>
+    <message>
+        <source>Send the referee off (V)</source>
+        <translation>请裁判离场（V）</translation>
     </message>
 </context>
 <context>
@@ -3365,6 +3644,41 @@
     <message>
         <source>speed %1 ▾</source>
         <translation>速度 %1 ▾</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::TruthMode</name>
+    <message>
+        <source>&amp;Exact referee</source>
+        <translation>精确裁判(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Next wrong pixel</source>
+        <translation>下一个错误像素(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Wipe between A and B</source>
+        <translation>在 A 与 B 之间划分(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Blink A and B</source>
+        <translation>A 与 B 闪烁(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Difference of A and B</source>
+        <translation>A 与 B 的差异(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Pin the present settings as A</source>
+        <translation>把当前设置固定为 A(&amp;P)</translation>
+    </message>
+    <message>
+        <source>E&amp;xchange A and B</source>
+        <translation>交换 A 与 B(&amp;X)</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>比较(&amp;C)</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,121 @@
+#include "ui/truth_mode.h"
+
+#include "ui/compare_bar.h"
+#include "ui/referee_bar.h"
+#include "ui/viewport_widget.h"
+
+#include <QAction>
+#include <QMainWindow>
+#include <QMenu>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace rasterlens
+{
+
+TruthMode::TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& window, QVBoxLayout& bars)
+    : m_document(document), m_viewport(viewport), m_window(window), m_referee(document), m_refereeLayer(m_referee),
+      m_comparison(document), m_refereeBar(new RefereeBar(m_referee)),
+      m_compareBar(new CompareBar(document, m_comparison)), m_menu(new QMenu(&window))
+{
+    viewport.addLayer(&m_refereeLayer);
+    bars.addWidget(m_refereeBar);
+    bars.addWidget(m_compareBar);
+    buildMenu();
+    connect(m_refereeBar, &RefereeBar::nextRequested, this, &TruthMode::showNextWrong);
+    connect(&m_referee, &Referee::changed, this, &TruthMode::sync);
+    connect(&m_comparison, &Comparison::changed, this, &TruthMode::sync);
+    connect(&m_comparison, &Comparison::frameChanged, this, &TruthMode::syncCanvas);
+    retranslate();
+}
+
+TruthMode::~TruthMode() { m_viewport.removeLayer(&m_refereeLayer); }
+
+QAction* TruthMode::add(const char* text, const QKeySequence& key, std::function<void()> run, bool checkable)
+{
+    QAction* action = m_menu->addAction(QString());
+    action->setShortcut(key);
+    action->setCheckable(checkable);
+    connect(action, &QAction::triggered, this, [run = std::move(run)] { run(); });
+    m_window.addAction(action); // keys work also while the menu bar is hidden
+    m_texts.push_back({action, text});
+    return action;
+}
+
+void TruthMode::buildMenu()
+{
+    m_refereeAction = add(
+        QT_TR_NOOP("&Exact referee"), Qt::Key_V, [this] { m_referee.setOn(!m_referee.isOn()); }, true);
+    m_nextWrong =
+        add(QT_TR_NOOP("&Next wrong pixel"), QKeySequence(Qt::SHIFT | Qt::Key_V), [this] { showNextWrong(); });
+    m_menu->addSeparator();
+    m_wipe = add(
+        QT_TR_NOOP("&Wipe between A and B"), Qt::Key_S, [this] { toggle(CompareView::Wipe); }, true);
+    m_blink = add(
+        QT_TR_NOOP("&Blink A and B"), Qt::Key_B, [this] { toggle(CompareView::Blink); }, true);
+    m_heat = add(
+        QT_TR_NOOP("&Difference of A and B"), Qt::Key_D, [this] { toggle(CompareView::Difference); }, true);
+    m_menu->addSeparator();
+    add(QT_TR_NOOP("&Pin the present settings as A"), Qt::Key_A, [this] { m_comparison.pin(); });
+    add(QT_TR_NOOP("E&xchange A and B"), QKeySequence(Qt::SHIFT | Qt::Key_A), [this] { m_comparison.swap(); });
+}
+
+void TruthMode::toggle(CompareView view)
+{
+    m_comparison.setView(m_comparison.view() == view ? CompareView::Off : view);
+}
+
+void TruthMode::sync()
+{
+    m_refereeAction->setChecked(m_referee.isOn());
+    m_nextWrong->setEnabled(m_referee.nextWrong({}).has_value());
+    m_wipe->setChecked(m_comparison.view() == CompareView::Wipe);
+    m_blink->setChecked(m_comparison.view() == CompareView::Blink);
+    m_heat->setChecked(m_comparison.view() == CompareView::Difference);
+    m_viewport.update();
+}
+
+void TruthMode::showOnCanvas(const FramePtr& frame, bool isStep)
+{
+    m_frame = frame;
+    m_isStep = isStep;
+    if (!isStep)
+        m_comparison.takeFrame(frame);
+    syncCanvas();
+}
+
+void TruthMode::syncCanvas()
+{
+    if (!m_frame)
+        return;
+    const FramePtr compared = m_isStep ? nullptr : m_comparison.frame();
+    m_viewport.setFrame(compared ? compared : m_frame);
+    m_viewport.setCompared(m_isStep ? nullptr : m_comparison.wiped(), m_isStep ? QString() : m_comparison.tag());
+}
+
+void TruthMode::showNextWrong()
+{
+    if (const auto pixel = m_referee.nextWrong(m_viewport.selectedPixel()))
+        m_viewport.goToPixel(*pixel);
+}
+
+void TruthMode::showFloatFailure(const QString& scene)
+{
+    m_referee.setOn(true);
+    m_document.openWith(scene, [](Settings& settings) {
+        settings.algorithm = Algorithm::EdgeEquation;
+        settings.numberType = NumberType::Float32;
+        settings.stepping = Stepping::Incremental;
+    });
+}
+
+void TruthMode::retranslate()
+{
+    m_menu->setTitle(tr("&Compare"));
+    for (const TranslatedAction& entry : m_texts)
+        entry.action->setText(tr(entry.text));
+    sync();
+}
+
+} // namespace rasterlens

@@ -1,0 +1,83 @@
+#pragma once
+#include "ui/comparison.h"
+#include "ui/referee.h"
+
+#include <QKeySequence>
+#include <QObject>
+
+#include <functional>
+#include <vector>
+
+class QAction;
+class QMainWindow;
+class QMenu;
+class QVBoxLayout;
+
+namespace rasterlens
+{
+
+class CompareBar;
+class RefereeBar;
+class ViewportWidget;
+
+/// Puts together what says how right the picture is: the referee and the comparison, with their lines above the canvas
+/// and the menu Compare.
+class TruthMode : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// Adds the lines to `bars`.
+    TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& window, QVBoxLayout& bars);
+    ~TruthMode() override;
+
+    [[nodiscard]] Referee& referee() { return m_referee; }
+    [[nodiscard]] Comparison& comparison() { return m_comparison; }
+    [[nodiscard]] CompareBar& compareBar() { return *m_compareBar; }
+    [[nodiscard]] RefereeBar& refereeBar() { return *m_refereeBar; }
+
+    /// The menu Compare; its keys work in the whole window.
+    [[nodiscard]] QMenu* menu() const { return m_menu; }
+
+    /// Shows a picture on the canvas or, while pictures are compared, what the comparison has in its place.
+    ///
+    /// in  whether it is a step of the picture, which is not compared
+    void showOnCanvas(const FramePtr& frame, bool isStep);
+    [[nodiscard]] bool isBusy() const { return m_referee.isChecking() || m_comparison.isBusy(); }
+    void showNextWrong();
+    /// Opens a scene with stepped float32 edge functions and has it checked.
+    void showFloatFailure(const QString& scene);
+    void retranslate();
+
+private:
+    struct TranslatedAction {
+        QAction* action;
+        const char* text;
+    };
+
+    void buildMenu();
+    QAction* add(const char* text, const QKeySequence& key, std::function<void()> run, bool checkable = false);
+    void toggle(CompareView view);
+    void sync();
+    void syncCanvas();
+
+    Document& m_document;
+    ViewportWidget& m_viewport;
+    QMainWindow& m_window;
+    Referee m_referee;
+    RefereeLayer m_refereeLayer;
+    Comparison m_comparison;
+    FramePtr m_frame; ///< last to be shown
+    bool m_isStep = false;
+    RefereeBar* m_refereeBar;
+    CompareBar* m_compareBar;
+    QMenu* m_menu;
+    std::vector<TranslatedAction> m_texts;
+    QAction* m_refereeAction = nullptr;
+    QAction* m_nextWrong = nullptr;
+    QAction* m_wipe = nullptr;
+    QAction* m_blink = nullptr;
+    QAction* m_heat = nullptr;
+};
+
+} // namespace rasterlens
