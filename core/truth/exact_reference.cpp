@@ -5,6 +5,8 @@
 #include "core/truth/edge_distance.h"
 #include "core/truth/exact_geometry.h"
 
+#include <QRect>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -427,6 +429,15 @@ bool isFinite(const ClipTriangle& triangle)
     return true;
 }
 
+/// The part of a window that a viewport shows, if it shows any.
+std::optional<PixelRect> visiblePart(const PixelRect& window, QSize size)
+{
+    const QRect visible = QRect(window.x, window.y, window.width, window.height) & QRect({0, 0}, size);
+    if (visible.isEmpty())
+        return std::nullopt;
+    return PixelRect{visible.x(), visible.y(), visible.width(), visible.height()};
+}
+
 ExactFrame emptyFrame(const ExactOptions& options)
 {
     ExactFrame frame;
@@ -499,7 +510,7 @@ ExactOptions exactOptions(const Scene& scene, const Settings& settings)
     options.depthClear = static_cast<double>(rules.depthClear);
     options.depthFormat = settings.depthFormat;
     options.sampleGrid = rules.sampleGrid;
-    options.window = scene.window;
+    options.window = scene.window ? visiblePart(*scene.window, settings.size) : std::nullopt;
     return options;
 }
 

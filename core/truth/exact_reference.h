@@ -97,7 +97,8 @@ struct ExactFrame {
 
 /// What these settings ought to draw: z-buffer visibility, the top-left rule, culling by the snapped area and correct
 /// rules whatever the settings say about algorithm, clipping, visibility, ties, interpolation and mistakes. Vertices
-/// snap for NumberType::Fixed unless the scene is `exact`; the window is that of the scene.
+/// snap for NumberType::Fixed unless the scene is `exact`; the window is that
+/// of the scene, as far as the viewport shows it.
 [[nodiscard]] ExactOptions exactOptions(const Scene& scene, const Settings& settings);
 
 /// The faces of a scene as the vertex stage hands them on, with Gouraud colours.
