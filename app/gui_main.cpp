@@ -42,7 +42,10 @@ struct Arguments {
     std::optional<rasterlens::ThemeKind> theme;
 };
 
-QStringList panelNames() { return rasterlens::Cards::names() + QStringList{QStringLiteral("mistakes")}; }
+QStringList panelNames()
+{
+    return rasterlens::Cards::names() + rasterlens::TruthMode::panelNames() + QStringList{QStringLiteral("mistakes")};
+}
 
 struct ParsedArguments {
     std::optional<Arguments> arguments;
@@ -157,7 +160,7 @@ ParsedArguments parseArguments(const QStringList& words)
 
 void openPanel(rasterlens::MainWindow& window, const QString& name)
 {
-    if (!window.cards().show(name))
+    if (!window.cards().show(name) && !window.truthMode().showPanel(name))
         window.pipelinePanel().mistakes().setOpen(true);
 }
 

@@ -119,6 +119,7 @@ void MainWindow::buildLayout()
     m_cards = new Cards(m_document, *m_viewport, *this);
     m_cards->setParent(this);
     m_cards->place(m_statisticsDock, &m_stepMode->transport());
+    m_truth->place(m_cards->docks().back());
     sizeDocks();
     setContentsMargins(kCardGap, 0, kCardGap, 0);
 }
@@ -258,6 +259,10 @@ void MainWindow::connectParts()
 
     connect(m_cards, &Cards::stepRequested, m_stepMode.get(), &StepMode::showFace);
     connect(m_stepMode.get(), &StepMode::frameChanged, this, &MainWindow::showFrame);
+    connect(m_truth.get(), &TruthMode::message, m_message,
+            [this](const QString& text) { m_message->show(MessageKind::Info, text); });
+    connect(m_truth.get(), &TruthMode::failed, m_message,
+            [this](const QString& text) { m_message->show(MessageKind::Error, text); });
     connect(m_stepMode.get(), &StepMode::message, m_message,
             [this](const QString& text) { m_message->show(MessageKind::Info, text); });
     connect(&m_stepMode->session(), &StepSession::recordingChanged, this, [this] {

@@ -184,8 +184,9 @@ void MainWindow::buildAppearanceMenus(QMenu* view)
     for (Dock* dock : {m_pipelineDock, m_statisticsDock})
         panels->addAction(dock->toggleViewAction());
     panels->addAction(m_stepMode->transport().toggleViewAction());
-    for (Dock* dock : m_cards->docks())
-        panels->addAction(dock->toggleViewAction());
+    for (const auto& docks : {m_cards->docks(), m_truth->docks()})
+        for (Dock* dock : docks)
+            panels->addAction(dock->toggleViewAction());
     add(view, QT_TR_NOOP("Reset &layout"), QKeySequence(Qt::CTRL | Qt::Key_0), [this] { resetLayout(); });
     m_presentation =
         addToggle(view, QT_TR_NOOP("P&resentation"), Qt::Key_F11, false, [this](bool on) { setPresentation(on); });

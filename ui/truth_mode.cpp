@@ -1,6 +1,8 @@
 #include "ui/truth_mode.h"
 
 #include "ui/compare_bar.h"
+#include "ui/dock.h"
+#include "ui/experiment_panel.h"
 #include "ui/referee_bar.h"
 #include "ui/viewport_widget.h"
 
@@ -17,12 +19,16 @@ namespace rasterlens
 TruthMode::TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& window, QVBoxLayout& bars)
     : m_document(document), m_viewport(viewport), m_window(window), m_referee(document), m_refereeLayer(m_referee),
       m_comparison(document), m_refereeBar(new RefereeBar(m_referee)),
-      m_compareBar(new CompareBar(document, m_comparison)), m_menu(new QMenu(&window))
+      m_compareBar(new CompareBar(document, m_comparison)), m_experiment(new ExperimentPanel(document)),
+      m_menu(new QMenu(&window))
 {
     viewport.addLayer(&m_refereeLayer);
     bars.addWidget(m_refereeBar);
     bars.addWidget(m_compareBar);
     buildMenu();
+    m_docks = {new Dock(QStringLiteral("experimentDock"), m_experiment, &window)};
+    connect(m_experiment, &ExperimentPanel::message, this, &TruthMode::message);
+    connect(m_experiment, &ExperimentPanel::failed, this, &TruthMode::failed);
     connect(m_refereeBar, &RefereeBar::nextRequested, this, &TruthMode::showNextWrong);
     connect(&m_referee, &Referee::changed, this, &TruthMode::sync);
     connect(&m_comparison, &Comparison::changed, this, &TruthMode::sync);
@@ -31,6 +37,32 @@ TruthMode::TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& 
 }
 
 TruthMode::~TruthMode() { m_viewport.removeLayer(&m_refereeLayer); }
+
+void TruthMode::place(QDockWidget* neighbour)
+{
+    for (Dock* dock : m_docks) {
+        m_window.addDockWidget(Qt::BottomDockWidgetArea, dock);
+        m_window.tabifyDockWidget(neighbour, dock);
+        dock->hide();
+        connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool on) {
+            if (on)
+                dock->raise();
+        });
+    }
+}
+
+QStringList TruthMode::panelNames() { return {QStringLiteral("experiment")}; }
+
+bool TruthMode::showPanel(const QString& name)
+{
+    const qsizetype index = panelNames().indexOf(name);
+    if (index < 0)
+        return false;
+    Dock* dock = m_docks[static_cast<std::size_t>(index)];
+    dock->show();
+    dock->raise();
+    return true;
+}
 
 QAction* TruthMode::add(const char* text, const QKeySequence& key, std::function<void()> run, bool checkable)
 {
@@ -113,6 +145,7 @@ void TruthMode::showFloatFailure(const QString& scene)
 void TruthMode::retranslate()
 {
     m_menu->setTitle(tr("&Compare"));
+    m_docks[0]->setTitle(tr("Speed against error"));
     for (const TranslatedAction& entry : m_texts)
         entry.action->setText(tr(entry.text));
     sync();

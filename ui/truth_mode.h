@@ -9,6 +9,7 @@
 #include <vector>
 
 class QAction;
+class QDockWidget;
 class QMainWindow;
 class QMenu;
 class QVBoxLayout;
@@ -17,6 +18,8 @@ namespace rasterlens
 {
 
 class CompareBar;
+class Dock;
+class ExperimentPanel;
 class RefereeBar;
 class ViewportWidget;
 
@@ -35,6 +38,14 @@ public:
     [[nodiscard]] Comparison& comparison() { return m_comparison; }
     [[nodiscard]] CompareBar& compareBar() { return *m_compareBar; }
     [[nodiscard]] RefereeBar& refereeBar() { return *m_refereeBar; }
+    [[nodiscard]] ExperimentPanel& experiment() { return *m_experiment; }
+
+    /// Puts the panels as tabs beside a neighbour, hidden.
+    void place(QDockWidget* neighbour);
+    [[nodiscard]] const std::vector<Dock*>& docks() const { return m_docks; }
+    /// Opens a panel by the short name of the command line.
+    bool showPanel(const QString& name);
+    [[nodiscard]] static QStringList panelNames();
 
     /// The menu Compare; its keys work in the whole window.
     [[nodiscard]] QMenu* menu() const { return m_menu; }
@@ -48,6 +59,10 @@ public:
     /// Opens a scene with stepped float32 edge functions and has it checked.
     void showFloatFailure(const QString& scene);
     void retranslate();
+
+Q_SIGNALS:
+    void message(const QString& text);
+    void failed(const QString& text);
 
 private:
     struct TranslatedAction {
@@ -71,6 +86,8 @@ private:
     bool m_isStep = false;
     RefereeBar* m_refereeBar;
     CompareBar* m_compareBar;
+    ExperimentPanel* m_experiment;
+    std::vector<Dock*> m_docks;
     QMenu* m_menu;
     std::vector<TranslatedAction> m_texts;
     QAction* m_refereeAction = nullptr;
