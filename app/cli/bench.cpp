@@ -4,6 +4,7 @@
 #include "app/cli/output.h"
 #include "app/cli/place_options.h"
 #include "app/cli/settings_options.h"
+#include "app/cli/variant_list.h"
 #include "app/cli/verbs.h"
 #include "core/render.h"
 #include "core/truth/experiment_export.h"
@@ -92,7 +93,7 @@ Usage usage()
 
 struct Request {
     QStringList scenes;
-    QStringList variantIds; ///< empty: all
+    std::vector<const Variant*> variants; ///< empty: all
     bool frontierOnly = false;
     ExperimentOptions options;
     ErrorMeasure measure = ErrorMeasure::Color;
@@ -106,24 +107,11 @@ struct Request {
 
 [[noreturn]] void fail(const QString& text) { failArguments(QStringLiteral("rasterlens-cli bench: ") + text); }
 
-void readVariants(const QString& text, Request& request)
+void readVariants(const QString& list, Request& request)
 {
-    request.frontierOnly = text == QLatin1String("frontier");
-    if (request.frontierOnly || text == QLatin1String("all"))
-        return;
-    QStringList known;
-    for (const Variant& variant : variants())
-        known << QLatin1String(variant.id);
-    for (const QString& id : text.split(QLatin1Char(','))) {
-        if (findVariant(id) == nullptr) {
-            const auto similar = mostSimilar(id, known);
-            fail(QStringLiteral("--variants: there is no variant \"%1\"; %2")
-                     .arg(id, similar ? QStringLiteral("did you mean %1?").arg(*similar)
-                                      : QStringLiteral("--list-variants lists those there are")));
-        }
-        if (!request.variantIds.contains(id))
-            request.variantIds << id;
-    }
+    request.frontierOnly = list == QLatin1String("frontier");
+    if (!request.frontierOnly && list != QLatin1String("all"))
+        request.variants = variantsOf(list, QStringLiteral("bench"));
 }
 
 ErrorMeasure measureOf(const QString& id)
@@ -178,16 +166,12 @@ Request requestOf(const Arguments& arguments)
 /// The variants to measure on a scene.
 std::vector<const Variant*> variantsFor(const Request& request, const Input& input)
 {
-    if (request.variantIds.isEmpty())
+    if (request.variants.empty())
         return supportedVariants(input.scene, input.settings);
-    std::vector<const Variant*> chosen;
-    for (const QString& id : request.variantIds) {
-        const Variant* variant = findVariant(id);
+    for (const Variant* variant : request.variants)
         if (const auto reason = unsupported(input.scene, settingsOf(*variant, input.settings)))
-            fail(QStringLiteral("%1: %2").arg(id, *reason));
-        chosen.push_back(variant);
-    }
-    return chosen;
+            fail(QStringLiteral("%1: %2").arg(QLatin1String(variant->id), *reason));
+    return request.variants;
 }
 
 void showProgress(const ExperimentProgress& progress)

@@ -14,6 +14,7 @@ struct Verb {
 };
 
 ExitCode runBench(const QStringList& words);
+ExitCode runCases(const QStringList& words);
 ExitCode runDiff(const QStringList& words);
 ExitCode runInfo(const QStringList& words);
 ExitCode runRender(const QStringList& words);

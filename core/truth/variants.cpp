@@ -92,6 +92,11 @@ Settings settingsOf(const Variant& variant, const Settings& base)
         const SettingsField* field = findSettingsField(QLatin1String(id));
         field->set(settings, field->get(defaults));
     }
+    return changedBy(variant, settings);
+}
+
+Settings changedBy(const Variant& variant, Settings settings)
+{
     forEachChange(variant, [&](const SettingsField& field, const QString& value) {
         [[maybe_unused]] const auto error = setFromText(field, value, settings);
         assert(!error);

@@ -23,6 +23,9 @@ struct Variant {
 /// base: size, camera, culling, shading, threads, vector instructions.
 [[nodiscard]] Settings settingsOf(const Variant& variant, const Settings& base);
 
+/// The settings with the variant's changes and nothing else: the way to draw a hard case, whose settings are its own.
+[[nodiscard]] Settings changedBy(const Variant& variant, Settings settings);
+
 /// `Edge equation; Number type: Float, 32 bit; Stepping: Direct`. `translate` is handed texts of the context
 /// "Settings"; without it the title is English.
 [[nodiscard]] QString titleOf(const Variant& variant, QString (*translate)(const char* text) = nullptr);
