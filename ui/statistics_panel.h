@@ -9,6 +9,7 @@
 #include <deque>
 #include <vector>
 
+class QHBoxLayout;
 class QScrollArea;
 
 namespace rasterlens
@@ -35,32 +36,30 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    struct Row {
+    struct Counter {
         const char* id;
+        std::uint64_t (*get)(const Statistics&);
+        QLabel* value = nullptr;
+    };
+    /// One or two counters on a line; none: a heading.
+    struct Row {
         const char* title;
         const char* help;
-        std::uint64_t (*get)(const Statistics&); ///< null: a heading
+        std::vector<Counter> counters;
         QLabel* name = nullptr;
-        QLabel* value = nullptr;
     };
-    struct TimeRow {
-        const char* title;
-        double StageTimes::*time;
-        QLabel* name = nullptr;
-        QLabel* value = nullptr;
-    };
-
+    static QHBoxLayout* counterLine(std::vector<Counter>& counters);
     [[nodiscard]] double framesPerSecond() const;
     void retranslate();
     void showTimes();
-    void keepWideEnough();
+    void keepLargeEnough();
 
     std::vector<Row> m_rows;
-    std::vector<TimeRow> m_timeRows;
     QScrollArea* m_scroll = nullptr;
     QLabel* m_fps = nullptr;
     QLabel* m_fpsUnit = nullptr;
-    QLabel* m_timesHeading = nullptr;
+    QLabel* m_frameTime = nullptr;
+    QLabel* m_stageTimes = nullptr;
     FramePtr m_counted;
     StageTimes m_times;
     QElapsedTimer m_clock;
