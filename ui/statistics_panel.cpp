@@ -11,6 +11,9 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <chrono>
+
 namespace rasterlens
 {
 namespace
@@ -162,6 +165,7 @@ void StatisticsPanel::setFrame(const FramePtr& frame)
         while (now - m_finished.front() > kRateWindowMs)
             m_finished.pop_front();
         m_times = frame->frame.times;
+        m_fast = frame->fast;
         showTimes();
         m_settle.start();
         return;
@@ -171,6 +175,28 @@ void StatisticsPanel::setFrame(const FramePtr& frame)
         for (const Counter& counter : row.counters)
             counter.value->setText(grouped(counter.get(frame->statistics)));
     keepLargeEnough();
+}
+
+void StatisticsPanel::setShown(const FramePtr& frame)
+{
+    if (!frame->fast)
+        return;
+    constexpr std::size_t kLatencies = 50;
+    const std::chrono::duration<double, std::milli> latency = std::chrono::steady_clock::now() - frame->requested;
+    m_latencies.push_back(latency.count());
+    if (m_latencies.size() > kLatencies)
+        m_latencies.pop_front();
+    explainRate();
+}
+
+double StatisticsPanel::latency() const
+{
+    if (m_latencies.empty())
+        return 0;
+    std::vector<double> sorted(m_latencies.begin(), m_latencies.end());
+    const auto middle = sorted.begin() + std::ptrdiff_t(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    return *middle;
 }
 
 /// No counter is ever cut off: the panel is as wide as its widest row and as high as all of them, where the screen
@@ -210,6 +236,7 @@ void StatisticsPanel::showTimes()
     m_fps->setText(rate > 0
                        ? (rate < 10 ? QString::number(rate, 'f', 1) : grouped(static_cast<std::uint64_t>(rate + 0.5)))
                        : QStringLiteral("\u2013"));
+    m_fpsUnit->setText(m_fast ? tr("FPS, tiled") : QStringLiteral("FPS"));
     m_frameTime->setText(tr("%1 ms").arg(milliseconds(m_times.total)));
     m_stageTimes->setText(
         tr("vertex %1 · geometry %2 · raster %3")
@@ -249,14 +276,22 @@ QString StatisticsPanel::shown(const QString& counter) const
     return {};
 }
 
+void StatisticsPanel::explainRate()
+{
+    QString text = tr("Frames per second: counted while frames keep coming, else what the last frame's time allows. "
+                      "While the camera moves the tiled algorithm draws the same picture.");
+    if (!m_latencies.empty())
+        text += QLatin1Char(' ') + tr("From a move to its picture on the screen: %1 ms, the median of %2.")
+                                       .arg(milliseconds(latency()))
+                                       .arg(m_latencies.size());
+    m_fpsUnit->setToolTip(text);
+    m_fps->setToolTip(text);
+}
+
 void StatisticsPanel::retranslate()
 {
     const auto translated = [](const char* text) { return QCoreApplication::translate("StatisticsPanel", text); };
-    m_fpsUnit->setText(QStringLiteral("FPS"));
-    m_fpsUnit->setToolTip(translated(QT_TRANSLATE_NOOP(
-        "StatisticsPanel",
-        "Frames per second: counted while frames keep coming, else what the last frame's time allows.")));
-    m_fps->setToolTip(m_fpsUnit->toolTip());
+    explainRate();
     m_frameTime->setToolTip(tr("Time of the last frame."));
     m_stageTimes->setToolTip(tr("Milliseconds of the last frame in each part of the pipeline."));
     for (const Row& row : m_rows) {

@@ -25,6 +25,10 @@ public:
 
     void setFrame(const FramePtr& frame);
     void setStale(bool stale);
+    /// The frame is on the screen.
+    void setShown(const FramePtr& frame);
+    /// Milliseconds from a camera move to its picture on the screen, the median of the last ones; 0 before the first.
+    [[nodiscard]] double latency() const;
 
     /// The last counted frame as the statistics document of the command line, and flattened to one row.
     [[nodiscard]] QString asJson() const;
@@ -51,6 +55,7 @@ private:
     static QHBoxLayout* counterLine(std::vector<Counter>& counters);
     [[nodiscard]] double framesPerSecond() const;
     void retranslate();
+    void explainRate();
     void showTimes();
     void keepLargeEnough();
 
@@ -62,6 +67,8 @@ private:
     QLabel* m_stageTimes = nullptr;
     FramePtr m_counted;
     StageTimes m_times;
+    bool m_fast = false; ///< m_times are those of the tiled algorithm, while the camera moves
+    std::deque<double> m_latencies;
     QElapsedTimer m_clock;
     std::deque<qint64> m_finished; ///< when the last frames were completed, milliseconds
     QTimer m_settle;               ///< shows the rate again once frames stop coming

@@ -1722,10 +1722,6 @@
         <translation>在公共边上被两个面同时覆盖：左上规则下为 0。</translation>
     </message>
     <message>
-        <source>Frames per second: counted while frames keep coming, else what the last frame&apos;s time allows.</source>
-        <translation>每秒帧数：连续出帧时为实际计数，否则按上一帧的用时推算。</translation>
-    </message>
-    <message>
         <source>clipped · into pieces</source>
         <translation>被裁剪 · 裁成</translation>
     </message>
@@ -2621,6 +2617,10 @@
         <source>mistakes</source>
         <translation>错误</translation>
     </message>
+    <message>
+        <source>Fast drawing while the camera moves</source>
+        <translation>相机移动时快速绘制</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::MessageBar</name>
@@ -3023,6 +3023,21 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::RunExport</name>
+    <message>
+        <source>Writing the pictures…</source>
+        <translation>正在写入图片…</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Export a run of steps</source>
+        <translation>导出一段步骤</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::StageStrip</name>
     <message>
         <source>Model</source>
@@ -3111,6 +3126,18 @@
     <message>
         <source>Milliseconds of the last frame in each part of the pipeline.</source>
         <translation>最近一帧在流水线各部分所用的毫秒数。</translation>
+    </message>
+    <message>
+        <source>FPS, tiled</source>
+        <translation>FPS，分块算法</translation>
+    </message>
+    <message>
+        <source>Frames per second: counted while frames keep coming, else what the last frame&apos;s time allows. While the camera moves the tiled algorithm draws the same picture.</source>
+        <translation>每秒帧数：连续绘制时为实际计数，否则由最近一帧的时间推算。相机移动时由分块算法绘制同一画面。</translation>
+    </message>
+    <message>
+        <source>From a move to its picture on the screen: %1 ms, the median of %2.</source>
+        <translation>从移动到画面显示：%1 毫秒（%2 次的中位数）。</translation>
     </message>
 </context>
 <context>
