@@ -4,6 +4,7 @@
 #include "ui/lens_overlay.h"
 #include "ui/main_window.h"
 #include "ui/scrubber.h"
+#include "ui/stage_strip.h"
 #include "ui/step_listing.h"
 #include "ui/step_mode.h"
 #include "ui/transport_dock.h"
@@ -124,6 +125,7 @@ private Q_SLOTS:
     void scopeLimitsTheRecord();
     void capIsNoticed();
     void recordingNeverBlocks();
+    void theStripMarksTheStageOfTheStep();
     void exportsDrawingsAndRuns();
 };
 
@@ -550,6 +552,20 @@ void TestLens::recordingNeverBlocks()
     QVERIFY(!session().isRecording());
     QTest::qWait(100);
     QVERIFY(!session().log());
+}
+
+void TestLens::theStripMarksTheStageOfTheStep()
+{
+    QVERIFY(!m_window->stageStrip().current());
+    QVERIFY(record());
+    QVERIFY(!m_window->stageStrip().current()); // before the first step
+    for (std::size_t position = 1; position <= session().size(); ++position) {
+        session().moveTo(position);
+        QCOMPARE(m_window->stageStrip().current(), std::optional(stageOf(log().event(position - 1).kind)));
+    }
+    session().close();
+    QVERIFY(settle());
+    QVERIFY(!m_window->stageStrip().current());
 }
 
 void TestLens::exportsDrawingsAndRuns()

@@ -342,6 +342,8 @@ void MainWindow::showFrame()
         return;
     m_viewport->setFrame(frame);
     m_stageStrip->setFrame(frame);
+    const StepEvent* event = step ? m_stepMode->session().event() : nullptr;
+    m_stageStrip->setCurrent(event ? std::optional(stageOf(event->kind)) : std::nullopt);
     m_statisticsPanel->setFrame(frame);
 }
 
