@@ -270,6 +270,7 @@ void MainWindow::connectParts()
             Q_EMIT settled();
     });
 
+    connect(m_viewport, &ViewportWidget::frameShown, m_statisticsPanel, &StatisticsPanel::setShown);
     connect(m_viewport, &ViewportWidget::viewChanged, this, &MainWindow::syncCanvasHeader);
     connect(m_viewport, &ViewportWidget::pixelChanged, this, &MainWindow::syncReadout);
     connect(m_viewport, &ViewportWidget::gestureEnded, this, [this] { m_document.endGesture(); });
@@ -349,6 +350,8 @@ void MainWindow::showFrame()
         return;
     m_truth->showOnCanvas(frame, step != nullptr);
     m_stageStrip->setFrame(frame);
+    const StepEvent* event = step ? m_stepMode->session().event() : nullptr;
+    m_stageStrip->setCurrent(event ? std::optional(stageOf(event->kind)) : std::nullopt);
     m_statisticsPanel->setFrame(frame);
 }
 
