@@ -1,4 +1,5 @@
 #include "ui/cards.h"
+#include "ui/experiment_panel.h"
 #include "ui/image_export.h"
 #include "ui/main_window.h"
 #include "ui/mistakes_section.h"
@@ -37,6 +38,7 @@ struct Arguments {
     QString panel;
     std::optional<QPoint> pixel;
     bool referee = false;
+    int measuredFrames = 0;
     rasterlens::CompareView compare = rasterlens::CompareView::Off;
     std::optional<rasterlens::LanguageKind> language;
     std::optional<rasterlens::ThemeKind> theme;
@@ -86,11 +88,16 @@ ParsedArguments parseArguments(const QStringList& words)
         QStringLiteral("where"));
     const QCommandLineOption referee(QStringLiteral("referee"),
                                      QStringLiteral("Checks the picture against the exact reference."));
+    const QCommandLineOption measure(
+        QStringLiteral("measure"),
+        QStringLiteral("Measures speed against error, <frames> frames a variant (with --panel experiment)."),
+        QStringLiteral("frames"));
     const QCommandLineOption compare(
         QStringLiteral("compare"),
         QStringLiteral("Compares with the picture without mistakes or as the scene asks: wipe, blink or difference."),
         QStringLiteral("view"));
-    parser.addOptions({help, version, screenshot, windowSize, language, theme, panel, pixel, step, referee, compare});
+    parser.addOptions(
+        {help, version, screenshot, windowSize, language, theme, panel, pixel, step, referee, compare, measure});
     parser.addPositionalArgument(QStringLiteral("scene"),
                                  QStringLiteral("An .obj, a .case, a session .json, builtin:NAME or stress:NAME."),
                                  QStringLiteral("[scene]"));
@@ -140,6 +147,9 @@ ParsedArguments parseArguments(const QStringList& words)
             return refuse(QStringLiteral("--panel takes %1").arg(panelNames().join(", ")));
     }
     arguments.referee = parser.isSet(referee);
+    arguments.measuredFrames = parser.value(measure).toInt();
+    if (parser.isSet(measure) && arguments.measuredFrames < 1)
+        return refuse(QStringLiteral("--measure takes a number of frames"));
     if (parser.isSet(compare)) {
         const QStringList views{QStringLiteral("wipe"), QStringLiteral("blink"), QStringLiteral("difference")};
         const qsizetype view = views.indexOf(parser.value(compare));
@@ -175,7 +185,7 @@ void takeScreenshot(rasterlens::MainWindow& window, const QString& path)
             takeScreenshot(window, path);
             return;
         }
-        if (const auto error = rasterlens::savePng(window.grab().toImage(), path)) {
+        if (const auto error = rasterlens::savePng(window.picture(), path)) {
             printError(*error);
             QApplication::exit(kInvalidInput);
             return;
@@ -232,6 +242,8 @@ int main(int argc, char** argv)
             window.viewport().selectPixel(arguments.pixel);
         window.truthMode().referee().setOn(arguments.referee);
         window.truthMode().comparison().setView(arguments.compare);
+        if (arguments.measuredFrames > 0)
+            window.truthMode().experiment().run(arguments.measuredFrames);
         if (!arguments.panel.isEmpty())
             openPanel(window, arguments.panel);
         if (forScreenshot)

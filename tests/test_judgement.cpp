@@ -51,8 +51,12 @@ void TestJudgement::findsWhatIsWrong()
     QCOMPARE(judgement.difference.pixels, std::uint64_t{64});
     QCOMPARE(judgement.difference.wrong(), static_cast<std::uint64_t>(wrong));
     QCOMPARE(judgement.wrong.size(), static_cast<std::size_t>(wrong));
-    for (int i = 0; i < wrong; ++i) // the diagonal rises from the lower left
-        QVERIFY(judgement.wrong[static_cast<std::size_t>(i)] == (WrongPixel{7 - i, i, verdict}));
+    for (int i = 0; i < wrong; ++i) { // the diagonal rises from the lower left
+        const WrongPixel& pixel = judgement.wrong[static_cast<std::size_t>(i)];
+        QVERIFY(pixel == (WrongPixel{7 - i, i, verdict, pixel.face}));
+        QCOMPARE(pixel.face, judgement.wrong.front().face); // whose left or top edge it is
+        QVERIFY(pixel.face == 0 || pixel.face == 1);
+    }
 }
 
 void TestJudgement::saysWhatItDoesNotJudge()

@@ -88,6 +88,7 @@ QVariant ExperimentModel::data(const QModelIndex& index, int role) const
     case SortRole: return sortKey(row, index.column());
     case Qt::TextAlignmentRole:
         return QVariant::fromValue((index.column() == Name ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    case Qt::ToolTipRole: return titleOf(row);
     case Qt::FontRole: return row.frontier ? textFont(0, true) : QVariant();
     default: return {};
     }
@@ -103,6 +104,8 @@ QVariant ExperimentModel::headerData(int section, Qt::Orientation orientation, i
         return errorTitle(m_error);
     if (role == Qt::ToolTipRole && section == Speed)
         return tr("Median, tenth and ninetieth percentile");
+    if (role == Qt::TextAlignmentRole)
+        return QVariant::fromValue((section == Name ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     if (role != Qt::DisplayRole)
         return {};
     switch (section) {

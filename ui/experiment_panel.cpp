@@ -71,12 +71,16 @@ ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent) : QWidget(
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setShowGrid(false);
     m_table->setAlternatingRowColors(true);
+    m_table->setWordWrap(false);
     m_table->verticalHeader()->hide();
-    m_table->setMinimumWidth(200);
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(ExperimentModel::Name, QHeaderView::Stretch);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_table->setMinimumSize(360, 60);
     m_table->sortByColumn(ExperimentModel::Speed, Qt::AscendingOrder);
     parts->addWidget(m_table);
-    parts->setStretchFactor(0, 3);
-    parts->setStretchFactor(1, 2);
+    parts->setSizes({480, 520});
     column->addWidget(parts, 1);
 
     connect(m_plot, &ExperimentPlot::rowClicked, this, &ExperimentPanel::load);
@@ -118,6 +122,8 @@ QWidget* ExperimentPanel::buildHead()
         m_errorBox->addItem(QString());
     m_speedBox = new PanelCombo;
     m_speedBox->addItems({QString(), QString()});
+    for (QComboBox* box : {m_errorBox, m_speedBox})
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     connect(m_errorBox, &QComboBox::currentIndexChanged, this, &ExperimentPanel::show);
     connect(m_speedBox, &QComboBox::currentIndexChanged, this, &ExperimentPanel::show);
     m_export = new QToolButton;
@@ -129,6 +135,11 @@ QWidget* ExperimentPanel::buildHead()
     for (const char* suffix : {"csv", "json", "svg", "png"})
         connect(m_exportMenu->addAction(QString::fromLatin1(suffix).toUpper()), &QAction::triggered, this,
                 [this, suffix] { chooseFile(QString::fromLatin1(suffix)); });
+    for (QWidget* control : std::initializer_list<QWidget*>{m_run, m_frames, m_errorBox, m_speedBox})
+        control->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+    QSizePolicy keepsItsPlace = m_progress->sizePolicy();
+    keepsItsPlace.setRetainSizeWhenHidden(true);
+    m_progress->setSizePolicy(keepsItsPlace);
     row->addWidget(m_run);
     row->addWidget(m_frames);
     row->addWidget(m_framesLabel);
@@ -215,8 +226,6 @@ void ExperimentPanel::syncState()
     m_run->setText(m_running ? tr("Cancel") : tr("Measure"));
     m_progress->setVisible(m_running);
     m_export->setEnabled(!m_rows.empty());
-    if (!m_running)
-        m_table->resizeColumnsToContents();
 }
 
 QString ExperimentPanel::ratioText() const

@@ -324,7 +324,7 @@ void ExperimentPlot::applyColors()
     m_plot->legend->setTextColor(text);
     m_plot->legend->setBrush(Qt::NoBrush);
     m_plot->legend->setBorderPen(Qt::NoPen);
-    m_plot->legend->setIconSize(18, 10);
+    m_plot->legend->setIconSize(18, QFontMetrics(textFont(-1)).height());
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 

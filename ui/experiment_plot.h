@@ -39,7 +39,7 @@ public:
     /// Draws the plot as it is, scaled to a size.
     void paintTo(QPainter& painter, QSize size);
 
-    QSize minimumSizeHint() const override { return {260, 170}; }
+    QSize minimumSizeHint() const override { return {240, 140}; }
     QSize sizeHint() const override { return {460, 260}; }
 
 Q_SIGNALS:

@@ -6,7 +6,6 @@
 #include "ui/cards.h"
 #include "ui/dock.h"
 #include "ui/help_overlay.h"
-#include "ui/image_export.h"
 #include "ui/message_bar.h"
 #include "ui/mistake_badge.h"
 #include "ui/mistakes_section.h"
@@ -259,6 +258,8 @@ void MainWindow::connectParts()
 
     connect(m_cards, &Cards::stepRequested, m_stepMode.get(), &StepMode::showFace);
     connect(m_stepMode.get(), &StepMode::frameChanged, this, &MainWindow::showFrame);
+    connect(m_truth.get(), &TruthMode::faceWanted, m_stepMode.get(), &StepMode::showFace);
+    connect(m_truth.get(), &TruthMode::stepWanted, m_stepMode.get(), &StepMode::showStep);
     connect(m_truth.get(), &TruthMode::message, m_message,
             [this](const QString& text) { m_message->show(MessageKind::Info, text); });
     connect(m_truth.get(), &TruthMode::failed, m_message,
@@ -530,34 +531,6 @@ void MainWindow::saveMemory()
     memory.setValue(QStringLiteral("window/dark"), m_look.kind == ThemeKind::Dark);
     memory.setValue(QStringLiteral("window/language"),
                     m_language.kind() == LanguageKind::Chinese ? QStringLiteral("zh_CN") : QStringLiteral("en"));
-}
-
-bool MainWindow::exportFigure(const QString& path)
-{
-    const auto error = path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)
-                           ? m_viewport->saveSvgFigure(m_figureZoom, path)
-                           : savePng(m_viewport->figure(m_figureZoom), path);
-    reportSaved(error, path);
-    return !error;
-}
-
-bool MainWindow::exportFramebuffer(const QString& path)
-{
-    const auto error = savePng(m_lastFrame ? m_lastFrame->frame.image : QImage(), path);
-    reportSaved(error, path);
-    return !error;
-}
-
-bool MainWindow::exportWindow(const QString& path)
-{
-    const auto error = savePng(grab().toImage(), path);
-    reportSaved(error, path);
-    return !error;
-}
-
-void MainWindow::reportSaved(const std::optional<QString>& error, const QString& path)
-{
-    m_message->show(error ? MessageKind::Error : MessageKind::Info, error ? *error : tr("Written: %1").arg(path));
 }
 
 void MainWindow::changeEvent(QEvent* event)

@@ -68,6 +68,8 @@ public:
     [[nodiscard]] bool isComplete() const;
     /// The message above the canvas; empty when there is none.
     [[nodiscard]] QString message() const;
+    /// The window with the panels that float above it.
+    [[nodiscard]] QImage picture();
 
     /// errors  a message above the canvas; false
     bool exportFigure(const QString& path); ///< as SVG where the name says so

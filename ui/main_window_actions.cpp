@@ -3,6 +3,7 @@
 #include "ui/cards.h"
 #include "ui/dock.h"
 #include "ui/help_overlay.h"
+#include "ui/image_export.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/mistakes_section.h"
@@ -22,6 +23,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
+#include <QPainter>
 #include <QToolButton>
 
 #include <array>
@@ -437,6 +439,45 @@ void MainWindow::chooseFileToExport(const QString& title, const QString& suggest
     dialog->selectFile(suggestion);
     connect(dialog, &QFileDialog::fileSelected, this, std::move(save));
     dialog->open();
+}
+
+QImage MainWindow::picture()
+{
+    QPixmap picture = grab();
+    QPainter painter(&picture);
+    for (Dock* dock : findChildren<Dock*>())
+        if (dock->isVisible() && dock->isFloating())
+            painter.drawPixmap(mapFromGlobal(dock->mapToGlobal(QPoint(0, 0))), dock->grab());
+    painter.end();
+    return picture.toImage();
+}
+
+bool MainWindow::exportFigure(const QString& path)
+{
+    const auto error = path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)
+                           ? m_viewport->saveSvgFigure(m_figureZoom, path)
+                           : savePng(m_viewport->figure(m_figureZoom), path);
+    reportSaved(error, path);
+    return !error;
+}
+
+bool MainWindow::exportFramebuffer(const QString& path)
+{
+    const auto error = savePng(m_lastFrame ? m_lastFrame->frame.image : QImage(), path);
+    reportSaved(error, path);
+    return !error;
+}
+
+bool MainWindow::exportWindow(const QString& path)
+{
+    const auto error = savePng(picture(), path);
+    reportSaved(error, path);
+    return !error;
+}
+
+void MainWindow::reportSaved(const std::optional<QString>& error, const QString& path)
+{
+    m_message->show(error ? MessageKind::Error : MessageKind::Info, error ? *error : tr("Written: %1").arg(path));
 }
 
 } // namespace rasterlens

@@ -1,5 +1,6 @@
 #include "ui/truth_mode.h"
 
+#include "ui/case_browser.h"
 #include "ui/compare_bar.h"
 #include "ui/dock.h"
 #include "ui/experiment_panel.h"
@@ -19,14 +20,17 @@ namespace rasterlens
 TruthMode::TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& window, QVBoxLayout& bars)
     : m_document(document), m_viewport(viewport), m_window(window), m_referee(document), m_refereeLayer(m_referee),
       m_comparison(document), m_refereeBar(new RefereeBar(m_referee)),
-      m_compareBar(new CompareBar(document, m_comparison)), m_experiment(new ExperimentPanel(document)),
-      m_menu(new QMenu(&window))
+      m_compareBar(new CompareBar(document, m_comparison)), m_cases(new CaseBrowser),
+      m_experiment(new ExperimentPanel(document)), m_menu(new QMenu(&window))
 {
     viewport.addLayer(&m_refereeLayer);
     bars.addWidget(m_refereeBar);
     bars.addWidget(m_compareBar);
     buildMenu();
-    m_docks = {new Dock(QStringLiteral("experimentDock"), m_experiment, &window)};
+    m_docks = {new Dock(QStringLiteral("casesDock"), m_cases, &window),
+               new Dock(QStringLiteral("experimentDock"), m_experiment, &window)};
+    connect(m_cases, &CaseBrowser::caseChosen, this, &TruthMode::showCase);
+    connect(&m_referee, &Referee::changed, this, &TruthMode::openLens);
     connect(m_experiment, &ExperimentPanel::message, this, &TruthMode::message);
     connect(m_experiment, &ExperimentPanel::failed, this, &TruthMode::failed);
     connect(m_refereeBar, &RefereeBar::nextRequested, this, &TruthMode::showNextWrong);
@@ -43,15 +47,30 @@ void TruthMode::place(QDockWidget* neighbour)
     for (Dock* dock : m_docks) {
         m_window.addDockWidget(Qt::BottomDockWidgetArea, dock);
         m_window.tabifyDockWidget(neighbour, dock);
+        dock->setFloating(true);
         dock->hide();
-        connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool on) {
+        connect(dock->toggleViewAction(), &QAction::triggered, dock, [this, dock](bool on) {
             if (on)
-                dock->raise();
+                open(*dock);
         });
     }
 }
 
-QStringList TruthMode::panelNames() { return {QStringLiteral("experiment")}; }
+/// These panels need more room than there is below the canvas: they float until somebody docks them.
+void TruthMode::open(Dock& dock)
+{
+    dock.show();
+    if (dock.isFloating() && !m_placed.contains(&dock)) {
+        const QSize room = m_window.size() - QSize(60, 170);
+        const QSize size = dock.widget()->sizeHint().boundedTo(room).expandedTo(dock.minimumSizeHint());
+        const QPoint corner((m_window.width() - size.width()) / 2, m_window.height() - size.height() - 30);
+        dock.setGeometry(QRect(m_window.mapToGlobal(corner), size));
+        m_placed << &dock;
+    }
+    dock.raise();
+}
+
+QStringList TruthMode::panelNames() { return {QStringLiteral("cases"), QStringLiteral("experiment")}; }
 
 bool TruthMode::showPanel(const QString& name)
 {
@@ -59,8 +78,7 @@ bool TruthMode::showPanel(const QString& name)
     if (index < 0)
         return false;
     Dock* dock = m_docks[static_cast<std::size_t>(index)];
-    dock->show();
-    dock->raise();
+    open(*dock);
     return true;
 }
 
@@ -108,6 +126,11 @@ void TruthMode::sync()
     m_viewport.update();
 }
 
+bool TruthMode::isBusy() const
+{
+    return m_referee.isChecking() || m_comparison.isBusy() || m_experiment->isRunning() || m_cases->model().isBusy();
+}
+
 void TruthMode::showOnCanvas(const FramePtr& frame, bool isStep)
 {
     m_frame = frame;
@@ -142,10 +165,35 @@ void TruthMode::showFloatFailure(const QString& scene)
     });
 }
 
+void TruthMode::showCase(const QString& name, const QString& variant)
+{
+    m_referee.setOn(true);
+    m_lensWanted = true;
+    m_document.openWith(hardCasePath(name),
+                        [variant](Settings& settings) { settings = changedBy(*findVariant(variant), settings); });
+}
+
+void TruthMode::openLens()
+{
+    const bool isThere = m_document.scene()->id.endsWith(QLatin1String(".case")) && !m_document.isLoading();
+    if (!m_lensWanted || !isThere || m_referee.isChecking())
+        return;
+    m_lensWanted = false;
+    const Judgement* judgement = m_referee.judgement();
+    if (!judgement || judgement->wrong.empty() || judgement->wrong.front().face < 0) {
+        Q_EMIT stepWanted(QStringLiteral("tie"));
+        return;
+    }
+    const WrongPixel& wrong = judgement->wrong.front();
+    m_viewport.selectPixel(QPoint(wrong.x, wrong.y));
+    Q_EMIT faceWanted(static_cast<quint32>(wrong.face), {wrong.x, wrong.y});
+}
+
 void TruthMode::retranslate()
 {
     m_menu->setTitle(tr("&Compare"));
-    m_docks[0]->setTitle(tr("Speed against error"));
+    m_docks[0]->setTitle(tr("Hard cases"));
+    m_docks[1]->setTitle(tr("Speed against error"));
     for (const TranslatedAction& entry : m_texts)
         entry.action->setText(tr(entry.text));
     sync();

@@ -4,6 +4,7 @@
 
 #include <QKeySequence>
 #include <QObject>
+#include <QSet>
 
 #include <functional>
 #include <vector>
@@ -17,6 +18,7 @@ class QVBoxLayout;
 namespace rasterlens
 {
 
+class CaseBrowser;
 class CompareBar;
 class Dock;
 class ExperimentPanel;
@@ -38,6 +40,7 @@ public:
     [[nodiscard]] Comparison& comparison() { return m_comparison; }
     [[nodiscard]] CompareBar& compareBar() { return *m_compareBar; }
     [[nodiscard]] RefereeBar& refereeBar() { return *m_refereeBar; }
+    [[nodiscard]] CaseBrowser& caseBrowser() { return *m_cases; }
     [[nodiscard]] ExperimentPanel& experiment() { return *m_experiment; }
 
     /// Puts the panels as tabs beside a neighbour, hidden.
@@ -54,13 +57,19 @@ public:
     ///
     /// in  whether it is a step of the picture, which is not compared
     void showOnCanvas(const FramePtr& frame, bool isStep);
-    [[nodiscard]] bool isBusy() const { return m_referee.isChecking() || m_comparison.isBusy(); }
+    [[nodiscard]] bool isBusy() const;
     void showNextWrong();
     /// Opens a scene with stepped float32 edge functions and has it checked.
     void showFloatFailure(const QString& scene);
+    /// Opens a hard case as a variant draws it, checked and in the lens: at its first wrong pixel or, without one, at
+    /// the first tie.
+    void showCase(const QString& name, const QString& variant);
     void retranslate();
 
 Q_SIGNALS:
+    /// The step mode is to show a face at a pixel, or a stop by its name.
+    void faceWanted(quint32 face, QPoint pixel);
+    void stepWanted(const QString& where);
     void message(const QString& text);
     void failed(const QString& text);
 
@@ -73,8 +82,10 @@ private:
     void buildMenu();
     QAction* add(const char* text, const QKeySequence& key, std::function<void()> run, bool checkable = false);
     void toggle(CompareView view);
+    void open(Dock& dock);
     void sync();
     void syncCanvas();
+    void openLens();
 
     Document& m_document;
     ViewportWidget& m_viewport;
@@ -84,10 +95,13 @@ private:
     Comparison m_comparison;
     FramePtr m_frame; ///< last to be shown
     bool m_isStep = false;
+    bool m_lensWanted = false; ///< as soon as the case has been checked
     RefereeBar* m_refereeBar;
     CompareBar* m_compareBar;
+    CaseBrowser* m_cases;
     ExperimentPanel* m_experiment;
     std::vector<Dock*> m_docks;
+    QSet<const Dock*> m_placed; ///< have been opened before
     QMenu* m_menu;
     std::vector<TranslatedAction> m_texts;
     QAction* m_refereeAction = nullptr;

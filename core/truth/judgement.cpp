@@ -5,15 +5,22 @@ namespace rasterlens
 namespace
 {
 
-std::vector<WrongPixel> wrongPixels(const CoverageDifference& difference)
+std::vector<WrongPixel> wrongPixels(const CoverageDifference& difference, const Frame& frame, const ExactFrame& truth)
 {
     std::vector<WrongPixel> wrong;
     wrong.reserve(difference.wrong());
     std::size_t i = 0;
     for (int y = 0; y < difference.window.height; ++y)
         for (int x = 0; x < difference.window.width; ++x, ++i)
-            if (difference.verdicts[i] != PixelVerdict::Right)
-                wrong.push_back({difference.window.x + x, difference.window.y + y, difference.verdicts[i]});
+            if (difference.verdicts[i] != PixelVerdict::Right) {
+                WrongPixel pixel{difference.window.x + x, difference.window.y + y, difference.verdicts[i],
+                                 truth.id[truth.sampleNearestCentre(x, y)]};
+                if (pixel.face < 0)
+                    pixel.face =
+                        frame.ids[static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(frame.image.width()) +
+                                  static_cast<std::size_t>(pixel.x)];
+                wrong.push_back(pixel);
+            }
     return wrong;
 }
 
@@ -50,7 +57,7 @@ Judgement judge(const Scene& scene, const Settings& settings, const std::stop_to
         return judgement;
     judgement.nonFinite = truth.nonFinite;
     judgement.difference = coverageDifference(frame, truth, scene.background, judgement.bandPixels);
-    judgement.wrong = wrongPixels(judgement.difference);
+    judgement.wrong = wrongPixels(judgement.difference, frame, truth);
     judgement.difference.verdicts = {};
     return judgement;
 }

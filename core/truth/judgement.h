@@ -14,6 +14,7 @@ struct WrongPixel {
     int x; ///< of the whole picture
     int y;
     PixelVerdict verdict;
+    int face; ///< that should be seen or, where none should, that is seen
 
     friend bool operator==(const WrongPixel&, const WrongPixel&) = default;
 };

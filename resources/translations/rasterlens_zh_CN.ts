@@ -347,27 +347,27 @@
     <name>Experiment</name>
     <message>
         <source>ns per covered pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>纳秒/被覆盖像素</translation>
     </message>
     <message>
         <source>million triangles a second</source>
-        <translation type="unfinished"></translation>
+        <translation>每秒百万三角形</translation>
     </message>
     <message>
         <source>no other is better in both</source>
-        <translation type="unfinished"></translation>
+        <translation>没有别的变体两方面都更好</translation>
     </message>
     <message>
         <source>wrong pixels: missing, extra or hit twice</source>
-        <translation type="unfinished"></translation>
+        <translation>错误像素：缺失、多余或重复命中</translation>
     </message>
     <message>
         <source>largest depth error</source>
-        <translation type="unfinished"></translation>
+        <translation>最大深度误差</translation>
     </message>
     <message>
         <source>colour error, root mean square, 8-bit steps</source>
-        <translation type="unfinished"></translation>
+        <translation>颜色误差，均方根，8 位级</translation>
     </message>
 </context>
 <context>
@@ -2226,106 +2226,106 @@
     <name>rasterlens::ExperimentModel</name>
     <message>
         <source>On the frontier: no other variant is at least as fast with less error</source>
-        <translation type="unfinished"></translation>
+        <translation>在前沿上：没有别的变体误差更小且同样快</translation>
     </message>
     <message>
         <source>Median, tenth and ninetieth percentile</source>
-        <translation type="unfinished"></translation>
+        <translation>中位数，第 10 与第 90 百分位</translation>
     </message>
     <message>
         <source>Variant</source>
-        <translation type="unfinished"></translation>
+        <translation>变体</translation>
     </message>
     <message>
         <source>ns per pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>纳秒/像素</translation>
     </message>
     <message>
         <source>Mtri/s</source>
-        <translation type="unfinished"></translation>
+        <translation>百万三角形/秒</translation>
     </message>
     <message>
         <source>Error</source>
-        <translation type="unfinished"></translation>
+        <translation>误差</translation>
     </message>
 </context>
 <context>
     <name>rasterlens::ExperimentPanel</name>
     <message>
         <source>%1 could not be written: %2</source>
-        <translation type="unfinished">无法写入 %1：%2</translation>
+        <translation>无法写入 %1：%2</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>取消</translation>
     </message>
     <message>
         <source>Measure</source>
-        <translation type="unfinished"></translation>
+        <translation>测量</translation>
     </message>
     <message>
         <source>Every variant of the pipeline on the present scene: how fast, and how far from the exact picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>在当前场景上测量管线的每个变体：有多快，离精确画面有多远。</translation>
     </message>
     <message>
         <source>%1 · edge equation takes %2 times as long as edge walking here, 1.36 times in [002]</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 · 这里边函数用时是边步进的 %2 倍，[002] 中为 1.36 倍</translation>
     </message>
     <message>
         <source>Loaded: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已载入：%1</translation>
     </message>
     <message>
         <source>Export the measurements</source>
-        <translation type="unfinished"></translation>
+        <translation>导出测量结果</translation>
     </message>
     <message>
         <source>Written: %1</source>
-        <translation type="unfinished">已写入：%1</translation>
+        <translation>已写入：%1</translation>
     </message>
     <message>
         <source>frames each</source>
-        <translation type="unfinished"></translation>
+        <translation>帧/变体</translation>
     </message>
     <message>
         <source>Frames of each variant that count; one more warms up</source>
-        <translation type="unfinished"></translation>
+        <translation>每个变体计入的帧数；另有一帧预热</translation>
     </message>
     <message>
         <source>Error: coverage</source>
-        <translation type="unfinished"></translation>
+        <translation>误差：覆盖</translation>
     </message>
     <message>
         <source>Error: depth</source>
-        <translation type="unfinished"></translation>
+        <translation>误差：深度</translation>
     </message>
     <message>
         <source>Error: colour</source>
-        <translation type="unfinished"></translation>
+        <translation>误差：颜色</translation>
     </message>
     <message>
         <source>Error of the horizontal axis</source>
-        <translation type="unfinished"></translation>
+        <translation>横轴的误差</translation>
     </message>
     <message>
         <source>ns per pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>纳秒/像素</translation>
     </message>
     <message>
         <source>Mtri/s</source>
-        <translation type="unfinished"></translation>
+        <translation>百万三角形/秒</translation>
     </message>
     <message>
         <source>Speed of the vertical axis</source>
-        <translation type="unfinished"></translation>
+        <translation>纵轴的速度</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>导出</translation>
     </message>
     <message>
         <source>Double-click or Enter loads the variant</source>
-        <translation type="unfinished"></translation>
+        <translation>双击或按回车载入该变体</translation>
     </message>
 </context>
 <context>
@@ -3817,7 +3817,7 @@
     </message>
     <message>
         <source>Speed against error</source>
-        <translation type="unfinished"></translation>
+        <translation>速度与误差</translation>
     </message>
 </context>
 <context>
