@@ -266,9 +266,12 @@ QString CaseBrowser::reasonText(const CaseModel::Case& one) const
     QString text;
     for (std::size_t i = 0; i < one.verdicts.size(); ++i) {
         const CaseModel::Verdict& verdict = one.verdicts[i];
-        text += QStringLiteral("<p><b>%1 %2</b> %3<br/>%4</p>")
-                    .arg(gradeGlyph(verdict.grade), CaseModel::variantSign(i),
-                         CaseModel::variantTitle(i).toHtmlEscaped(), verdict.reason.toHtmlEscaped());
+        text +=
+            QStringLiteral("<p><b>%1 %2</b> %3")
+                .arg(gradeGlyph(verdict.grade), CaseModel::variantSign(i), CaseModel::variantTitle(i).toHtmlEscaped());
+        if (!verdict.reason.isEmpty())
+            text += QStringLiteral("<br/>") + verdict.reason.toHtmlEscaped();
+        text += QStringLiteral("</p>");
     }
     return text;
 }

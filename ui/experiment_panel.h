@@ -55,7 +55,7 @@ public:
     /// errors  a sentence in the language in use
     [[nodiscard]] std::optional<QString> exportTo(const QString& path);
 
-    QSize sizeHint() const override { return {1000, 470}; }
+    QSize sizeHint() const override { return {1000, 420}; }
 
 Q_SIGNALS:
     void finished();

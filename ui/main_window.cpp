@@ -157,10 +157,12 @@ QWidget* MainWindow::buildCanvas()
     column->addLayout(messages);
 
     m_viewport = new ViewportWidget;
-    m_truth = std::make_unique<TruthMode>(m_document, *m_viewport, *this, *column);
+    auto* bars = new QVBoxLayout;
+    column->addLayout(bars);
     m_mistakeBadge = new MistakeBadge(m_viewport);
     column->addWidget(m_viewport, 1);
     m_stepMode = std::make_unique<StepMode>(m_document, *m_viewport, *this);
+    m_truth = std::make_unique<TruthMode>(m_document, *m_viewport, *this, *bars);
     column->addWidget(&m_stepMode->listing());
 
     m_caption = new QLabel;

@@ -138,6 +138,7 @@ void TruthMode::showOnCanvas(const FramePtr& frame, bool isStep)
     if (!isStep)
         m_comparison.takeFrame(frame);
     syncCanvas();
+    openLens();
 }
 
 void TruthMode::syncCanvas()
@@ -175,7 +176,8 @@ void TruthMode::showCase(const QString& name, const QString& variant)
 
 void TruthMode::openLens()
 {
-    const bool isThere = m_document.scene()->id.endsWith(QLatin1String(".case")) && !m_document.isLoading();
+    // A picture of another size takes the selection away, so that of the case has to be there as well.
+    const bool isThere = m_frame && m_frame->scene == m_document.scene() && !m_document.isLoading();
     if (!m_lensWanted || !isThere || m_referee.isChecking())
         return;
     m_lensWanted = false;

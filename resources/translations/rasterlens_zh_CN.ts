@@ -1943,6 +1943,41 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::CaseBrowser</name>
+    <message>
+        <source>A click opens a case in the lens, with its wrong pixels glowing; a click on a sign opens it with that variant.</source>
+        <translation>点击案例即在透镜中打开，错误像素会发光；点击某个符号则以该变体打开。</translation>
+    </message>
+    <message>
+        <source>What must hold:</source>
+        <translation>必须成立：</translation>
+    </message>
+    <message>
+        <source>%1 of %2 drawn, in %3 a variant fails</source>
+        <translation>已画 %1/%2，其中 %3 个有变体失败</translation>
+    </message>
+    <message>
+        <source>%1 of %2 cases listed, in %3 a variant fails</source>
+        <translation>列出 %1/%2 个案例，%3 个有变体失败</translation>
+    </message>
+    <message>
+        <source>Filter by name, note or expectation</source>
+        <translation>按名称、说明或期望筛选</translation>
+    </message>
+    <message>
+        <source>Only where a variant fails</source>
+        <translation>只看有变体失败的</translation>
+    </message>
+    <message>
+        <source>✓ passes, ≈ passes within what snapping or the depth format can tell, ✗ fails, – cannot be drawn</source>
+        <translation>✓ 通过，≈ 在对齐或深度格式所能分辨的范围内通过，✗ 失败，– 无法绘制</translation>
+    </message>
+    <message>
+        <source>Hard cases</source>
+        <translation>疑难案例</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::ClipTheatre</name>
     <message>
         <source>clip space: %1 across, w up</source>
@@ -3818,6 +3853,10 @@
     <message>
         <source>Speed against error</source>
         <translation>速度与误差</translation>
+    </message>
+    <message>
+        <source>Hard cases</source>
+        <translation>疑难案例</translation>
     </message>
 </context>
 <context>
