@@ -43,8 +43,6 @@ namespace
 constexpr int kCardGap = 7;
 constexpr int kPipelineWidth = 298;
 constexpr int kStatisticsWidth = 272;
-constexpr int kWhyHeight = 430;
-constexpr int kStatisticsHeight = 330;
 constexpr int kActivityDelayMs = 150;
 constexpr int kLayoutVersion = 2;
 
@@ -119,14 +117,16 @@ void MainWindow::buildLayout()
     m_cards->setParent(this);
     m_cards->place(m_statisticsDock, &m_stepMode->transport());
     m_truth->place(m_cards->docks().back());
-    sizeDocks();
     setContentsMargins(kCardGap, 0, kCardGap, 0);
 }
 
 void MainWindow::sizeDocks()
 {
     resizeDocks({m_pipelineDock, m_statisticsDock}, {kPipelineWidth, kStatisticsWidth}, Qt::Horizontal);
-    resizeDocks({m_cards->docks().front(), m_statisticsDock}, {kWhyHeight, kStatisticsHeight}, Qt::Vertical);
+    QDockWidget* above = m_cards->docks().front();
+    const int column = above->height() + m_statisticsDock->height();
+    const int statistics = m_statisticsDock->sizeHint().height();
+    resizeDocks({above, m_statisticsDock}, {std::max(column - statistics, 1), statistics}, Qt::Vertical);
 }
 
 QWidget* MainWindow::buildCanvas()
@@ -268,6 +268,10 @@ void MainWindow::connectParts()
             [this](const QString& text) { m_message->show(MessageKind::Error, text); });
     connect(m_stepMode.get(), &StepMode::message, m_message,
             [this](const QString& text) { m_message->show(MessageKind::Info, text); });
+    connect(&m_stepMode->session(), &StepSession::positionChanged, this, [this] {
+        if (const auto face = m_stepMode->session().face())
+            m_cards->followFace(*face);
+    });
     connect(&m_stepMode->session(), &StepSession::recordingChanged, this, [this] {
         if (isSettled())
             Q_EMIT settled();
@@ -516,7 +520,7 @@ void MainWindow::restoreMemory()
 {
     const QSettings memory;
     restoreGeometry(memory.value(QStringLiteral("window/geometry")).toByteArray());
-    restoreState(memory.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion);
+    m_docksSized = restoreState(memory.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion);
     setLook({memory.value(QStringLiteral("window/dark")).toBool() ? ThemeKind::Dark : ThemeKind::Light, false});
     const QString language = memory.value(QStringLiteral("window/language")).toString();
     setLanguage(language.isEmpty()                   ? Language::ofSystem()
@@ -565,6 +569,8 @@ void MainWindow::dropEvent(QDropEvent* event)
 void MainWindow::showEvent(QShowEvent* event)
 {
     QMainWindow::showEvent(event);
+    if (!std::exchange(m_docksSized, true))
+        sizeDocks();
     m_viewport->setFocus();
 }
 

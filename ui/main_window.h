@@ -195,6 +195,7 @@ private:
 
     FramePtr m_lastFrame;
     bool m_refused = false;
+    bool m_docksSized = false; ///< as remembered, or at the first show
     QByteArray m_defaultState;
     QByteArray m_stateBeforePresentation;
 };

@@ -174,7 +174,7 @@ void StatisticsPanel::setFrame(const FramePtr& frame)
     for (const Row& row : m_rows)
         for (const Counter& counter : row.counters)
             counter.value->setText(grouped(counter.get(frame->statistics)));
-    keepLargeEnough();
+    keepWideEnough();
 }
 
 void StatisticsPanel::setShown(const FramePtr& frame)
@@ -199,16 +199,18 @@ double StatisticsPanel::latency() const
     return *middle;
 }
 
-/// No counter is ever cut off: the panel is as wide as its widest row and as high as all of them, where the screen
-/// has that much room; else it scrolls.
-void StatisticsPanel::keepLargeEnough()
+/// No counter is ever cut off: the panel is as wide as its widest row.
+void StatisticsPanel::keepWideEnough()
 {
     constexpr int kScrollBarRoom = 12;
-    constexpr int kRoomOfTheRest = 380; // menus, transport, the smallest pixel card
-    const QSize needed = m_scroll->widget()->sizeHint();
-    m_scroll->setMinimumWidth(std::max(m_scroll->minimumWidth(), needed.width() + kScrollBarRoom));
-    const int allowed = window()->height() - kRoomOfTheRest;
-    m_scroll->setMinimumHeight(std::clamp(allowed, 0, needed.height()));
+    const int needed = m_scroll->widget()->sizeHint().width() + kScrollBarRoom;
+    m_scroll->setMinimumWidth(std::max(m_scroll->minimumWidth(), needed));
+}
+
+QSize StatisticsPanel::sizeHint() const
+{
+    const int scrolled = m_scroll->widget()->sizeHint().height() - m_scroll->sizeHint().height();
+    return QWidget::sizeHint() + QSize(0, scrolled);
 }
 
 void StatisticsPanel::setStale(bool stale)
@@ -303,7 +305,7 @@ void StatisticsPanel::retranslate()
     }
     showTimes();
     m_scroll->setMinimumWidth(0);
-    keepLargeEnough();
+    keepWideEnough();
 }
 
 void StatisticsPanel::changeEvent(QEvent* event)

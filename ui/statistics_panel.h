@@ -36,6 +36,8 @@ public:
     /// The text shown for a counter, by its JSON name: `submitted`, `covered`.
     [[nodiscard]] QString shown(const QString& counter) const;
 
+    QSize sizeHint() const override; ///< with every row in sight
+
 protected:
     void changeEvent(QEvent* event) override;
 
@@ -57,7 +59,7 @@ private:
     void retranslate();
     void explainRate();
     void showTimes();
-    void keepLargeEnough();
+    void keepWideEnough();
 
     std::vector<Row> m_rows;
     QScrollArea* m_scroll = nullptr;

@@ -67,6 +67,8 @@ Input openInput(const QString& name, const Arguments& arguments)
     const Settings settings = withOptions(session.settings, arguments);
     options.size = settings.size;
     SceneLoad load = openScene(session.scene, options);
+    if (const Diagnostics errors = moveVertices(*load.scene, session, name); !errors.empty())
+        failDiagnostics(errors);
     return {std::move(*load.scene), settings, std::move(load.diagnostics)};
 }
 

@@ -317,7 +317,21 @@ private:
             noteEdges(unsnapped);
         if (refused(sign))
             return;
+        if (isFolded(polygon, sign)) {
+            const std::vector<std::size_t> hull = hullCorners(polygon, sign);
+            screen = picked(screen, hull);
+            polygon = picked(polygon, hull);
+        }
         drawPolygon(screen, polygon, sign, static_cast<std::int32_t>(triangle.face));
+    }
+
+    template <class Value>
+    static std::vector<Value> picked(const std::vector<Value>& values, const std::vector<std::size_t>& indices)
+    {
+        std::vector<Value> result;
+        for (const std::size_t i : indices)
+            result.push_back(values[i]);
+        return result;
     }
 
     [[nodiscard]] std::vector<ScreenCorner> screenPolygon(const std::vector<Corner>& clipped,

@@ -346,6 +346,18 @@
 <context>
     <name>Experiment</name>
     <message>
+        <source>wrong pixels: missing, extra or hit twice</source>
+        <translation>错误像素：缺失、多余或重复覆盖</translation>
+    </message>
+    <message>
+        <source>largest depth error</source>
+        <translation>最大深度误差</translation>
+    </message>
+    <message>
+        <source>colour error, root mean square, 8-bit steps</source>
+        <translation>颜色误差（均方根，8 位级差）</translation>
+    </message>
+    <message>
         <source>ns per covered pixel</source>
         <translation>纳秒/被覆盖像素</translation>
     </message>
@@ -356,18 +368,6 @@
     <message>
         <source>no other is better in both</source>
         <translation>没有别的变体两方面都更好</translation>
-    </message>
-    <message>
-        <source>wrong pixels: missing, extra or hit twice</source>
-        <translation>错误像素：缺失、多余或重复命中</translation>
-    </message>
-    <message>
-        <source>largest depth error</source>
-        <translation>最大深度误差</translation>
-    </message>
-    <message>
-        <source>colour error, root mean square, 8-bit steps</source>
-        <translation>颜色误差，均方根，8 位级</translation>
     </message>
 </context>
 <context>
@@ -3851,12 +3851,12 @@
         <translation>比较(&amp;C)</translation>
     </message>
     <message>
-        <source>Speed against error</source>
-        <translation>速度与误差</translation>
-    </message>
-    <message>
         <source>Hard cases</source>
         <translation>疑难案例</translation>
+    </message>
+    <message>
+        <source>Speed against error</source>
+        <translation>速度与误差</translation>
     </message>
 </context>
 <context>
