@@ -119,6 +119,12 @@ QToolButton* CompareBar::addViewButton(CompareView view)
     return button;
 }
 
+void CompareBar::setBrief(bool brief)
+{
+    m_brief = brief;
+    sync();
+}
+
 void CompareBar::sync()
 {
     const CompareView view = m_comparison.view();
@@ -141,6 +147,7 @@ void CompareBar::sync()
     const QStringList lines = m_comparison.settingsText();
     m_settings->setText(lines.isEmpty() ? tr("A and B have the same settings: change one, or pin A and go on")
                                         : QStringLiteral("A | B   ") + lines.join(QStringLiteral(" \u00b7 ")));
+    m_settings->setVisible(!m_brief);
     m_settings->setToolTip(lines.join(QLatin1Char('\n')));
 }
 

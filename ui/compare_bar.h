@@ -20,6 +20,8 @@ class CompareBar : public QFrame
 public:
     CompareBar(Document& document, Comparison& comparison, QWidget* parent = nullptr);
 
+    /// Without the line of settings.
+    void setBrief(bool brief);
     [[nodiscard]] QComboBox* withBox() const { return m_with; }
     [[nodiscard]] QComboBox* amplificationBox() const { return m_amplification; }
 
@@ -33,6 +35,7 @@ private:
     void retranslate();
 
     Comparison& m_comparison;
+    bool m_brief = false;
     QLabel* m_title;
     QComboBox* m_with;
     QToolButton* m_pin;

@@ -479,6 +479,7 @@ void MainWindow::setLook(const Look& look)
         applyLook(*qApp, look);
     m_look = look;
     m_viewport->setCanvasColor(themeColors(look.kind).canvas);
+    m_truth->setPresentation(look.presentation);
     m_viewport->setThickLines(look.presentation);
     m_dark->setChecked(look.kind == ThemeKind::Dark);
 }

@@ -83,6 +83,12 @@ QString RefereeBar::richText() const
     return text;
 }
 
+void RefereeBar::setBrief(bool brief)
+{
+    m_brief = brief;
+    sync();
+}
+
 void RefereeBar::sync()
 {
     setVisible(m_referee.isOn());
@@ -92,7 +98,7 @@ void RefereeBar::sync()
     m_title->setToolTip(tr("Every sample against the exact reference: integers of any length, no rounding anywhere"));
     m_text->setText(richText());
     m_text->setAccessibleName(m_referee.text());
-    m_detail->setVisible(m_referee.judgement());
+    m_detail->setVisible(m_referee.judgement() && !m_brief);
     m_detail->setText(m_referee.detail());
     m_detail->setToolTip(m_referee.detail());
     const Judgement* judgement = m_referee.judgement();

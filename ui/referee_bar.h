@@ -17,6 +17,9 @@ class RefereeBar : public QFrame
 public:
     explicit RefereeBar(Referee& referee, QWidget* parent = nullptr);
 
+    /// Without the second line.
+    void setBrief(bool brief);
+
 Q_SIGNALS:
     void nextRequested(); ///< the next wrong pixel is to be shown
 
@@ -28,6 +31,7 @@ private:
     [[nodiscard]] QString richText() const;
 
     Referee& m_referee;
+    bool m_brief = false;
     QLabel* m_title;
     QLabel* m_text;
     QToolButton* m_next;

@@ -47,8 +47,8 @@ void TruthMode::place(QDockWidget* neighbour)
     for (Dock* dock : m_docks) {
         m_window.addDockWidget(Qt::BottomDockWidgetArea, dock);
         m_window.tabifyDockWidget(neighbour, dock);
+        dock->hide(); // or floating would show it
         dock->setFloating(true);
-        dock->hide();
         connect(dock->toggleViewAction(), &QAction::triggered, dock, [this, dock](bool on) {
             if (on)
                 open(*dock);
@@ -148,6 +148,12 @@ void TruthMode::syncCanvas()
     const FramePtr compared = m_isStep ? nullptr : m_comparison.frame();
     m_viewport.setFrame(compared ? compared : m_frame);
     m_viewport.setCompared(m_isStep ? nullptr : m_comparison.wiped(), m_isStep ? QString() : m_comparison.tag());
+}
+
+void TruthMode::setPresentation(bool on)
+{
+    m_refereeBar->setBrief(on);
+    m_compareBar->setBrief(on);
 }
 
 void TruthMode::showNextWrong()

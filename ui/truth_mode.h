@@ -58,6 +58,8 @@ public:
     /// in  whether it is a step of the picture, which is not compared
     void showOnCanvas(const FramePtr& frame, bool isStep);
     [[nodiscard]] bool isBusy() const;
+    /// Leaves the canvas more room.
+    void setPresentation(bool on);
     void showNextWrong();
     /// Opens a scene with stepped float32 edge functions and has it checked.
     void showFloatFailure(const QString& scene);
