@@ -95,10 +95,9 @@ Session sessionOf(const QJsonObject& json, const QDir& folder, DiagnosticSink& d
     const QJsonValue settings = json[QLatin1String("settings")];
     if (!settings.isObject() && !settings.isUndefined())
         diagnostics.error(0, QStringLiteral("\"settings\" takes an object"));
-    const SettingsParse parsed = settingsFromJson(settings.toObject());
-    for (const QString& error : parsed.errors)
+    session.settings = settings.toObject();
+    for (const QString& error : settingsFromJson(session.settings).errors)
         diagnostics.error(0, error);
-    session.settings = parsed.settings;
     session.vertices = verticesOf(json[QLatin1String("vertices")], diagnostics);
     return session;
 }
@@ -132,6 +131,11 @@ SessionLoad loadSession(const QString& path)
     return {session, diagnostics.take()};
 }
 
+Settings settingsOf(const Session& session, const Settings& base)
+{
+    return settingsFromJson(session.settings, base).settings;
+}
+
 std::map<std::uint32_t, glm::vec4> movedVertices(const Mesh& original, const Mesh& edited)
 {
     std::map<std::uint32_t, glm::vec4> moved;
@@ -160,7 +164,7 @@ std::optional<QString> saveSession(const Session& session, const QString& path)
 {
     QJsonObject json{{"rasterlens", kFormatVersion},
                      {"scene", storedScene(session.scene, QFileInfo(path).absoluteDir())},
-                     {"settings", toJson(session.settings)}};
+                     {"settings", session.settings}};
     if (!session.vertices.empty())
         json["vertices"] = toJson(session.vertices);
     const QByteArray text = QJsonDocument(json).toJson();

@@ -1,6 +1,8 @@
 #pragma once
 #include "core/scene.h"
 
+#include <QJsonObject>
+
 #include <map>
 
 namespace rasterlens
@@ -8,8 +10,8 @@ namespace rasterlens
 
 /// What the window was doing: a scene by name, its vertices that the user moved, and the settings. A `.json` file.
 struct Session {
-    QString scene; ///< as loadScene takes it; relative paths are relative to the session file
-    Settings settings;
+    QString scene;        ///< as loadScene takes it; relative paths are relative to the session file
+    QJsonObject settings; ///< those that differ from the scene's, or all
     std::map<std::uint32_t, glm::vec4> vertices; ///< index -> position in the scene's space
 };
 
@@ -22,6 +24,9 @@ struct SessionLoad {
 ///
 /// errors  diagnostics with file and (for broken JSON) line: not JSON, unknown keys, values out of range
 [[nodiscard]] SessionLoad loadSession(const QString& path);
+
+/// The session's settings over those of its scene.
+[[nodiscard]] Settings settingsOf(const Session& session, const Settings& base);
 
 /// The vertices that lie elsewhere than in `original`, which has as many; finite positions only.
 [[nodiscard]] std::map<std::uint32_t, glm::vec4> movedVertices(const Mesh& original, const Mesh& edited);

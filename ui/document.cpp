@@ -176,17 +176,18 @@ Document::Opened Document::load(const QString& name)
         opened.diagnostics = std::move(session.diagnostics);
         if (!session.session)
             return opened;
-        opened.settings = session.session->settings;
         sceneName = session.session->scene;
     }
     LoadOptions options;
-    if (opened.settings)
-        options.size = opened.settings->size;
+    if (session.session)
+        options.size = settingsOf(*session.session, {}).size;
     SceneLoad load = loadScene(sceneName, options);
     opened.diagnostics.insert(opened.diagnostics.end(), load.diagnostics.begin(), load.diagnostics.end());
     if (!load.scene)
         return opened;
     opened.original = opened.scene = std::make_shared<const Scene>(std::move(*load.scene));
+    if (session.session)
+        opened.settings = settingsOf(*session.session, opened.original->defaults);
     if (session.session && !session.session->vertices.empty()) {
         auto edited = std::make_shared<Scene>(*opened.original);
         const Diagnostics errors = moveVertices(*edited, *session.session, name);
@@ -217,7 +218,7 @@ void Document::finishOpening(const QString& name, quint64 serial, const Opened& 
 
 bool Document::saveSession(const QString& path)
 {
-    const Session session{m_scene->id, m_settings, movedVertices(m_original->mesh, m_scene->mesh)};
+    const Session session{m_scene->id, toJson(m_settings), movedVertices(m_original->mesh, m_scene->mesh)};
     if (const auto error = rasterlens::saveSession(session, path)) {
         Q_EMIT diagnosticsReported({{Severity::Error, path, 0, *error}});
         return false;
