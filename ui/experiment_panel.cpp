@@ -120,6 +120,7 @@ QWidget* ExperimentPanel::buildHead()
     m_errorBox = new PanelCombo;
     for (int i = 0; i < kErrorMeasures; ++i)
         m_errorBox->addItem(QString());
+    m_errorBox->setCurrentIndex(static_cast<int>(ErrorMeasure::Color));
     m_speedBox = new PanelCombo;
     m_speedBox->addItems({QString(), QString()});
     for (QComboBox* box : {m_errorBox, m_speedBox})
@@ -237,6 +238,9 @@ QString ExperimentPanel::ratioText() const
                               .arg(m_rows.front().settings.size.width())
                               .arg(m_rows.front().settings.size.height());
     const auto advantage = walkingAdvantage(m_rows);
+    if (m_plot->dotCount() == 0 && !m_running)
+        return tr("%1 \u00b7 no variant has this error here: colours need Gouraud shading, depths a depth test")
+            .arg(scene);
     if (!advantage)
         return scene;
     return tr("%1 \u00b7 edge equation takes %2 times as long as edge walking here, 1.36 times in [002]")

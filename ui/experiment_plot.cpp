@@ -132,7 +132,7 @@ ExperimentPlot::ExperimentPlot(QWidget* parent) : QWidget(parent), m_plot(new QC
     m_plot->plotLayout()->insertRow(0);
     m_plot->plotLayout()->addElement(0, 0, m_plot->legend);
     m_plot->plotLayout()->setRowStretchFactor(0, 0.001);
-    m_plot->legend->setMargins(QMargins(2, 0, 2, 0));
+    m_plot->legend->setMargins(QMargins(2, 1, 2, 5));
     m_plot->installEventFilter(this);
     m_plot->setMouseTracking(true);
     applyColors();

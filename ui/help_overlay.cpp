@@ -59,7 +59,7 @@ void HelpOverlay::setSections(const std::vector<Section>& sections)
     QString right;
     std::size_t used = 0;
     for (const Section& section : sections) {
-        (used * 2 < total ? left : right) += htmlOf(section, palette());
+        (used * 2 + section.lines.size() < total ? left : right) += htmlOf(section, palette());
         used += section.lines.size() + 2;
     }
     m_left->setText(left);

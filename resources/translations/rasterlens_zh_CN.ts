@@ -2362,6 +2362,10 @@
         <source>Double-click or Enter loads the variant</source>
         <translation>双击或按回车载入该变体</translation>
     </message>
+    <message>
+        <source>%1 · no variant has this error here: colours need Gouraud shading, depths a depth test</source>
+        <translation>%1 · 这里没有变体具有这种误差：颜色需要 Gouraud 着色，深度需要深度测试</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::FacePicker</name>
