@@ -4,6 +4,7 @@
 #include "ui/main_window.h"
 #include "ui/number_dial.h"
 #include "ui/pipeline_panel.h"
+#include "ui/referee_bar.h"
 #include "ui/step_mode.h"
 #include "ui/truth_mode.h"
 #include "ui/wipe.h"
@@ -173,6 +174,11 @@ private Q_SLOTS:
         QVERIFY(!referee().judgement());
         QVERIFY(complete());
         QCOMPARE(referee().judgement()->difference.pixels, std::uint64_t{1200});
+        document().undo();
+        QVERIFY(referee().isChecking());
+        referee().setOn(false);
+        QVERIFY(!referee().isChecking());
+        QVERIFY(truth().refereeBar().isHidden());
     }
 
     void mistakesAreComparedWithTheRightPicture()

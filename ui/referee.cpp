@@ -10,7 +10,10 @@ namespace rasterlens
 
 Referee::Referee(Document& document, QObject* parent) : QObject(parent), m_document(document)
 {
-    connect(&document, &Document::settingsChanged, this, &Referee::check);
+    connect(&document, &Document::settingsChanged, this, [this] {
+        if (m_on)
+            check();
+    });
 }
 
 void Referee::setOn(bool on)
@@ -23,15 +26,13 @@ void Referee::setOn(bool on)
 
 void Referee::check()
 {
-    const bool wasIdle = !m_on && !m_judgement;
     m_judgement.reset();
     const quint64 serial = ++m_asked;
     if (!m_on || notJudged(*m_document.scene(), m_document.settings()) != NotJudged::No) {
         m_delivered = serial;
         // A check at work is for nothing now.
         m_task.post([](std::stop_token) {}, LatestTask::Running::Interrupt);
-        if (!wasIdle)
-            Q_EMIT changed();
+        Q_EMIT changed();
         return;
     }
     m_task.post(
