@@ -473,8 +473,12 @@ void MainWindow::setPresentation(bool on)
 {
     if (on == m_look.presentation)
         return;
-    if (on)
+    if (on) {
         m_stateBeforePresentation = saveState(kLayoutVersion);
+        for (Dock* dock : findChildren<Dock*>()) // before the type grows, and the window with it
+            dock->hide();
+    }
+    m_stepMode->transport().setBrief(on);
     Look look = m_look;
     look.presentation = on;
     setLook(look);
@@ -483,8 +487,6 @@ void MainWindow::setPresentation(bool on)
     m_caption->setVisible(on);
     m_presentation->setChecked(on);
     if (on) {
-        for (Dock* dock : findChildren<Dock*>())
-            dock->hide();
         m_stepMode->transport().setVisible(m_stepMode->session().isOpen());
         showFullScreen();
         m_viewport->setFocus();
@@ -498,6 +500,7 @@ void MainWindow::resetLayout()
 {
     setPresentation(false);
     restoreState(m_defaultState, kLayoutVersion);
+    m_docksArranged = false;
     sizeDocks();
     m_viewport->fit(m_document.scene()->window);
 }
@@ -506,7 +509,7 @@ void MainWindow::restoreMemory()
 {
     const QSettings memory;
     restoreGeometry(memory.value(QStringLiteral("window/geometry")).toByteArray());
-    m_docksSized = restoreState(memory.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion);
+    m_docksArranged = restoreState(memory.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion);
     setLook({memory.value(QStringLiteral("window/dark")).toBool() ? ThemeKind::Dark : ThemeKind::Light, false});
     const QString language = memory.value(QStringLiteral("window/language")).toString();
     setLanguage(language.isEmpty()                   ? Language::ofSystem()
@@ -583,9 +586,22 @@ void MainWindow::dropEvent(QDropEvent* event)
 void MainWindow::showEvent(QShowEvent* event)
 {
     QMainWindow::showEvent(event);
-    if (!std::exchange(m_docksSized, true))
-        sizeDocks();
     m_viewport->setFocus();
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event)
+{
+    QMainWindow::resizeEvent(event);
+    if (!m_docksArranged)
+        QTimer::singleShot(0, this, &MainWindow::sizeDocks); // once the docks have followed the window
+}
+
+bool MainWindow::event(QEvent* event)
+{
+    // Where the main window itself takes the mouse there are only the lines between the docks.
+    if (event->type() == QEvent::MouseMove)
+        m_docksArranged = m_docksArranged || (QGuiApplication::mouseButtons() & Qt::LeftButton) != 0;
+    return QMainWindow::event(event);
 }
 
 } // namespace rasterlens
