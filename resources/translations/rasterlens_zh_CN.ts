@@ -344,6 +344,21 @@
     </message>
 </context>
 <context>
+    <name>Experiment</name>
+    <message>
+        <source>wrong pixels: missing, extra or hit twice</source>
+        <translation>错误像素：缺失、多余或重复覆盖</translation>
+    </message>
+    <message>
+        <source>largest depth error</source>
+        <translation>最大深度误差</translation>
+    </message>
+    <message>
+        <source>colour error, root mean square, 8-bit steps</source>
+        <translation>颜色误差（均方根，8 位级差）</translation>
+    </message>
+</context>
+<context>
     <name>ImageExport</name>
     <message>
         <source>%1 could not be written: %2</source>
