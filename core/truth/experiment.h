@@ -48,7 +48,7 @@ struct ExperimentRow {
     int threads = 1;          ///< that worked
     Simd simd = Simd::Scalar; ///< instructions used, never Auto
     FrameTimes ms;
-    double nsPerCoveredPixel = 0;
+    double nsPerCoveredPixel = 0; ///< 0: nothing is covered, or no time yet
     double mtriPerS = 0;
     VariantError error;
     bool frontier = false; ///< set by markFrontier()

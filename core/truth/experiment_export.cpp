@@ -52,7 +52,7 @@ QJsonObject rowJson(const ExperimentRow& row)
                                {"p10", ifTimed(row.ms.p10)},
                                {"p90", ifTimed(row.ms.p90)},
                                {"min", ifTimed(row.ms.min)}}},
-            {"ns_per_covered_pixel", ifTimed(row.nsPerCoveredPixel)},
+            {"ns_per_covered_pixel", row.nsPerCoveredPixel > 0 ? QJsonValue(row.nsPerCoveredPixel) : QJsonValue()},
             {"mtri_per_s", ifTimed(row.mtriPerS)},
             {"error", errorJson(row.error)},
             {"frontier", row.frontier}};
@@ -80,7 +80,8 @@ private:
     {
         if (value.isArray()) {
             QStringList parts;
-            for (const QJsonValue& element : value.toArray())
+            const QJsonArray elements = value.toArray();
+            for (const QJsonValue element : elements)
                 parts << text(element);
             return parts.join(QLatin1Char(' '));
         }
