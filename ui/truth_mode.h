@@ -25,8 +25,8 @@ class ExperimentPanel;
 class RefereeBar;
 class ViewportWidget;
 
-/// Puts together what says how right the picture is: the referee and the comparison, with their lines above the canvas
-/// and the menu Compare.
+/// Puts together what says how right the picture is: the referee and the comparison with their lines above the canvas
+/// and the menu Compare, the hard cases, and speed against error.
 class TruthMode : public QObject
 {
     Q_OBJECT
@@ -43,7 +43,7 @@ public:
     [[nodiscard]] CaseBrowser& caseBrowser() { return *m_cases; }
     [[nodiscard]] ExperimentPanel& experiment() { return *m_experiment; }
 
-    /// Puts the panels as tabs beside a neighbour, hidden.
+    /// Puts the panels as tabs beside a neighbour where they are docked; they are hidden.
     void place(QDockWidget* neighbour);
     [[nodiscard]] const std::vector<Dock*>& docks() const { return m_docks; }
     /// Opens a panel by the short name of the command line.
