@@ -87,11 +87,14 @@ private:
         const bool shaded = passed || !m_rules->depthBeforeShading;
         std::uint32_t color = 0;
         if (shaded) {
+            UvGradient gradient;
             if (m_rules->varyingCount > 0) {
                 fragment.weights = weights != nullptr ? *weights : m_interpolation->perspective(screen);
                 m_interpolation->varyings(fragment.weights, fragment.varyings);
+                if (needsUvGradient(*m_rules, *m_uniforms))
+                    gradient = m_interpolation->uvGradient(screen, fragment.weights, kVaryingUv);
             }
-            color = shadeFragment(*m_rules, *m_uniforms, fragment.varyings, fragment.depth, m_eyeWorld);
+            color = shadeFragment(*m_rules, *m_uniforms, fragment.varyings, fragment.depth, m_eyeWorld, gradient);
         }
         m_observer->onFragment(fragment, stored, passed);
         if (shaded)
