@@ -11,6 +11,7 @@
 #include "core/rasterizers/tiled/kernels.h"
 #include "core/rasterizers/tiled/lanes-inl.h"
 #include "core/rasterizers/tiled/planes-inl.h"
+#include "core/rasterizers/tiled/varyings-inl.h"
 #include "core/rasterizers/tiled/vertices-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -393,12 +394,11 @@ HWY_INLINE std::uint32_t LanesWithSamples(const SetupLanes& lanes, std::size_t c
     return ~BitsOf(tag, empty) & ((1U << count) - 1);
 }
 
-/// Colours of the lanes, which become the triangles from firstNumber on.
-HWY_INLINE void SetUpColors(const FrameJob& job, Chunk& chunk, const SetupQueue& queue, std::size_t at,
-                            const SetupLanes& lanes, std::uint32_t used, std::uint32_t firstNumber)
+/// Where the corners of the lanes are; w of each is 1 for the time being.
+HWY_INLINE void StageCorners(const SetupQueue& queue, std::size_t at, const SetupLanes& lanes, std::uint32_t used,
+                             CornerStage& stage)
 {
     constexpr DoubleTag wide;
-    CornerStage stage;
     for (std::size_t k = 0; k < 3; ++k) {
         const auto toSamples = [&](const auto& units) HWY_ATTR {
             return hn::Mul(hn::PromoteTo(DoubleTag(), hn::LoadU(HalfIntTag(), units.data() + at)),
@@ -407,11 +407,25 @@ HWY_INLINE void SetUpColors(const FrameJob& job, Chunk& chunk, const SetupQueue&
         hn::Store(toSamples(queue.x[k]), wide, stage.x[k].data());
         hn::Store(toSamples(queue.y[k]), wide, stage.y[k].data());
         hn::Store(hn::Set(wide, 1.0), wide, stage.w[k].data());
-        for (auto& channel : stage.color[k])
-            hn::Store(hn::Zero(HalfFloatTag()), HalfFloatTag(), channel.data());
     }
     stage.anchorX.fill(0);
     stage.anchorY.fill(0);
+    for (std::uint32_t bits = used; bits != 0; bits &= bits - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+        stage.anchorX[lane] = lanes.x0[lane] / kBlockSide * kBlockSide + 0.5;
+        stage.anchorY[lane] = lanes.y0[lane] / kBlockSide * kBlockSide + 0.5;
+    }
+}
+
+/// Colours of the lanes, which become the triangles from firstNumber on.
+HWY_INLINE void SetUpColors(const FrameJob& job, Chunk& chunk, const SetupQueue& queue, std::size_t at,
+                            const SetupLanes& lanes, std::uint32_t used, std::uint32_t firstNumber)
+{
+    CornerStage stage;
+    StageCorners(queue, at, lanes, used, stage);
+    for (auto& corner : stage.color)
+        for (auto& channel : corner)
+            hn::Store(hn::Zero(HalfFloatTag()), HalfFloatTag(), channel.data());
     std::array<ColorPlanes*, kDoubles> out{};
     for (std::uint32_t bits = used; bits != 0; bits &= bits - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
@@ -420,11 +434,47 @@ HWY_INLINE void SetUpColors(const FrameJob& job, Chunk& chunk, const SetupQueue&
             StagePieceColors(chunk.pieces[source & ~kPiece].triangle, lane, stage);
         else
             StageFaceColors(job, source, lane, stage);
-        stage.anchorX[lane] = lanes.x0[lane] / kBlockSide * kBlockSide + 0.5;
-        stage.anchorY[lane] = lanes.y0[lane] / kBlockSide * kBlockSide + 0.5;
-        out[lane] = &chunk.planes(firstNumber++);
+        out[lane] = &chunk.planes<ColorPlanes>(firstNumber++);
     }
     MakePlanes(job, stage, used, out);
+}
+
+/// Likewise any kCount varyings.
+template <std::size_t kCount>
+inline void SetUpVaryings(const FrameJob& job, Chunk& chunk, const SetupQueue& queue, std::size_t at,
+                          const SetupLanes& lanes, std::uint32_t used, std::uint32_t firstNumber)
+{
+    VaryingStage<kCount> stage;
+    StageCorners(queue, at, lanes, used, stage.corners);
+    for (auto& corner : stage.value)
+        for (auto& varying : corner)
+            hn::Store(hn::Zero(HalfFloatTag()), HalfFloatTag(), varying.data());
+    std::array<VaryingPlanes<kCount>*, kDoubles> out{};
+    for (std::uint32_t bits = used; bits != 0; bits &= bits - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+        const std::uint32_t source = queue.source[at + lane];
+        if ((source & kPiece) != 0)
+            StagePieceVaryings(chunk.pieces[source & ~kPiece].triangle, lane, stage);
+        else
+            StageFaceVaryings(job, source, lane, stage);
+        out[lane] = &chunk.planes<VaryingPlanes<kCount>>(firstNumber++);
+    }
+    MakeVaryingPlanes(job, stage, used, out);
+}
+
+/// What the shading interpolates over the lanes, which become the next triangles of the chunk.
+HWY_INLINE void SetUpPlanes(const FrameJob& job, Chunk& chunk, const SetupQueue& queue, std::size_t at,
+                            const SetupLanes& lanes, std::uint32_t used)
+{
+    const auto number = static_cast<std::uint32_t>(chunk.sources.size());
+    switch (job.rules.shading) {
+    case Shading::Gouraud: SetUpColors(job, chunk, queue, at, lanes, used, number); break;
+    case Shading::Texture: SetUpVaryings<kTextureVaryings>(job, chunk, queue, at, lanes, used, number); break;
+    case Shading::Phong: SetUpVaryings<kPhongVaryings>(job, chunk, queue, at, lanes, used, number); break;
+    case Shading::Normals: SetUpVaryings<kNormalVaryings>(job, chunk, queue, at, lanes, used, number); break;
+    case Shading::Uv: SetUpVaryings<kUvVaryings>(job, chunk, queue, at, lanes, used, number); break;
+    default: break;
+    }
 }
 
 /// Sets up one vector of triangles from the queue and writes them into the bins.
@@ -436,8 +486,7 @@ HWY_INLINE void SetUpAndBin(const FrameJob& job, Chunk& chunk, const SetupQueue&
     const std::uint32_t used = LanesWithSamples(lanes, count);
     if (used == 0)
         return;
-    if (job.interpolatesColor())
-        SetUpColors(job, chunk, queue, at, lanes, used, static_cast<std::uint32_t>(chunk.sources.size()));
+    SetUpPlanes(job, chunk, queue, at, lanes, used);
     const int pitch = job.grid.pitch;
     for (std::uint32_t bits = used; bits != 0; bits &= bits - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(bits));

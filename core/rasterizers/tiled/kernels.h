@@ -1,5 +1,6 @@
 #pragma once
 #include "core/pipeline/geometry.h"
+#include "core/pipeline/shading.h"
 #include "core/rasterizers/tiled/tile_data.h"
 #include "core/render.h"
 
@@ -21,7 +22,7 @@ struct FrameJob {
     std::uint32_t clearColor = 0;
     /// A vertex of the mesh each; null: every corner of a face is processed with it.
     ScreenPoint* points = nullptr;
-    /// Likewise: lit colour, w of clip space; null where the mesh has both or nobody asks.
+    /// Likewise: colour, w of clip space; null where the mesh has both or nobody asks.
     glm::vec4* colors = nullptr;
     std::vector<Chunk>* chunks = nullptr;
     std::uint32_t* color = nullptr; ///< the picture, row by row
@@ -29,7 +30,12 @@ struct FrameJob {
     std::int32_t* ids = nullptr;
     std::uint16_t* coverage = nullptr;
 
-    [[nodiscard]] bool interpolatesColor() const { return rules.shading == Shading::Gouraud; }
+    [[nodiscard]] bool interpolates() const { return rules.varyingCount > 0; }
+    /// Whether vertices have lit colours; else their colours are as the mesh has them.
+    [[nodiscard]] bool lightsVertices() const
+    {
+        return scene->lit && (rules.shading == Shading::Gouraud || rules.shading == Shading::Texture);
+    }
     [[nodiscard]] bool countsCoverage() const
     {
         return counting || outputs.coverage || rules.shading == Shading::Overdraw;
@@ -39,9 +45,9 @@ struct FrameJob {
 /// A triangle of the tile that won samples.
 struct VisibleTriangle {
     std::uint32_t source;
-    std::uint32_t color; ///< of shadings that have one a face
     const Chunk* chunk;
-    const ColorPlanes* planes; ///< of shadings that interpolate a colour
+    const void* planes; ///< of shadings that interpolate: ColorPlanes or VaryingPlanes
+    FaceUniforms uniforms;
 };
 
 /// A block and the samples of it that a triangle won.

@@ -11,6 +11,7 @@
 #include "core/rasterizers/tiled/exact_path.h"
 #include "core/rasterizers/tiled/kernels.h"
 #include "core/rasterizers/tiled/lanes-inl.h"
+#include "core/rasterizers/tiled/shaders-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
@@ -40,6 +41,19 @@ inline std::uint32_t LanesOnTarget(const FrameJob& job, TileOrigin origin, int b
     return bits;
 }
 
+/// The planes of a triangle, whatever the shading has.
+HWY_INLINE const void* PlanesOf(Shading shading, const Chunk& chunk, std::uint32_t number)
+{
+    switch (shading) {
+    case Shading::Gouraud: return &chunk.planes<ColorPlanes>(number);
+    case Shading::Texture: return &chunk.planes<VaryingPlanes<kTextureVaryings>>(number);
+    case Shading::Phong: return &chunk.planes<VaryingPlanes<kPhongVaryings>>(number);
+    case Shading::Normals: return &chunk.planes<VaryingPlanes<kNormalVaryings>>(number);
+    case Shading::Uv: return &chunk.planes<VaryingPlanes<kUvVaryings>>(number);
+    default: return nullptr;
+    }
+}
+
 /// The place of a triangle in worker.visible.
 HWY_INLINE std::uint32_t VisiblePlace(const FrameJob& job, std::uint32_t number, Worker& worker)
 {
@@ -49,11 +63,14 @@ HWY_INLINE std::uint32_t VisiblePlace(const FrameJob& job, std::uint32_t number,
     place = static_cast<std::uint32_t>(worker.visible.size());
     const Chunk& chunk = worker.chunkOf(number);
     const std::uint32_t inChunk = worker.triangle(number).number & ~kExact;
-    worker.visible.push_back({chunk.sources[inChunk], 0, &chunk, nullptr});
-    if (job.interpolatesColor()) {
-        worker.visible.back().planes = &chunk.planes(inChunk);
-        __builtin_prefetch(worker.visible.back().planes);
-    }
+    const Shading shading = job.rules.shading;
+    VisibleTriangle& visible = worker.visible.emplace_back();
+    visible.source = chunk.sources[inChunk];
+    visible.chunk = &chunk;
+    visible.planes = PlanesOf(shading, chunk, inChunk);
+    __builtin_prefetch(visible.planes);
+    if (shading != Shading::Gouraud && shading != Shading::Depth)
+        visible.uniforms = faceUniforms(*job.scene, faceOf(chunk, visible.source), shading);
     return place;
 }
 
@@ -92,24 +109,6 @@ inline void CollectShares(const FrameJob& job, Worker& worker, TileOrigin origin
         }
     }
     worker.shareCount = static_cast<std::size_t>(out - worker.shares.data());
-}
-
-/// Colours of 0 to 255, held within that and rounded, from bit 8 on: above 2^15 a float counts in 256ths.
-HWY_INLINE Ints ChannelOf(Floats c)
-{
-    constexpr FloatTag tag;
-    const Floats held = hn::Min(hn::Max(c, hn::Zero(tag)), hn::Set(tag, 255.0F));
-    return hn::BitCast(IntTag(), hn::Add(held, hn::Set(tag, 32768.5F)));
-}
-
-HWY_INLINE Uints PackChannels(Floats red, Floats green, Floats blue)
-{
-    constexpr IntTag tag;
-    const Ints r = hn::And(hn::ShiftLeft<8>(ChannelOf(red)), hn::Set(tag, 0xff0000));
-    const Ints g = hn::And(ChannelOf(green), hn::Set(tag, 0xff00));
-    const Ints b = hn::And(hn::ShiftRight<8>(ChannelOf(blue)), hn::Set(tag, 0xff));
-    const Ints packed = hn::Or(hn::Or3(r, g, b), hn::Set(tag, static_cast<std::int32_t>(0xff000000U)));
-    return hn::BitCast(UintTag(), packed);
 }
 
 /// Writes the lanes of a share that fall into vector v.
@@ -154,7 +153,7 @@ HWY_INLINE void ShadeColors(const ColorPlanes& planes, const PlaneOffsets& offse
         const auto plane = [&](std::size_t i)
                                HWY_ATTR { return hn::Add(hn::Set(tag, corner[i]), offsets.plane[i][v]); };
         const Floats w = hn::Div(hn::Set(tag, 1.0F), plane(0));
-        BlendColor(PackChannels(hn::Mul(plane(1), w), hn::Mul(plane(2), w), hn::Mul(plane(3), w)), share, v, samples);
+        BlendColor(PackChannels({hn::Mul(plane(1), w), hn::Mul(plane(2), w), hn::Mul(plane(3), w)}), share, v, samples);
     }
 }
 
@@ -163,7 +162,7 @@ inline void ShadeInterpolated(const FrameJob& job, Worker& worker, TileOrigin or
     std::uint32_t spread = kNobody; // whose offsets these are: large triangles have many blocks in sequence
     PlaneOffsets offsets;
     for (const BlockShare& share : worker.sharesInUse()) {
-        const ColorPlanes& planes = *worker.visible[share.visible].planes;
+        const auto& planes = *static_cast<const ColorPlanes*>(worker.visible[share.visible].planes);
         if (planes.exact) {
             shadeExactly(job, worker.visible[share.visible], share, origin, worker.samples);
             continue;
@@ -176,14 +175,52 @@ inline void ShadeInterpolated(const FrameJob& job, Worker& worker, TileOrigin or
     }
 }
 
-/// Shadings with one colour a face.
-inline void ShadeUniform(const FrameJob& job, Worker& worker)
+/// The samples of a share by a shader; false: it leaves them to the scalar stages.
+template <class Shader>
+HWY_INLINE bool ShadeShare(const Shader& shader, const VisibleTriangle& visible,
+                           const VaryingOffsets<Shader::kVaryings>& offsets, const BlockShare& share, TileOrigin origin,
+                           TileSamples& samples)
 {
-    for (VisibleTriangle& visible : worker.visible)
-        visible.color = faceUniforms(*job.scene, faceOf(*visible.chunk, visible.source), job.rules.shading).color;
+    constexpr std::size_t kCount = Shader::kVaryings;
+    const auto& planes = *static_cast<const VaryingPlanes<kCount>*>(visible.planes);
+    const VaryingCorner<kCount> corner = VaryingsAtBlock(planes, origin.x + blockColumn(share.block) * kBlockSide,
+                                                         origin.y + blockRow(share.block) * kBlockSide);
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        const std::uint32_t bits = std::uint32_t(share.lanes) >> (v * kPerVector);
+        if (kVectors > 1 && (bits & ((1U << kPerVector) - 1)) == 0)
+            continue;
+        const ShaderLanes<kCount> lanes{visible, planes, VaryingsOf(corner, offsets, v), MaskOf(FloatTag(), bits)};
+        if (!shader.Can(lanes))
+            return false;
+        BlendColor(PackChannels(shader(lanes)), share, v, samples);
+    }
+    return true;
+}
+
+template <class Shader>
+inline void ShadeVaryings(const FrameJob& job, Worker& worker, TileOrigin origin)
+{
+    const Shader shader(job);
+    std::uint32_t spread = kNobody; // whose offsets these are
+    VaryingOffsets<Shader::kVaryings> offsets;
+    for (const BlockShare& share : worker.sharesInUse()) {
+        const VisibleTriangle& visible = worker.visible[share.visible];
+        const auto& planes = *static_cast<const VaryingPlanes<Shader::kVaryings>*>(visible.planes);
+        if (!planes.exact && share.visible != spread) {
+            SpreadVaryings(planes, offsets);
+            spread = share.visible;
+        }
+        if (planes.exact || !ShadeShare(shader, visible, offsets, share, origin, worker.samples))
+            shadeExactly(job, visible, share, origin, worker.samples);
+    }
+}
+
+/// Shadings with one colour a face.
+inline void ShadeUniform(Worker& worker)
+{
     for (const BlockShare& share : worker.sharesInUse())
         for (std::size_t v = 0; v < kVectors; ++v)
-            BlendColor(hn::Set(UintTag(), worker.visible[share.visible].color), share, v, worker.samples);
+            BlendColor(hn::Set(UintTag(), worker.visible[share.visible].uniforms.color), share, v, worker.samples);
 }
 
 inline void ShadeDepth(const FrameJob& job, Worker& worker)
@@ -196,7 +233,7 @@ inline void ShadeDepth(const FrameJob& job, Worker& worker)
             const std::int32_t* key = worker.samples.key.data() + std::size_t(share.block) * kLanes + v * kPerVector;
             const Floats depth =
                 hn::Mul(hn::BitCast(floatTag, hn::Xor(hn::Load(tag, key), flip)), hn::Set(floatTag, 255.0F));
-            BlendColor(PackChannels(depth, depth, depth), share, v, worker.samples);
+            BlendColor(PackChannels({depth, depth, depth}), share, v, worker.samples);
         }
 }
 
@@ -221,10 +258,12 @@ inline void ShadeTile(const FrameJob& job, Worker& worker, TileOrigin origin)
     case Shading::Depth: ShadeDepth(job, worker); break;
     case Shading::Flat:
     case Shading::RandomFlat:
-    case Shading::TriangleId: ShadeUniform(job, worker); break;
-    default:
-        for (const BlockShare& share : worker.sharesInUse())
-            shadeExactly(job, worker.visible[share.visible], share, origin, worker.samples);
+    case Shading::TriangleId: ShadeUniform(worker); break;
+    case Shading::Texture: ShadeVaryings<TextureShader>(job, worker, origin); break;
+    case Shading::Phong: ShadeVaryings<PhongShader>(job, worker, origin); break;
+    case Shading::Normals: ShadeVaryings<NormalShader>(job, worker, origin); break;
+    case Shading::Uv: ShadeVaryings<UvShader>(job, worker, origin); break;
+    case Shading::Overdraw: break;
     }
 }
 

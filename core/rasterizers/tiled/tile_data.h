@@ -6,8 +6,10 @@
 #include "core/scene.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace rasterlens::tiled
@@ -131,6 +133,18 @@ struct alignas(64) ColorPlanes {
 };
 static_assert(sizeof(ColorPlanes) == 64);
 
+/// Likewise for any kCount varyings, in double: a sample's come out as the scalar stages round them to float32, so
+/// whatever has a threshold (texels, repeats) falls on the same side of it.
+template <std::size_t kCount>
+struct VaryingPlanes {
+    std::array<double, kCount + 1> origin; ///< 1/w, then varyings over w
+    std::array<double, kCount + 1> perX;
+    std::array<double, kCount + 1> perY;
+    std::int32_t x0; ///< the anchor, in samples
+    std::int32_t y0;
+    bool exact; ///< too steep even so
+};
+
 /// A run of consecutive faces, sorted into tiles by one thread.
 struct Chunk {
     std::vector<Bin> bins;              ///< one a tile
@@ -150,23 +164,28 @@ struct Chunk {
         return *triangle;
     }
 
-    /// Planes of the triangle with that number.
-    [[nodiscard]] ColorPlanes& planes(std::uint32_t number)
+    /// Planes of the triangle with that number. All of a frame are of one type.
+    template <class Planes>
+    [[nodiscard]] Planes& planes(std::uint32_t number)
     {
-        while (number / kSlabPlanes >= m_planes.size())
-            m_planes.emplace_back().reserve(kSlabPlanes);
-        return m_planes[number / kSlabPlanes].data()[number % kSlabPlanes];
+        while (number / kPerSlab<Planes> >= m_planes.size())
+            m_planes.emplace_back().reserve(kSlabBytes);
+        return std::as_const(*this).template planes<Planes>(number);
     }
-    [[nodiscard]] const ColorPlanes& planes(std::uint32_t number) const
+    template <class Planes>
+    [[nodiscard]] Planes& planes(std::uint32_t number) const
     {
-        return m_planes[number / kSlabPlanes].data()[number % kSlabPlanes];
+        auto* slab = reinterpret_cast<Planes*>(m_planes[number / kPerSlab<Planes>].data());
+        return slab[number % kPerSlab<Planes>];
     }
 
 private:
     void grow(Bin& bin);
 
-    static constexpr std::size_t kSlabPlanes = 1U << 15; // 2 MiB
-    std::vector<LargeArray<ColorPlanes>> m_planes;
+    static constexpr std::size_t kSlabBytes = 2U << 20;
+    template <class Planes>
+    static constexpr std::uint32_t kPerSlab = kSlabBytes / sizeof(Planes);
+    std::vector<LargeArray<std::byte>> m_planes;
 };
 
 /// The samples of a tile while it is drawn, block by block.

@@ -208,7 +208,7 @@ void Tiled::draw(const Scene& scene, const Settings& settings, Frame& frame, Out
     job.chunks = &context.chunks;
     aim(job, frame);
     const std::size_t vertices = scene.mesh.vertices.size();
-    if (job.interpolatesColor() && (scene.lit || scene.space == SceneSpace::Object))
+    if (job.interpolates() && (scene.lit || scene.space == SceneSpace::Object))
         job.colors = context.colors.reserve(vertices);
     if (job.colors != nullptr || sharesVertices(scene.mesh))
         job.points = context.points.reserve(vertices);

@@ -1,0 +1,184 @@
+// Varyings of triangles as planes over the target. Included once for each target.
+#if defined(RASTERLENS_TILED_VARYINGS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RASTERLENS_TILED_VARYINGS_INL_H
+#undef RASTERLENS_TILED_VARYINGS_INL_H
+#else
+#define RASTERLENS_TILED_VARYINGS_INL_H
+#endif
+
+#include "core/rasterizers/tiled/kernels.h"
+#include "core/rasterizers/tiled/lanes-inl.h"
+#include "core/rasterizers/tiled/planes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rasterlens::tiled::HWY_NAMESPACE
+{
+
+// varyingCount() of the shadings, known when this is compiled.
+constexpr std::size_t kTextureVaryings = kVaryingUv + 2;
+constexpr std::size_t kPhongVaryings = kVaryingPosition + 3;
+constexpr std::size_t kNormalVaryings = 3;
+constexpr std::size_t kUvVaryings = 2;
+
+/// Corners of triangles, lane by lane; the colours of CornerStage are not used.
+template <std::size_t kCount>
+struct alignas(64) VaryingStage {
+    CornerStage corners;
+    alignas(64) std::array<std::array<std::array<float, kDoubles>, kCount>, 3> value;
+};
+
+template <std::size_t kCount>
+HWY_INLINE void StagePieceVaryings(const ScreenTriangle& triangle, std::size_t lane, VaryingStage<kCount>& stage)
+{
+    for (std::size_t k = 0; k < 3; ++k) {
+        const ScreenVertex& v = triangle.vertices[k];
+        stage.corners.w[k][lane] = 1 / v.invW;
+        for (std::size_t i = 0; i < kCount; ++i)
+            stage.value[k][i][lane] = v.varyings[i];
+    }
+}
+
+template <std::size_t kCount>
+HWY_INLINE void StageFaceVaryings(const FrameJob& job, std::uint32_t face, std::size_t lane,
+                                  VaryingStage<kCount>& stage)
+{
+    const Mesh& mesh = job.scene->mesh;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t vertex = mesh.indices[3 * std::size_t(face) + k];
+        const MeshVertex& v = mesh.vertices[vertex];
+        Varyings varyings;
+        if (kCount == kTextureVaryings && job.colors != nullptr) { // they have been lit already
+            const glm::vec4& color = job.colors[vertex];
+            varyings = {color.x, color.y, color.z, v.uv.x, v.uv.y};
+        } else {
+            shadeVertex(*job.scene, v, job.rules.shading, varyings);
+        }
+        stage.corners.w[k][lane] = job.colors != nullptr ? job.colors[vertex].w : v.position.w;
+        for (std::size_t i = 0; i < kCount; ++i)
+            stage.value[k][i][lane] = varyings[i];
+    }
+}
+
+/// Planes of one vector of triangles.
+///
+/// in   which lanes are wanted, and where they go
+template <std::size_t kCount>
+HWY_INLINE void MakeVaryingPlanes(const FrameJob& job, const VaryingStage<kCount>& stage, std::uint32_t lanes,
+                                  const std::array<VaryingPlanes<kCount>*, kDoubles>& out)
+{
+    constexpr DoubleTag tag;
+    const WeightLanes weights = MakeWeights(stage.corners);
+    const Doubles one = hn::Set(tag, 1.0);
+    std::array<Doubles, 3> q{one, one, one};
+    // 1/w in units of the first corner's: only ratios matter.
+    if (job.rules.perspectiveCorrect)
+        for (std::size_t k = 1; k < 3; ++k)
+            q[k] = hn::Div(hn::Load(tag, stage.corners.w[0].data()), hn::Load(tag, stage.corners.w[k].data()));
+    alignas(64) std::array<std::array<std::array<double, kDoubles>, kCount + 1>, 3> planes;
+    const auto makePlane = [&](std::size_t i, Doubles a, Doubles b, Doubles c) HWY_ATTR {
+        const Doubles ab = hn::Sub(b, a);
+        const Doubles ac = hn::Sub(c, a);
+        const auto along = [&](Doubles slopeB, Doubles slopeC)
+                               HWY_ATTR { return hn::Add(hn::Mul(ab, slopeB), hn::Mul(ac, slopeC)); };
+        hn::Store(hn::Add(a, along(weights.bAtAnchor, weights.cAtAnchor)), tag, planes[0][i].data());
+        hn::Store(along(weights.bPerX, weights.cPerX), tag, planes[1][i].data());
+        hn::Store(along(weights.bPerY, weights.cPerY), tag, planes[2][i].data());
+    };
+    makePlane(0, q[0], q[1], q[2]);
+    auto finite = hn::Eq(one, one);
+    for (std::size_t i = 0; i < kCount; ++i) {
+        std::array<Doubles, 3> value;
+        for (std::size_t k = 0; k < 3; ++k) {
+            value[k] = hn::PromoteTo(tag, hn::Load(HalfFloatTag(), stage.value[k][i].data()));
+            finite =
+                hn::And(finite, hn::Le(hn::Abs(value[k]), hn::Set(tag, double(std::numeric_limits<float>::max()))));
+        }
+        makePlane(i + 1, hn::Mul(value[0], q[0]), hn::Mul(value[1], q[1]), hn::Mul(value[2], q[2]));
+    }
+
+    // Of 53 bits, these may be lost where terms cancel; the rest is more than float32 holds.
+    constexpr double kEnough = 1 << 20;
+    const Doubles smallest = hn::Min(hn::Min(q[0], q[1]), q[2]);
+    const Doubles ratio = hn::Div(hn::Max(hn::Max(q[0], q[1]), q[2]), smallest);
+    const auto precise =
+        hn::And(hn::Gt(smallest, hn::Zero(tag)), hn::Lt(hn::Mul(weights.steepness, ratio), hn::Set(tag, kEnough)));
+    const std::uint32_t good = BitsOf(tag, hn::And(finite, precise));
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+        VaryingPlanes<kCount>& to = *out[lane];
+        to.exact = (good >> lane & 1) == 0;
+        to.x0 = static_cast<std::int32_t>(stage.corners.anchorX[lane]);
+        to.y0 = static_cast<std::int32_t>(stage.corners.anchorY[lane]);
+        for (std::size_t i = 0; i <= kCount; ++i) {
+            to.origin[i] = planes[0][i][lane];
+            to.perX[i] = planes[1][i][lane];
+            to.perY[i] = planes[2][i][lane];
+        }
+    }
+}
+
+/// How planes change from the first sample of a block to the others.
+template <std::size_t kCount>
+struct VaryingOffsets {
+    std::array<std::array<WideDoubles, kVectors>, kCount + 1> plane;
+};
+
+template <std::size_t kCount>
+HWY_INLINE void SpreadVaryings(const VaryingPlanes<kCount>& planes, VaryingOffsets<kCount>& offsets)
+{
+    constexpr DoubleTag tag;
+    for (std::size_t v = 0; v < kVectors; ++v)
+        for (std::size_t p = 0; p < kParts; ++p) {
+            const Doubles x = hn::Load(tag, kPattern.doubleX.data() + v * kPerVector + p * kDoubles);
+            const Doubles y = hn::Load(tag, kPattern.doubleY.data() + v * kPerVector + p * kDoubles);
+            for (std::size_t i = 0; i <= kCount; ++i)
+                offsets.plane[i][v].part[p] =
+                    hn::Add(hn::Mul(hn::Set(tag, planes.perX[i]), x), hn::Mul(hn::Set(tag, planes.perY[i]), y));
+        }
+}
+
+/// Planes at the first sample of a block.
+template <std::size_t kCount>
+using VaryingCorner = std::array<double, kCount + 1>;
+
+template <std::size_t kCount>
+HWY_INLINE VaryingCorner<kCount> VaryingsAtBlock(const VaryingPlanes<kCount>& planes, int x, int y)
+{
+    const double toX = x - planes.x0;
+    const double toY = y - planes.y0;
+    VaryingCorner<kCount> corner;
+    for (std::size_t i = 0; i <= kCount; ++i)
+        corner[i] = planes.origin[i] + planes.perX[i] * toX + planes.perY[i] * toY;
+    return corner;
+}
+
+/// Varyings of a vector of samples, and w in the unit of the planes.
+template <std::size_t kCount>
+struct VaryingLanes {
+    std::array<Floats, kCount> value;
+    Floats w;
+};
+
+template <std::size_t kCount>
+HWY_INLINE VaryingLanes<kCount> VaryingsOf(const VaryingCorner<kCount>& corner, const VaryingOffsets<kCount>& offsets,
+                                           std::size_t v)
+{
+    constexpr DoubleTag tag;
+    const auto plane = [&](std::size_t i) HWY_ATTR { return Add(offsets.plane[i][v], hn::Set(tag, corner[i])); };
+    WideDoubles w = plane(0);
+    for (std::size_t p = 0; p < kParts; ++p)
+        w.part[p] = hn::Div(hn::Set(tag, 1.0), w.part[p]);
+    VaryingLanes<kCount> lanes;
+    lanes.w = ToFloats(w);
+    for (std::size_t i = 0; i < kCount; ++i) {
+        WideDoubles value = plane(i + 1);
+        for (std::size_t p = 0; p < kParts; ++p)
+            value.part[p] = hn::Mul(value.part[p], w.part[p]);
+        lanes.value[i] = ToFloats(value);
+    }
+    return lanes;
+}
+
+} // namespace rasterlens::tiled::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
