@@ -41,15 +41,25 @@ inline std::uint32_t LanesOnTarget(const FrameJob& job, TileOrigin origin, int b
     return bits;
 }
 
-/// The planes of a triangle, whatever the shading has.
-HWY_INLINE const void* PlanesOf(Shading shading, const Chunk& chunk, std::uint32_t number)
+/// The planes of a triangle, on their way from memory: they are read when all who are visible have been found.
+template <class Planes>
+HWY_INLINE const void* FetchPlanes(const Chunk& chunk, std::uint32_t number)
+{
+    constexpr std::size_t kLine = 64;
+    const Planes* planes = &chunk.planes<Planes>(number);
+    for (std::size_t at = 0; at < sizeof(Planes); at += kLine)
+        __builtin_prefetch(reinterpret_cast<const std::byte*>(planes) + at);
+    return planes;
+}
+
+HWY_INLINE const void* FetchPlanes(Shading shading, const Chunk& chunk, std::uint32_t number)
 {
     switch (shading) {
-    case Shading::Gouraud: return &chunk.planes<ColorPlanes>(number);
-    case Shading::Texture: return &chunk.planes<VaryingPlanes<kTextureVaryings>>(number);
-    case Shading::Phong: return &chunk.planes<VaryingPlanes<kPhongVaryings>>(number);
-    case Shading::Normals: return &chunk.planes<VaryingPlanes<kNormalVaryings>>(number);
-    case Shading::Uv: return &chunk.planes<VaryingPlanes<kUvVaryings>>(number);
+    case Shading::Gouraud: return FetchPlanes<ColorPlanes>(chunk, number);
+    case Shading::Texture: return FetchPlanes<VaryingPlanes<kTextureVaryings>>(chunk, number);
+    case Shading::Phong: return FetchPlanes<VaryingPlanes<kPhongVaryings>>(chunk, number);
+    case Shading::Normals: return FetchPlanes<VaryingPlanes<kNormalVaryings>>(chunk, number);
+    case Shading::Uv: return FetchPlanes<VaryingPlanes<kUvVaryings>>(chunk, number);
     default: return nullptr;
     }
 }
@@ -67,8 +77,7 @@ HWY_INLINE std::uint32_t VisiblePlace(const FrameJob& job, std::uint32_t number,
     VisibleTriangle& visible = worker.visible.emplace_back();
     visible.source = chunk.sources[inChunk];
     visible.chunk = &chunk;
-    visible.planes = PlanesOf(shading, chunk, inChunk);
-    __builtin_prefetch(visible.planes);
+    visible.planes = FetchPlanes(shading, chunk, inChunk);
     if (shading != Shading::Gouraud && shading != Shading::Depth)
         visible.uniforms = faceUniforms(*job.scene, faceOf(chunk, visible.source), shading);
     return place;
