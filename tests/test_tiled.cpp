@@ -146,6 +146,10 @@ QString compareAll(const Scene& scene, Settings settings, const std::vector<Simd
                 return tell("uncounted: " + d);
             if (usual.image != all.image)
                 return tell("counting changes colours");
+            Frame depth;
+            render(scene, settings, depth, {.depth = true, .picture = false});
+            if (!depth.image.isNull() || !sameBits(expected.depth, depth.depth))
+                return tell("depth alone");
         }
     return {};
 }

@@ -84,7 +84,7 @@ private:
 
         const float stored = m_samples.depth != nullptr ? m_samples.depth[at] : m_rules->depthClear;
         const bool passed = !m_rules->depthTested || depthPasses(fragment.depth, stored, m_rules->depthCompare);
-        const bool shaded = passed || !m_rules->depthBeforeShading;
+        const bool shaded = m_samples.color != nullptr && (passed || !m_rules->depthBeforeShading);
         std::uint32_t color = 0;
         if (shaded) {
             UvGradient gradient;
@@ -108,8 +108,11 @@ private:
     void write(std::size_t at, const Fragment& fragment, std::uint32_t color)
     {
         const bool writesDepth = m_samples.depth != nullptr;
-        const Pixel before{m_samples.color[at], writesDepth ? m_samples.depth[at] : m_rules->depthClear};
-        m_samples.color[at] = color;
+        const bool writesColor = m_samples.color != nullptr;
+        const Pixel before{writesColor ? m_samples.color[at] : 0,
+                           writesDepth ? m_samples.depth[at] : m_rules->depthClear};
+        if (writesColor)
+            m_samples.color[at] = color;
         if (writesDepth)
             m_samples.depth[at] = fragment.depth;
         if (m_samples.ids != nullptr)

@@ -486,7 +486,8 @@ HWY_INLINE void SetUpAndBin(const FrameJob& job, Chunk& chunk, const SetupQueue&
     const std::uint32_t used = LanesWithSamples(lanes, count);
     if (used == 0)
         return;
-    SetUpPlanes(job, chunk, queue, at, lanes, used);
+    if (job.interpolates())
+        SetUpPlanes(job, chunk, queue, at, lanes, used);
     const int pitch = job.grid.pitch;
     for (std::uint32_t bits = used; bits != 0; bits &= bits - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(bits));

@@ -25,8 +25,8 @@ struct FrameJob {
     /// Likewise: colour, w of clip space; null where the mesh has both or nobody asks.
     glm::vec4* colors = nullptr;
     std::vector<Chunk>* chunks = nullptr;
-    std::uint32_t* color = nullptr; ///< the picture, row by row
-    float* depth = nullptr;         ///< null if not asked for, as the following
+    std::uint32_t* color = nullptr; ///< the picture, row by row; null if not asked for, as the following
+    float* depth = nullptr;
     std::int32_t* ids = nullptr;
     std::uint16_t* coverage = nullptr;
 

@@ -246,19 +246,28 @@ inline void ShadeDepth(const FrameJob& job, Worker& worker)
         }
 }
 
+inline void CountShares(const FrameJob& job, Worker& worker)
+{
+    for (const BlockShare& share : worker.sharesInUse()) {
+        const auto samples = static_cast<unsigned>(std::popcount(share.lanes));
+        worker.pixels.written += samples;
+        worker.pixels.shaded += job.color != nullptr ? samples : 0;
+    }
+}
+
 inline void ShadeTile(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
-    if (job.rules.shading == Shading::Overdraw) {
+    const bool overdraw = job.rules.shading == Shading::Overdraw;
+    if (job.color != nullptr && overdraw)
         for (std::size_t i = 0; i < kTileSamples; ++i)
             worker.samples.color[i] = overdrawColor(worker.samples.coverage[i]);
-        if (!job.counting)
-            return;
-    }
+    const bool shades = job.color != nullptr && !overdraw;
+    if (!shades && !job.counting)
+        return;
     CollectShares(job, worker, origin);
     if (job.counting)
-        for (const BlockShare& share : worker.sharesInUse())
-            worker.pixels.shaded += static_cast<unsigned>(std::popcount(share.lanes));
-    if (job.rules.shading == Shading::Overdraw)
+        CountShares(job, worker);
+    if (!shades)
         return;
     if (!worker.full)
         worker.samples.color.fill(job.clearColor);

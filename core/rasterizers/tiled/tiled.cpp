@@ -1,6 +1,7 @@
 #include "core/rasterizers/tiled/tiled.h"
 
 #include "core/camera.h"
+#include "core/framebuffer.h"
 #include "core/pipeline/shading.h"
 #include "core/rasterizers/tiled/context.h"
 #include "core/stopwatch.h"
@@ -77,10 +78,10 @@ T* output(std::vector<T>& memory, bool asked, std::size_t count)
 void aim(FrameJob& job, Frame& frame)
 {
     const Rules& rules = job.rules;
-    if (frame.image.size() != QSize(rules.width, rules.height) || frame.image.format() != QImage::Format_RGB32)
-        frame.image = QImage(rules.width, rules.height, QImage::Format_RGB32);
+    sizePicture(frame, rules, job.outputs);
     const std::size_t pixels = std::size_t(rules.width) * std::size_t(rules.height);
-    job.color = reinterpret_cast<std::uint32_t*>(frame.image.bits());
+    if (job.outputs.picture)
+        job.color = reinterpret_cast<std::uint32_t*>(frame.image.bits());
     job.depth = output(frame.depth, job.outputs.depth, pixels);
     job.ids = output(frame.ids, job.outputs.ids, pixels);
     job.coverage = output(frame.coverage, job.outputs.coverage, pixels);
@@ -106,7 +107,7 @@ void add(Statistics::Pixels& sum, const Statistics::Pixels& p)
     sum.depthPassed += p.depthPassed;
     sum.depthFailed += p.depthFailed;
     sum.shaded += p.shaded;
-    sum.written += p.shaded;
+    sum.written += p.written;
 }
 
 Statistics collect(const TiledContext& context)
@@ -198,6 +199,8 @@ void Tiled::draw(const Scene& scene, const Settings& settings, Frame& frame, Out
     FrameJob job;
     job.scene = &scene;
     job.rules = rulesFor(scene, settings);
+    if (!outputs.picture)
+        job.rules.varyingCount = 0; // nothing is shaded
     job.matrices = cameraMatrices(scene, settings);
     const FaceStages stages(scene, job.matrices, job.rules);
     job.stages = &stages;
