@@ -72,7 +72,8 @@ struct Worker {
     std::vector<VisibleTriangle> visible;
     std::array<BlockShare, kTileSamples> shares; ///< as many as can be
     std::size_t shareCount = 0;
-    bool full = false; ///< every sample of the tile that is on the target has been won
+    std::uint32_t resolvedSubtiles = 0; ///< a bit each: their pixels have been written already
+    bool full = false;                  ///< every sample of the tile that is on the target has been won
 
     [[nodiscard]] std::span<const BlockShare> sharesInUse() const { return {shares.data(), shareCount}; }
 

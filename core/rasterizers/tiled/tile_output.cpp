@@ -11,25 +11,6 @@ namespace rasterlens::tiled
 namespace
 {
 
-/// The pixels of a tile.
-struct PixelBox {
-    int x0, y0, x1, y1; ///< ends excluded
-};
-
-PixelBox pixelsOf(const FrameJob& job, TileOrigin origin, int tiles = 1)
-{
-    const int grid = job.rules.sampleGrid;
-    const int side = job.grid.pitch / grid;
-    const int x = origin.x / grid;
-    const int y = origin.y / grid;
-    return {x, y, std::min(x + side * tiles, job.rules.width), std::min(y + side, job.rules.height)};
-}
-
-std::size_t pixelIndex(const FrameJob& job, int x, int y)
-{
-    return std::size_t(y) * std::size_t(job.rules.width) + std::size_t(x);
-}
-
 /// With one sample a pixel: the four rows of four blocks side by side, which are 16 pixels each.
 template <class T>
 void copySubtileRow(const T* blocks, T* out, std::size_t stride)
@@ -88,32 +69,43 @@ void forEachPixel(const PixelBox& box, Write&& write)
 }
 
 template <int kGrid>
-void averageColor(const FrameJob& job, const TileSamples& samples, const PixelBox& box, TileOrigin origin)
+void averageColor(const FrameJob& job, const TileSamples& samples, TileOrigin origin)
 {
-    forEachPixel(box, [&](int x, int y) {
+    forEachPixel(pixelsOf(job, origin), [&](int x, int y) {
         job.color[pixelIndex(job, x, y)] = meanColor<kGrid>(samples, x * kGrid - origin.x, y * kGrid - origin.y);
     });
 }
 
-void writeColor(const FrameJob& job, const TileSamples& samples, const PixelBox& box, TileOrigin origin)
+} // namespace
+
+PixelBox pixelsOf(const FrameJob& job, TileOrigin origin, int tiles)
+{
+    const int grid = job.rules.sampleGrid;
+    const int side = job.grid.pitch / grid;
+    const int x = origin.x / grid;
+    const int y = origin.y / grid;
+    return {x, y, std::min(x + side * tiles, job.rules.width), std::min(y + side, job.rules.height)};
+}
+
+void averageColor(const FrameJob& job, const TileSamples& samples, TileOrigin origin)
 {
     switch (job.rules.sampleGrid) {
-    case 1: copySamples(job, samples.color.data(), box, job.color); break;
-    case 2: averageColor<2>(job, samples, box, origin); break;
-    case 3: averageColor<3>(job, samples, box, origin); break;
-    default: averageColor<4>(job, samples, box, origin);
+    case 2: averageColor<2>(job, samples, origin); break;
+    case 3: averageColor<3>(job, samples, origin); break;
+    default: averageColor<4>(job, samples, origin);
     }
 }
 
-} // namespace
+void copyColor(const FrameJob& job, const TileSamples& samples, TileOrigin origin)
+{
+    copySamples(job, samples.color.data(), pixelsOf(job, origin), job.color);
+}
 
 void writeTile(const FrameJob& job, const Worker& worker, TileOrigin origin)
 {
     const TileSamples& samples = worker.samples;
     const PixelBox box = pixelsOf(job, origin);
     const int grid = job.rules.sampleGrid;
-    if (job.color != nullptr)
-        writeColor(job, samples, box, origin);
     // The sample nearest the pixel's centre.
     const auto at = [&](int x, int y) {
         return std::size_t(sampleIndex(x * grid + grid / 2 - origin.x, y * grid + grid / 2 - origin.y));
