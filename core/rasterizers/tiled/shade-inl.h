@@ -12,6 +12,7 @@
 #include "core/rasterizers/tiled/kernels.h"
 #include "core/rasterizers/tiled/lanes-inl.h"
 #include "core/rasterizers/tiled/shaders-inl.h"
+#include "core/rasterizers/tiled/subtile-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
@@ -83,39 +84,82 @@ HWY_INLINE std::uint32_t VisiblePlace(const FrameJob& job, std::uint32_t number,
     return place;
 }
 
+/// Remembers the last triangle looked up: neighbours tend to belong to the same one.
+struct LastVisible {
+    std::uint32_t number = kNobody;
+    std::uint32_t place = 0;
+};
+
+HWY_INLINE std::uint32_t VisiblePlace(const FrameJob& job, std::uint32_t number, Worker& worker, LastVisible& last)
+{
+    if (number != last.number)
+        last = {number, VisiblePlace(job, number, worker)};
+    return last.place;
+}
+
+/// The shares of a block.
+///
+/// in   its samples on the target
+/// out  behind the last share
+HWY_INLINE BlockShare* CollectBlock(const FrameJob& job, Worker& worker, int block, std::uint32_t remaining,
+                                    LastVisible& last, BlockShare* out)
+{
+    const std::uint32_t* ids = worker.samples.ids.data() + std::size_t(block) * kLanes;
+    const std::uint32_t owner = worker.samples.owner[static_cast<std::size_t>(block)];
+    if (owner == kEmpty) {
+        worker.full = false;
+        return out;
+    }
+    while (remaining != 0) {
+        const std::uint32_t number = owner != kNobody ? owner : ids[std::countr_zero(remaining)];
+        const std::uint32_t lanes = owner != kNobody ? remaining : LanesWith(ids, number) & remaining;
+        remaining &= ~lanes;
+        if (number == kNobody) {
+            worker.full = false;
+            continue;
+        }
+        *out++ = {static_cast<std::uint16_t>(block), static_cast<std::uint16_t>(lanes),
+                  VisiblePlace(job, number, worker, last)};
+    }
+    return out;
+}
+
+/// Shades a subtile that a triangle has to itself.
+///
+/// out  false if it is to be done block by block
+HWY_INLINE bool TakeSubtile(const FrameJob& job, Worker& worker, TileOrigin origin, int subtile, LastVisible& last)
+{
+    const std::uint32_t number = SubtileOwner(worker.samples, static_cast<std::size_t>(subtile));
+    if (number == kNobody)
+        return false;
+    const VisibleTriangle& visible = worker.visible[VisiblePlace(job, number, worker, last)];
+    const auto& planes = *static_cast<const ColorPlanes*>(visible.planes);
+    if (planes.exact)
+        return false;
+    ShadeSubtile(job, planes, origin.x + blockColumn(subtile * kLanes) * kBlockSide,
+                 origin.y + blockRow(subtile * kLanes) * kBlockSide);
+    worker.resolvedSubtiles |= 1U << subtile;
+    return true;
+}
+
 /// Finds who is visible where.
 inline void CollectShares(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
     worker.visible.clear();
     worker.visibleOf.assign(worker.blocks.size() * BinBlock::kCapacity, kNobody);
     worker.full = true;
+    worker.resolvedSubtiles = 0;
     const bool whole = origin.x + kTileSide <= job.rules.columns() && origin.y + kTileSide <= job.rules.rows() &&
                        job.grid.pitch == kTileSide;
-    std::uint32_t lastNumber = kNobody; // neighbours tend to belong to the same triangle
-    std::uint32_t lastPlace = 0;
+    const bool takesSubtiles = whole && job.rules.sampleGrid == 4 && job.rules.shading == Shading::Gouraud &&
+                               job.color != nullptr && !job.counting;
+    LastVisible last;
     BlockShare* out = worker.shares.data();
-    for (int block = 0; block < kTileBlocks; ++block) {
-        std::uint32_t remaining = whole ? 0xffff : LanesOnTarget(job, origin, block);
-        const std::uint32_t* ids = worker.samples.ids.data() + std::size_t(block) * kLanes;
-        const std::uint32_t owner = worker.samples.owner[static_cast<std::size_t>(block)];
-        if (owner == kEmpty) {
-            worker.full = false;
+    for (int subtile = 0; subtile < kLanes; ++subtile) {
+        if (takesSubtiles && TakeSubtile(job, worker, origin, subtile, last))
             continue;
-        }
-        while (remaining != 0) {
-            const std::uint32_t number = owner != kNobody ? owner : ids[std::countr_zero(remaining)];
-            const std::uint32_t lanes = owner != kNobody ? remaining : LanesWith(ids, number) & remaining;
-            remaining &= ~lanes;
-            if (number == kNobody) {
-                worker.full = false;
-                continue;
-            }
-            if (number != lastNumber) {
-                lastNumber = number;
-                lastPlace = VisiblePlace(job, number, worker);
-            }
-            *out++ = {static_cast<std::uint16_t>(block), static_cast<std::uint16_t>(lanes), lastPlace};
-        }
+        for (int block = subtile * kLanes; block < (subtile + 1) * kLanes; ++block)
+            out = CollectBlock(job, worker, block, whole ? 0xffff : LanesOnTarget(job, origin, block), last, out);
     }
     worker.shareCount = static_cast<std::size_t>(out - worker.shares.data());
 }
@@ -161,8 +205,7 @@ HWY_INLINE void ShadeColors(const ColorPlanes& planes, const PlaneOffsets& offse
     for (std::size_t v = 0; v < kVectors; ++v) {
         const auto plane = [&](std::size_t i)
                                HWY_ATTR { return hn::Add(hn::Set(tag, corner[i]), offsets.plane[i][v]); };
-        const Floats w = hn::Div(hn::Set(tag, 1.0F), plane(0));
-        BlendColor(PackChannels({hn::Mul(plane(1), w), hn::Mul(plane(2), w), hn::Mul(plane(3), w)}), share, v, samples);
+        BlendColor(PackChannels(ColorOf(plane(0), {plane(1), plane(2), plane(3)})), share, v, samples);
     }
 }
 

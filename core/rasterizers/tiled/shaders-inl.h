@@ -24,6 +24,13 @@ HWY_INLINE Ints ChannelOf(Floats c)
     return hn::BitCast(IntTag(), hn::Add(held, hn::Set(tag, 32768.5F)));
 }
 
+/// Colours from the planes of 1/w and colour/w.
+HWY_INLINE ColorLanes ColorOf(Floats inverseW, const ColorLanes& overW)
+{
+    const Floats w = hn::Div(hn::Set(FloatTag(), 1.0F), inverseW);
+    return {hn::Mul(overW.red, w), hn::Mul(overW.green, w), hn::Mul(overW.blue, w)};
+}
+
 HWY_INLINE Uints PackChannels(const ColorLanes& color)
 {
     constexpr IntTag tag;
