@@ -173,57 +173,29 @@ HWY_INLINE void BlendColor(Uints color, const BlockShare& share, std::size_t v, 
     hn::Store(hn::IfThenElse(mask, color, hn::Load(tag, out)), tag, out);
 }
 
-/// How planes change from the first sample of a block to the others.
-struct PlaneOffsets {
-    std::array<std::array<Floats, kVectors>, 4> plane;
-};
-
-HWY_INLINE PlaneOffsets SpreadPlanes(const ColorPlanes& planes)
-{
-    constexpr FloatTag tag;
-    PlaneOffsets offsets;
-    for (std::size_t v = 0; v < kVectors; ++v) {
-        const Floats x = hn::Load(tag, kPattern.floatX.data() + v * kPerVector);
-        const Floats y = hn::Load(tag, kPattern.floatY.data() + v * kPerVector);
-        for (std::size_t i = 0; i < 4; ++i)
-            offsets.plane[i][v] =
-                hn::Add(hn::Mul(hn::Set(tag, planes.perX[i]), x), hn::Mul(hn::Set(tag, planes.perY[i]), y));
-    }
-    return offsets;
-}
-
 /// The interpolated colour of a triangle over its lanes of a block.
-HWY_INLINE void ShadeColors(const ColorPlanes& planes, const PlaneOffsets& offsets, const BlockShare& share,
-                            TileOrigin origin, TileSamples& samples)
+HWY_INLINE void ShadeColors(const ColorPlanes& planes, const BlockShare& share, TileOrigin origin, TileSamples& samples)
 {
     constexpr FloatTag tag;
-    const float x = static_cast<float>(origin.x + blockColumn(share.block) * kBlockSide) - planes.x0;
-    const float y = static_cast<float>(origin.y + blockRow(share.block) * kBlockSide) - planes.y0;
-    std::array<float, 4> corner;
-    for (std::size_t i = 0; i < 4; ++i)
-        corner[i] = planes.origin[i] + planes.perX[i] * x + planes.perY[i] * y;
+    const Floats blockX =
+        hn::Set(tag, static_cast<float>(origin.x + blockColumn(share.block) * kBlockSide) - planes.x0);
+    const Floats blockY = hn::Set(tag, static_cast<float>(origin.y + blockRow(share.block) * kBlockSide) - planes.y0);
     for (std::size_t v = 0; v < kVectors; ++v) {
-        const auto plane = [&](std::size_t i)
-                               HWY_ATTR { return hn::Add(hn::Set(tag, corner[i]), offsets.plane[i][v]); };
+        const Floats x = hn::Add(blockX, hn::Load(tag, kPattern.floatX.data() + v * kPerVector));
+        const Floats y = hn::Add(blockY, hn::Load(tag, kPattern.floatY.data() + v * kPerVector));
+        const auto plane = [&](std::size_t i) HWY_ATTR { return hn::Add(AlongX(planes, i, x), AlongY(planes, i, y)); };
         BlendColor(PackChannels(ColorOf(plane(0), {plane(1), plane(2), plane(3)})), share, v, samples);
     }
 }
 
 inline void ShadeInterpolated(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
-    std::uint32_t spread = kNobody; // whose offsets these are: large triangles have many blocks in sequence
-    PlaneOffsets offsets;
     for (const BlockShare& share : worker.sharesInUse()) {
         const auto& planes = *static_cast<const ColorPlanes*>(worker.visible[share.visible].planes);
-        if (planes.exact) {
+        if (HWY_UNLIKELY(planes.exact))
             shadeExactly(job, worker.visible[share.visible], share, origin, worker.samples);
-            continue;
-        }
-        if (share.visible != spread) {
-            offsets = SpreadPlanes(planes);
-            spread = share.visible;
-        }
-        ShadeColors(planes, offsets, share, origin, worker.samples);
+        else
+            ShadeColors(planes, share, origin, worker.samples);
     }
 }
 

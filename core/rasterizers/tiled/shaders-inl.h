@@ -24,6 +24,19 @@ HWY_INLINE Ints ChannelOf(Floats c)
     return hn::BitCast(IntTag(), hn::Add(held, hn::Set(tag, 32768.5F)));
 }
 
+// The value of plane i is the sum of these: its part that changes along rows, and along columns. Whoever shades takes
+// the same sum.
+HWY_INLINE Floats AlongX(const ColorPlanes& planes, std::size_t i, Floats x)
+{
+    constexpr FloatTag tag;
+    return hn::Add(hn::Set(tag, planes.origin[i]), hn::Mul(hn::Set(tag, planes.perX[i]), x));
+}
+
+HWY_INLINE Floats AlongY(const ColorPlanes& planes, std::size_t i, Floats y)
+{
+    return hn::Mul(hn::Set(FloatTag(), planes.perY[i]), y);
+}
+
 /// Colours from the planes of 1/w and colour/w.
 HWY_INLINE ColorLanes ColorOf(Floats inverseW, const ColorLanes& overW)
 {

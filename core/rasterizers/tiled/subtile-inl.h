@@ -50,47 +50,48 @@ HWY_INLINE Uints MeanOf16(const ChannelSums& sums)
     return hn::BitCast(UintTag(), hn::Or3(redGreen, mean(sums.blue), opaque));
 }
 
-/// The planes' values at the samples of a block, less those at its first: what lanes of pixels add, sample by sample.
-struct SampleOffsets {
-    std::array<std::array<float, kLanes>, 4> plane;
+/// The parts of the planes' values that change from column to column of samples, and from row to row, for a vector of
+/// pixels.
+struct PixelPlanes {
+    std::array<std::array<Floats, 4>, kBlockSide> alongX;
+    std::array<std::array<Floats, 4>, kBlockSide> alongY;
 };
 
-HWY_INLINE SampleOffsets OffsetsInBlock(const ColorPlanes& planes)
+/// in   the first samples of the pixels, relative to the anchor of the planes
+HWY_INLINE void SpreadPixels(const ColorPlanes& planes, Floats x, Floats y, PixelPlanes& out)
 {
-    SampleOffsets offsets;
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t s = 0; s < kLanes; ++s)
-            offsets.plane[i][s] = planes.perX[i] * kPattern.floatX[s] + planes.perY[i] * kPattern.floatY[s];
-    return offsets;
+    for (std::size_t k = 0; k < kBlockSide; ++k) {
+        const Floats step = hn::Set(FloatTag(), static_cast<float>(k));
+        for (std::size_t i = 0; i < 4; ++i) {
+            out.alongX[k][i] = AlongX(planes, i, hn::Add(x, step));
+            out.alongY[k][i] = AlongY(planes, i, hn::Add(y, step));
+        }
+    }
 }
 
 /// The interpolated colours of a subtile into its 4 x 4 pixels.
 ///
-/// in    (x, y) of its first sample on the target
-/// exact  the same additions as block by block: the picture does not depend on who owns what
+/// in     (x, y) of its first sample on the target
+/// exact  the same sums as block by block: the picture does not depend on who owns what
 inline void ShadeSubtile(const FrameJob& job, const ColorPlanes& planes, int x, int y)
 {
     constexpr FloatTag tag;
-    const SampleOffsets offsets = OffsetsInBlock(planes);
     std::array<std::uint32_t, kLanes> pixels;
+    PixelPlanes spread;
     for (std::size_t v = 0; v < kVectors; ++v) {
         const auto toBlock = [&](float first, const std::array<float, kLanes>& pattern) HWY_ATTR {
             const Floats inBlocks = hn::Load(tag, pattern.data() + v * kPerVector);
             return hn::Add(hn::Set(tag, first), hn::Mul(inBlocks, hn::Set(tag, float(kBlockSide))));
         };
-        const Floats toX = toBlock(static_cast<float>(x) - planes.x0, kPattern.floatX);
-        const Floats toY = toBlock(static_cast<float>(y) - planes.y0, kPattern.floatY);
-        std::array<Floats, 4> corner;
-        for (std::size_t i = 0; i < 4; ++i)
-            corner[i] = hn::Add(hn::Add(hn::Set(tag, planes.origin[i]), hn::Mul(hn::Set(tag, planes.perX[i]), toX)),
-                                hn::Mul(hn::Set(tag, planes.perY[i]), toY));
+        SpreadPixels(planes, toBlock(static_cast<float>(x) - planes.x0, kPattern.floatX),
+                     toBlock(static_cast<float>(y) - planes.y0, kPattern.floatY), spread);
         const Ints zero = hn::Zero(IntTag());
         ChannelSums sums{zero, zero, zero};
-        for (std::size_t s = 0; s < kLanes; ++s) {
-            const auto plane = [&](std::size_t i)
-                                   HWY_ATTR { return hn::Add(hn::Set(tag, offsets.plane[i][s]), corner[i]); };
-            AddSample(ColorOf(plane(0), {plane(1), plane(2), plane(3)}), sums);
-        }
+        for (const auto& alongY : spread.alongY)
+            for (const auto& alongX : spread.alongX) {
+                const auto plane = [&](std::size_t i) HWY_ATTR { return hn::Add(alongX[i], alongY[i]); };
+                AddSample(ColorOf(plane(0), {plane(1), plane(2), plane(3)}), sums);
+            }
         hn::StoreU(MeanOf16(sums), UintTag(), pixels.data() + v * kPerVector);
     }
     for (int row = 0; row < 4; ++row)
