@@ -201,20 +201,21 @@ inline void ShadeInterpolated(const FrameJob& job, Worker& worker, TileOrigin or
 
 /// The samples of a share by a shader; false: it leaves them to the scalar stages.
 template <class Shader>
-HWY_INLINE bool ShadeShare(const Shader& shader, const VisibleTriangle& visible,
-                           const VaryingOffsets<Shader::kVaryings>& offsets, const BlockShare& share, TileOrigin origin,
-                           TileSamples& samples)
+HWY_INLINE bool ShadeShare(const Shader& shader, const VisibleTriangle& visible, const BlockShare& share,
+                           TileOrigin origin, TileSamples& samples)
 {
     constexpr std::size_t kCount = Shader::kVaryings;
     const auto& planes = *static_cast<const VaryingPlanes<kCount>*>(visible.planes);
-    const VaryingCorner<kCount> corner = VaryingsAtBlock(planes, origin.x + blockColumn(share.block) * kBlockSide,
-                                                         origin.y + blockRow(share.block) * kBlockSide);
+    if (HWY_UNLIKELY(planes.exact))
+        return false;
+    const int x = origin.x + blockColumn(share.block) * kBlockSide;
+    const int y = origin.y + blockRow(share.block) * kBlockSide;
     for (std::size_t v = 0; v < kVectors; ++v) {
         const std::uint32_t bits = std::uint32_t(share.lanes) >> (v * kPerVector);
         if (kVectors > 1 && (bits & ((1U << kPerVector) - 1)) == 0)
             continue;
-        const ShaderLanes<kCount> lanes{visible, planes, VaryingsOf(corner, offsets, v), MaskOf(FloatTag(), bits)};
-        if (!shader.Can(lanes))
+        const ShaderLanes<kCount> lanes{visible, planes, VaryingsAt(planes, x, y, v), MaskOf(FloatTag(), bits)};
+        if (HWY_UNLIKELY(!shader.Can(lanes)))
             return false;
         BlendColor(PackChannels(shader(lanes)), share, v, samples);
     }
@@ -225,16 +226,9 @@ template <class Shader>
 inline void ShadeVaryings(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
     const Shader shader(job);
-    std::uint32_t spread = kNobody; // whose offsets these are
-    VaryingOffsets<Shader::kVaryings> offsets;
     for (const BlockShare& share : worker.sharesInUse()) {
         const VisibleTriangle& visible = worker.visible[share.visible];
-        const auto& planes = *static_cast<const VaryingPlanes<Shader::kVaryings>*>(visible.planes);
-        if (!planes.exact && share.visible != spread) {
-            SpreadVaryings(planes, offsets);
-            spread = share.visible;
-        }
-        if (planes.exact || !ShadeShare(shader, visible, offsets, share, origin, worker.samples))
+        if (HWY_UNLIKELY(!ShadeShare(shader, visible, share, origin, worker.samples)))
             shadeExactly(job, visible, share, origin, worker.samples);
     }
 }

@@ -117,41 +117,6 @@ HWY_INLINE void MakeVaryingPlanes(const FrameJob& job, const VaryingStage<kCount
     }
 }
 
-/// How planes change from the first sample of a block to the others.
-template <std::size_t kCount>
-struct VaryingOffsets {
-    std::array<std::array<WideDoubles, kVectors>, kCount + 1> plane;
-};
-
-template <std::size_t kCount>
-HWY_INLINE void SpreadVaryings(const VaryingPlanes<kCount>& planes, VaryingOffsets<kCount>& offsets)
-{
-    constexpr DoubleTag tag;
-    for (std::size_t v = 0; v < kVectors; ++v)
-        for (std::size_t p = 0; p < kParts; ++p) {
-            const Doubles x = hn::Load(tag, kPattern.doubleX.data() + v * kPerVector + p * kDoubles);
-            const Doubles y = hn::Load(tag, kPattern.doubleY.data() + v * kPerVector + p * kDoubles);
-            for (std::size_t i = 0; i <= kCount; ++i)
-                offsets.plane[i][v].part[p] =
-                    hn::Add(hn::Mul(hn::Set(tag, planes.perX[i]), x), hn::Mul(hn::Set(tag, planes.perY[i]), y));
-        }
-}
-
-/// Planes at the first sample of a block.
-template <std::size_t kCount>
-using VaryingCorner = std::array<double, kCount + 1>;
-
-template <std::size_t kCount>
-HWY_INLINE VaryingCorner<kCount> VaryingsAtBlock(const VaryingPlanes<kCount>& planes, int x, int y)
-{
-    const double toX = x - planes.x0;
-    const double toY = y - planes.y0;
-    VaryingCorner<kCount> corner;
-    for (std::size_t i = 0; i <= kCount; ++i)
-        corner[i] = planes.origin[i] + planes.perX[i] * toX + planes.perY[i] * toY;
-    return corner;
-}
-
 /// Varyings of a vector of samples, and w in the unit of the planes.
 template <std::size_t kCount>
 struct VaryingLanes {
@@ -159,21 +124,33 @@ struct VaryingLanes {
     Floats w;
 };
 
+/// in   the first sample of a block; v: which vector of its samples
 template <std::size_t kCount>
-HWY_INLINE VaryingLanes<kCount> VaryingsOf(const VaryingCorner<kCount>& corner, const VaryingOffsets<kCount>& offsets,
-                                           std::size_t v)
+HWY_INLINE VaryingLanes<kCount> VaryingsAt(const VaryingPlanes<kCount>& planes, int blockX, int blockY, std::size_t v)
 {
     constexpr DoubleTag tag;
-    const auto plane = [&](std::size_t i) HWY_ATTR { return Add(offsets.plane[i][v], hn::Set(tag, corner[i])); };
-    WideDoubles w = plane(0);
+    const double toX = blockX - planes.x0;
+    const double toY = blockY - planes.y0;
+    WideDoubles x, y;
+    for (std::size_t p = 0; p < kParts; ++p) {
+        const std::size_t at = v * kPerVector + p * kDoubles;
+        x.part[p] = hn::Add(hn::Set(tag, toX), hn::Load(tag, kPattern.doubleX.data() + at));
+        y.part[p] = hn::Add(hn::Set(tag, toY), hn::Load(tag, kPattern.doubleY.data() + at));
+    }
+    const auto plane = [&](std::size_t i, std::size_t p) HWY_ATTR {
+        const Doubles alongX =
+            hn::Add(hn::Set(tag, planes.origin[i]), hn::Mul(hn::Set(tag, planes.perX[i]), x.part[p]));
+        return hn::Add(alongX, hn::Mul(hn::Set(tag, planes.perY[i]), y.part[p]));
+    };
+    WideDoubles w;
     for (std::size_t p = 0; p < kParts; ++p)
-        w.part[p] = hn::Div(hn::Set(tag, 1.0), w.part[p]);
+        w.part[p] = hn::Div(hn::Set(tag, 1.0), plane(0, p));
     VaryingLanes<kCount> lanes;
     lanes.w = ToFloats(w);
     for (std::size_t i = 0; i < kCount; ++i) {
-        WideDoubles value = plane(i + 1);
+        WideDoubles value;
         for (std::size_t p = 0; p < kParts; ++p)
-            value.part[p] = hn::Mul(value.part[p], w.part[p]);
+            value.part[p] = hn::Mul(plane(i + 1, p), w.part[p]);
         lanes.value[i] = ToFloats(value);
     }
     return lanes;
