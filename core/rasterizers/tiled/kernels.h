@@ -41,7 +41,6 @@ struct VisibleTriangle {
     std::uint32_t source;
     std::uint32_t color; ///< of shadings that have one a face
     const Chunk* chunk;
-    const ColorPlanes* planes; ///< of shadings that interpolate a colour
 };
 
 /// A block and the samples of it that a triangle won.
@@ -77,9 +76,9 @@ struct Worker {
     {
         return blocks[number / BinBlock::kCapacity].bin->triangles[number % BinBlock::kCapacity];
     }
-    [[nodiscard]] std::uint32_t source(std::uint32_t number) const
+    [[nodiscard]] const ColorPlanes& colors(std::uint32_t number) const
     {
-        return chunkOf(number).sources[triangle(number).number & ~kExact];
+        return blocks[number / BinBlock::kCapacity].bin->colors[number % BinBlock::kCapacity];
     }
     [[nodiscard]] const Chunk& chunkOf(std::uint32_t number) const
     {

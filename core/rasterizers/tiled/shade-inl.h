@@ -9,6 +9,7 @@
 
 #include "core/pipeline/shading.h"
 #include "core/rasterizers/tiled/exact_path.h"
+#include "core/rasterizers/tiled/gouraud-inl.h"
 #include "core/rasterizers/tiled/kernels.h"
 #include "core/rasterizers/tiled/lanes-inl.h"
 
@@ -26,34 +27,14 @@ HWY_INLINE std::uint32_t LanesWith(const std::uint32_t* ids, std::uint32_t numbe
     return bits;
 }
 
-/// Samples of a block that belong to the target.
-inline std::uint32_t LanesOnTarget(const FrameJob& job, TileOrigin origin, int block)
-{
-    const int columns = std::min(job.rules.columns() - origin.x, job.grid.pitch) - blockColumn(block) * kBlockSide;
-    const int rows = std::min(job.rules.rows() - origin.y, job.grid.pitch) - blockRow(block) * kBlockSide;
-    if (columns >= kBlockSide && rows >= kBlockSide)
-        return 0xffff;
-    std::uint32_t bits = 0;
-    for (int y = 0; y < std::min(rows, kBlockSide); ++y)
-        for (int x = 0; x < std::min(columns, kBlockSide); ++x)
-            bits |= 1U << (y * kBlockSide + x);
-    return bits;
-}
-
 /// The place of a triangle in worker.visible.
-HWY_INLINE std::uint32_t VisiblePlace(const FrameJob& job, std::uint32_t number, Worker& worker)
+HWY_INLINE std::uint32_t VisiblePlace(std::uint32_t number, Worker& worker)
 {
     std::uint32_t& place = worker.visibleOf[number];
     if (place != kNobody)
         return place;
     place = static_cast<std::uint32_t>(worker.visible.size());
-    const Chunk& chunk = worker.chunkOf(number);
-    const std::uint32_t inChunk = worker.triangle(number).number & ~kExact;
-    worker.visible.push_back({chunk.sources[inChunk], 0, &chunk, nullptr});
-    if (job.interpolatesColor()) {
-        worker.visible.back().planes = &chunk.planes(inChunk);
-        __builtin_prefetch(worker.visible.back().planes);
-    }
+    worker.visible.push_back({worker.triangle(number).source, 0, &worker.chunkOf(number)});
     return place;
 }
 
@@ -86,30 +67,12 @@ inline void CollectShares(const FrameJob& job, Worker& worker, TileOrigin origin
             }
             if (number != lastNumber) {
                 lastNumber = number;
-                lastPlace = VisiblePlace(job, number, worker);
+                lastPlace = VisiblePlace(number, worker);
             }
             *out++ = {static_cast<std::uint16_t>(block), static_cast<std::uint16_t>(lanes), lastPlace};
         }
     }
     worker.shareCount = static_cast<std::size_t>(out - worker.shares.data());
-}
-
-/// Colours of 0 to 255, held within that and rounded, from bit 8 on: above 2^15 a float counts in 256ths.
-HWY_INLINE Ints ChannelOf(Floats c)
-{
-    constexpr FloatTag tag;
-    const Floats held = hn::Min(hn::Max(c, hn::Zero(tag)), hn::Set(tag, 255.0F));
-    return hn::BitCast(IntTag(), hn::Add(held, hn::Set(tag, 32768.5F)));
-}
-
-HWY_INLINE Uints PackChannels(Floats red, Floats green, Floats blue)
-{
-    constexpr IntTag tag;
-    const Ints r = hn::And(hn::ShiftLeft<8>(ChannelOf(red)), hn::Set(tag, 0xff0000));
-    const Ints g = hn::And(ChannelOf(green), hn::Set(tag, 0xff00));
-    const Ints b = hn::And(hn::ShiftRight<8>(ChannelOf(blue)), hn::Set(tag, 0xff));
-    const Ints packed = hn::Or(hn::Or3(r, g, b), hn::Set(tag, static_cast<std::int32_t>(0xff000000U)));
-    return hn::BitCast(UintTag(), packed);
 }
 
 /// Writes the lanes of a share that fall into vector v.
@@ -119,61 +82,6 @@ HWY_INLINE void BlendColor(Uints color, const BlockShare& share, std::size_t v, 
     std::uint32_t* out = samples.color.data() + std::size_t(share.block) * kLanes + v * kPerVector;
     const auto mask = MaskOf(tag, std::uint32_t(share.lanes) >> (v * kPerVector));
     hn::Store(hn::IfThenElse(mask, color, hn::Load(tag, out)), tag, out);
-}
-
-/// How planes change from the first sample of a block to the others.
-struct PlaneOffsets {
-    std::array<std::array<Floats, kVectors>, 4> plane;
-};
-
-HWY_INLINE PlaneOffsets SpreadPlanes(const ColorPlanes& planes)
-{
-    constexpr FloatTag tag;
-    PlaneOffsets offsets;
-    for (std::size_t v = 0; v < kVectors; ++v) {
-        const Floats x = hn::Load(tag, kPattern.floatX.data() + v * kPerVector);
-        const Floats y = hn::Load(tag, kPattern.floatY.data() + v * kPerVector);
-        for (std::size_t i = 0; i < 4; ++i)
-            offsets.plane[i][v] =
-                hn::Add(hn::Mul(hn::Set(tag, planes.perX[i]), x), hn::Mul(hn::Set(tag, planes.perY[i]), y));
-    }
-    return offsets;
-}
-
-/// The interpolated colour of a triangle over its lanes of a block.
-HWY_INLINE void ShadeColors(const ColorPlanes& planes, const PlaneOffsets& offsets, const BlockShare& share,
-                            TileOrigin origin, TileSamples& samples)
-{
-    constexpr FloatTag tag;
-    const float x = static_cast<float>(origin.x + blockColumn(share.block) * kBlockSide) - planes.x0;
-    const float y = static_cast<float>(origin.y + blockRow(share.block) * kBlockSide) - planes.y0;
-    std::array<float, 4> corner;
-    for (std::size_t i = 0; i < 4; ++i)
-        corner[i] = planes.origin[i] + planes.perX[i] * x + planes.perY[i] * y;
-    for (std::size_t v = 0; v < kVectors; ++v) {
-        const auto plane = [&](std::size_t i)
-                               HWY_ATTR { return hn::Add(hn::Set(tag, corner[i]), offsets.plane[i][v]); };
-        const Floats w = hn::Div(hn::Set(tag, 1.0F), plane(0));
-        BlendColor(PackChannels(hn::Mul(plane(1), w), hn::Mul(plane(2), w), hn::Mul(plane(3), w)), share, v, samples);
-    }
-}
-
-inline void ShadeInterpolated(const FrameJob& job, Worker& worker, TileOrigin origin)
-{
-    std::uint32_t spread = kNobody; // whose offsets these are: large triangles have many blocks in sequence
-    PlaneOffsets offsets;
-    for (const BlockShare& share : worker.sharesInUse()) {
-        const ColorPlanes& planes = *worker.visible[share.visible].planes;
-        if (planes.exact) {
-            shadeExactly(job, worker.visible[share.visible], share, origin, worker.samples);
-            continue;
-        }
-        if (share.visible != spread) {
-            offsets = SpreadPlanes(planes);
-            spread = share.visible;
-        }
-        ShadeColors(planes, offsets, share, origin, worker.samples);
-    }
 }
 
 /// Shadings with one colour a face.
@@ -208,6 +116,10 @@ inline void ShadeTile(const FrameJob& job, Worker& worker, TileOrigin origin)
         if (!job.counting)
             return;
     }
+    if (job.rules.shading == Shading::Gouraud) {
+        ShadeColors(job, worker, origin);
+        return;
+    }
     CollectShares(job, worker, origin);
     if (job.counting)
         for (const BlockShare& share : worker.sharesInUse())
@@ -217,7 +129,6 @@ inline void ShadeTile(const FrameJob& job, Worker& worker, TileOrigin origin)
     if (!worker.full)
         worker.samples.color.fill(job.clearColor);
     switch (job.rules.shading) {
-    case Shading::Gouraud: ShadeInterpolated(job, worker, origin); break;
     case Shading::Depth: ShadeDepth(job, worker); break;
     case Shading::Flat:
     case Shading::RandomFlat:

@@ -122,7 +122,7 @@ void writeTile(const FrameJob& job, const Worker& worker, TileOrigin origin)
             const std::uint32_t number = samples.ids[at(x, y)];
             std::int32_t face = -1;
             if (number != kNobody) {
-                face = static_cast<std::int32_t>(faceOf(worker.chunkOf(number), worker.source(number)));
+                face = static_cast<std::int32_t>(faceOf(worker.chunkOf(number), worker.triangle(number).source));
             }
             job.ids[pixelIndex(job, x, y)] = face;
         });

@@ -61,7 +61,6 @@ void clearChunks(TiledContext& context, const FrameJob& job, std::size_t faces, 
     for (Chunk& chunk : context.chunks) {
         chunk.bins.assign(job.grid.count(), {});
         chunk.pieces.clear();
-        chunk.sources.clear();
         chunk.arena.reset();
         chunk.faces = {};
     }
