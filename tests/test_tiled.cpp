@@ -262,6 +262,7 @@ private Q_SLOTS:
     void keepsTheOrderOfEqualDepths();
     void allocatesNothingOnceWarm();
     void keepsNothingInCommonWithACopy();
+    void clearsWhatIsNotItsOwn();
     void refusesWhatItCannotDraw();
 };
 
@@ -548,6 +549,53 @@ void TestTiled::keepsNothingInCommonWithACopy()
     other.join();
     QVERIFY(difference(expected, first).isEmpty());
     QVERIFY(difference(expected, second).isEmpty());
+}
+
+/// Tiles known to be empty are not cleared again: whatever else happens to the picture must be noticed.
+void TestTiled::clearsWhatIsNotItsOwn()
+{
+    const QSize size{640, 400};
+    std::mt19937 random(21);
+    Settings settings;
+    settings.size = size;
+    settings.algorithm = Algorithm::Tiled;
+    const auto corner = [&](int x, int y) {
+        Scene scene = clipScene(size);
+        addTriangle(
+            scene,
+            {fromScreen(x, y, 0.5, 1, size), fromScreen(x, y + 50, 0.5, 1, size), fromScreen(x + 50, y, 0.5, 1, size)},
+            random);
+        return scene;
+    };
+    Scene left = corner(10, 10);
+    const Scene right = corner(500, 300);
+    Frame frame;
+    const auto matchesFresh = [&](const Scene& scene) {
+        Frame fresh;
+        render(scene, settings, fresh);
+        render(scene, settings, frame);
+        return fresh.image == frame.image;
+    };
+    QVERIFY(matchesFresh(left));
+    QVERIFY(matchesFresh(left));
+    QVERIFY(matchesFresh(right)); // what was drawn is empty now
+    frame.image.fill(Qt::red);
+    QVERIFY(matchesFresh(right));
+    left.background = {0, 0, 1};
+    QVERIFY(matchesFresh(left));
+    const QImage kept = frame.image;
+    QVERIFY(matchesFresh(right));
+    QVERIFY(matchesFresh(left));
+    QVERIFY(kept == frame.image);
+    settings.shading = Shading::Overdraw;
+    QVERIFY(matchesFresh(left));
+    settings.shading = Shading::Gouraud;
+    settings.algorithm = Algorithm::EdgeEquation;
+    render(right, settings, frame);
+    settings.algorithm = Algorithm::Tiled;
+    QVERIFY(matchesFresh(left));
+    settings.samples = Samples::Grid2;
+    QVERIFY(matchesFresh(left));
 }
 
 void TestTiled::refusesWhatItCannotDraw()

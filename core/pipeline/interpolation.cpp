@@ -24,8 +24,9 @@ DepthPlane depthPlane(const ScreenTriangle& triangle, double area2, const Rules&
     const glm::dvec2 ac = c.position - a.position;
     const double zb = b.depth - a.depth;
     const double zc = c.depth - a.depth;
-    const double perX = (zc * ab.y - zb * ac.y) / area2;
-    const double perY = (zb * ac.x - zc * ab.x) / area2;
+    const double inverse = 1 / area2;
+    const double perX = (zc * ab.y - zb * ac.y) * inverse;
+    const double perY = (zb * ac.x - zc * ab.x) * inverse;
 
     // Where the plane is evaluated: the bounds of the triangle inside the target, and a few samples around.
     const glm::dvec2 low = glm::max(glm::min(glm::min(a.position, b.position), c.position), 0.0) - kPlaneMargin;
@@ -40,8 +41,8 @@ DepthPlane depthPlane(const ScreenTriangle& triangle, double area2, const Rules&
     const double quantum = std::ldexp(1, std::ilogb(std::max(largest, 0x1p-900)) - 51);
     const double extent = (high.x - low.x) + (high.y - low.y) + 1;
     // What rounding in the gradients themselves may add, seen from vertex a.
-    const double steepness = (std::abs(zc * ab.y) + std::abs(zb * ac.y) + std::abs(zb * ac.x) + std::abs(zc * ab.x)) /
-                             std::abs(area2) * 0x1p-52;
+    const double steepness = (std::abs(zc * ab.y) + std::abs(zb * ac.y) + std::abs(zb * ac.x) + std::abs(zc * ab.x)) *
+                             std::abs(inverse) * 0x1p-52;
     if (!((quantum + steepness) * extent < kPlaneError))
         return {.byWeights = true};
     DepthPlane plane{0, roundTo(perX, quantum), roundTo(perY, quantum), false};

@@ -20,6 +20,9 @@ struct FrameJob {
     Outputs outputs;
     bool counting = false; ///< count samples: nothing hidden is skipped then
     std::uint32_t clearColor = 0;
+    std::uint32_t emptyColor = 0; ///< of pixels no triangle covers
+    /// A tile each: whether its part of the picture is known to hold emptyColor all over.
+    std::uint8_t* blank = nullptr;
     /// A vertex of the mesh each; null: every corner of a face is processed with it.
     ScreenPoint* points = nullptr;
     /// Likewise: colour, w of clip space; null where the mesh has both or nobody asks.
@@ -31,6 +34,7 @@ struct FrameJob {
     std::uint16_t* coverage = nullptr;
 
     [[nodiscard]] bool interpolates() const { return rules.varyingCount > 0; }
+    [[nodiscard]] bool interpolatesColor() const { return interpolates() && rules.shading == Shading::Gouraud; }
     /// Whether vertices have lit colours; else their colours are as the mesh has them.
     [[nodiscard]] bool lightsVertices() const
     {
@@ -46,7 +50,7 @@ struct FrameJob {
 struct VisibleTriangle {
     std::uint32_t source;
     const Chunk* chunk;
-    const void* planes; ///< of shadings that interpolate: ColorPlanes or VaryingPlanes
+    const void* varyings; ///< VaryingPlanes of shadings that have them
     FaceUniforms uniforms;
 };
 
@@ -84,9 +88,9 @@ struct Worker {
     {
         return blocks[number / BinBlock::kCapacity].bin->triangles[number % BinBlock::kCapacity];
     }
-    [[nodiscard]] std::uint32_t source(std::uint32_t number) const
+    [[nodiscard]] const ColorPlanes& colors(std::uint32_t number) const
     {
-        return chunkOf(number).sources[triangle(number).number & ~kExact];
+        return blocks[number / BinBlock::kCapacity].bin->colors[number % BinBlock::kCapacity];
     }
     [[nodiscard]] const Chunk& chunkOf(std::uint32_t number) const
     {

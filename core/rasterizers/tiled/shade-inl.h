@@ -9,6 +9,7 @@
 
 #include "core/pipeline/shading.h"
 #include "core/rasterizers/tiled/exact_path.h"
+#include "core/rasterizers/tiled/gouraud-inl.h"
 #include "core/rasterizers/tiled/kernels.h"
 #include "core/rasterizers/tiled/lanes-inl.h"
 #include "core/rasterizers/tiled/shaders-inl.h"
@@ -28,39 +29,25 @@ HWY_INLINE std::uint32_t LanesWith(const std::uint32_t* ids, std::uint32_t numbe
     return bits;
 }
 
-/// Samples of a block that belong to the target.
-inline std::uint32_t LanesOnTarget(const FrameJob& job, TileOrigin origin, int block)
-{
-    const int columns = std::min(job.rules.columns() - origin.x, job.grid.pitch) - blockColumn(block) * kBlockSide;
-    const int rows = std::min(job.rules.rows() - origin.y, job.grid.pitch) - blockRow(block) * kBlockSide;
-    if (columns >= kBlockSide && rows >= kBlockSide)
-        return 0xffff;
-    std::uint32_t bits = 0;
-    for (int y = 0; y < std::min(rows, kBlockSide); ++y)
-        for (int x = 0; x < std::min(columns, kBlockSide); ++x)
-            bits |= 1U << (y * kBlockSide + x);
-    return bits;
-}
-
 /// The planes of a triangle, on their way from memory: they are read when all who are visible have been found.
-template <class Planes>
-HWY_INLINE const void* FetchPlanes(const Chunk& chunk, std::uint32_t number)
+template <std::size_t kCount>
+HWY_INLINE const void* FetchVaryings(const Chunk& chunk, std::uint32_t number)
 {
     constexpr std::size_t kLine = 64;
-    const Planes* planes = &chunk.planes<Planes>(number);
+    using Planes = VaryingPlanes<kCount>;
+    const Planes* planes = &chunk.varyings<Planes>(number);
     for (std::size_t at = 0; at < sizeof(Planes); at += kLine)
         __builtin_prefetch(reinterpret_cast<const std::byte*>(planes) + at);
     return planes;
 }
 
-HWY_INLINE const void* FetchPlanes(Shading shading, const Chunk& chunk, std::uint32_t number)
+HWY_INLINE const void* FetchVaryings(Shading shading, const Chunk& chunk, std::uint32_t number)
 {
     switch (shading) {
-    case Shading::Gouraud: return FetchPlanes<ColorPlanes>(chunk, number);
-    case Shading::Texture: return FetchPlanes<VaryingPlanes<kTextureVaryings>>(chunk, number);
-    case Shading::Phong: return FetchPlanes<VaryingPlanes<kPhongVaryings>>(chunk, number);
-    case Shading::Normals: return FetchPlanes<VaryingPlanes<kNormalVaryings>>(chunk, number);
-    case Shading::Uv: return FetchPlanes<VaryingPlanes<kUvVaryings>>(chunk, number);
+    case Shading::Texture: return FetchVaryings<kTextureVaryings>(chunk, number);
+    case Shading::Phong: return FetchVaryings<kPhongVaryings>(chunk, number);
+    case Shading::Normals: return FetchVaryings<kNormalVaryings>(chunk, number);
+    case Shading::Uv: return FetchVaryings<kUvVaryings>(chunk, number);
     default: return nullptr;
     }
 }
@@ -73,14 +60,10 @@ HWY_INLINE std::uint32_t VisiblePlace(const FrameJob& job, std::uint32_t number,
         return place;
     place = static_cast<std::uint32_t>(worker.visible.size());
     const Chunk& chunk = worker.chunkOf(number);
-    const std::uint32_t inChunk = worker.triangle(number).number & ~kExact;
+    const std::uint32_t source = worker.triangle(number).source;
     const Shading shading = job.rules.shading;
-    VisibleTriangle& visible = worker.visible.emplace_back();
-    visible.source = chunk.sources[inChunk];
-    visible.chunk = &chunk;
-    visible.planes = FetchPlanes(shading, chunk, inChunk);
-    if (shading != Shading::Gouraud && shading != Shading::Depth)
-        visible.uniforms = faceUniforms(*job.scene, faceOf(chunk, visible.source), shading);
+    const void* varyings = job.interpolates() ? FetchVaryings(shading, chunk, worker.colors(number).varyings) : nullptr;
+    worker.visible.push_back({source, &chunk, varyings, faceUniforms(*job.scene, faceOf(chunk, source), shading)});
     return place;
 }
 
@@ -124,43 +107,18 @@ HWY_INLINE BlockShare* CollectBlock(const FrameJob& job, Worker& worker, int blo
     return out;
 }
 
-/// Shades a subtile that a triangle has to itself.
-///
-/// out  false if it is to be done block by block
-HWY_INLINE bool TakeSubtile(const FrameJob& job, Worker& worker, TileOrigin origin, int subtile, LastVisible& last)
-{
-    const std::uint32_t number = SubtileOwner(worker.samples, static_cast<std::size_t>(subtile));
-    if (number == kNobody)
-        return false;
-    const VisibleTriangle& visible = worker.visible[VisiblePlace(job, number, worker, last)];
-    const auto& planes = *static_cast<const ColorPlanes*>(visible.planes);
-    if (planes.exact)
-        return false;
-    ShadeSubtile(job, planes, origin.x + blockColumn(subtile * kLanes) * kBlockSide,
-                 origin.y + blockRow(subtile * kLanes) * kBlockSide);
-    worker.resolvedSubtiles |= 1U << subtile;
-    return true;
-}
-
 /// Finds who is visible where.
 inline void CollectShares(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
     worker.visible.clear();
     worker.visibleOf.assign(worker.blocks.size() * BinBlock::kCapacity, kNobody);
     worker.full = true;
-    worker.resolvedSubtiles = 0;
     const bool whole = origin.x + kTileSide <= job.rules.columns() && origin.y + kTileSide <= job.rules.rows() &&
                        job.grid.pitch == kTileSide;
-    const bool takesSubtiles = whole && job.rules.sampleGrid == 4 && job.rules.shading == Shading::Gouraud &&
-                               job.color != nullptr && !job.counting;
     LastVisible last;
     BlockShare* out = worker.shares.data();
-    for (int subtile = 0; subtile < kLanes; ++subtile) {
-        if (takesSubtiles && TakeSubtile(job, worker, origin, subtile, last))
-            continue;
-        for (int block = subtile * kLanes; block < (subtile + 1) * kLanes; ++block)
-            out = CollectBlock(job, worker, block, whole ? 0xffff : LanesOnTarget(job, origin, block), last, out);
-    }
+    for (int block = 0; block < kTileBlocks; ++block)
+        out = CollectBlock(job, worker, block, whole ? 0xffff : LanesOnTarget(job, origin, block), last, out);
     worker.shareCount = static_cast<std::size_t>(out - worker.shares.data());
 }
 
@@ -173,39 +131,13 @@ HWY_INLINE void BlendColor(Uints color, const BlockShare& share, std::size_t v, 
     hn::Store(hn::IfThenElse(mask, color, hn::Load(tag, out)), tag, out);
 }
 
-/// The interpolated colour of a triangle over its lanes of a block.
-HWY_INLINE void ShadeColors(const ColorPlanes& planes, const BlockShare& share, TileOrigin origin, TileSamples& samples)
-{
-    constexpr FloatTag tag;
-    const Floats blockX =
-        hn::Set(tag, static_cast<float>(origin.x + blockColumn(share.block) * kBlockSide) - planes.x0);
-    const Floats blockY = hn::Set(tag, static_cast<float>(origin.y + blockRow(share.block) * kBlockSide) - planes.y0);
-    for (std::size_t v = 0; v < kVectors; ++v) {
-        const Floats x = hn::Add(blockX, hn::Load(tag, kPattern.floatX.data() + v * kPerVector));
-        const Floats y = hn::Add(blockY, hn::Load(tag, kPattern.floatY.data() + v * kPerVector));
-        const auto plane = [&](std::size_t i) HWY_ATTR { return hn::Add(AlongX(planes, i, x), AlongY(planes, i, y)); };
-        BlendColor(PackChannels(ColorOf(plane(0), {plane(1), plane(2), plane(3)})), share, v, samples);
-    }
-}
-
-inline void ShadeInterpolated(const FrameJob& job, Worker& worker, TileOrigin origin)
-{
-    for (const BlockShare& share : worker.sharesInUse()) {
-        const auto& planes = *static_cast<const ColorPlanes*>(worker.visible[share.visible].planes);
-        if (HWY_UNLIKELY(planes.exact))
-            shadeExactly(job, worker.visible[share.visible], share, origin, worker.samples);
-        else
-            ShadeColors(planes, share, origin, worker.samples);
-    }
-}
-
 /// The samples of a share by a shader; false: it leaves them to the scalar stages.
 template <class Shader>
 HWY_INLINE bool ShadeShare(const Shader& shader, const VisibleTriangle& visible, const BlockShare& share,
                            TileOrigin origin, TileSamples& samples)
 {
     constexpr std::size_t kCount = Shader::kVaryings;
-    const auto& planes = *static_cast<const VaryingPlanes<kCount>*>(visible.planes);
+    const auto& planes = *static_cast<const VaryingPlanes<kCount>*>(visible.varyings);
     if (HWY_UNLIKELY(planes.exact))
         return false;
     const int x = origin.x + blockColumn(share.block) * kBlockSide;
@@ -270,6 +202,11 @@ inline void ShadeTile(const FrameJob& job, Worker& worker, TileOrigin origin)
     if (job.color != nullptr && overdraw)
         for (std::size_t i = 0; i < kTileSamples; ++i)
             worker.samples.color[i] = overdrawColor(worker.samples.coverage[i]);
+    worker.resolvedSubtiles = 0;
+    if (job.color != nullptr && job.rules.shading == Shading::Gouraud) {
+        ColorTile(job, worker, origin);
+        return;
+    }
     const bool shades = job.color != nullptr && !overdraw;
     if (!shades && !job.counting)
         return;
@@ -281,7 +218,6 @@ inline void ShadeTile(const FrameJob& job, Worker& worker, TileOrigin origin)
     if (!worker.full)
         worker.samples.color.fill(job.clearColor);
     switch (job.rules.shading) {
-    case Shading::Gouraud: ShadeInterpolated(job, worker, origin); break;
     case Shading::Depth: ShadeDepth(job, worker); break;
     case Shading::Flat:
     case Shading::RandomFlat:
@@ -290,6 +226,7 @@ inline void ShadeTile(const FrameJob& job, Worker& worker, TileOrigin origin)
     case Shading::Phong: ShadeVaryings<PhongShader>(job, worker, origin); break;
     case Shading::Normals: ShadeVaryings<NormalShader>(job, worker, origin); break;
     case Shading::Uv: ShadeVaryings<UvShader>(job, worker, origin); break;
+    case Shading::Gouraud:
     case Shading::Overdraw: break;
     }
 }

@@ -8,6 +8,7 @@
 #endif
 
 #include "core/pipeline/shading.h"
+#include "core/rasterizers/tiled/gouraud-inl.h"
 #include "core/rasterizers/tiled/kernels.h"
 #include "core/rasterizers/tiled/texture-inl.h"
 #include "core/rasterizers/tiled/varyings-inl.h"
@@ -16,43 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
 {
 
-/// Colours of 0 to 255, held within that and rounded, from bit 8 on: above 2^15 a float counts in 256ths.
-HWY_INLINE Ints ChannelOf(Floats c)
-{
-    constexpr FloatTag tag;
-    const Floats held = hn::Min(hn::Max(c, hn::Zero(tag)), hn::Set(tag, 255.0F));
-    return hn::BitCast(IntTag(), hn::Add(held, hn::Set(tag, 32768.5F)));
-}
-
-// The value of plane i is the sum of these: its part that changes along rows, and along columns. Whoever shades takes
-// the same sum.
-HWY_INLINE Floats AlongX(const ColorPlanes& planes, std::size_t i, Floats x)
-{
-    constexpr FloatTag tag;
-    return hn::Add(hn::Set(tag, planes.origin[i]), hn::Mul(hn::Set(tag, planes.perX[i]), x));
-}
-
-HWY_INLINE Floats AlongY(const ColorPlanes& planes, std::size_t i, Floats y)
-{
-    return hn::Mul(hn::Set(FloatTag(), planes.perY[i]), y);
-}
-
-/// Colours from the planes of 1/w and colour/w.
-HWY_INLINE ColorLanes ColorOf(Floats inverseW, const ColorLanes& overW)
-{
-    const Floats w = hn::Div(hn::Set(FloatTag(), 1.0F), inverseW);
-    return {hn::Mul(overW.red, w), hn::Mul(overW.green, w), hn::Mul(overW.blue, w)};
-}
-
-HWY_INLINE Uints PackChannels(const ColorLanes& color)
-{
-    constexpr IntTag tag;
-    const Ints r = hn::And(hn::ShiftLeft<8>(ChannelOf(color.red)), hn::Set(tag, 0xff0000));
-    const Ints g = hn::And(ChannelOf(color.green), hn::Set(tag, 0xff00));
-    const Ints b = hn::And(hn::ShiftRight<8>(ChannelOf(color.blue)), hn::Set(tag, 0xff));
-    const Ints packed = hn::Or(hn::Or3(r, g, b), hn::Set(tag, static_cast<std::int32_t>(0xff000000U)));
-    return hn::BitCast(UintTag(), packed);
-}
+HWY_INLINE Uints PackChannels(const RgbLanes& color) { return PackChannels(color.red, color.green, color.blue); }
 
 /// A vector of samples of one triangle: what a shader reads.
 template <std::size_t kCount>
@@ -64,7 +29,7 @@ struct ShaderLanes {
 
     HWY_INLINE Floats at(int i) const { return varyings.value[static_cast<std::size_t>(i)]; }
     HWY_INLINE VectorLanes vectorAt(int i) const { return {at(i), at(i + 1), at(i + 2)}; }
-    HWY_INLINE ColorLanes colorAt(int i) const { return {at(i), at(i + 1), at(i + 2)}; }
+    HWY_INLINE RgbLanes colorAt(int i) const { return {at(i), at(i + 1), at(i + 2)}; }
     HWY_INLINE bool all(hn::Mask<FloatTag> holds) const { return hn::AllFalse(FloatTag(), hn::AndNot(holds, wanted)); }
 };
 
@@ -93,7 +58,7 @@ HWY_INLINE bool HasTexels(const ShaderLanes<kCount>& lanes)
 
 /// Texels of 0 to 255.
 template <std::size_t kCount>
-HWY_INLINE ColorLanes SampleTexture(const FrameJob& job, const ShaderLanes<kCount>& lanes)
+HWY_INLINE RgbLanes SampleTexture(const FrameJob& job, const ShaderLanes<kCount>& lanes)
 {
     const Texture& texture = *lanes.triangle.uniforms.texture;
     const Floats u = lanes.at(kVaryingUv);
@@ -106,12 +71,12 @@ HWY_INLINE ColorLanes SampleTexture(const FrameJob& job, const ShaderLanes<kCoun
     return SampleTrilinear(texture, u, v, UvGradientOf(lanes), lanes.wanted);
 }
 
-HWY_INLINE ColorLanes Scale(const ColorLanes& a, Floats by)
+HWY_INLINE RgbLanes Scale(const RgbLanes& a, Floats by)
 {
     return {hn::Mul(a.red, by), hn::Mul(a.green, by), hn::Mul(a.blue, by)};
 }
 
-HWY_INLINE ColorLanes Scale(const ColorLanes& a, const ColorLanes& by)
+HWY_INLINE RgbLanes Scale(const RgbLanes& a, const RgbLanes& by)
 {
     return {hn::Mul(a.red, by.red), hn::Mul(a.green, by.green), hn::Mul(a.blue, by.blue)};
 }
@@ -124,7 +89,7 @@ struct TextureShader {
     const FrameJob& job;
 
     HWY_INLINE bool Can(const ShaderLanes<kVaryings>& lanes) const { return HasTexels(lanes); }
-    HWY_INLINE ColorLanes operator()(const ShaderLanes<kVaryings>& lanes) const
+    HWY_INLINE RgbLanes operator()(const ShaderLanes<kVaryings>& lanes) const
     {
         return Scale(SampleTexture(job, lanes), lanes.colorAt(kVaryingColor));
     }
@@ -135,7 +100,7 @@ struct UvShader {
     explicit UvShader(const FrameJob&) {}
 
     HWY_INLINE bool Can(const ShaderLanes<kVaryings>&) const { return true; }
-    HWY_INLINE ColorLanes operator()(const ShaderLanes<kVaryings>& lanes) const
+    HWY_INLINE RgbLanes operator()(const ShaderLanes<kVaryings>& lanes) const
     {
         const auto fraction = [](Floats c)
                                   HWY_ATTR { return hn::Mul(hn::Sub(c, hn::Floor(c)), hn::Set(FloatTag(), 255.0F)); };
@@ -157,7 +122,7 @@ struct NormalShader {
     {
         return lanes.all(HaveDirection(lanes.vectorAt(0)));
     }
-    HWY_INLINE ColorLanes operator()(const ShaderLanes<kVaryings>& lanes) const
+    HWY_INLINE RgbLanes operator()(const ShaderLanes<kVaryings>& lanes) const
     {
         const VectorLanes n = Normalize(lanes.vectorAt(0));
         const Floats half = hn::Set(FloatTag(), 127.5F);
@@ -194,12 +159,11 @@ struct PhongShader {
         return lanes.triangle.uniforms.material->shininess >= 1 && lanes.all(directed);
     }
 
-    HWY_INLINE ColorLanes operator()(const ShaderLanes<kVaryings>& lanes) const
+    HWY_INLINE RgbLanes operator()(const ShaderLanes<kVaryings>& lanes) const
     {
-        const ColorLanes color = lanes.colorAt(kVaryingColor);
-        const ColorLanes surface = lanes.triangle.uniforms.texture != nullptr
-                                       ? Scale(SampleTexture(job, lanes), color)
-                                       : Scale(color, hn::Set(FloatTag(), 255.0F));
+        const RgbLanes color = lanes.colorAt(kVaryingColor);
+        const RgbLanes surface = lanes.triangle.uniforms.texture != nullptr ? Scale(SampleTexture(job, lanes), color)
+                                                                            : Scale(color, hn::Set(FloatTag(), 255.0F));
         return job.rules.lit ? Lit(surface, lanes) : surface;
     }
 
@@ -210,7 +174,7 @@ struct PhongShader {
     }
 
     /// Ambient, diffuse and specular light on a surface.
-    HWY_INLINE ColorLanes Lit(const ColorLanes& surface, const ShaderLanes<kVaryings>& lanes) const
+    HWY_INLINE RgbLanes Lit(const RgbLanes& surface, const ShaderLanes<kVaryings>& lanes) const
     {
         constexpr FloatTag tag;
         const Material& material = *lanes.triangle.uniforms.material;
@@ -219,7 +183,7 @@ struct PhongShader {
         const VectorLanes halfway = Normalize(Add(toLight, Normalize(ToEye(lanes))));
         const Floats diffuse = hn::Mul(hn::Set(tag, kDiffuse), hn::Max(Dot(normal, toLight), zero));
         const Floats shine = Power(hn::Max(Dot(normal, halfway), zero), hn::Set(tag, material.shininess));
-        const ColorLanes color = Scale(surface, hn::Add(hn::Set(tag, kAmbient), diffuse));
+        const RgbLanes color = Scale(surface, hn::Add(hn::Set(tag, kAmbient), diffuse));
         const auto add = [&](Floats channel, float specular)
                              HWY_ATTR { return hn::Add(channel, hn::Mul(hn::Set(tag, 255 * specular), shine)); };
         return {add(color.red, material.specular.x), add(color.green, material.specular.y),

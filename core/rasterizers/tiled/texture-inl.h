@@ -17,12 +17,12 @@ namespace rasterlens::tiled::HWY_NAMESPACE
 {
 
 /// Colours of a vector of samples; whoever makes them says in what range.
-struct ColorLanes {
+struct RgbLanes {
     Floats red, green, blue;
 };
 
 /// 0 to 255.
-HWY_INLINE ColorLanes Unpack(Uints texels)
+HWY_INLINE RgbLanes Unpack(Uints texels)
 {
     constexpr IntTag tag;
     const Ints bits = hn::BitCast(tag, texels);
@@ -33,7 +33,7 @@ HWY_INLINE ColorLanes Unpack(Uints texels)
 
 HWY_INLINE Floats Mix(Floats a, Floats b, Floats part) { return hn::Add(a, hn::Mul(hn::Sub(b, a), part)); }
 
-HWY_INLINE ColorLanes Mix(const ColorLanes& a, const ColorLanes& b, Floats part)
+HWY_INLINE RgbLanes Mix(const RgbLanes& a, const RgbLanes& b, Floats part)
 {
     return {Mix(a.red, b.red, part), Mix(a.green, b.green, part), Mix(a.blue, b.blue, part)};
 }
@@ -97,7 +97,7 @@ HWY_INLINE AxisLanes NeighboursOf(Floats coordinate, Floats size)
 }
 
 /// The wanted lanes' blends of four texels.
-HWY_INLINE ColorLanes Bilinear(const TexelLanes& from, Floats u, Floats v, hn::Mask<FloatTag> wanted)
+HWY_INLINE RgbLanes Bilinear(const TexelLanes& from, Floats u, Floats v, hn::Mask<FloatTag> wanted)
 {
     constexpr IntTag tag;
     const AxisLanes x = NeighboursOf(u, from.width);
@@ -110,7 +110,7 @@ HWY_INLINE ColorLanes Bilinear(const TexelLanes& from, Floats u, Floats v, hn::M
                Mix(texel(x.first, y.second), texel(x.second, y.second), x.part), y.part);
 }
 
-HWY_INLINE ColorLanes SampleNearest(const Texture& texture, Floats u, Floats v, hn::Mask<FloatTag> wanted)
+HWY_INLINE RgbLanes SampleNearest(const Texture& texture, Floats u, Floats v, hn::Mask<FloatTag> wanted)
 {
     constexpr IntTag tag;
     const Ints row = hn::Mul(NearestTexel(v, texture.height), hn::Set(tag, texture.width));
@@ -119,7 +119,7 @@ HWY_INLINE ColorLanes SampleNearest(const Texture& texture, Floats u, Floats v, 
         hn::GatherIndex(UintTag(), texture.texels.data(), hn::IfThenElseZero(hn::RebindMask(tag, wanted), index)));
 }
 
-HWY_INLINE ColorLanes SampleBilinear(const Texture& texture, Floats u, Floats v, hn::Mask<FloatTag> wanted)
+HWY_INLINE RgbLanes SampleBilinear(const Texture& texture, Floats u, Floats v, hn::Mask<FloatTag> wanted)
 {
     constexpr FloatTag tag;
     return Bilinear({texture.texels.data(), hn::Set(tag, static_cast<float>(texture.width)),
@@ -149,8 +149,8 @@ HWY_INLINE Floats MipLevel(const Texture& texture, const GradientLanes& gradient
     return hn::Mul(hn::Set(tag, 0.5F), Log2(hn::Max(squared, hn::Set(tag, 1.0F))));
 }
 
-HWY_INLINE ColorLanes SampleTrilinear(const Texture& texture, Floats u, Floats v, const GradientLanes& gradient,
-                                      hn::Mask<FloatTag> wanted)
+HWY_INLINE RgbLanes SampleTrilinear(const Texture& texture, Floats u, Floats v, const GradientLanes& gradient,
+                                    hn::Mask<FloatTag> wanted)
 {
     constexpr FloatTag tag;
     constexpr IntTag intTag;

@@ -39,6 +39,13 @@ inline void WriteColor(const FrameJob& job, const Worker& worker, TileOrigin ori
     }
 }
 
+/// Whether a tile is nothing but background, and was in the picture's last frame.
+inline bool StaysBlank(const FrameJob& job, std::size_t tile)
+{
+    const bool pictureOnly = job.depth == nullptr && job.ids == nullptr && job.coverage == nullptr;
+    return pictureOnly && job.blank[tile] != 0;
+}
+
 /// Some tiles of a row; neighbours that are empty are cleared together.
 inline void DrawTiles(const FrameJob& job, Worker& worker, int columnBegin, int columnEnd, int row)
 {
@@ -50,10 +57,16 @@ inline void DrawTiles(const FrameJob& job, Worker& worker, int columnBegin, int 
         emptyBegin = column + 1;
     };
     for (int column = columnBegin; column < columnEnd; ++column) {
-        CollectBlocks(job, job.grid.index(column, row), worker);
-        if (worker.blocks.empty())
+        const std::size_t tile = job.grid.index(column, row);
+        CollectBlocks(job, tile, worker);
+        if (worker.blocks.empty()) {
+            if (StaysBlank(job, tile))
+                clearUpTo(column);
+            job.blank[tile] = 1;
             continue;
+        }
         clearUpTo(column);
+        job.blank[tile] = 0;
         const TileOrigin origin{column * pitch, row * pitch};
         CoverTile(job, worker, origin);
         prefetchTile(job, origin);

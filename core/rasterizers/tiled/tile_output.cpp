@@ -122,7 +122,7 @@ void writeTile(const FrameJob& job, const Worker& worker, TileOrigin origin)
             const std::uint32_t number = samples.ids[at(x, y)];
             std::int32_t face = -1;
             if (number != kNobody) {
-                face = static_cast<std::int32_t>(faceOf(worker.chunkOf(number), worker.source(number)));
+                face = static_cast<std::int32_t>(faceOf(worker.chunkOf(number), worker.triangle(number).source));
             }
             job.ids[pixelIndex(job, x, y)] = face;
         });
@@ -146,12 +146,11 @@ void prefetchTile(const FrameJob& job, TileOrigin origin)
 void clearTiles(const FrameJob& job, TileOrigin origin, int count)
 {
     const PixelBox box = pixelsOf(job, origin, count);
-    const std::uint32_t color = job.rules.shading == Shading::Overdraw ? overdrawColor(0) : job.clearColor;
     const auto width = std::size_t(box.x1 - box.x0);
     for (int y = box.y0; y < box.y1; ++y) {
         const std::size_t first = pixelIndex(job, box.x0, y);
         if (job.color != nullptr)
-            std::fill_n(job.color + first, width, color);
+            std::fill_n(job.color + first, width, job.emptyColor);
         if (job.depth != nullptr)
             std::fill_n(job.depth + first, width, job.rules.depthClear);
         if (job.ids != nullptr)

@@ -20,11 +20,11 @@ constexpr std::size_t kPhongVaryings = kVaryingPosition + 3;
 constexpr std::size_t kNormalVaryings = 3;
 constexpr std::size_t kUvVaryings = 2;
 
-/// Corners of triangles, lane by lane; the colours of CornerStage are not used.
+/// w of clip space and varyings of the corners of triangles, lane by lane.
 template <std::size_t kCount>
 struct alignas(64) VaryingStage {
-    CornerStage corners;
-    alignas(64) std::array<std::array<std::array<float, kDoubles>, kCount>, 3> value;
+    std::array<std::array<double, kDoubles>, 3> w{};
+    std::array<std::array<std::array<float, kDoubles>, kCount>, 3> value{};
 };
 
 template <std::size_t kCount>
@@ -32,7 +32,7 @@ HWY_INLINE void StagePieceVaryings(const ScreenTriangle& triangle, std::size_t l
 {
     for (std::size_t k = 0; k < 3; ++k) {
         const ScreenVertex& v = triangle.vertices[k];
-        stage.corners.w[k][lane] = 1 / v.invW;
+        stage.w[k][lane] = 1 / v.invW;
         for (std::size_t i = 0; i < kCount; ++i)
             stage.value[k][i][lane] = v.varyings[i];
     }
@@ -53,7 +53,7 @@ HWY_INLINE void StageFaceVaryings(const FrameJob& job, std::uint32_t face, std::
         } else {
             shadeVertex(*job.scene, v, job.rules.shading, varyings);
         }
-        stage.corners.w[k][lane] = job.colors != nullptr ? job.colors[vertex].w : v.position.w;
+        stage.w[k][lane] = job.colors != nullptr ? job.colors[vertex].w : v.position.w;
         for (std::size_t i = 0; i < kCount; ++i)
             stage.value[k][i][lane] = varyings[i];
     }
@@ -61,19 +61,20 @@ HWY_INLINE void StageFaceVaryings(const FrameJob& job, std::uint32_t face, std::
 
 /// Planes of one vector of triangles.
 ///
-/// in   which lanes are wanted, and where they go
+/// in   which lanes are wanted, their anchors (samples of the target), and where they go
 template <std::size_t kCount>
-HWY_INLINE void MakeVaryingPlanes(const FrameJob& job, const VaryingStage<kCount>& stage, std::uint32_t lanes,
+HWY_INLINE void MakeVaryingPlanes(const Rules& rules, const PlaneGeometry& g, const VaryingStage<kCount>& stage,
+                                  std::uint32_t lanes, HalfInts anchorX, HalfInts anchorY,
                                   const std::array<VaryingPlanes<kCount>*, kDoubles>& out)
 {
     constexpr DoubleTag tag;
-    const WeightLanes weights = MakeWeights(stage.corners);
+    const WeightLanes<Doubles> weights = MakeWeights(g);
     const Doubles one = hn::Set(tag, 1.0);
     std::array<Doubles, 3> q{one, one, one};
     // 1/w in units of the first corner's: only ratios matter.
-    if (job.rules.perspectiveCorrect)
+    if (rules.perspectiveCorrect)
         for (std::size_t k = 1; k < 3; ++k)
-            q[k] = hn::Div(hn::Load(tag, stage.corners.w[0].data()), hn::Load(tag, stage.corners.w[k].data()));
+            q[k] = hn::Div(hn::LoadU(tag, stage.w[0].data()), hn::LoadU(tag, stage.w[k].data()));
     alignas(64) std::array<std::array<std::array<double, kDoubles>, kCount + 1>, 3> planes;
     const auto makePlane = [&](std::size_t i, Doubles a, Doubles b, Doubles c) HWY_ATTR {
         const Doubles ab = hn::Sub(b, a);
@@ -89,7 +90,7 @@ HWY_INLINE void MakeVaryingPlanes(const FrameJob& job, const VaryingStage<kCount
     for (std::size_t i = 0; i < kCount; ++i) {
         std::array<Doubles, 3> value;
         for (std::size_t k = 0; k < 3; ++k) {
-            value[k] = hn::PromoteTo(tag, hn::Load(HalfFloatTag(), stage.value[k][i].data()));
+            value[k] = hn::PromoteTo(tag, hn::LoadU(HalfFloatTag(), stage.value[k][i].data()));
             finite =
                 hn::And(finite, hn::Le(hn::Abs(value[k]), hn::Set(tag, double(std::numeric_limits<float>::max()))));
         }
@@ -103,12 +104,15 @@ HWY_INLINE void MakeVaryingPlanes(const FrameJob& job, const VaryingStage<kCount
     const auto precise =
         hn::And(hn::Gt(smallest, hn::Zero(tag)), hn::Lt(hn::Mul(weights.steepness, ratio), hn::Set(tag, kEnough)));
     const std::uint32_t good = BitsOf(tag, hn::And(finite, precise));
+    alignas(32) std::array<std::int32_t, kDoubles> x0, y0;
+    hn::Store(anchorX, HalfIntTag(), x0.data());
+    hn::Store(anchorY, HalfIntTag(), y0.data());
     for (; lanes != 0; lanes &= lanes - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
         VaryingPlanes<kCount>& to = *out[lane];
         to.exact = (good >> lane & 1) == 0;
-        to.x0 = static_cast<std::int32_t>(stage.corners.anchorX[lane]);
-        to.y0 = static_cast<std::int32_t>(stage.corners.anchorY[lane]);
+        to.x0 = x0[lane];
+        to.y0 = y0[lane];
         for (std::size_t i = 0; i <= kCount; ++i) {
             to.origin[i] = planes[0][i][lane];
             to.perX[i] = planes[1][i][lane];
