@@ -210,8 +210,8 @@ constexpr SettingsField kFields[] = {
     choice<&S::textureFilter>(
         "texture-filter", Stage::Shade, kTextureFilters, QT_TRANSLATE_NOOP("Settings", "Texture filter"),
         QT_TRANSLATE_NOOP("Settings",
-                          "The nearest texel, a blend of the four around the point, or a blend of two smaller "
-                          "pictures of the texture that are as coarse as the samples.")),
+                          "The nearest texel, a blend of the four around the point, or such blends in mipmaps: "
+                          "smaller copies of the texture that keep distant patterns calm.")),
     integer<&S::threads>(
         "threads", Stage::Image, 0, 256, QT_TRANSLATE_NOOP("Settings", "Threads"),
         QT_TRANSLATE_NOOP("Settings", "Threads of the tiled algorithm; 0 takes as many as the machine has.")),
