@@ -85,7 +85,8 @@ ParsedArguments parseArguments(const QStringList& words)
     if (!parser.parse(words))
         return refuse(parser.errorText());
     if (parser.isSet(help)) {
-        std::fputs(qPrintable(parser.helpText()), stdout);
+        QString text = parser.helpText(); // there is no QApplication yet that knows the program's name
+        std::fputs(qPrintable(text.replace(QLatin1String("<executable_name>"), QLatin1String("rasterlens"))), stdout);
         return {};
     }
     if (parser.isSet(version)) {

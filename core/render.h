@@ -37,6 +37,10 @@ struct Frame {
 /// Why these settings cannot be drawn, or nothing. The sentence is English; the caller adds the context.
 [[nodiscard]] std::optional<QString> unsupported(const Scene& scene, const Settings& settings);
 
+/// The settings with which the tiled algorithm draws the same picture, colours at most one step off, faster; nothing
+/// where the algorithm is part of the picture (mistakes, number types, lines, edge-then-span) or is tiled already.
+[[nodiscard]] std::optional<Settings> fastSettings(const Scene& scene, const Settings& settings);
+
 /// Draws one frame at full speed.
 ///
 /// in      settings for which unsupported() is empty; `frame` may hold an earlier picture, whose memory is used again

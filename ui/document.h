@@ -77,7 +77,8 @@ private:
     /// What the background thread brings back.
     struct Opened {
         std::shared_ptr<const Scene> scene;
-        std::optional<Settings> settings; ///< of a session
+        std::shared_ptr<const Scene> original; ///< before the session moved vertices
+        std::optional<Settings> settings;      ///< of a session
         Diagnostics diagnostics;
     };
 
@@ -98,8 +99,9 @@ private:
     Settings m_settings;
     Settings m_clean; ///< as last opened or saved
     std::shared_ptr<const Scene> m_cleanScene;
-    std::vector<State> m_undo; ///< the latest last
-    std::vector<State> m_redo; ///< the next last
+    std::shared_ptr<const Scene> m_original; ///< before any vertex was moved
+    std::vector<State> m_undo;               ///< the latest last
+    std::vector<State> m_redo;               ///< the next last
     bool m_inGesture = false;
     QString m_sessionPath;
     bool m_loading = false;

@@ -43,8 +43,6 @@ namespace
 constexpr int kCardGap = 7;
 constexpr int kPipelineWidth = 298;
 constexpr int kStatisticsWidth = 272;
-constexpr int kWhyHeight = 430;
-constexpr int kStatisticsHeight = 330;
 constexpr int kActivityDelayMs = 150;
 constexpr int kLayoutVersion = 2;
 
@@ -118,14 +116,16 @@ void MainWindow::buildLayout()
     m_cards = new Cards(m_document, *m_viewport, *this);
     m_cards->setParent(this);
     m_cards->place(m_statisticsDock, &m_stepMode->transport());
-    sizeDocks();
     setContentsMargins(kCardGap, 0, kCardGap, 0);
 }
 
 void MainWindow::sizeDocks()
 {
     resizeDocks({m_pipelineDock, m_statisticsDock}, {kPipelineWidth, kStatisticsWidth}, Qt::Horizontal);
-    resizeDocks({m_cards->docks().front(), m_statisticsDock}, {kWhyHeight, kStatisticsHeight}, Qt::Vertical);
+    QDockWidget* above = m_cards->docks().front();
+    const int column = above->height() + m_statisticsDock->height();
+    const int statistics = m_statisticsDock->sizeHint().height();
+    resizeDocks({above, m_statisticsDock}, {std::max(column - statistics, 1), statistics}, Qt::Vertical);
 }
 
 QWidget* MainWindow::buildCanvas()
@@ -257,11 +257,16 @@ void MainWindow::connectParts()
     connect(m_stepMode.get(), &StepMode::frameChanged, this, &MainWindow::showFrame);
     connect(m_stepMode.get(), &StepMode::message, m_message,
             [this](const QString& text) { m_message->show(MessageKind::Info, text); });
+    connect(&m_stepMode->session(), &StepSession::positionChanged, this, [this] {
+        if (const auto face = m_stepMode->session().face())
+            m_cards->followFace(*face);
+    });
     connect(&m_stepMode->session(), &StepSession::recordingChanged, this, [this] {
         if (isSettled())
             Q_EMIT settled();
     });
 
+    connect(m_viewport, &ViewportWidget::frameShown, m_statisticsPanel, &StatisticsPanel::setShown);
     connect(m_viewport, &ViewportWidget::viewChanged, this, &MainWindow::syncCanvasHeader);
     connect(m_viewport, &ViewportWidget::pixelChanged, this, &MainWindow::syncReadout);
     connect(m_viewport, &ViewportWidget::gestureEnded, this, [this] { m_document.endGesture(); });
@@ -341,6 +346,8 @@ void MainWindow::showFrame()
         return;
     m_viewport->setFrame(frame);
     m_stageStrip->setFrame(frame);
+    const StepEvent* event = step ? m_stepMode->session().event() : nullptr;
+    m_stageStrip->setCurrent(event ? std::optional(stageOf(event->kind)) : std::nullopt);
     m_statisticsPanel->setFrame(frame);
 }
 
@@ -466,8 +473,12 @@ void MainWindow::setPresentation(bool on)
 {
     if (on == m_look.presentation)
         return;
-    if (on)
+    if (on) {
         m_stateBeforePresentation = saveState(kLayoutVersion);
+        for (Dock* dock : findChildren<Dock*>()) // before the type grows, and the window with it
+            dock->hide();
+    }
+    m_stepMode->transport().setBrief(on);
     Look look = m_look;
     look.presentation = on;
     setLook(look);
@@ -476,8 +487,6 @@ void MainWindow::setPresentation(bool on)
     m_caption->setVisible(on);
     m_presentation->setChecked(on);
     if (on) {
-        for (Dock* dock : findChildren<Dock*>())
-            dock->hide();
         m_stepMode->transport().setVisible(m_stepMode->session().isOpen());
         showFullScreen();
         m_viewport->setFocus();
@@ -491,6 +500,7 @@ void MainWindow::resetLayout()
 {
     setPresentation(false);
     restoreState(m_defaultState, kLayoutVersion);
+    m_docksArranged = false;
     sizeDocks();
     m_viewport->fit(m_document.scene()->window);
 }
@@ -499,7 +509,7 @@ void MainWindow::restoreMemory()
 {
     const QSettings memory;
     restoreGeometry(memory.value(QStringLiteral("window/geometry")).toByteArray());
-    restoreState(memory.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion);
+    m_docksArranged = restoreState(memory.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion);
     setLook({memory.value(QStringLiteral("window/dark")).toBool() ? ThemeKind::Dark : ThemeKind::Light, false});
     const QString language = memory.value(QStringLiteral("window/language")).toString();
     setLanguage(language.isEmpty()                   ? Language::ofSystem()
@@ -577,6 +587,21 @@ void MainWindow::showEvent(QShowEvent* event)
 {
     QMainWindow::showEvent(event);
     m_viewport->setFocus();
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event)
+{
+    QMainWindow::resizeEvent(event);
+    if (!m_docksArranged)
+        QTimer::singleShot(0, this, &MainWindow::sizeDocks); // once the docks have followed the window
+}
+
+bool MainWindow::event(QEvent* event)
+{
+    // Where the main window itself takes the mouse there are only the lines between the docks.
+    if (event->type() == QEvent::MouseMove)
+        m_docksArranged = m_docksArranged || (QGuiApplication::mouseButtons() & Qt::LeftButton) != 0;
+    return QMainWindow::event(event);
 }
 
 } // namespace rasterlens

@@ -81,6 +81,8 @@ protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    bool event(QEvent* event) override;
 
 private:
     /// An action or menu whose text follows the language.
@@ -190,6 +192,7 @@ private:
 
     FramePtr m_lastFrame;
     bool m_refused = false;
+    bool m_docksArranged = false; ///< by the user, in this run or an earlier one
     QByteArray m_defaultState;
     QByteArray m_stateBeforePresentation;
 };

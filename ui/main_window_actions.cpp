@@ -170,6 +170,8 @@ void MainWindow::buildViewMenu()
     addToggle(view, QT_TR_NOOP("Pixel grid (from 8\u00d7)"), {}, true, overlay(&OverlayOptions::grid));
     addToggle(view, QT_TR_NOOP("Sample positions (from 16\u00d7)"), {}, true, overlay(&OverlayOptions::sampleDots));
     addToggle(view, QT_TR_NOOP("Pixel values (from 48\u00d7)"), {}, true, overlay(&OverlayOptions::numbers));
+    addToggle(view, QT_TR_NOOP("Fast drawing while the camera moves"), {}, true,
+              [this](bool on) { m_worker.setFastMotion(on); });
     addToggle(view, QT_TR_NOOP("Draw continuously (measures FPS)"), QKeySequence(Qt::SHIFT | Qt::Key_R), false,
               [this](bool on) { m_worker.setContinuous(on); });
     view->addSeparator();

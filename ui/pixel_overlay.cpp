@@ -77,8 +77,14 @@ void paintImage(QPainter& painter, const QRect& pixels, const CanvasTransform& t
                 painter.fillRect(transform.toCanvas(QRectF(x, y, 1, 1)), QColor(image.pixel(x, y)));
         return;
     }
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, transform.zoom < 1);
-    painter.drawImage(transform.toCanvas(QRectF(pixels)), image, QRectF(pixels));
+    const QRectF target = transform.toCanvas(QRectF(pixels));
+    if (transform.zoom >= 1) {
+        painter.drawImage(target, image, QRectF(pixels));
+        return;
+    }
+    // Every pixel has its share of what is shown: the painter's own filter would skip some, and thin lines with them.
+    const QSize size = (target.size() * painter.device()->devicePixelRatioF()).toSize().expandedTo({1, 1});
+    painter.drawImage(target, image.copy(pixels).scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
 }
 
 void paintCells(QPainter& painter, const QRect& pixels, const CanvasTransform& transform, int samples,

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rasterlens
 {
@@ -46,6 +47,7 @@ ViewportWidget::ViewportWidget(QWidget* parent) : QWidget(parent), m_canvasColor
 void ViewportWidget::setFrame(const FramePtr& frame)
 {
     const QSize former = imageSize();
+    m_frameShown = m_frame == frame;
     m_frame = frame;
     if (imageSize() != former) {
         m_fitPixels.reset();
@@ -249,6 +251,8 @@ void ViewportWidget::paintEvent(QPaintEvent*)
     paintCanvas(painter, rect(), m_transform, *m_frame, m_options);
     if (m_stale)
         paintStaleMark(painter);
+    if (!std::exchange(m_frameShown, true))
+        Q_EMIT frameShown(m_frame);
 }
 
 void ViewportWidget::paintStaleMark(QPainter& painter) const

@@ -77,6 +77,7 @@ Q_SIGNALS:
     void cameraPanned(QPointF drag);
     void dollied(double factor);
     void gestureEnded();
+    void frameShown(const rasterlens::FramePtr& frame); ///< painted for the first time
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -113,6 +114,7 @@ private:
     std::optional<PixelRect> m_fitPixels;
     bool m_fitted = true;
     bool m_stale = false;
+    bool m_frameShown = true;
     QColor m_canvasColor;
     LeftDrag m_leftDrag = LeftDrag::Orbits;
     Drag m_drag = Drag::None;

@@ -72,8 +72,9 @@ struct ExactFrame {
 ///   the eye and lies in a face where the three 3x3 determinants have the sign of det[A B C] and z is within the range.
 ///   Sample centres are never on an x or y plane, so this equals clipping and then filling.
 /// - Snapped: exact clipping against the six planes, exact rounding, then the winding number of the snapped polygon
-///   along every row of samples. Snapping may dent a clipped polygon or cross its edges; it covers what it winds
-///   round in the sense of its area, so that faces sharing an edge still add up.
+///   along every row of samples. Snapping may dent a clipped polygon; it covers what it winds round in the sense of
+///   its area, so that faces sharing an edge still add up. One that is folded so far that no corner sees all of it
+///   covers its convex hull (docs/CONVENTIONS.md).
 /// - The top-left rule is a symbolic displacement of the sample by (e, e^2) right and down with an infinitesimal e:
 ///   no edge is ever classified.
 ///
@@ -94,7 +95,8 @@ struct ExactFrame {
 
 /// What these settings ought to draw: z-buffer visibility, the top-left rule, culling by the snapped area and correct
 /// rules whatever the settings say about algorithm, clipping, visibility, ties, interpolation and mistakes. Vertices
-/// snap for NumberType::Fixed unless the scene is `exact`; the window is that of the scene.
+/// snap for NumberType::Fixed unless the scene is `exact`; the window is that
+/// of the scene, as far as the viewport shows it.
 [[nodiscard]] ExactOptions exactOptions(const Scene& scene, const Settings& settings);
 
 /// The faces of a scene as the vertex stage hands them on, with Gouraud colours.

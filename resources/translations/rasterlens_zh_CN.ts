@@ -344,6 +344,21 @@
     </message>
 </context>
 <context>
+    <name>Experiment</name>
+    <message>
+        <source>wrong pixels: missing, extra or hit twice</source>
+        <translation>错误像素：缺失、多余或重复覆盖</translation>
+    </message>
+    <message>
+        <source>largest depth error</source>
+        <translation>最大深度误差</translation>
+    </message>
+    <message>
+        <source>colour error, root mean square, 8-bit steps</source>
+        <translation>颜色误差（均方根，8 位级差）</translation>
+    </message>
+</context>
+<context>
     <name>ImageExport</name>
     <message>
         <source>%1 could not be written: %2</source>
@@ -1658,54 +1673,6 @@
         <translation>完全在视景体之外。</translation>
     </message>
     <message>
-        <source>clipped</source>
-        <translation>被裁剪</translation>
-    </message>
-    <message>
-        <source>Cut by at least one plane.</source>
-        <translation>至少被一个平面切割。</translation>
-    </message>
-    <message>
-        <source>created by clipping</source>
-        <translation>裁剪生成</translation>
-    </message>
-    <message>
-        <source>Triangles drawn for the cut faces.</source>
-        <translation>为被切割的面而画的三角形。</translation>
-    </message>
-    <message>
-        <source>culled, back</source>
-        <translation>剔除（背面）</translation>
-    </message>
-    <message>
-        <source>Turned away from us.</source>
-        <translation>背对我们。</translation>
-    </message>
-    <message>
-        <source>culled, front</source>
-        <translation>剔除（正面）</translation>
-    </message>
-    <message>
-        <source>Turned towards us.</source>
-        <translation>面向我们。</translation>
-    </message>
-    <message>
-        <source>degenerate</source>
-        <translation>退化</translation>
-    </message>
-    <message>
-        <source>Without area after snapping.</source>
-        <translation>对齐后面积为零。</translation>
-    </message>
-    <message>
-        <source>not finite</source>
-        <translation>非有限值</translation>
-    </message>
-    <message>
-        <source>A corner is infinite or not a number.</source>
-        <translation>某个顶点是无穷大或不是数。</translation>
-    </message>
-    <message>
         <source>rasterized</source>
         <translation>已光栅化</translation>
     </message>
@@ -1774,28 +1741,28 @@
         <translation>在公共边上被两个面同时覆盖：左上规则下为 0。</translation>
     </message>
     <message>
-        <source>vertices</source>
-        <translation>顶点</translation>
+        <source>clipped · into pieces</source>
+        <translation>被裁剪 · 裁成</translation>
     </message>
     <message>
-        <source>geometry</source>
-        <translation>几何</translation>
+        <source>Cut by at least one plane, and the triangles drawn for the cut faces.</source>
+        <translation>至少被一个平面裁剪的面，以及为它们绘制的三角形。</translation>
     </message>
     <message>
-        <source>rasterization</source>
-        <translation>光栅化</translation>
+        <source>culled: back · front</source>
+        <translation>剔除：背面 · 正面</translation>
     </message>
     <message>
-        <source>frame</source>
-        <translation>整帧</translation>
+        <source>Turned away from us, and turned towards us.</source>
+        <translation>背向我们的，与朝向我们的。</translation>
     </message>
     <message>
-        <source>Frames per second: counted while frames keep coming, else what the last frame&apos;s time allows.</source>
-        <translation>每秒帧数：连续出帧时为实际计数，否则按上一帧的用时推算。</translation>
+        <source>no area · not finite</source>
+        <translation>无面积 · 非有限</translation>
     </message>
     <message>
-        <source>Milliseconds</source>
-        <translation>毫秒</translation>
+        <source>Without area after snapping, and with a corner that is infinite or not a number.</source>
+        <translation>对齐后没有面积的，与有顶点为无穷大或非数的。</translation>
     </message>
 </context>
 <context>
@@ -2669,6 +2636,10 @@
         <source>mistakes</source>
         <translation>错误</translation>
     </message>
+    <message>
+        <source>Fast drawing while the camera moves</source>
+        <translation>相机移动时快速绘制</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::MessageBar</name>
@@ -3071,6 +3042,21 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::RunExport</name>
+    <message>
+        <source>Writing the pictures…</source>
+        <translation>正在写入图片…</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Export a run of steps</source>
+        <translation>导出一段步骤</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::StageStrip</name>
     <message>
         <source>Model</source>
@@ -3140,6 +3126,37 @@
         <source>Clip</source>
         <comment>short for clip space</comment>
         <translation>裁剪</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::StatisticsPanel</name>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 毫秒</translation>
+    </message>
+    <message>
+        <source>vertex %1 · geometry %2 · raster %3</source>
+        <translation>顶点 %1 · 几何 %2 · 光栅 %3</translation>
+    </message>
+    <message>
+        <source>Time of the last frame.</source>
+        <translation>最近一帧的时间。</translation>
+    </message>
+    <message>
+        <source>Milliseconds of the last frame in each part of the pipeline.</source>
+        <translation>最近一帧在流水线各部分所用的毫秒数。</translation>
+    </message>
+    <message>
+        <source>FPS, tiled</source>
+        <translation>FPS，分块算法</translation>
+    </message>
+    <message>
+        <source>Frames per second: counted while frames keep coming, else what the last frame&apos;s time allows. While the camera moves the tiled algorithm draws the same picture.</source>
+        <translation>每秒帧数：连续绘制时为实际计数，否则由最近一帧的时间推算。相机移动时由分块算法绘制同一画面。</translation>
+    </message>
+    <message>
+        <source>From a move to its picture on the screen: %1 ms, the median of %2.</source>
+        <translation>从移动到画面显示：%1 毫秒（%2 次的中位数）。</translation>
     </message>
 </context>
 <context>

@@ -108,4 +108,7 @@ struct Kernels {
 /// The stages for an instruction set, or nothing where the machine does not have it. Auto is the best there is.
 [[nodiscard]] const Kernels* kernelsFor(Simd simd);
 
+/// The instruction set Auto stands for on this machine; the others stand for themselves.
+[[nodiscard]] Simd simdFor(Simd simd);
+
 } // namespace rasterlens::tiled

@@ -20,12 +20,6 @@ constexpr int kTilesPerTask = 8;
 constexpr std::size_t kFewestFacesPerChunk = 2048;
 constexpr std::size_t kChunksPerThread = 4; ///< so that threads finish about together
 
-int threadCount(const Settings& settings)
-{
-    return settings.threads > 0 ? settings.threads
-                                : std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 256);
-}
-
 /// The frame's context, made or, where a copy of the frame has it too, made anew.
 TiledContext& contextOf(Frame& frame, int threads)
 {
@@ -194,6 +188,14 @@ std::optional<QString> Tiled::supports(const Settings& settings)
     return std::nullopt;
 }
 
+int Tiled::threads(const Settings& settings)
+{
+    return settings.threads > 0 ? settings.threads
+                                : std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 256);
+}
+
+Simd Tiled::simd(const Settings& settings) { return simdFor(settings.simd); }
+
 void Tiled::draw(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs, Statistics* statistics,
                  const std::stop_token& stop)
 {
@@ -201,7 +203,7 @@ void Tiled::draw(const Scene& scene, const Settings& settings, Frame& frame, Out
     Stopwatch watch;
     StageTimes times;
     const Kernels& kernels = *kernelsFor(settings.simd);
-    const int threads = threadCount(settings);
+    const int threads = Tiled::threads(settings);
     TiledContext& context = contextOf(frame, threads);
     ThreadPool& pool = *context.pool;
 
