@@ -24,8 +24,9 @@ DepthPlane depthPlane(const ScreenTriangle& triangle, double area2, const Rules&
     const glm::dvec2 ac = c.position - a.position;
     const double zb = b.depth - a.depth;
     const double zc = c.depth - a.depth;
-    const double perX = (zc * ab.y - zb * ac.y) / area2;
-    const double perY = (zb * ac.x - zc * ab.x) / area2;
+    const double inverse = 1 / area2;
+    const double perX = (zc * ab.y - zb * ac.y) * inverse;
+    const double perY = (zb * ac.x - zc * ab.x) * inverse;
 
     // Where the plane is evaluated: the bounds of the triangle inside the target, and a few samples around.
     const glm::dvec2 low = glm::max(glm::min(glm::min(a.position, b.position), c.position), 0.0) - kPlaneMargin;
@@ -40,8 +41,8 @@ DepthPlane depthPlane(const ScreenTriangle& triangle, double area2, const Rules&
     const double quantum = std::ldexp(1, std::ilogb(std::max(largest, 0x1p-900)) - 51);
     const double extent = (high.x - low.x) + (high.y - low.y) + 1;
     // What rounding in the gradients themselves may add, seen from vertex a.
-    const double steepness = (std::abs(zc * ab.y) + std::abs(zb * ac.y) + std::abs(zb * ac.x) + std::abs(zc * ab.x)) /
-                             std::abs(area2) * 0x1p-52;
+    const double steepness = (std::abs(zc * ab.y) + std::abs(zb * ac.y) + std::abs(zb * ac.x) + std::abs(zc * ab.x)) *
+                             std::abs(inverse) * 0x1p-52;
     if (!((quantum + steepness) * extent < kPlaneError))
         return {.byWeights = true};
     DepthPlane plane{0, roundTo(perX, quantum), roundTo(perY, quantum), false};
@@ -123,6 +124,31 @@ void FaceInterpolation::varyings(const Weights& weights, Varyings& out) const
     for (std::size_t k = 0; k < m_varyingCount; ++k)
         out[k] =
             static_cast<float>(weights[0] * a.varyings[k] + weights[1] * b.varyings[k] + weights[2] * c.varyings[k]);
+}
+
+UvGradient FaceInterpolation::uvGradient(const Weights& screen, const Weights& weights, std::size_t at) const
+{
+    const auto& v = m_triangle->vertices;
+    glm::dvec2 center(0);
+    double inverseW = 0;
+    std::array<glm::dvec2, 3> uv;
+    std::array<double, 3> q;
+    for (std::size_t k = 0; k < 3; ++k) {
+        uv[k] = {v[k].varyings[at], v[k].varyings[at + 1]};
+        q[k] = m_perspectiveCorrect ? v[k].invW : 1;
+        center += weights[k] * uv[k];
+        inverseW += screen[k] * q[k];
+    }
+    // With uv = sum(b q uv_k) / sum(b q), the quotient rule leaves sum(b' q (uv_k - uv)) / sum(b q).
+    glm::dvec2 perX(0);
+    glm::dvec2 perY(0);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec2 opposite = v[(k + 2) % 3].position - v[(k + 1) % 3].position;
+        const glm::dvec2 pull = (uv[k] - center) * (q[k] * m_inverseArea2 / inverseW);
+        perX += opposite.y * pull;
+        perY -= opposite.x * pull;
+    }
+    return {glm::vec2(perX), glm::vec2(perY)};
 }
 
 } // namespace rasterlens

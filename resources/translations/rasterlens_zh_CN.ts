@@ -1638,10 +1638,6 @@
         <translation>纹理过滤</translation>
     </message>
     <message>
-        <source>The nearest texel, or a blend of the four around the point.</source>
-        <translation>取最近的纹素，或混合周围四个纹素。</translation>
-    </message>
-    <message>
         <source>Threads</source>
         <translation>线程数</translation>
     </message>
@@ -1656,6 +1652,14 @@
     <message>
         <source>The instruction set of the tiled algorithm.</source>
         <translation>分块算法使用的指令集。</translation>
+    </message>
+    <message>
+        <source>Bilinear with mipmaps</source>
+        <translation>双线性与 mipmap</translation>
+    </message>
+    <message>
+        <source>The nearest texel, a blend of the four around the point, or such blends in mipmaps: smaller copies of the texture that keep distant patterns calm.</source>
+        <translation>取最近的纹素、混合周围四个纹素，或在 mipmap（纹理的缩小副本）中作同样的混合，使远处的图案不闪烁。</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,14 @@
 namespace rasterlens
 {
 
+/// What is known of a picture since the last frame: tiles without triangles need not be cleared again and again.
+struct PictureMemory {
+    qint64 image = 0; ///< QImage::cacheKey(), which changes whenever anyone gets at the pixels to write
+    std::uint32_t emptyColor = 0;
+    int pitch = 0;
+    std::vector<std::uint8_t> blank; ///< FrameJob::blank
+};
+
 /// Threads and memory of the tiled algorithm, kept with the Frame from picture to picture.
 ///
 /// A frame is drawn by one caller at a time, and so is what belongs to it: no lock, and nothing shared between callers
@@ -17,6 +25,7 @@ struct TiledContext {
     std::vector<tiled::Chunk> chunks;
     tiled::LargeArray<tiled::ScreenPoint> points;
     tiled::LargeArray<glm::vec4> colors;
+    PictureMemory picture;
 };
 
 } // namespace rasterlens

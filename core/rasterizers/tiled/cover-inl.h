@@ -414,10 +414,10 @@ inline void CoverTileWith(const FrameJob& job, Worker& worker, TileOrigin origin
             const std::uint32_t number = static_cast<std::uint32_t>(block) * BinBlock::kCapacity + i;
             if (Policy::kUsual && std::bit_cast<std::int32_t>(t.nearest) >= tile.farthest)
                 continue;
-            if (HWY_UNLIKELY((t.number & kExact) != 0)) {
+            if (HWY_UNLIKELY(t.exact())) {
                 WriteOwnedBlocks(origin, worker);
                 samples.nearest.fill(0);
-                coverExactly(job, bin.chunk->pieces[worker.source(number) & ~kPiece], number, origin, worker);
+                coverExactly(job, bin.chunk->pieces[t.source & ~kPiece], number, origin, worker);
                 continue;
             }
             CoverTriangle(t, policy, origin, number, worker, tile);

@@ -11,6 +11,7 @@
 #include "core/rasterizers/tiled/kernels.h"
 #include "core/rasterizers/tiled/lanes-inl.h"
 #include "core/rasterizers/tiled/planes-inl.h"
+#include "core/rasterizers/tiled/varyings-inl.h"
 #include "core/rasterizers/tiled/vertices-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -188,7 +189,7 @@ struct PlaneLanes {
 
 /// depthPlane(), operation by operation.
 HWY_INLINE PlaneLanes MakeDepthPlane(const CornerLanes& a, const CornerLanes& b, const CornerLanes& c,
-                                     const Rules& rules)
+                                     Doubles inverseArea, const Rules& rules)
 {
     constexpr DoubleTag tag;
     const auto set = [](double value) HWY_ATTR { return hn::Set(DoubleTag(), value); };
@@ -196,15 +197,14 @@ HWY_INLINE PlaneLanes MakeDepthPlane(const CornerLanes& a, const CornerLanes& b,
     const Doubles abY = hn::Sub(b.y, a.y);
     const Doubles acX = hn::Sub(c.x, a.x);
     const Doubles acY = hn::Sub(c.y, a.y);
-    const Doubles area2 = TwiceArea(abX, abY, acX, acY);
     const Doubles zb = hn::Sub(b.depth, a.depth);
     const Doubles zc = hn::Sub(c.depth, a.depth);
     const Doubles zcAbY = hn::Mul(zc, abY);
     const Doubles zbAcY = hn::Mul(zb, acY);
     const Doubles zbAcX = hn::Mul(zb, acX);
     const Doubles zcAbX = hn::Mul(zc, abX);
-    const Doubles perX = hn::Div(hn::Sub(zcAbY, zbAcY), area2);
-    const Doubles perY = hn::Div(hn::Sub(zbAcX, zcAbX), area2);
+    const Doubles perX = hn::Mul(hn::Sub(zcAbY, zbAcY), inverseArea);
+    const Doubles perY = hn::Mul(hn::Sub(zbAcX, zcAbX), inverseArea);
 
     const Doubles margin = set(kPlaneMargin);
     const Doubles lowX = hn::Sub(hn::Max(Min3(a.x, b.x, c.x), set(0)), margin);
@@ -224,7 +224,7 @@ HWY_INLINE PlaneLanes MakeDepthPlane(const CornerLanes& a, const CornerLanes& b,
     const Doubles quantum = hn::BitCast(tag, hn::Sub(exponent, hn::Set(bits, std::int64_t(51) << 52)));
     const Doubles extent = hn::Add(hn::Add(hn::Sub(highX, lowX), hn::Sub(highY, lowY)), set(1));
     const Doubles products = hn::Add(hn::Add(hn::Add(hn::Abs(zcAbY), hn::Abs(zbAcY)), hn::Abs(zbAcX)), hn::Abs(zcAbX));
-    const Doubles steepness = hn::Mul(hn::Div(products, hn::Abs(area2)), set(0x1p-52));
+    const Doubles steepness = hn::Mul(hn::Mul(products, hn::Abs(inverseArea)), set(0x1p-52));
     const auto finite = hn::Le(largest, set(std::numeric_limits<double>::max()));
     PlaneLanes plane;
     plane.plane = hn::And(finite, hn::Lt(hn::Mul(hn::Add(quantum, steepness), extent), set(kPlaneError)));
@@ -280,17 +280,34 @@ HWY_INLINE void NarrowBounds(const std::array<EdgeLanes, 3>& edges, SampleLanes&
             hn::Min(rows.last, hn::IfThenElse(small, hn::Add(rows.first, lastRow), rows.last))};
 }
 
-/// Triangles ready for the bins, lane by lane.
+/// A vector of triangles ready for the bins.
 struct alignas(64) SetupLanes {
-    std::array<std::array<std::int32_t, kDoubles>, 3> a;
-    std::array<std::array<std::int32_t, kDoubles>, 3> b;
-    std::array<std::array<double, kDoubles>, 3> c;
-    std::array<double, kDoubles> origin;
-    std::array<double, kDoubles> perX;
-    std::array<double, kDoubles> perY;
-    std::array<float, kDoubles> nearest;
+    // Records as they are in the tile of the triangle's first sample: lane after lane, so many numbers each.
+    std::array<std::int32_t, 4 * kDoubles> gradients; ///< a, b
+    std::array<std::int32_t, 4 * kDoubles> constants; ///< c, nearest
+    std::array<double, 4 * kDoubles> depth;           ///< source and bounds as 64 bits, depth plane
+    ColorPlaneLanes colors;
+    std::array<std::uint32_t, kDoubles> varyings{};
+    // What it takes to move them to other tiles.
+    std::array<std::array<double, kDoubles>, 3> c; ///< at the target's first sample
     std::array<std::int32_t, kDoubles> x0, y0, x1, y1;
-    std::uint32_t exact; ///< a bit for each lane the fast path cannot draw
+    std::array<std::int32_t, kDoubles> column0, row0, column1, row1; ///< of tiles
+    std::array<std::int32_t, kDoubles> tile;                         ///< of the first sample
+    std::uint32_t used;                                              ///< a bit for each lane whose bounds hold samples
+    std::uint32_t alone;                                             ///< that lies in one tile
+    std::uint32_t exact;                                             ///< that the fast path cannot draw
+
+    HWY_INLINE void copyTo(std::size_t lane, const FrameJob& job, Chunk::Slot slot) const
+    {
+        TileTriangle& t = *slot.triangle;
+        std::memcpy(&t.a, gradients.data() + 4 * lane, 4 * sizeof(std::int32_t));
+        std::memcpy(&t.c, constants.data() + 4 * lane, 4 * sizeof(std::int32_t));
+        std::memcpy(&t.source, depth.data() + 4 * lane, 4 * sizeof(double));
+        if (job.interpolatesColor())
+            colors.copyTo(lane, *slot.colors);
+        else
+            slot.colors->varyings = varyings[lane];
+    }
 };
 
 /// How much nearer than its corners a sample may come out: rounding of the plane and of the depth format.
@@ -304,10 +321,123 @@ inline double DepthSlack(DepthFormat format)
     return 0x1p-28;
 }
 
-HWY_INLINE void SetUpLanes(const Rules& rules, const SetupQueue& queue, std::size_t at, SetupLanes& out)
+/// Tiles of samples along an axis.
+HWY_INLINE HalfInts TilesOf(HalfInts samples, int pitch)
+{
+    constexpr HalfFloatTag tag;
+    const HalfFloats middle = hn::Add(hn::ConvertTo(tag, samples), hn::Set(tag, 0.5F));
+    return hn::ConvertTo(HalfIntTag(), hn::Mul(middle, hn::Set(tag, 1.0F / static_cast<float>(pitch))));
+}
+
+/// Bounds of triangles in samples, and where they lie in the tiles.
+///
+/// out  bounds in the tile of the first sample, a byte each as TileTriangle has them
+HWY_INLINE HalfInts StoreBounds(const TileGrid& grid, const SampleLanes& columns, const SampleLanes& rows,
+                                HalfInts column0, HalfInts row0, SetupLanes& out)
+{
+    constexpr HalfIntTag tag;
+    const HalfInts column1 = TilesOf(columns.last, grid.pitch);
+    const HalfInts row1 = TilesOf(rows.last, grid.pitch);
+    hn::Store(columns.first, tag, out.x0.data());
+    hn::Store(columns.last, tag, out.x1.data());
+    hn::Store(rows.first, tag, out.y0.data());
+    hn::Store(rows.last, tag, out.y1.data());
+    hn::Store(column0, tag, out.column0.data());
+    hn::Store(column1, tag, out.column1.data());
+    hn::Store(row0, tag, out.row0.data());
+    hn::Store(row1, tag, out.row1.data());
+    hn::Store(hn::Add(hn::Mul(row0, hn::Set(tag, grid.columns)), column0), tag, out.tile.data());
+    out.alone = BitsOf(tag, hn::And(hn::Eq(column0, column1), hn::Eq(row0, row1)));
+    const HalfInts pitch = hn::Set(tag, grid.pitch);
+    const HalfInts last = hn::Set(tag, grid.pitch - 1);
+    const HalfInts originX = hn::Mul(column0, pitch);
+    const HalfInts originY = hn::Mul(row0, pitch);
+    const HalfInts low = hn::Or(hn::Sub(columns.first, originX), hn::ShiftLeft<8>(hn::Sub(rows.first, originY)));
+    const HalfInts high = hn::Or(hn::Min(hn::Sub(columns.last, originX), last),
+                                 hn::ShiftLeft<8>(hn::Min(hn::Sub(rows.last, originY), last)));
+    return hn::Or(low, hn::ShiftLeft<16>(high));
+}
+
+/// Edge values at the first sample of a tile.
+HWY_INLINE HalfInts EdgeAtTile(const EdgeLanes& edge, Doubles originX, Doubles originY)
+{
+    constexpr DoubleTag wide;
+    const Doubles value = hn::Add(
+        edge.c, hn::Add(hn::Mul(hn::PromoteTo(wide, edge.a), originX), hn::Mul(hn::PromoteTo(wide, edge.b), originY)));
+    return hn::DemoteTo(HalfIntTag(), hn::Min(value, hn::Set(wide, double(kFarInside))));
+}
+
+HWY_INLINE Doubles SourceAndBounds(const SetupQueue& queue, std::size_t at, HalfInts bounds)
+{
+    using Wide = hn::RebindToUnsigned<DoubleTag>;
+    using Half = hn::RebindToUnsigned<HalfIntTag>;
+    const auto sources = hn::PromoteTo(Wide(), hn::LoadU(Half(), queue.source.data() + at));
+    return hn::BitCast(DoubleTag(),
+                       hn::Or(sources, hn::ShiftLeft<32>(hn::PromoteTo(Wide(), hn::BitCast(Half(), bounds)))));
+}
+
+HWY_INLINE void StageColors(const FrameJob& job, const Chunk& chunk, const SetupQueue& queue, std::size_t at,
+                            std::uint32_t lanes, CornerColors& colors)
+{
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+        const std::uint32_t source = queue.source[at + lane];
+        if (HWY_UNLIKELY((source & kPiece) != 0))
+            StagePieceColors(chunk.pieces[source & ~kPiece].triangle, lane, colors);
+        else
+            StageFaceColors(job, source, lane, colors);
+    }
+}
+
+/// Planes of any kCount varyings, for the lanes in use.
+template <std::size_t kCount>
+inline void SetUpVaryings(const FrameJob& job, Chunk& chunk, const SetupQueue& queue, std::size_t at,
+                          const PlaneGeometry& geometry, HalfInts anchorX, HalfInts anchorY, SetupLanes& lanes)
+{
+    VaryingStage<kCount> stage;
+    std::array<VaryingPlanes<kCount>*, kDoubles> out{};
+    for (std::uint32_t bits = lanes.used; bits != 0; bits &= bits - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+        const std::uint32_t source = queue.source[at + lane];
+        if (HWY_UNLIKELY((source & kPiece) != 0))
+            StagePieceVaryings(chunk.pieces[source & ~kPiece].triangle, lane, stage);
+        else
+            StageFaceVaryings(job, source, lane, stage);
+        lanes.varyings[lane] = chunk.varyingCount++;
+        out[lane] = &chunk.varyings<VaryingPlanes<kCount>>(lanes.varyings[lane]);
+    }
+    MakeVaryingPlanes(job.rules, geometry, stage, lanes.used, anchorX, anchorY, out);
+}
+
+/// What the shading interpolates.
+HWY_INLINE void SetUpPlanes(const FrameJob& job, Chunk& chunk, const SetupQueue& queue, std::size_t at,
+                            const PlaneGeometry& geometry, HalfInts anchorX, HalfInts anchorY, SetupLanes& lanes)
+{
+    const auto setUp = [&](auto count) HWY_ATTR {
+        SetUpVaryings<count()>(job, chunk, queue, at, geometry, anchorX, anchorY, lanes);
+    };
+    switch (job.rules.shading) {
+    case Shading::Gouraud: {
+        CornerColors colors;
+        StageColors(job, chunk, queue, at, lanes.used, colors);
+        MakeColorPlanes(job.rules, geometry, colors, lanes.used, anchorX, anchorY, lanes.colors);
+        break;
+    }
+    case Shading::Texture: setUp(std::integral_constant<std::size_t, kTextureVaryings>()); break;
+    case Shading::Phong: setUp(std::integral_constant<std::size_t, kPhongVaryings>()); break;
+    case Shading::Normals: setUp(std::integral_constant<std::size_t, kNormalVaryings>()); break;
+    case Shading::Uv: setUp(std::integral_constant<std::size_t, kUvVaryings>()); break;
+    default: break;
+    }
+}
+
+/// Sets up a vector of triangles from the queue; `present`: a bit for each lane that holds one.
+HWY_INLINE void SetUpLanes(const FrameJob& job, Chunk& chunk, const SetupQueue& queue, std::size_t at,
+                           std::uint32_t present, SetupLanes& out)
 {
     constexpr HalfIntTag tag;
     constexpr DoubleTag wide;
+    const Rules& rules = job.rules;
     std::array<HalfInts, 3> x;
     std::array<HalfInts, 3> y;
     std::array<CornerLanes, 3> corner;
@@ -318,113 +448,101 @@ HWY_INLINE void SetUpLanes(const Rules& rules, const SetupQueue& queue, std::siz
         corner[k] = {hn::Mul(hn::PromoteTo(wide, x[k]), samplesPerUnit),
                      hn::Mul(hn::PromoteTo(wide, y[k]), samplesPerUnit), hn::LoadU(wide, queue.depth[k].data() + at)};
     }
-    const PlaneLanes plane = MakeDepthPlane(corner[0], corner[1], corner[2], rules);
-    hn::Store(plane.origin, wide, out.origin.data());
-    hn::Store(plane.perX, wide, out.perX.data());
-    hn::Store(plane.perY, wide, out.perY.data());
-    const Doubles nearest = Min3(corner[0].depth, corner[1].depth, corner[2].depth);
-    hn::Store(hn::DemoteTo(HalfFloatTag(), hn::Sub(nearest, hn::Set(wide, DepthSlack(rules.depthFormat)))),
-              HalfFloatTag(), out.nearest.data());
-
-    // Inside is where all three edges are positive: B and C change places where the triangle winds the other way.
     const Doubles area = TwiceArea(hn::Sub(corner[1].x, corner[0].x), hn::Sub(corner[1].y, corner[0].y),
                                    hn::Sub(corner[2].x, corner[0].x), hn::Sub(corner[2].y, corner[0].y));
     const auto swapped =
         hn::Gt(hn::DemoteTo(tag, hn::IfThenElseZero(hn::Lt(area, hn::Zero(wide)), hn::Set(wide, 1.0))), hn::Zero(tag));
+
+    // Inside is where all three edges are positive: B and C change places where the triangle winds the other way.
     const HalfInts bx = hn::IfThenElse(swapped, x[2], x[1]);
     const HalfInts by = hn::IfThenElse(swapped, y[2], y[1]);
     const HalfInts cx = hn::IfThenElse(swapped, x[1], x[2]);
     const HalfInts cy = hn::IfThenElse(swapped, y[1], y[2]);
     const std::array<EdgeLanes, 3> edges{MakeEdge(x[0], y[0], bx, by, rules), MakeEdge(bx, by, cx, cy, rules),
                                          MakeEdge(cx, cy, x[0], y[0], rules)};
-    HalfInts steepest = hn::Zero(tag);
-    for (std::size_t k = 0; k < 3; ++k) {
-        hn::Store(edges[k].a, tag, out.a[k].data());
-        hn::Store(edges[k].b, tag, out.b[k].data());
-        hn::Store(edges[k].c, wide, out.c[k].data());
-        steepest = Max3(steepest, hn::Abs(edges[k].a), hn::Abs(edges[k].b));
-    }
     SampleLanes columns = SamplesBetween(Min3(x[0], x[1], x[2]), Max3(x[0], x[1], x[2]), rules.columns());
     SampleLanes rows = SamplesBetween(Min3(y[0], y[1], y[2]), Max3(y[0], y[1], y[2]), rules.rows());
     NarrowBounds(edges, columns, rows);
-    hn::Store(columns.first, tag, out.x0.data());
-    hn::Store(columns.last, tag, out.x1.data());
-    hn::Store(rows.first, tag, out.y0.data());
-    hn::Store(rows.last, tag, out.y1.data());
+    out.used = present & ~BitsOf(tag, hn::Or(hn::Lt(columns.last, columns.first), hn::Lt(rows.last, rows.first)));
+    if (out.used == 0)
+        return;
+
+    const HalfInts column0 = TilesOf(columns.first, job.grid.pitch);
+    const HalfInts row0 = TilesOf(rows.first, job.grid.pitch);
+    const HalfInts bounds = StoreBounds(job.grid, columns, rows, column0, row0, out);
+    const Doubles pitch = hn::Set(wide, double(job.grid.pitch));
+    const Doubles originX = hn::Mul(hn::PromoteTo(wide, column0), pitch);
+    const Doubles originY = hn::Mul(hn::PromoteTo(wide, row0), pitch);
+    const Doubles inverseArea = hn::Div(hn::Set(wide, 1.0), area);
+    const PlaneLanes plane = MakeDepthPlane(corner[0], corner[1], corner[2], inverseArea, rules);
+    const HalfFloats nearest =
+        hn::DemoteTo(HalfFloatTag(), hn::Sub(Min3(corner[0].depth, corner[1].depth, corner[2].depth),
+                                             hn::Set(wide, DepthSlack(rules.depthFormat))));
+    hn::StoreInterleaved4(edges[0].a, edges[1].a, edges[0].b, edges[1].b, tag, out.gradients.data());
+    hn::StoreInterleaved4(EdgeAtTile(edges[0], originX, originY), EdgeAtTile(edges[1], originX, originY),
+                          EdgeAtTile(edges[2], originX, originY), hn::BitCast(tag, nearest), tag, out.constants.data());
+    hn::StoreInterleaved4(SourceAndBounds(queue, at, bounds), plane.origin, plane.perX, plane.perY, wide,
+                          out.depth.data());
+    HalfInts steepest = hn::Zero(tag);
+    for (std::size_t k = 0; k < 3; ++k) {
+        hn::Store(edges[k].c, wide, out.c[k].data());
+        steepest = Max3(steepest, hn::Abs(edges[k].a), hn::Abs(edges[k].b));
+    }
     out.exact = BitsOf(tag, hn::Gt(steepest, hn::Set(tag, kLargestGradient))) | ~BitsOf(wide, plane.plane);
+
+    if (job.interpolates()) {
+        const HalfInts anchorX = hn::And(columns.first, hn::Set(tag, -kBlockSide));
+        const HalfInts anchorY = hn::And(rows.first, hn::Set(tag, -kBlockSide));
+        const auto toCentre = [](HalfInts samples, HalfInts from) HWY_ATTR {
+            return hn::Sub(hn::Add(hn::ShiftLeft<8>(samples), hn::Set(HalfIntTag(), kUnit / 2)), from);
+        };
+        const PlaneGeometry geometry{hn::Sub(x[1], x[0]), hn::Sub(y[1], y[0]),     hn::Sub(x[2], x[0]),
+                                     hn::Sub(y[2], y[0]), toCentre(anchorX, x[0]), toCentre(anchorY, y[0]),
+                                     inverseArea};
+        SetUpPlanes(job, chunk, queue, at, geometry, anchorX, anchorY, out);
+    }
 }
 
 /// Writes a triangle into the bin of a tile, if it may cover samples there.
-HWY_INLINE void EmitToTile(const FrameJob& job, Chunk& chunk, const SetupLanes& lanes, std::size_t i,
-                           std::uint32_t number, int column, int row)
+inline void EmitToTile(const FrameJob& job, Chunk& chunk, const SetupLanes& lanes, std::size_t i, int column, int row)
 {
     const int originX = column * job.grid.pitch;
     const int originY = row * job.grid.pitch;
+    const std::int32_t* gradients = lanes.gradients.data() + 4 * i;
+    const double a[3] = {double(gradients[0]), double(gradients[1]), -double(gradients[0]) - gradients[1]};
+    const double b[3] = {double(gradients[2]), double(gradients[3]), -double(gradients[2]) - gradients[3]};
+    const bool exact = (lanes.exact >> i & 1) != 0;
     std::array<std::int32_t, 3> c{};
-    for (std::size_t k = 0; k < 3 && (number & kExact) == 0; ++k) {
-        const double a = lanes.a[k][i];
-        const double b = lanes.b[k][i];
-        const double value = lanes.c[k][i] + a * originX + b * originY;
-        if (value + (std::max(a, 0.0) + std::max(b, 0.0)) * (kTileSide - 1) < 0)
+    for (std::size_t k = 0; k < 3 && !exact; ++k) {
+        const double value = lanes.c[k][i] + a[k] * originX + b[k] * originY;
+        if (value + (std::max(a[k], 0.0) + std::max(b[k], 0.0)) * (kTileSide - 1) < 0)
             return;
         c[k] = static_cast<std::int32_t>(std::min(value, double(kFarInside)));
     }
-    TileTriangle& t = chunk.append(job.grid.index(column, row));
-    t.a = {lanes.a[0][i], lanes.a[1][i]};
-    t.b = {lanes.b[0][i], lanes.b[1][i]};
+    const Chunk::Slot slot = chunk.append(job.grid.index(column, row));
+    lanes.copyTo(i, job, slot);
+    TileTriangle& t = *slot.triangle;
     t.c = c;
-    t.nearest = lanes.nearest[i];
-    t.number = number;
     t.x0 = static_cast<std::uint8_t>(std::max(lanes.x0[i] - originX, 0));
     t.y0 = static_cast<std::uint8_t>(std::max(lanes.y0[i] - originY, 0));
     t.x1 = static_cast<std::uint8_t>(std::min(lanes.x1[i] - originX, job.grid.pitch - 1));
     t.y1 = static_cast<std::uint8_t>(std::min(lanes.y1[i] - originY, job.grid.pitch - 1));
-    t.depthOrigin = lanes.origin[i];
-    t.depthPerX = lanes.perX[i];
-    t.depthPerY = lanes.perY[i];
+    if (exact) {
+        t.source = kPiece | static_cast<std::uint32_t>(chunk.pieces.size() - 1);
+        t.makeExact();
+    }
 }
 
-/// Lanes whose bounds hold samples.
-HWY_INLINE std::uint32_t LanesWithSamples(const SetupLanes& lanes, std::size_t count)
+/// Writes a triangle that the fast path cannot draw, or that lies in several tiles, into their bins.
+inline void EmitToTiles(const FrameJob& job, Chunk& chunk, const SetupLanes& lanes, std::size_t i, std::uint32_t source)
 {
-    constexpr HalfIntTag tag;
-    const auto load = [](const auto& numbers) HWY_ATTR { return hn::Load(HalfIntTag(), numbers.data()); };
-    const auto empty = hn::Or(hn::Lt(load(lanes.x1), load(lanes.x0)), hn::Lt(load(lanes.y1), load(lanes.y0)));
-    return ~BitsOf(tag, empty) & ((1U << count) - 1);
-}
-
-/// Colours of the lanes, which become the triangles from firstNumber on.
-HWY_INLINE void SetUpColors(const FrameJob& job, Chunk& chunk, const SetupQueue& queue, std::size_t at,
-                            const SetupLanes& lanes, std::uint32_t used, std::uint32_t firstNumber)
-{
-    constexpr DoubleTag wide;
-    CornerStage stage;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const auto toSamples = [&](const auto& units) HWY_ATTR {
-            return hn::Mul(hn::PromoteTo(DoubleTag(), hn::LoadU(HalfIntTag(), units.data() + at)),
-                           hn::Set(DoubleTag(), 1.0 / kUnit));
-        };
-        hn::Store(toSamples(queue.x[k]), wide, stage.x[k].data());
-        hn::Store(toSamples(queue.y[k]), wide, stage.y[k].data());
-        hn::Store(hn::Set(wide, 1.0), wide, stage.w[k].data());
-        for (auto& channel : stage.color[k])
-            hn::Store(hn::Zero(HalfFloatTag()), HalfFloatTag(), channel.data());
+    if ((lanes.exact >> i & 1) != 0) {
+        const ScreenTriangle triangle = screenTriangle(job, chunk, source);
+        chunk.pieces.push_back({triangle});
     }
-    stage.anchorX.fill(0);
-    stage.anchorY.fill(0);
-    std::array<ColorPlanes*, kDoubles> out{};
-    for (std::uint32_t bits = used; bits != 0; bits &= bits - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
-        const std::uint32_t source = queue.source[at + lane];
-        if ((source & kPiece) != 0)
-            StagePieceColors(chunk.pieces[source & ~kPiece].triangle, lane, stage);
-        else
-            StageFaceColors(job, source, lane, stage);
-        stage.anchorX[lane] = lanes.x0[lane] / kBlockSide * kBlockSide + 0.5;
-        stage.anchorY[lane] = lanes.y0[lane] / kBlockSide * kBlockSide + 0.5;
-        out[lane] = &chunk.planes(firstNumber++);
-    }
-    MakePlanes(job, stage, used, out);
+    for (int row = lanes.row0[i]; row <= lanes.row1[i]; ++row)
+        for (int column = lanes.column0[i]; column <= lanes.column1[i]; ++column)
+            EmitToTile(job, chunk, lanes, i, column, row);
 }
 
 /// Sets up one vector of triangles from the queue and writes them into the bins.
@@ -432,27 +550,13 @@ HWY_INLINE void SetUpAndBin(const FrameJob& job, Chunk& chunk, const SetupQueue&
                             std::size_t count)
 {
     SetupLanes lanes;
-    SetUpLanes(job.rules, queue, at, lanes);
-    const std::uint32_t used = LanesWithSamples(lanes, count);
-    if (used == 0)
-        return;
-    if (job.interpolatesColor())
-        SetUpColors(job, chunk, queue, at, lanes, used, static_cast<std::uint32_t>(chunk.sources.size()));
-    const int pitch = job.grid.pitch;
-    for (std::uint32_t bits = used; bits != 0; bits &= bits - 1) {
+    SetUpLanes(job, chunk, queue, at, (1U << count) - 1, lanes);
+    for (std::uint32_t bits = lanes.used; bits != 0; bits &= bits - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(bits));
-        std::uint32_t source = queue.source[at + i];
-        auto number = static_cast<std::uint32_t>(chunk.sources.size());
-        if ((lanes.exact >> i & 1) != 0) {
-            const ScreenTriangle triangle = screenTriangle(job, chunk, source);
-            source = kPiece | static_cast<std::uint32_t>(chunk.pieces.size());
-            chunk.pieces.push_back({triangle});
-            number |= kExact;
-        }
-        chunk.sources.push_back(source);
-        for (int row = lanes.y0[i] / pitch; row <= lanes.y1[i] / pitch; ++row)
-            for (int column = lanes.x0[i] / pitch; column <= lanes.x1[i] / pitch; ++column)
-                EmitToTile(job, chunk, lanes, i, number, column, row);
+        if (HWY_LIKELY((lanes.alone & ~lanes.exact) >> i & 1))
+            lanes.copyTo(i, job, chunk.append(static_cast<std::size_t>(lanes.tile[i])));
+        else
+            EmitToTiles(job, chunk, lanes, i, queue.source[at + i]);
     }
 }
 

@@ -13,128 +13,224 @@ HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
 {
 
-/// Corners of triangles, lane by lane: positions in samples, w of clip space, colours.
-struct alignas(64) CornerStage {
-    std::array<std::array<double, kDoubles>, 3> x;
-    std::array<std::array<double, kDoubles>, 3> y;
-    std::array<std::array<double, kDoubles>, 3> w;
-    std::array<double, kDoubles> anchorX; ///< centre of the sample the planes start at
-    std::array<double, kDoubles> anchorY;
-    std::array<std::array<std::array<float, kDoubles>, 3>, 3> color; ///< last: the doubles stay aligned
+/// Colour and w of clip space of the corners of triangles, one lane after the other.
+struct alignas(64) CornerColors {
+    std::array<std::array<glm::vec4, kDoubles>, 3> lanes{};
 };
 
-HWY_INLINE void StagePieceColors(const ScreenTriangle& triangle, std::size_t lane, CornerStage& stage)
+HWY_INLINE void StagePieceColors(const ScreenTriangle& triangle, std::size_t lane, CornerColors& colors)
 {
     for (std::size_t k = 0; k < 3; ++k) {
         const ScreenVertex& v = triangle.vertices[k];
-        stage.w[k][lane] = 1 / v.invW;
-        for (std::size_t c = 0; c < 3; ++c)
-            stage.color[k][c][lane] = v.varyings[c];
+        colors.lanes[k][lane] = {v.varyings[0], v.varyings[1], v.varyings[2], 1 / v.invW};
     }
 }
 
-HWY_INLINE void StageFaceColors(const FrameJob& job, std::uint32_t face, std::size_t lane, CornerStage& stage)
+HWY_INLINE void StageFaceColors(const FrameJob& job, std::uint32_t face, std::size_t lane, CornerColors& colors)
 {
     const Mesh& mesh = job.scene->mesh;
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t i = mesh.indices[3 * std::size_t(face) + k];
         const MeshVertex& vertex = mesh.vertices[i];
-        const glm::vec4 color = job.colors != nullptr ? job.colors[i] : glm::vec4(vertex.color, vertex.position.w);
-        stage.w[k][lane] = color.w;
-        for (int c = 0; c < 3; ++c)
-            stage.color[k][static_cast<std::size_t>(c)][lane] = color[c];
+        colors.lanes[k][lane] = job.colors != nullptr ? job.colors[i] : glm::vec4(vertex.color, vertex.position.w);
     }
 }
 
-/// Screen weights of B and C over a triangle: per sample to the right and down, and at the anchor.
-struct WeightLanes {
-    Doubles bPerX, bPerY, cPerX, cPerY;
-    Doubles bAtAnchor, cAtAnchor;
-    Doubles steepness; ///< how much weights change over the extent of the triangle
+/// Triangles as setting up colours sees them, in units.
+struct PlaneGeometry {
+    HalfInts abX, abY, acX, acY;
+    HalfInts toAnchorX, toAnchorY; ///< from the first corner
+    Doubles inverseArea;           ///< one over twice the signed area, in samples
 };
 
-HWY_INLINE WeightLanes MakeWeights(const CornerStage& stage)
+/// Planes of triangles as their records hold them, lane after lane: four numbers each.
+struct alignas(64) ColorPlaneLanes {
+    std::array<float, 4 * kDoubles> origin;
+    std::array<float, 4 * kDoubles> perX;
+    std::array<float, 4 * kDoubles> perY;
+    std::array<float, 4 * kDoubles> rest; ///< anchor and ColorWay
+
+    HWY_INLINE void copyTo(std::size_t lane, ColorPlanes& to) const
+    {
+        std::memcpy(&to.origin, origin.data() + 4 * lane, sizeof to.origin);
+        std::memcpy(&to.perX, perX.data() + 4 * lane, sizeof to.perX);
+        std::memcpy(&to.perY, perY.data() + 4 * lane, sizeof to.perY);
+        std::memcpy(&to.x0, rest.data() + 4 * lane, 4 * sizeof(float));
+    }
+};
+
+/// Screen weights of B and C over triangles, and the bound all precision hangs on.
+template <class Lanes>
+struct WeightLanes {
+    Lanes bPerX, bPerY, cPerX, cPerY;
+    Lanes bAtAnchor, cAtAnchor;
+    Lanes steepness; ///< how much weights change over the extent of the triangle
+};
+
+template <class Tag, class Lanes = hn::Vec<Tag>>
+HWY_INLINE WeightLanes<Lanes> MakeWeights(Tag tag, Lanes abX, Lanes abY, Lanes acX, Lanes acY, Lanes toX, Lanes toY,
+                                          Lanes inverseArea)
 {
-    constexpr DoubleTag tag;
-    const auto load = [](const auto& lanes) HWY_ATTR { return hn::Load(DoubleTag(), lanes.data()); };
-    const Doubles ax = load(stage.x[0]);
-    const Doubles ay = load(stage.y[0]);
-    const Doubles abX = hn::Sub(load(stage.x[1]), ax);
-    const Doubles abY = hn::Sub(load(stage.y[1]), ay);
-    const Doubles acX = hn::Sub(load(stage.x[2]), ax);
-    const Doubles acY = hn::Sub(load(stage.y[2]), ay);
-    const Doubles inverse = hn::Div(hn::Set(tag, 1.0), hn::Sub(hn::Mul(abY, acX), hn::Mul(abX, acY)));
-    const Doubles toX = hn::Sub(load(stage.anchorX), ax);
-    const Doubles toY = hn::Sub(load(stage.anchorY), ay);
-    WeightLanes w;
-    w.bPerX = hn::Neg(hn::Mul(acY, inverse));
-    w.bPerY = hn::Mul(acX, inverse);
-    w.cPerX = hn::Mul(abY, inverse);
-    w.cPerY = hn::Neg(hn::Mul(abX, inverse));
+    WeightLanes<Lanes> w;
+    w.bPerX = hn::Neg(hn::Mul(acY, inverseArea));
+    w.bPerY = hn::Mul(acX, inverseArea);
+    w.cPerX = hn::Mul(abY, inverseArea);
+    w.cPerY = hn::Neg(hn::Mul(abX, inverseArea));
     w.bAtAnchor = hn::Add(hn::Mul(w.bPerX, toX), hn::Mul(w.bPerY, toY));
     w.cAtAnchor = hn::Add(hn::Mul(w.cPerX, toX), hn::Mul(w.cPerY, toY));
-    const Doubles slope =
-        hn::Add(hn::Add(hn::Abs(w.bPerX), hn::Abs(w.bPerY)), hn::Add(hn::Abs(w.cPerX), hn::Abs(w.cPerY)));
-    const Doubles extent = hn::Add(hn::Add(hn::Abs(abX), hn::Abs(abY)), hn::Add(hn::Abs(acX), hn::Abs(acY)));
-    w.steepness = hn::Mul(slope, hn::Add(extent, hn::Set(tag, 2.0 * kBlockSide)));
+    const Lanes extent = hn::Add(hn::Add(hn::Abs(abX), hn::Abs(abY)), hn::Add(hn::Abs(acX), hn::Abs(acY)));
+    const Lanes margin = hn::Set(tag, 2 * kBlockSide);
+    w.steepness = hn::Mul(hn::Abs(inverseArea), hn::Mul(extent, hn::Add(extent, margin)));
     return w;
 }
 
-/// Colour planes of one vector of triangles.
+/// In double.
+HWY_INLINE WeightLanes<Doubles> MakeWeights(const PlaneGeometry& g)
+{
+    const auto toSamples = [](HalfInts units) HWY_ATTR {
+        return hn::Mul(hn::PromoteTo(DoubleTag(), units), hn::Set(DoubleTag(), 1.0 / kUnit));
+    };
+    return MakeWeights(DoubleTag(), toSamples(g.abX), toSamples(g.abY), toSamples(g.acX), toSamples(g.acY),
+                       toSamples(g.toAnchorX), toSamples(g.toAnchorY), g.inverseArea);
+}
+
+struct ColorLanes3 {
+    std::array<std::array<HalfFloats, 3>, 3> channel; ///< of corner k: red, green, blue
+    std::array<HalfFloats, 3> w;
+    HalfFloats largest; ///< of the channels, and 1
+    HalfFloats range;   ///< most that a channel differs between two corners
+};
+
+HWY_INLINE ColorLanes3 LoadColors(const CornerColors& colors)
+{
+    constexpr HalfFloatTag tag;
+    ColorLanes3 out;
+    for (std::size_t k = 0; k < 3; ++k)
+        hn::LoadInterleaved4(tag, &colors.lanes[k][0].x, out.channel[k][0], out.channel[k][1], out.channel[k][2],
+                             out.w[k]);
+    out.largest = hn::Set(tag, 1.0F);
+    out.range = hn::Zero(tag);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const HalfFloats high = hn::Max(hn::Max(out.channel[0][i], out.channel[1][i]), out.channel[2][i]);
+        const HalfFloats low = hn::Min(hn::Min(out.channel[0][i], out.channel[1][i]), out.channel[2][i]);
+        out.range = hn::Max(out.range, hn::Sub(high, low));
+        out.largest = hn::Max(out.largest, hn::Max(high, hn::Neg(low)));
+    }
+    return out;
+}
+
+/// Where colours of a whole vector of triangles may be taken as linear on the screen.
 ///
-/// in   which lanes are wanted, and where they go
-HWY_INLINE void MakePlanes(const FrameJob& job, const CornerStage& stage, std::uint32_t lanes,
-                           const std::array<ColorPlanes*, kDoubles>& out)
+/// exact  The weights of perspective differ from those of the screen by (r - 1)/4 in sum, r the ratio of the corners'
+///        w: the colour by that times its range. float32 keeps 24 bits of the largest term of a sum.
+HWY_INLINE hn::Mask<HalfFloatTag> ColorsAreAffine(const Rules& rules, const ColorLanes3& colors, HalfFloats steepness)
+{
+    constexpr HalfFloatTag tag;
+    constexpr float kSteps = 0.125F; // of 255
+    constexpr float kEnough = 1 << 10;
+    const auto precise = hn::Lt(hn::Mul(steepness, colors.largest), hn::Set(tag, kEnough));
+    if (!rules.perspectiveCorrect)
+        return precise;
+    const auto& [a, b, c] = colors.w;
+    const HalfFloats high = hn::Max(hn::Max(a, b), c);
+    const HalfFloats low = hn::Min(hn::Min(a, b), c);
+    const HalfFloats error = hn::Mul(colors.range, hn::Mul(hn::Sub(high, low), hn::Set(tag, 255.0F / 4)));
+    return hn::And(precise, hn::Le(error, hn::Mul(low, hn::Set(tag, kSteps))));
+}
+
+/// Planes in registers: 1/w, then the channels.
+struct PlaneSet {
+    std::array<HalfFloats, 4> origin, perX, perY;
+};
+
+HWY_INLINE PlaneSet AffinePlanes(const WeightLanes<HalfFloats>& weights, const ColorLanes3& colors)
+{
+    constexpr HalfFloatTag tag;
+    const HalfFloats scale = hn::Set(tag, 255.0F);
+    PlaneSet planes;
+    planes.origin[0] = hn::Set(tag, 1.0F);
+    planes.perX[0] = planes.perY[0] = hn::Zero(tag);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const HalfFloats a = hn::Mul(colors.channel[0][i], scale);
+        const HalfFloats ab = hn::Mul(hn::Sub(colors.channel[1][i], colors.channel[0][i]), scale);
+        const HalfFloats ac = hn::Mul(hn::Sub(colors.channel[2][i], colors.channel[0][i]), scale);
+        planes.origin[i + 1] = hn::Add(a, hn::Add(hn::Mul(ab, weights.bAtAnchor), hn::Mul(ac, weights.cAtAnchor)));
+        planes.perX[i + 1] = hn::Add(hn::Mul(ab, weights.bPerX), hn::Mul(ac, weights.cPerX));
+        planes.perY[i + 1] = hn::Add(hn::Mul(ab, weights.bPerY), hn::Mul(ac, weights.cPerY));
+    }
+    return planes;
+}
+
+/// Replaces the planes of the lanes that are large, steep or deep: made in double, with 1/w.
+///
+/// out  how those lanes' colours are found
+inline HalfInts MakePerspective(const Rules& rules, const PlaneGeometry& g, const ColorLanes3& colors,
+                                hn::Mask<HalfFloatTag> affine, PlaneSet& planes)
 {
     constexpr DoubleTag tag;
-    constexpr HalfFloatTag narrow;
-    const WeightLanes weights = MakeWeights(stage);
+    const WeightLanes<Doubles> weights = MakeWeights(g);
     const Doubles one = hn::Set(tag, 1.0);
     std::array<Doubles, 3> q{one, one, one};
     // 1/w in units of the first corner's: only ratios matter, and w itself may be beyond what float32 can invert.
-    if (job.rules.perspectiveCorrect)
+    if (rules.perspectiveCorrect)
         for (std::size_t k = 1; k < 3; ++k)
-            q[k] = hn::Div(hn::Load(tag, stage.w[0].data()), hn::Load(tag, stage.w[k].data()));
-    alignas(64) std::array<std::array<std::array<float, kDoubles>, 4>, 3> planes;
-    const auto makePlane = [&](std::size_t i, Doubles a, Doubles b, Doubles c) HWY_ATTR {
-        const Doubles ab = hn::Sub(b, a);
-        const Doubles ac = hn::Sub(c, a);
-        const auto store = [&](std::size_t at, Doubles value)
-                               HWY_ATTR { hn::Store(hn::DemoteTo(narrow, value), narrow, planes[at][i].data()); };
-        store(0, hn::Add(a, hn::Add(hn::Mul(ab, weights.bAtAnchor), hn::Mul(ac, weights.cAtAnchor))));
-        store(1, hn::Add(hn::Mul(ab, weights.bPerX), hn::Mul(ac, weights.cPerX)));
-        store(2, hn::Add(hn::Mul(ab, weights.bPerY), hn::Mul(ac, weights.cPerY)));
+            q[k] = hn::Div(hn::PromoteTo(tag, colors.w[0]), hn::PromoteTo(tag, colors.w[k]));
+    const auto makePlane = [&](std::size_t i, const std::array<Doubles, 3>& value) HWY_ATTR {
+        const Doubles ab = hn::Sub(value[1], value[0]);
+        const Doubles ac = hn::Sub(value[2], value[0]);
+        const auto combine = [&](Doubles b, Doubles c) HWY_ATTR { return hn::Add(hn::Mul(ab, b), hn::Mul(ac, c)); };
+        const auto put = [&](HalfFloats& plane, Doubles v)
+                             HWY_ATTR { plane = hn::IfThenElse(affine, plane, hn::DemoteTo(HalfFloatTag(), v)); };
+        put(planes.origin[i], hn::Add(value[0], combine(weights.bAtAnchor, weights.cAtAnchor)));
+        put(planes.perX[i], combine(weights.bPerX, weights.cPerX));
+        put(planes.perY[i], combine(weights.bPerY, weights.cPerY));
     };
-    makePlane(0, q[0], q[1], q[2]);
-    Doubles largest = one;
+    makePlane(0, q);
     for (std::size_t i = 0; i < 3; ++i) {
         std::array<Doubles, 3> value;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Doubles v = hn::PromoteTo(tag, hn::Load(narrow, stage.color[k][i].data()));
-            largest = hn::Max(largest, hn::Abs(v));
-            value[k] = hn::Mul(hn::Mul(v, hn::Set(tag, 255.0)), q[k]);
-        }
-        makePlane(i + 1, value[0], value[1], value[2]);
+        for (std::size_t k = 0; k < 3; ++k)
+            value[k] = hn::Mul(hn::Mul(hn::PromoteTo(tag, colors.channel[k][i]), hn::Set(tag, 255.0)), q[k]);
+        makePlane(i + 1, value);
     }
 
     // float32 keeps 24 bits of the largest term of a sum; what is left of them after the terms cancel and after the
     // division by w must be enough for a colour.
     constexpr double kEnough = 1 << 12;
     const Doubles ratio = hn::Div(hn::Max(hn::Max(q[0], q[1]), q[2]), hn::Min(hn::Min(q[0], q[1]), q[2]));
-    const Doubles cancelled = hn::Mul(weights.steepness, hn::Mul(ratio, largest));
-    const std::uint32_t enough = BitsOf(tag, hn::Lt(cancelled, hn::Set(tag, kEnough)));
-    for (; lanes != 0; lanes &= lanes - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-        ColorPlanes& to = *out[lane];
-        to.exact = (enough >> lane & 1) == 0;
-        to.x0 = static_cast<float>(stage.anchorX[lane] - 0.5);
-        to.y0 = static_cast<float>(stage.anchorY[lane] - 0.5);
-        for (std::size_t i = 0; i < 4; ++i) {
-            to.origin[i] = planes[0][i][lane];
-            to.perX[i] = planes[1][i][lane];
-            to.perY[i] = planes[2][i][lane];
-        }
-    }
+    const Doubles cancelled = hn::Mul(weights.steepness, hn::Mul(ratio, hn::PromoteTo(tag, colors.largest)));
+    const std::uint32_t precise = BitsOf(tag, hn::Lt(cancelled, hn::Set(tag, kEnough)));
+    const auto way = [](ColorWay w) HWY_ATTR { return hn::Set(HalfIntTag(), static_cast<std::int32_t>(w)); };
+    const HalfInts other =
+        hn::IfThenElse(MaskOf(HalfIntTag(), precise), way(ColorWay::Perspective), way(ColorWay::Exact));
+    return hn::IfThenElse(hn::RebindMask(HalfIntTag(), affine), way(ColorWay::Affine), other);
+}
+
+/// Colour planes of one vector of triangles.
+///
+/// in   which lanes are wanted; their anchors, samples of the target
+HWY_INLINE void MakeColorPlanes(const Rules& rules, const PlaneGeometry& g, const CornerColors& corners,
+                                std::uint32_t lanes, HalfInts anchorX, HalfInts anchorY, ColorPlaneLanes& out)
+{
+    constexpr HalfFloatTag tag;
+    const ColorLanes3 colors = LoadColors(corners);
+    const auto toSamples = [](HalfInts units) HWY_ATTR {
+        return hn::Mul(hn::ConvertTo(HalfFloatTag(), units), hn::Set(HalfFloatTag(), 1.0F / kUnit));
+    };
+    const WeightLanes<HalfFloats> weights =
+        MakeWeights(tag, toSamples(g.abX), toSamples(g.abY), toSamples(g.acX), toSamples(g.acY), toSamples(g.toAnchorX),
+                    toSamples(g.toAnchorY), hn::DemoteTo(tag, g.inverseArea));
+    PlaneSet planes = AffinePlanes(weights, colors);
+    HalfInts way = hn::Set(HalfIntTag(), static_cast<std::int32_t>(ColorWay::Affine));
+    const auto affine = ColorsAreAffine(rules, colors, weights.steepness);
+    if (HWY_UNLIKELY((lanes & ~BitsOf(tag, affine)) != 0))
+        way = MakePerspective(rules, g, colors, affine, planes);
+    const auto store = [](const std::array<HalfFloats, 4>& v, auto& to)
+                           HWY_ATTR { hn::StoreInterleaved4(v[0], v[1], v[2], v[3], HalfFloatTag(), to.data()); };
+    store(planes.origin, out.origin);
+    store(planes.perX, out.perX);
+    store(planes.perY, out.perY);
+    hn::StoreInterleaved4(hn::ConvertTo(tag, anchorX), hn::ConvertTo(tag, anchorY), hn::BitCast(tag, way),
+                          hn::Zero(tag), tag, out.rest.data());
 }
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE

@@ -9,8 +9,11 @@
 
 #include "core/pipeline/shading.h"
 #include "core/rasterizers/tiled/exact_path.h"
+#include "core/rasterizers/tiled/gouraud-inl.h"
 #include "core/rasterizers/tiled/kernels.h"
 #include "core/rasterizers/tiled/lanes-inl.h"
+#include "core/rasterizers/tiled/shaders-inl.h"
+#include "core/rasterizers/tiled/subtile-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
@@ -26,18 +29,27 @@ HWY_INLINE std::uint32_t LanesWith(const std::uint32_t* ids, std::uint32_t numbe
     return bits;
 }
 
-/// Samples of a block that belong to the target.
-inline std::uint32_t LanesOnTarget(const FrameJob& job, TileOrigin origin, int block)
+/// The planes of a triangle, on their way from memory: they are read when all who are visible have been found.
+template <std::size_t kCount>
+HWY_INLINE const void* FetchVaryings(const Chunk& chunk, std::uint32_t number)
 {
-    const int columns = std::min(job.rules.columns() - origin.x, job.grid.pitch) - blockColumn(block) * kBlockSide;
-    const int rows = std::min(job.rules.rows() - origin.y, job.grid.pitch) - blockRow(block) * kBlockSide;
-    if (columns >= kBlockSide && rows >= kBlockSide)
-        return 0xffff;
-    std::uint32_t bits = 0;
-    for (int y = 0; y < std::min(rows, kBlockSide); ++y)
-        for (int x = 0; x < std::min(columns, kBlockSide); ++x)
-            bits |= 1U << (y * kBlockSide + x);
-    return bits;
+    constexpr std::size_t kLine = 64;
+    using Planes = VaryingPlanes<kCount>;
+    const Planes* planes = &chunk.varyings<Planes>(number);
+    for (std::size_t at = 0; at < sizeof(Planes); at += kLine)
+        __builtin_prefetch(reinterpret_cast<const std::byte*>(planes) + at);
+    return planes;
+}
+
+HWY_INLINE const void* FetchVaryings(Shading shading, const Chunk& chunk, std::uint32_t number)
+{
+    switch (shading) {
+    case Shading::Texture: return FetchVaryings<kTextureVaryings>(chunk, number);
+    case Shading::Phong: return FetchVaryings<kPhongVaryings>(chunk, number);
+    case Shading::Normals: return FetchVaryings<kNormalVaryings>(chunk, number);
+    case Shading::Uv: return FetchVaryings<kUvVaryings>(chunk, number);
+    default: return nullptr;
+    }
 }
 
 /// The place of a triangle in worker.visible.
@@ -48,13 +60,51 @@ HWY_INLINE std::uint32_t VisiblePlace(const FrameJob& job, std::uint32_t number,
         return place;
     place = static_cast<std::uint32_t>(worker.visible.size());
     const Chunk& chunk = worker.chunkOf(number);
-    const std::uint32_t inChunk = worker.triangle(number).number & ~kExact;
-    worker.visible.push_back({chunk.sources[inChunk], 0, &chunk, nullptr});
-    if (job.interpolatesColor()) {
-        worker.visible.back().planes = &chunk.planes(inChunk);
-        __builtin_prefetch(worker.visible.back().planes);
-    }
+    const std::uint32_t source = worker.triangle(number).source;
+    const Shading shading = job.rules.shading;
+    const void* varyings = job.interpolates() ? FetchVaryings(shading, chunk, worker.colors(number).varyings) : nullptr;
+    worker.visible.push_back({source, &chunk, varyings, faceUniforms(*job.scene, faceOf(chunk, source), shading)});
     return place;
+}
+
+/// Remembers the last triangle looked up: neighbours tend to belong to the same one.
+struct LastVisible {
+    std::uint32_t number = kNobody;
+    std::uint32_t place = 0;
+};
+
+HWY_INLINE std::uint32_t VisiblePlace(const FrameJob& job, std::uint32_t number, Worker& worker, LastVisible& last)
+{
+    if (number != last.number)
+        last = {number, VisiblePlace(job, number, worker)};
+    return last.place;
+}
+
+/// The shares of a block.
+///
+/// in   its samples on the target
+/// out  behind the last share
+HWY_INLINE BlockShare* CollectBlock(const FrameJob& job, Worker& worker, int block, std::uint32_t remaining,
+                                    LastVisible& last, BlockShare* out)
+{
+    const std::uint32_t* ids = worker.samples.ids.data() + std::size_t(block) * kLanes;
+    const std::uint32_t owner = worker.samples.owner[static_cast<std::size_t>(block)];
+    if (owner == kEmpty) {
+        worker.full = false;
+        return out;
+    }
+    while (remaining != 0) {
+        const std::uint32_t number = owner != kNobody ? owner : ids[std::countr_zero(remaining)];
+        const std::uint32_t lanes = owner != kNobody ? remaining : LanesWith(ids, number) & remaining;
+        remaining &= ~lanes;
+        if (number == kNobody) {
+            worker.full = false;
+            continue;
+        }
+        *out++ = {static_cast<std::uint16_t>(block), static_cast<std::uint16_t>(lanes),
+                  VisiblePlace(job, number, worker, last)};
+    }
+    return out;
 }
 
 /// Finds who is visible where.
@@ -65,51 +115,11 @@ inline void CollectShares(const FrameJob& job, Worker& worker, TileOrigin origin
     worker.full = true;
     const bool whole = origin.x + kTileSide <= job.rules.columns() && origin.y + kTileSide <= job.rules.rows() &&
                        job.grid.pitch == kTileSide;
-    std::uint32_t lastNumber = kNobody; // neighbours tend to belong to the same triangle
-    std::uint32_t lastPlace = 0;
+    LastVisible last;
     BlockShare* out = worker.shares.data();
-    for (int block = 0; block < kTileBlocks; ++block) {
-        std::uint32_t remaining = whole ? 0xffff : LanesOnTarget(job, origin, block);
-        const std::uint32_t* ids = worker.samples.ids.data() + std::size_t(block) * kLanes;
-        const std::uint32_t owner = worker.samples.owner[static_cast<std::size_t>(block)];
-        if (owner == kEmpty) {
-            worker.full = false;
-            continue;
-        }
-        while (remaining != 0) {
-            const std::uint32_t number = owner != kNobody ? owner : ids[std::countr_zero(remaining)];
-            const std::uint32_t lanes = owner != kNobody ? remaining : LanesWith(ids, number) & remaining;
-            remaining &= ~lanes;
-            if (number == kNobody) {
-                worker.full = false;
-                continue;
-            }
-            if (number != lastNumber) {
-                lastNumber = number;
-                lastPlace = VisiblePlace(job, number, worker);
-            }
-            *out++ = {static_cast<std::uint16_t>(block), static_cast<std::uint16_t>(lanes), lastPlace};
-        }
-    }
+    for (int block = 0; block < kTileBlocks; ++block)
+        out = CollectBlock(job, worker, block, whole ? 0xffff : LanesOnTarget(job, origin, block), last, out);
     worker.shareCount = static_cast<std::size_t>(out - worker.shares.data());
-}
-
-/// Colours of 0 to 255, held within that and rounded, from bit 8 on: above 2^15 a float counts in 256ths.
-HWY_INLINE Ints ChannelOf(Floats c)
-{
-    constexpr FloatTag tag;
-    const Floats held = hn::Min(hn::Max(c, hn::Zero(tag)), hn::Set(tag, 255.0F));
-    return hn::BitCast(IntTag(), hn::Add(held, hn::Set(tag, 32768.5F)));
-}
-
-HWY_INLINE Uints PackChannels(Floats red, Floats green, Floats blue)
-{
-    constexpr IntTag tag;
-    const Ints r = hn::And(hn::ShiftLeft<8>(ChannelOf(red)), hn::Set(tag, 0xff0000));
-    const Ints g = hn::And(ChannelOf(green), hn::Set(tag, 0xff00));
-    const Ints b = hn::And(hn::ShiftRight<8>(ChannelOf(blue)), hn::Set(tag, 0xff));
-    const Ints packed = hn::Or(hn::Or3(r, g, b), hn::Set(tag, static_cast<std::int32_t>(0xff000000U)));
-    return hn::BitCast(UintTag(), packed);
 }
 
 /// Writes the lanes of a share that fall into vector v.
@@ -121,69 +131,46 @@ HWY_INLINE void BlendColor(Uints color, const BlockShare& share, std::size_t v, 
     hn::Store(hn::IfThenElse(mask, color, hn::Load(tag, out)), tag, out);
 }
 
-/// How planes change from the first sample of a block to the others.
-struct PlaneOffsets {
-    std::array<std::array<Floats, kVectors>, 4> plane;
-};
-
-HWY_INLINE PlaneOffsets SpreadPlanes(const ColorPlanes& planes)
+/// The samples of a share by a shader; false: it leaves them to the scalar stages.
+template <class Shader>
+HWY_INLINE bool ShadeShare(const Shader& shader, const VisibleTriangle& visible, const BlockShare& share,
+                           TileOrigin origin, TileSamples& samples)
 {
-    constexpr FloatTag tag;
-    PlaneOffsets offsets;
+    constexpr std::size_t kCount = Shader::kVaryings;
+    const auto& planes = *static_cast<const VaryingPlanes<kCount>*>(visible.varyings);
+    if (HWY_UNLIKELY(planes.exact))
+        return false;
+    const int x = origin.x + blockColumn(share.block) * kBlockSide;
+    const int y = origin.y + blockRow(share.block) * kBlockSide;
     for (std::size_t v = 0; v < kVectors; ++v) {
-        const Floats x = hn::Load(tag, kPattern.floatX.data() + v * kPerVector);
-        const Floats y = hn::Load(tag, kPattern.floatY.data() + v * kPerVector);
-        for (std::size_t i = 0; i < 4; ++i)
-            offsets.plane[i][v] =
-                hn::Add(hn::Mul(hn::Set(tag, planes.perX[i]), x), hn::Mul(hn::Set(tag, planes.perY[i]), y));
-    }
-    return offsets;
-}
-
-/// The interpolated colour of a triangle over its lanes of a block.
-HWY_INLINE void ShadeColors(const ColorPlanes& planes, const PlaneOffsets& offsets, const BlockShare& share,
-                            TileOrigin origin, TileSamples& samples)
-{
-    constexpr FloatTag tag;
-    const float x = static_cast<float>(origin.x + blockColumn(share.block) * kBlockSide) - planes.x0;
-    const float y = static_cast<float>(origin.y + blockRow(share.block) * kBlockSide) - planes.y0;
-    std::array<float, 4> corner;
-    for (std::size_t i = 0; i < 4; ++i)
-        corner[i] = planes.origin[i] + planes.perX[i] * x + planes.perY[i] * y;
-    for (std::size_t v = 0; v < kVectors; ++v) {
-        const auto plane = [&](std::size_t i)
-                               HWY_ATTR { return hn::Add(hn::Set(tag, corner[i]), offsets.plane[i][v]); };
-        const Floats w = hn::Div(hn::Set(tag, 1.0F), plane(0));
-        BlendColor(PackChannels(hn::Mul(plane(1), w), hn::Mul(plane(2), w), hn::Mul(plane(3), w)), share, v, samples);
-    }
-}
-
-inline void ShadeInterpolated(const FrameJob& job, Worker& worker, TileOrigin origin)
-{
-    std::uint32_t spread = kNobody; // whose offsets these are: large triangles have many blocks in sequence
-    PlaneOffsets offsets;
-    for (const BlockShare& share : worker.sharesInUse()) {
-        const ColorPlanes& planes = *worker.visible[share.visible].planes;
-        if (planes.exact) {
-            shadeExactly(job, worker.visible[share.visible], share, origin, worker.samples);
+        const std::uint32_t bits = std::uint32_t(share.lanes) >> (v * kPerVector);
+        if (kVectors > 1 && (bits & ((1U << kPerVector) - 1)) == 0)
             continue;
-        }
-        if (share.visible != spread) {
-            offsets = SpreadPlanes(planes);
-            spread = share.visible;
-        }
-        ShadeColors(planes, offsets, share, origin, worker.samples);
+        const ShaderLanes<kCount> lanes{visible, planes, VaryingsAt(planes, x, y, v), MaskOf(FloatTag(), bits)};
+        if (HWY_UNLIKELY(!shader.Can(lanes)))
+            return false;
+        BlendColor(PackChannels(shader(lanes)), share, v, samples);
+    }
+    return true;
+}
+
+template <class Shader>
+inline void ShadeVaryings(const FrameJob& job, Worker& worker, TileOrigin origin)
+{
+    const Shader shader(job);
+    for (const BlockShare& share : worker.sharesInUse()) {
+        const VisibleTriangle& visible = worker.visible[share.visible];
+        if (HWY_UNLIKELY(!ShadeShare(shader, visible, share, origin, worker.samples)))
+            shadeExactly(job, visible, share, origin, worker.samples);
     }
 }
 
 /// Shadings with one colour a face.
-inline void ShadeUniform(const FrameJob& job, Worker& worker)
+inline void ShadeUniform(Worker& worker)
 {
-    for (VisibleTriangle& visible : worker.visible)
-        visible.color = faceUniforms(*job.scene, faceOf(*visible.chunk, visible.source), job.rules.shading).color;
     for (const BlockShare& share : worker.sharesInUse())
         for (std::size_t v = 0; v < kVectors; ++v)
-            BlendColor(hn::Set(UintTag(), worker.visible[share.visible].color), share, v, worker.samples);
+            BlendColor(hn::Set(UintTag(), worker.visible[share.visible].uniforms.color), share, v, worker.samples);
 }
 
 inline void ShadeDepth(const FrameJob& job, Worker& worker)
@@ -196,35 +183,51 @@ inline void ShadeDepth(const FrameJob& job, Worker& worker)
             const std::int32_t* key = worker.samples.key.data() + std::size_t(share.block) * kLanes + v * kPerVector;
             const Floats depth =
                 hn::Mul(hn::BitCast(floatTag, hn::Xor(hn::Load(tag, key), flip)), hn::Set(floatTag, 255.0F));
-            BlendColor(PackChannels(depth, depth, depth), share, v, worker.samples);
+            BlendColor(PackChannels({depth, depth, depth}), share, v, worker.samples);
         }
+}
+
+inline void CountShares(const FrameJob& job, Worker& worker)
+{
+    for (const BlockShare& share : worker.sharesInUse()) {
+        const auto samples = static_cast<unsigned>(std::popcount(share.lanes));
+        worker.pixels.written += samples;
+        worker.pixels.shaded += job.color != nullptr ? samples : 0;
+    }
 }
 
 inline void ShadeTile(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
-    if (job.rules.shading == Shading::Overdraw) {
+    const bool overdraw = job.rules.shading == Shading::Overdraw;
+    if (job.color != nullptr && overdraw)
         for (std::size_t i = 0; i < kTileSamples; ++i)
             worker.samples.color[i] = overdrawColor(worker.samples.coverage[i]);
-        if (!job.counting)
-            return;
+    worker.resolvedSubtiles = 0;
+    if (job.color != nullptr && job.rules.shading == Shading::Gouraud) {
+        ColorTile(job, worker, origin);
+        return;
     }
+    const bool shades = job.color != nullptr && !overdraw;
+    if (!shades && !job.counting)
+        return;
     CollectShares(job, worker, origin);
     if (job.counting)
-        for (const BlockShare& share : worker.sharesInUse())
-            worker.pixels.shaded += static_cast<unsigned>(std::popcount(share.lanes));
-    if (job.rules.shading == Shading::Overdraw)
+        CountShares(job, worker);
+    if (!shades)
         return;
     if (!worker.full)
         worker.samples.color.fill(job.clearColor);
     switch (job.rules.shading) {
-    case Shading::Gouraud: ShadeInterpolated(job, worker, origin); break;
     case Shading::Depth: ShadeDepth(job, worker); break;
     case Shading::Flat:
     case Shading::RandomFlat:
-    case Shading::TriangleId: ShadeUniform(job, worker); break;
-    default:
-        for (const BlockShare& share : worker.sharesInUse())
-            shadeExactly(job, worker.visible[share.visible], share, origin, worker.samples);
+    case Shading::TriangleId: ShadeUniform(worker); break;
+    case Shading::Texture: ShadeVaryings<TextureShader>(job, worker, origin); break;
+    case Shading::Phong: ShadeVaryings<PhongShader>(job, worker, origin); break;
+    case Shading::Normals: ShadeVaryings<NormalShader>(job, worker, origin); break;
+    case Shading::Uv: ShadeVaryings<UvShader>(job, worker, origin); break;
+    case Shading::Gouraud:
+    case Shading::Overdraw: break;
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/rasterizers/tiled/cover-inl.h"
 #include "core/rasterizers/tiled/faces-inl.h"
+#include "core/rasterizers/tiled/resolve-inl.h"
 #include "core/rasterizers/tiled/shade-inl.h"
 #include "core/rasterizers/tiled/tile_output.h"
 #include "core/rasterizers/tiled/vertices-inl.h"
@@ -28,6 +29,23 @@ inline void CollectBlocks(const FrameJob& job, std::size_t tile, Worker& worker)
     }
 }
 
+inline void WriteColor(const FrameJob& job, const Worker& worker, TileOrigin origin)
+{
+    switch (job.rules.sampleGrid) {
+    case 1: copyColor(job, worker.samples, origin); break;
+    case 2: ResolveTile<2>(job, worker, origin); break;
+    case 4: ResolveTile<4>(job, worker, origin); break;
+    default: averageColor(job, worker.samples, origin);
+    }
+}
+
+/// Whether a tile is nothing but background, and was in the picture's last frame.
+inline bool StaysBlank(const FrameJob& job, std::size_t tile)
+{
+    const bool pictureOnly = job.depth == nullptr && job.ids == nullptr && job.coverage == nullptr;
+    return pictureOnly && job.blank[tile] != 0;
+}
+
 /// Some tiles of a row; neighbours that are empty are cleared together.
 inline void DrawTiles(const FrameJob& job, Worker& worker, int columnBegin, int columnEnd, int row)
 {
@@ -39,14 +57,22 @@ inline void DrawTiles(const FrameJob& job, Worker& worker, int columnBegin, int 
         emptyBegin = column + 1;
     };
     for (int column = columnBegin; column < columnEnd; ++column) {
-        CollectBlocks(job, job.grid.index(column, row), worker);
-        if (worker.blocks.empty())
+        const std::size_t tile = job.grid.index(column, row);
+        CollectBlocks(job, tile, worker);
+        if (worker.blocks.empty()) {
+            if (StaysBlank(job, tile))
+                clearUpTo(column);
+            job.blank[tile] = 1;
             continue;
+        }
         clearUpTo(column);
+        job.blank[tile] = 0;
         const TileOrigin origin{column * pitch, row * pitch};
         CoverTile(job, worker, origin);
         prefetchTile(job, origin);
         ShadeTile(job, worker, origin);
+        if (job.color != nullptr)
+            WriteColor(job, worker, origin);
         writeTile(job, worker, origin);
     }
     clearUpTo(columnEnd);

@@ -6,8 +6,10 @@
 #include "core/scene.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace rasterlens::tiled
@@ -59,24 +61,48 @@ constexpr std::int32_t kFarInside = 1 << 30;
 static_assert(2LL * 63 * kLargestGradient < kFarInside);
 static_assert(kFarInside + 2LL * 63 * kLargestGradient <= std::numeric_limits<std::int32_t>::max());
 
-/// What a tile needs to know of a triangle to find its samples: one cache line.
+/// What a tile needs to know of a triangle to find its samples: one cache line, which set-up fills from its lanes four
+/// numbers at a time.
 struct alignas(64) TileTriangle {
     std::array<std::int32_t, 2> a; ///< AB, BC; CA's are minus their sum
     std::array<std::int32_t, 2> b;
+
     std::array<std::int32_t, 3> c; ///< edge values >> 8 with the tie threshold taken off, at the tile's first sample
     float nearest;                 ///< no sample is nearer than this
-    std::uint32_t number;          ///< of the triangle in its chunk; kExact: look at the piece
-    std::uint8_t x0, y0, x1, y1;   ///< bounds in samples of the tile, both ends included
-    double depthOrigin;            ///< DepthPlane
+
+    std::uint32_t source;        ///< a face, or kPiece + the place of a piece of the chunk
+    std::uint8_t x0, y0, x1, y1; ///< bounds in samples of the tile, both ends included
+    double depthOrigin;          ///< DepthPlane
     double depthPerX;
     double depthPerY;
+
+    /// Triangles beyond the numbers of the fast path are pieces, to be drawn sample by sample.
+    [[nodiscard]] bool exact() const { return x1 < x0; }
+    void makeExact() { x0 = 1, x1 = 0; }
 };
 static_assert(sizeof(TileTriangle) == 64);
 
-constexpr std::uint32_t kExact = 1U << 31;
-
-/// Where a triangle comes from: a face, or kPiece + the place of a piece of the chunk.
+/// In a source: see there.
 constexpr std::uint32_t kPiece = 1U << 31;
+
+/// How a triangle's colours are found.
+enum class ColorWay : std::int32_t {
+    Affine,      ///< planes of colour: w changes too little to be seen
+    Perspective, ///< planes of colour/w and 1/w
+    Exact        ///< too steep for float32: sample by sample
+};
+
+/// Colours of a triangle, times 255, as planes over the target: the second cache line of its record.
+struct alignas(64) ColorPlanes {
+    std::array<float, 4> origin; ///< at the anchor: 1/w relative to a corner, then the channels
+    std::array<float, 4> perX;
+    std::array<float, 4> perY;
+    float x0; ///< the anchor, a sample of the target
+    float y0;
+    ColorWay way;
+    std::uint32_t varyings; ///< of shadings that have more than colours: the number of their VaryingPlanes, and no more
+};
+static_assert(sizeof(ColorPlanes) == 64);
 
 /// A triangle that is not a face of the mesh as it stands: cut by a clip plane, or beyond the numbers of the fast path.
 struct Piece {
@@ -90,6 +116,7 @@ constexpr std::uint32_t kEmpty = 0xfffffffeU;
 struct BinBlock {
     static constexpr std::uint32_t kCapacity = 32;
     std::array<TileTriangle, kCapacity> triangles;
+    std::array<ColorPlanes, kCapacity> colors; ///< of shadings that interpolate a colour
 };
 
 /// Blocks of bins, by number. Their memory is kept from frame to frame.
@@ -107,7 +134,7 @@ public:
     [[nodiscard]] std::uint32_t next(std::uint32_t number) const { return m_next[number]; }
 
 private:
-    static constexpr std::size_t kSlabBlocks = 1024; // 2 MiB
+    static constexpr std::size_t kSlabBlocks = 512; // 2 MiB
     std::vector<LargeArray<BinBlock>> m_slabs;
     std::vector<std::uint32_t> m_next; ///< apart from the blocks: a walk along a list touches few lines
 };
@@ -119,54 +146,66 @@ struct Bin {
     std::uint32_t used = BinBlock::kCapacity; ///< triangles in the last block
 };
 
-/// 1/w (relative to a corner) and colour over a triangle, colour times 255/w, as planes anchored at a block of the
-/// target.
-struct alignas(64) ColorPlanes {
-    std::array<float, 4> origin;
-    std::array<float, 4> perX;
-    std::array<float, 4> perY;
-    float x0; ///< the anchor, in samples
-    float y0;
-    bool exact; ///< too steep for float32: shaded sample by sample
+/// Likewise 1/w and any kCount varyings, in double: a sample's come out as the scalar stages round them to float32, so
+/// whatever has a threshold (texels, repeats) falls on the same side of it.
+template <std::size_t kCount>
+struct VaryingPlanes {
+    std::array<double, kCount + 1> origin; ///< 1/w, then varyings over w
+    std::array<double, kCount + 1> perX;
+    std::array<double, kCount + 1> perY;
+    std::int32_t x0; ///< the anchor, a sample of the target
+    std::int32_t y0;
+    bool exact; ///< too steep even so
 };
-static_assert(sizeof(ColorPlanes) == 64);
 
 /// A run of consecutive faces, sorted into tiles by one thread.
 struct Chunk {
-    std::vector<Bin> bins;              ///< one a tile
-    std::vector<std::uint32_t> sources; ///< of its triangles
+    std::vector<Bin> bins; ///< one a tile
     std::vector<Piece> pieces;
     BinArena arena;
+    std::uint32_t varyingCount = 0; ///< of VaryingPlanes
     Statistics::Faces faces;
     std::vector<ScreenTriangle> clipped; ///< of one face
 
-    TileTriangle& append(std::size_t tile)
+    /// Room for one more triangle of a tile.
+    struct Slot {
+        TileTriangle* triangle;
+        ColorPlanes* colors;
+    };
+    Slot append(std::size_t tile)
     {
         Bin& bin = bins[tile];
         if (bin.used == BinBlock::kCapacity)
             grow(bin);
-        TileTriangle* triangle = &bin.lastBlock->triangles[bin.used++];
-        __builtin_prefetch(triangle + 1, 1); // the next one comes after those of many other tiles
-        return *triangle;
+        const Slot slot{&bin.lastBlock->triangles[bin.used], &bin.lastBlock->colors[bin.used]};
+        ++bin.used;
+        __builtin_prefetch(slot.triangle + 1, 1); // the next one comes after those of many other tiles
+        __builtin_prefetch(slot.colors + 1, 1);
+        return slot;
     }
 
-    /// Planes of the triangle with that number.
-    [[nodiscard]] ColorPlanes& planes(std::uint32_t number)
+    /// Planes of the triangle that has the number; those of a frame are all of one type.
+    template <class Planes>
+    [[nodiscard]] Planes& varyings(std::uint32_t number)
     {
-        while (number / kSlabPlanes >= m_planes.size())
-            m_planes.emplace_back().reserve(kSlabPlanes);
-        return m_planes[number / kSlabPlanes].data()[number % kSlabPlanes];
+        while (number / kPerSlab<Planes> >= m_varyings.size())
+            m_varyings.emplace_back().reserve(kSlabBytes);
+        return std::as_const(*this).template varyings<Planes>(number);
     }
-    [[nodiscard]] const ColorPlanes& planes(std::uint32_t number) const
+    template <class Planes>
+    [[nodiscard]] Planes& varyings(std::uint32_t number) const
     {
-        return m_planes[number / kSlabPlanes].data()[number % kSlabPlanes];
+        auto* slab = reinterpret_cast<Planes*>(m_varyings[number / kPerSlab<Planes>].data());
+        return slab[number % kPerSlab<Planes>];
     }
 
 private:
     void grow(Bin& bin);
 
-    static constexpr std::size_t kSlabPlanes = 1U << 15; // 2 MiB
-    std::vector<LargeArray<ColorPlanes>> m_planes;
+    static constexpr std::size_t kSlabBytes = 2U << 20;
+    template <class Planes>
+    static constexpr std::uint32_t kPerSlab = kSlabBytes / sizeof(Planes);
+    std::vector<LargeArray<std::byte>> m_varyings;
 };
 
 /// The samples of a tile while it is drawn, block by block.

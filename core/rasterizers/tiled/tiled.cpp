@@ -1,6 +1,7 @@
 #include "core/rasterizers/tiled/tiled.h"
 
 #include "core/camera.h"
+#include "core/framebuffer.h"
 #include "core/pipeline/shading.h"
 #include "core/rasterizers/tiled/context.h"
 #include "core/stopwatch.h"
@@ -55,7 +56,7 @@ void clearChunks(TiledContext& context, const FrameJob& job, std::size_t faces, 
     for (Chunk& chunk : context.chunks) {
         chunk.bins.assign(job.grid.count(), {});
         chunk.pieces.clear();
-        chunk.sources.clear();
+        chunk.varyingCount = 0;
         chunk.arena.reset();
         chunk.faces = {};
     }
@@ -68,16 +69,25 @@ T* output(std::vector<T>& memory, bool asked, std::size_t count)
     return asked ? memory.data() : nullptr;
 }
 
-void aim(FrameJob& job, Frame& frame)
+/// Where the frame goes, and what is already there.
+void aim(FrameJob& job, Frame& frame, PictureMemory& picture)
 {
     const Rules& rules = job.rules;
-    if (frame.image.size() != QSize(rules.width, rules.height) || frame.image.format() != QImage::Format_RGB32)
-        frame.image = QImage(rules.width, rules.height, QImage::Format_RGB32);
+    sizePicture(frame, rules, job.outputs);
+    const bool unchanged = picture.image == frame.image.cacheKey() && picture.emptyColor == job.emptyColor &&
+                           picture.pitch == job.grid.pitch && picture.blank.size() == job.grid.count();
+    if (!unchanged)
+        picture.blank.assign(job.grid.count(), 0);
+    job.blank = picture.blank.data();
     const std::size_t pixels = std::size_t(rules.width) * std::size_t(rules.height);
-    job.color = reinterpret_cast<std::uint32_t*>(frame.image.bits());
+    if (job.outputs.picture)
+        job.color = reinterpret_cast<std::uint32_t*>(frame.image.bits());
     job.depth = output(frame.depth, job.outputs.depth, pixels);
     job.ids = output(frame.ids, job.outputs.ids, pixels);
     job.coverage = output(frame.coverage, job.outputs.coverage, pixels);
+    picture.image = frame.image.cacheKey();
+    picture.emptyColor = job.emptyColor;
+    picture.pitch = job.grid.pitch;
 }
 
 void add(Statistics::Faces& sum, const Statistics::Faces& f)
@@ -100,7 +110,7 @@ void add(Statistics::Pixels& sum, const Statistics::Pixels& p)
     sum.depthPassed += p.depthPassed;
     sum.depthFailed += p.depthFailed;
     sum.shaded += p.shaded;
-    sum.written += p.shaded;
+    sum.written += p.written;
 }
 
 Statistics collect(const TiledContext& context)
@@ -200,6 +210,8 @@ void Tiled::draw(const Scene& scene, const Settings& settings, Frame& frame, Out
     FrameJob job;
     job.scene = &scene;
     job.rules = rulesFor(scene, settings);
+    if (!outputs.picture)
+        job.rules.varyingCount = 0; // nothing is shaded
     job.matrices = cameraMatrices(scene, settings);
     const FaceStages stages(scene, job.matrices, job.rules);
     job.stages = &stages;
@@ -207,10 +219,11 @@ void Tiled::draw(const Scene& scene, const Settings& settings, Frame& frame, Out
     job.outputs = outputs;
     job.counting = statistics != nullptr;
     job.clearColor = packColor(scene.background);
+    job.emptyColor = job.rules.shading == Shading::Overdraw ? overdrawColor(0) : job.clearColor;
     job.chunks = &context.chunks;
-    aim(job, frame);
+    aim(job, frame, context.picture);
     const std::size_t vertices = scene.mesh.vertices.size();
-    if (job.interpolatesColor() && (scene.lit || scene.space == SceneSpace::Object))
+    if (job.interpolates() && (scene.lit || scene.space == SceneSpace::Object))
         job.colors = context.colors.reserve(vertices);
     if (job.colors != nullptr || sharesVertices(scene.mesh))
         job.points = context.points.reserve(vertices);

@@ -1,0 +1,144 @@
+// Interpolated colours: each block of a tile is shaded as it is met, triangle by triangle, in registers. Included once
+// for each target.
+#if defined(RASTERLENS_TILED_GOURAUD_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RASTERLENS_TILED_GOURAUD_INL_H
+#undef RASTERLENS_TILED_GOURAUD_INL_H
+#else
+#define RASTERLENS_TILED_GOURAUD_INL_H
+#endif
+
+#include "core/rasterizers/tiled/exact_path.h"
+#include "core/rasterizers/tiled/kernels.h"
+#include "core/rasterizers/tiled/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rasterlens::tiled::HWY_NAMESPACE
+{
+
+/// Samples of a block that belong to the target.
+inline std::uint32_t LanesOnTarget(const FrameJob& job, TileOrigin origin, int block)
+{
+    const int columns = std::min(job.rules.columns() - origin.x, job.grid.pitch) - blockColumn(block) * kBlockSide;
+    const int rows = std::min(job.rules.rows() - origin.y, job.grid.pitch) - blockRow(block) * kBlockSide;
+    if (columns >= kBlockSide && rows >= kBlockSide)
+        return 0xffff;
+    std::uint32_t bits = 0;
+    for (int y = 0; y < std::min(rows, kBlockSide); ++y)
+        for (int x = 0; x < std::min(columns, kBlockSide); ++x)
+            bits |= 1U << (y * kBlockSide + x);
+    return bits;
+}
+
+/// Colours of 0 to 255, held within that and rounded, in the lowest bits: above 2^23 a float counts in ones.
+HWY_INLINE Ints ChannelOf(Floats c)
+{
+    constexpr FloatTag tag;
+    const Floats held = hn::Min(hn::Max(c, hn::Zero(tag)), hn::Set(tag, 255.0F));
+    return hn::BitCast(IntTag(), hn::Add(held, hn::Set(tag, 0x1p23F)));
+}
+
+HWY_INLINE Uints PackChannels(Floats red, Floats green, Floats blue)
+{
+    constexpr IntTag tag;
+    // What is above the lowest 8 bits is shifted out, or covered by alpha.
+    const Ints packed = hn::Or3(hn::ShiftLeft<16>(ChannelOf(red)), hn::ShiftLeft<8>(ChannelOf(green)), ChannelOf(blue));
+    return hn::BitCast(UintTag(), hn::Or(packed, hn::Set(tag, static_cast<std::int32_t>(0xff000000U))));
+}
+
+/// The colour of a triangle at samples (x, y) of the target.
+HWY_INLINE Uints ColorAt(const ColorPlanes& planes, Floats x, Floats y)
+{
+    constexpr FloatTag tag;
+    const Floats toX = hn::Sub(x, hn::Set(tag, planes.x0));
+    const Floats toY = hn::Sub(y, hn::Set(tag, planes.y0));
+    const auto plane = [&](std::size_t i) HWY_ATTR {
+        return hn::Add(hn::Set(tag, planes.origin[i]),
+                       hn::Add(hn::Mul(hn::Set(tag, planes.perX[i]), toX), hn::Mul(hn::Set(tag, planes.perY[i]), toY)));
+    };
+    if (HWY_LIKELY(planes.way == ColorWay::Affine))
+        return PackChannels(plane(1), plane(2), plane(3));
+    const Floats w = hn::Div(hn::Set(tag, 1.0F), plane(0));
+    return PackChannels(hn::Mul(plane(1), w), hn::Mul(plane(2), w), hn::Mul(plane(3), w));
+}
+
+/// A block while it is shaded.
+struct ColorBlock {
+    std::array<Uints, kVectors> ids;
+    std::array<Uints, kVectors> color;
+
+    HWY_INLINE void store(std::uint32_t* to) const
+    {
+        for (std::size_t v = 0; v < kVectors; ++v)
+            hn::Store(color[v], UintTag(), to + v * kPerVector);
+    }
+    HWY_INLINE void load(const std::uint32_t* from)
+    {
+        for (std::size_t v = 0; v < kVectors; ++v)
+            color[v] = hn::Load(UintTag(), from + v * kPerVector);
+    }
+    /// Samples that hold the number, a bit each.
+    HWY_INLINE std::uint32_t lanesOf(std::uint32_t number) const
+    {
+        std::uint32_t lanes = 0;
+        for (std::size_t v = 0; v < kVectors; ++v)
+            lanes |= BitsOf(UintTag(), hn::Eq(ids[v], hn::Set(UintTag(), number))) << (v * kPerVector);
+        return lanes;
+    }
+};
+
+/// Colours the samples that a triangle won in a block; the lanes are those.
+HWY_INLINE void ColorLanes(const FrameJob& job, Worker& worker, TileOrigin origin, std::size_t block,
+                           std::uint32_t number, std::uint32_t lanes, ColorBlock& samples)
+{
+    constexpr FloatTag tag;
+    constexpr UintTag unsignedTag;
+    const ColorPlanes& planes = worker.colors(number);
+    if (HWY_UNLIKELY(planes.way == ColorWay::Exact)) {
+        std::uint32_t* memory = worker.samples.color.data() + block * kLanes;
+        samples.store(memory);
+        shadeExactly(job, {worker.triangle(number).source, &worker.chunkOf(number), nullptr, {}},
+                     {static_cast<std::uint16_t>(block), static_cast<std::uint16_t>(lanes), 0}, origin, worker.samples);
+        samples.load(memory);
+        return;
+    }
+    const auto x = static_cast<float>(origin.x + blockColumn(static_cast<int>(block)) * kBlockSide);
+    const auto y = static_cast<float>(origin.y + blockRow(static_cast<int>(block)) * kBlockSide);
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        const Uints color =
+            ColorAt(planes, hn::Add(hn::Load(tag, kPattern.floatX.data() + v * kPerVector), hn::Set(tag, x)),
+                    hn::Add(hn::Load(tag, kPattern.floatY.data() + v * kPerVector), hn::Set(tag, y)));
+        const auto mine = hn::Eq(samples.ids[v], hn::Set(unsignedTag, number));
+        samples.color[v] = hn::IfThenElse(mine, color, samples.color[v]);
+    }
+}
+
+/// Colours a block; what nobody won is background.
+HWY_INLINE void ColorWholeBlock(const FrameJob& job, Worker& worker, TileOrigin origin, std::size_t block)
+{
+    constexpr UintTag tag;
+    TileSamples& samples = worker.samples;
+    ColorBlock shaded;
+    const std::uint32_t owner = samples.owner[block];
+    const std::uint32_t* ids = samples.ids.data() + block * kLanes;
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        shaded.color[v] = hn::Set(tag, job.clearColor);
+        shaded.ids[v] = owner != kNobody ? hn::Set(tag, owner) : hn::Load(tag, ids + v * kPerVector);
+    }
+    std::uint32_t remaining = owner == kEmpty ? 0 : 0xffff & ~shaded.lanesOf(kNobody);
+    if (job.counting) {
+        remaining &= LanesOnTarget(job, origin, static_cast<int>(block));
+        worker.pixels.shaded += static_cast<unsigned>(std::popcount(remaining));
+        worker.pixels.written += static_cast<unsigned>(std::popcount(remaining));
+    }
+    while (remaining != 0) {
+        const std::uint32_t number = owner != kNobody ? owner : ids[std::countr_zero(remaining)];
+        const std::uint32_t lanes = shaded.lanesOf(number);
+        ColorLanes(job, worker, origin, block, number, lanes & remaining, shaded);
+        remaining &= ~lanes;
+    }
+    shaded.store(samples.color.data() + block * kLanes);
+}
+
+} // namespace rasterlens::tiled::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
