@@ -170,6 +170,8 @@ HWY_INLINE RgbLanes SampleTrilinear(const Texture& texture, Floats u, Floats v, 
                         wanted);
     };
     const Floats part = hn::Sub(level, hn::ConvertTo(tag, finer));
+    if (hn::AllFalse(tag, hn::Gt(part, hn::Zero(tag)))) // magnified, as a rule
+        return sample(finer);
     return Mix(sample(finer), sample(coarser), part);
 }
 
