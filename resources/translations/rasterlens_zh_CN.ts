@@ -48,8 +48,8 @@
         <translation>这种着色不读取插值属性。</translation>
     </message>
     <message>
-        <source>Only texture shading reads texels.</source>
-        <translation>只有纹理着色才读取纹素。</translation>
+        <source>Only texture and Phong shading read texels.</source>
+        <translation>只有纹理着色和 Phong 着色才读取纹素。</translation>
     </message>
     <message>
         <source>Only the tiled algorithm uses threads.</source>
