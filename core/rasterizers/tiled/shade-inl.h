@@ -104,7 +104,7 @@ inline void ShadeDepth(const FrameJob& job, Worker& worker)
             const std::int32_t* key = worker.samples.key.data() + std::size_t(share.block) * kLanes + v * kPerVector;
             const Floats depth =
                 hn::Mul(hn::BitCast(floatTag, hn::Xor(hn::Load(tag, key), flip)), hn::Set(floatTag, 255.0F));
-            BlendColor(PackChannels(depth, depth, depth), share, v, worker.samples);
+            BlendColor(PackHeld(depth, depth, depth), share, v, worker.samples);
         }
 }
 
