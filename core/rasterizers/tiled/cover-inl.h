@@ -229,30 +229,32 @@ HWY_INLINE void FlushQueue(const Policy& policy, BlockQueue& queue, Worker& work
     queue.groupCount = 0;
 }
 
-/// Starts a group of blocks of a triangle; its corners are to be filled.
-HWY_INLINE BlockQueue::Group& AddGroup(const TriangleLanes& t, std::uint32_t number, BlockQueue& queue)
+/// The group that comes next, for its corners to be filled in.
+template <class Policy>
+HWY_INLINE BlockQueue::Group& NextGroup(const Policy& policy, BlockQueue& queue, Worker& worker)
 {
-    BlockQueue::Group& group = queue.groups[queue.groupCount++];
-    group.number = number;
-    for (std::size_t v = 0; v < kVectors; ++v) {
-        for (std::size_t k = 0; k < 3; ++k)
-            hn::Store(t.edge[k][v], IntTag(), group.offsets.edge[k].data() + v * kPerVector);
-        Store(t.depth[v], group.offsets.depth.data() + v * kPerVector);
-    }
-    return group;
+    if (queue.groupCount == BlockQueue::kGroups)
+        FlushQueue(policy, queue, worker);
+    return queue.groups[queue.groupCount];
 }
 
-/// Appends blocks of the latest group.
+/// Appends the next group.
 ///
 /// in   the blocks of the tile at the group's 16 places, and which of them are wanted
 template <class BlocksAt>
-HWY_INLINE void AddItems(BlockQueue& queue, std::uint32_t wanted, BlocksAt&& blocksAt)
+HWY_INLINE void AppendGroup(const TriangleLanes& t, std::uint32_t number, std::uint32_t wanted, BlockQueue& queue,
+                            BlocksAt&& blocksAt)
 {
     constexpr UintTag tag;
-    const auto group = static_cast<std::uint32_t>((queue.groupCount - 1) << 8);
+    const auto index = static_cast<std::uint32_t>(queue.groupCount++);
+    BlockQueue::Group& group = queue.groups[index];
+    group.number = number;
     for (std::size_t v = 0; v < kVectors; ++v) {
         const std::size_t lane = v * kPerVector;
-        const Uints places = hn::Iota(tag, group | static_cast<std::uint32_t>(lane));
+        for (std::size_t k = 0; k < 3; ++k)
+            hn::Store(t.edge[k][v], IntTag(), group.offsets.edge[k].data() + lane);
+        Store(t.depth[v], group.offsets.depth.data() + lane);
+        const Uints places = hn::Iota(tag, index << 8 | static_cast<std::uint32_t>(lane));
         const Uints items = hn::Or(hn::ShiftLeft<16>(blocksAt(lane)), places);
         const std::uint32_t bits = wanted >> lane & ((1U << kPerVector) - 1);
         hn::StoreU(hn::Compress(items, MaskOf(tag, bits)), tag, queue.items.data() + queue.itemCount);
@@ -426,9 +428,7 @@ HWY_INLINE void CoverSubtiles(const TriangleLanes& t, const TileTriangle& bounds
         const int y = subtile / 4 * 16;
         if (x > bounds.x1 || x + 15 < bounds.x0 || y > bounds.y1 || y + 15 < bounds.y0)
             continue;
-        if (queue.groupCount == BlockQueue::kGroups)
-            FlushQueue(policy, queue, worker);
-        BlockQueue::Group& group = AddGroup(t, number, queue);
+        BlockQueue::Group& group = NextGroup(policy, queue, worker);
         const std::size_t firstBlock = static_cast<std::size_t>(subtile) * 16;
         const SquareVerdicts verdicts = JudgeSquares<2>(t, x, y, group.corners);
         BlockWork work =
@@ -439,9 +439,10 @@ HWY_INLINE void CoverSubtiles(const TriangleLanes& t, const TileTriangle& bounds
                 WriteOwnedBlock(firstBlock + static_cast<std::size_t>(std::countr_zero(work.writeBefore)), t.tile,
                                 worker);
         }
-        AddItems(queue, work.cover, [&](std::size_t lane) HWY_ATTR {
-            return hn::Iota(UintTag(), static_cast<std::uint32_t>(firstBlock + lane));
-        });
+        if (work.cover != 0)
+            AppendGroup(t, number, work.cover, queue, [&](std::size_t lane) HWY_ATTR {
+                return hn::Iota(UintTag(), static_cast<std::uint32_t>(firstBlock + lane));
+            });
     }
     if (Policy::kUsual && tile.updates >= kTileBlocks / 4)
         RefreshFarthest(worker.samples, tile);
@@ -477,9 +478,7 @@ template <class Policy>
 HWY_INLINE void CoverWindow(const TriangleLanes& t, const BlockBounds& bounds, float nearest, const Policy& policy,
                             std::uint32_t number, Worker& worker, TileDepth& tile, BlockQueue& queue)
 {
-    if (queue.groupCount == BlockQueue::kGroups)
-        FlushQueue(policy, queue, worker);
-    BlockQueue::Group& group = AddGroup(t, number, queue);
+    BlockQueue::Group& group = NextGroup(policy, queue, worker);
     const int x = bounds.column * kBlockSide;
     const int y = bounds.row * kBlockSide;
     for (std::size_t v = 0; v < kVectors; ++v)
@@ -495,7 +494,8 @@ HWY_INLINE void CoverWindow(const TriangleLanes& t, const BlockBounds& bounds, f
             const int block = blockIndex(bounds.column + square % kBlockSide, bounds.row + square / kBlockSide);
             WriteOwnedBlock(static_cast<std::size_t>(block), t.tile, worker);
         }
-    AddItems(queue, touched, [&](std::size_t lane) HWY_ATTR { return BlocksFrom(bounds.column, bounds.row, lane); });
+    AppendGroup(t, number, touched, queue,
+                [&](std::size_t lane) HWY_ATTR { return BlocksFrom(bounds.column, bounds.row, lane); });
 }
 
 template <class Policy>
