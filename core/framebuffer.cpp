@@ -29,8 +29,7 @@ void pickCentres(const std::vector<T>& samples, std::vector<T>& pixels, int widt
                         static_cast<std::size_t>(x * grid + grid / 2)];
 }
 
-} // namespace
-
+/// Makes the frame's picture one of the right size, or none.
 void sizePicture(Frame& frame, const Rules& rules, Outputs outputs)
 {
     if (!outputs.picture)
@@ -38,6 +37,8 @@ void sizePicture(Frame& frame, const Rules& rules, Outputs outputs)
     else if (frame.image.size() != QSize(rules.width, rules.height) || frame.image.format() != QImage::Format_RGB32)
         frame.image = QImage(rules.width, rules.height, QImage::Format_RGB32);
 }
+
+} // namespace
 
 Framebuffer::Framebuffer(Frame& frame, const Rules& rules, Outputs outputs, std::uint32_t clearColor)
     : m_frame(&frame), m_rules(rules), m_outputs(outputs)

@@ -44,9 +44,6 @@ template <class ColorAt>
     return 0xff000000U | red / samplesPerPixel << 16 | green / samplesPerPixel << 8 | blue / samplesPerPixel;
 }
 
-/// Makes the frame's picture one of the right size, or none.
-void sizePicture(Frame& frame, const Rules& rules, Outputs outputs);
-
 /// Owns the memory of a frame while it is drawn. With one sample a pixel the samples are the frame's own arrays.
 class Framebuffer
 {

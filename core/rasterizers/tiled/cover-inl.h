@@ -121,12 +121,19 @@ HWY_INLINE Ints StoredKey(const WideDoubles& depth, const AnyDepth& policy)
     return hn::Xor(key, hn::Set(tag, policy.flip));
 }
 
-HWY_INLINE Ints StoredKey(const WideDoubles& depth, const UsualDepth&) { return KeyOf(depth); }
-
-/// Lanes of a block that are samples of the target: only those are counted.
-HWY_INLINE hn::Mask<IntTag> OnTarget(const AnyDepth& policy, int x, int y, std::size_t lane)
+/// What is beyond 1 needs no holding: it loses against everything.
+HWY_INLINE Ints StoredKey(const WideDoubles& depth, const UsualDepth&)
 {
     constexpr IntTag tag;
+    return hn::Max(hn::BitCast(tag, ToFloats(depth)), hn::Zero(tag));
+}
+
+/// Lanes of a block that are samples of the target: only those are counted.
+HWY_INLINE hn::Mask<IntTag> OnTarget(const AnyDepth& policy, std::size_t block, std::size_t lane)
+{
+    constexpr IntTag tag;
+    const int x = blockColumn(static_cast<int>(block)) * kBlockSide;
+    const int y = blockRow(static_cast<int>(block)) * kBlockSide;
     return hn::And(hn::Lt(hn::Load(tag, kPattern.x.data() + lane), hn::Set(tag, policy.width - x)),
                    hn::Lt(hn::Load(tag, kPattern.y.data() + lane), hn::Set(tag, policy.height - y)));
 }
@@ -150,27 +157,50 @@ HWY_INLINE void CountSamples(const AnyDepth& policy, Mask inside, Mask passed, s
     }
 }
 
-/// What a triangle has at the first sample of a block.
-struct BlockCorner {
-    Ints edge0, edge1, edge2;
-    Doubles depth;
+/// A triangle at the first samples of 16 squares, 4 x 4 of them.
+struct alignas(64) SquareCorners {
+    std::array<std::array<std::int32_t, kLanes>, 3> edge;
+    std::array<double, kLanes> depth;
+};
+
+/// Blocks whose samples are still to be tested, in the order of the triangles. They are gathered over several
+/// triangles: a loop whose end is foreseen once in a hundred blocks, not once a triangle.
+struct alignas(64) BlockQueue {
+    static constexpr std::size_t kGroups = 8;
+
+    /// Up to 16 blocks of one triangle.
+    struct alignas(64) Group {
+        SquareCorners corners;
+        SquareCorners offsets; ///< from the first sample of a block to the others
+        std::uint32_t number;
+    };
+    std::array<Group, kGroups> groups;
+    /// Block of the tile, group, place in its 16: a byte each from the top. Whole vectors are written at the end.
+    std::array<std::uint32_t, (kGroups + 1) * kLanes> items;
+    std::size_t groupCount = 0;
+    std::size_t itemCount = 0;
 };
 
 /// The samples of one block: all of them are computed and those that win are blended in, without a branch.
 template <class Policy>
-HWY_INLINE void CoverBlock(const TriangleLanes& t, const BlockCorner& corner, const Policy& policy, int x, int y,
-                           std::size_t block, std::uint32_t number, Worker& worker)
+HWY_INLINE void CoverBlock(const BlockQueue::Group& group, std::size_t square, std::size_t block, const Policy& policy,
+                           Worker& worker)
 {
     constexpr IntTag tag;
     constexpr UintTag unsignedTag;
+    constexpr DoubleTag wide;
+    const Doubles depth = hn::Set(wide, group.corners.depth[square]);
     for (std::size_t v = 0; v < kVectors; ++v) {
-        const std::size_t at = block * kLanes + v * kPerVector;
-        const Ints sign = hn::Or3(hn::Add(corner.edge0, t.edge[0][v]), hn::Add(corner.edge1, t.edge[1][v]),
-                                  hn::Add(corner.edge2, t.edge[2][v]));
-        auto inside = NotNegative(sign);
+        const std::size_t lane = v * kPerVector;
+        const std::size_t at = block * kLanes + lane;
+        const auto edge = [&](std::size_t k) HWY_ATTR {
+            return hn::Add(hn::Set(tag, group.corners.edge[k][square]),
+                           hn::Load(tag, group.offsets.edge[k].data() + lane));
+        };
+        auto inside = NotNegative(hn::Or3(edge(0), edge(1), edge(2)));
         if constexpr (!Policy::kUsual)
-            inside = hn::And(inside, OnTarget(policy, x, y, v * kPerVector));
-        const Ints key = StoredKey(Add(t.depth[v], corner.depth), policy);
+            inside = hn::And(inside, OnTarget(policy, block, lane));
+        const Ints key = StoredKey(Add(LoadWide(group.offsets.depth.data() + lane), depth), policy);
         std::int32_t* keys = worker.samples.key.data() + at;
         std::uint32_t* ids = worker.samples.ids.data() + at;
         const Ints stored = hn::Load(tag, keys);
@@ -179,7 +209,7 @@ HWY_INLINE void CoverBlock(const TriangleLanes& t, const BlockCorner& corner, co
             compared = hn::Sub(key, hn::Set(tag, policy.handicap));
         const auto passed = hn::And(inside, hn::Lt(compared, stored));
         hn::Store(hn::IfThenElse(passed, key, stored), tag, keys);
-        hn::Store(hn::IfThenElse(hn::RebindMask(unsignedTag, passed), hn::Set(unsignedTag, number),
+        hn::Store(hn::IfThenElse(hn::RebindMask(unsignedTag, passed), hn::Set(unsignedTag, group.number),
                                  hn::Load(unsignedTag, ids)),
                   unsignedTag, ids);
         if constexpr (!Policy::kUsual)
@@ -187,17 +217,85 @@ HWY_INLINE void CoverBlock(const TriangleLanes& t, const BlockCorner& corner, co
     }
 }
 
-/// Writes the keys and ids of a block that nobody or one triangle has to itself.
+/// Tests the blocks of the queue and empties it.
+template <class Policy>
+HWY_INLINE void FlushQueue(const Policy& policy, BlockQueue& queue, Worker& worker)
+{
+    for (std::size_t i = 0; i < queue.itemCount; ++i) {
+        const std::uint32_t item = queue.items[i];
+        CoverBlock(queue.groups[item >> 8 & 0xff], item & 0xff, item >> 16, policy, worker);
+    }
+    queue.itemCount = 0;
+    queue.groupCount = 0;
+}
+
+/// The group that comes next, for its corners to be filled in.
+template <class Policy>
+HWY_INLINE BlockQueue::Group& NextGroup(const Policy& policy, BlockQueue& queue, Worker& worker)
+{
+    if (queue.groupCount == BlockQueue::kGroups)
+        FlushQueue(policy, queue, worker);
+    return queue.groups[queue.groupCount];
+}
+
+/// Appends the next group.
+///
+/// in   the blocks of the tile at the group's 16 places, and which of them are wanted
+template <class BlocksAt>
+HWY_INLINE void AppendGroup(const TriangleLanes& t, std::uint32_t number, std::uint32_t wanted, BlockQueue& queue,
+                            BlocksAt&& blocksAt)
+{
+    constexpr UintTag tag;
+    const auto index = static_cast<std::uint32_t>(queue.groupCount++);
+    BlockQueue::Group& group = queue.groups[index];
+    group.number = number;
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        const std::size_t lane = v * kPerVector;
+        for (std::size_t k = 0; k < 3; ++k)
+            hn::Store(t.edge[k][v], IntTag(), group.offsets.edge[k].data() + lane);
+        Store(t.depth[v], group.offsets.depth.data() + lane);
+        const Uints places = hn::Iota(tag, index << 8 | static_cast<std::uint32_t>(lane));
+        const Uints items = hn::Or(hn::ShiftLeft<16>(blocksAt(lane)), places);
+        const std::uint32_t bits = wanted >> lane & ((1U << kPerVector) - 1);
+        hn::StoreU(hn::Compress(items, MaskOf(tag, bits)), tag, queue.items.data() + queue.itemCount);
+        queue.itemCount += static_cast<std::size_t>(std::popcount(bits));
+    }
+}
+
+/// The state of a tile between its triangles.
+struct TileDepth {
+    std::int32_t farthest;     ///< a key no sample of the tile is farther than
+    std::int32_t nearestSmall; ///< a key no small triangle so far is nearer than
+    int updates = 0;           ///< blocks that came nearer since `farthest` was found
+    bool blank = true;         ///< there are blocks that nobody wrote to
+    bool owners = false;       ///< there may be blocks that belong to one triangle
+};
+
+/// Clears the samples of the blocks that nobody wrote to: all at once, as those to come are anybody's guess.
+inline void WriteBlankBlocks(TileSamples& samples, TileDepth& tile)
+{
+    if (!tile.blank)
+        return;
+    tile.blank = false;
+    for (std::size_t block = 0; block < kTileBlocks; ++block) {
+        if (samples.owner[block] != kEmpty)
+            continue;
+        samples.owner[block] = kNobody;
+        for (std::size_t at = block * kLanes; at < (block + 1) * kLanes; at += kPerVector) {
+            hn::Store(hn::Set(IntTag(), samples.clearKey), IntTag(), samples.key.data() + at);
+            hn::Store(hn::Set(UintTag(), kNobody), UintTag(), samples.ids.data() + at);
+        }
+    }
+}
+
+/// Writes the keys and ids of a block that one triangle has to itself.
 inline void WriteOwnedBlock(std::size_t block, TileOrigin origin, Worker& worker)
 {
     TileSamples& samples = worker.samples;
     const std::uint32_t number = samples.owner[block];
-    samples.owner[block] = kNobody;
-    if (number == kEmpty) {
-        std::fill_n(samples.key.begin() + std::ptrdiff_t(block) * kLanes, kLanes, samples.clearKey);
-        std::fill_n(samples.ids.begin() + std::ptrdiff_t(block) * kLanes, kLanes, kNobody);
+    if (number == kNobody)
         return;
-    }
+    samples.owner[block] = kNobody;
     const TileTriangle& t = worker.triangle(number);
     const int x = origin.x + blockColumn(static_cast<int>(block)) * kBlockSide;
     const int y = origin.y + blockRow(static_cast<int>(block)) * kBlockSide;
@@ -210,18 +308,13 @@ inline void WriteOwnedBlock(std::size_t block, TileOrigin origin, Worker& worker
     }
 }
 
-inline void WriteOwnedBlocks(TileOrigin origin, Worker& worker)
+inline void WriteOwnedBlocks(TileOrigin origin, Worker& worker, TileDepth& tile)
 {
-    for (std::size_t block = 0; block < kTileBlocks; ++block)
-        if (worker.samples.owner[block] != kNobody)
-            WriteOwnedBlock(block, origin, worker);
+    WriteBlankBlocks(worker.samples, tile);
+    for (std::size_t block = 0; tile.owners && block < kTileBlocks; ++block)
+        WriteOwnedBlock(block, origin, worker);
+    tile.owners = false;
 }
-
-/// A triangle at the first samples of 16 squares, 4 x 4 of them.
-struct alignas(64) SquareCorners {
-    std::array<std::array<std::int32_t, kLanes>, 3> edge;
-    std::array<double, kLanes> depth;
-};
 
 /// Which of the 16 squares of 2^kSideLog2 samples from (x, y) on the triangle touches and covers, a bit each.
 struct SquareVerdicts {
@@ -252,12 +345,6 @@ HWY_INLINE SquareVerdicts JudgeSquares(const TriangleLanes& t, int x, int y, Squ
     }
     return verdicts;
 }
-
-/// The state of a tile between its triangles.
-struct TileDepth {
-    std::int32_t farthest; ///< a key no sample of the tile is farther than
-    int updates = 0;       ///< blocks that came nearer since
-};
 
 inline void RefreshFarthest(const TileSamples& samples, TileDepth& tile)
 {
@@ -295,6 +382,7 @@ HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, int x, int y, SquareVe
     constexpr IntTag tag;
     constexpr UintTag unsignedTag;
     constexpr DoubleTag wide;
+    const Ints nearestSmall = hn::Set(tag, tile.nearestSmall);
     const Doubles first = hn::Set(wide, t.DepthAt(x, y));
     const Doubles toNearest = hn::Set(wide, 3 * (std::min(t.perX, 0.0) + std::min(t.perY, 0.0)));
     const Doubles toFarthest = hn::Set(wide, 3 * (std::max(t.perX, 0.0) + std::max(t.perY, 0.0)));
@@ -306,7 +394,7 @@ HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, int x, int y, SquareVe
         Store(corner, corners.depth.data() + shift);
         const Ints nearest = KeyOf(Add(corner, toNearest));
         const Ints farthest = KeyOf(Add(corner, toFarthest));
-        const Ints nearestThere = hn::Load(tag, samples.nearest.data() + at);
+        const Ints nearestThere = hn::Min(hn::Load(tag, samples.nearest.data() + at), nearestSmall);
         const Ints farthestThere = hn::Load(tag, samples.farthest.data() + at);
         const auto shown = hn::And(MaskOf(tag, verdicts.touched >> shift), hn::Lt(nearest, farthestThere));
         const auto covered = hn::And(MaskOf(tag, verdicts.covered >> shift), shown);
@@ -322,6 +410,7 @@ HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, int x, int y, SquareVe
         work.cover |= cover << shift;
         work.writeBefore |= (cover & BitsOf(unsignedTag, hn::Ne(owner, hn::Set(unsignedTag, kNobody)))) << shift;
         tile.updates += std::popcount(BitsOf(tag, covered));
+        tile.owners |= !hn::AllFalse(tag, owned);
     }
     return work;
 }
@@ -329,80 +418,104 @@ HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, int x, int y, SquareVe
 /// A triangle that is large in the tile: subtiles first, then their blocks.
 template <class Policy>
 HWY_INLINE void CoverSubtiles(const TriangleLanes& t, const TileTriangle& bounds, const Policy& policy,
-                              std::uint32_t number, Worker& worker, TileDepth& tile)
+                              std::uint32_t number, Worker& worker, TileDepth& tile, BlockQueue& queue)
 {
-    constexpr IntTag tag;
-    SquareCorners corners;
-    std::uint32_t subtiles = JudgeSquares<4>(t, 0, 0, corners).touched;
+    SquareCorners subtileCorners;
+    std::uint32_t subtiles = JudgeSquares<4>(t, 0, 0, subtileCorners).touched;
     for (; subtiles != 0; subtiles &= subtiles - 1) {
         const int subtile = std::countr_zero(subtiles);
         const int x = subtile % 4 * 16;
         const int y = subtile / 4 * 16;
         if (x > bounds.x1 || x + 15 < bounds.x0 || y > bounds.y1 || y + 15 < bounds.y0)
             continue;
+        BlockQueue::Group& group = NextGroup(policy, queue, worker);
         const std::size_t firstBlock = static_cast<std::size_t>(subtile) * 16;
-        const SquareVerdicts verdicts = JudgeSquares<2>(t, x, y, corners);
-        BlockWork work = DecideBlocks(t, x, y, verdicts, policy, firstBlock, number, worker.samples, tile, corners);
-        for (; work.writeBefore != 0; work.writeBefore &= work.writeBefore - 1)
-            WriteOwnedBlock(firstBlock + static_cast<std::size_t>(std::countr_zero(work.writeBefore)), t.tile, worker);
-        for (; work.cover != 0; work.cover &= work.cover - 1) {
-            const auto block = static_cast<std::size_t>(std::countr_zero(work.cover));
-            const BlockCorner corner{hn::Set(tag, corners.edge[0][block]), hn::Set(tag, corners.edge[1][block]),
-                                     hn::Set(tag, corners.edge[2][block]), hn::Set(DoubleTag(), corners.depth[block])};
-            CoverBlock(t, corner, policy, x + static_cast<int>(block % 4) * kBlockSide,
-                       y + static_cast<int>(block / 4) * kBlockSide, firstBlock + block, number, worker);
+        const SquareVerdicts verdicts = JudgeSquares<2>(t, x, y, group.corners);
+        BlockWork work =
+            DecideBlocks(t, x, y, verdicts, policy, firstBlock, number, worker.samples, tile, group.corners);
+        if (work.writeBefore != 0) {
+            WriteBlankBlocks(worker.samples, tile);
+            for (; work.writeBefore != 0; work.writeBefore &= work.writeBefore - 1)
+                WriteOwnedBlock(firstBlock + static_cast<std::size_t>(std::countr_zero(work.writeBefore)), t.tile,
+                                worker);
         }
+        if (work.cover != 0)
+            AppendGroup(t, number, work.cover, queue, [&](std::size_t lane) HWY_ATTR {
+                return hn::Iota(UintTag(), static_cast<std::uint32_t>(firstBlock + lane));
+            });
     }
     if (Policy::kUsual && tile.updates >= kTileBlocks / 4)
         RefreshFarthest(worker.samples, tile);
 }
 
-/// A block of a triangle that is small.
-template <class Policy>
-HWY_INLINE void CoverLoneBlock(const TriangleLanes& t, std::int32_t nearest, const Policy& policy, int column, int row,
-                               std::uint32_t number, Worker& worker)
-{
-    constexpr IntTag tag;
-    const auto block = static_cast<std::size_t>(blockIndex(column, row));
-    const int x = column * kBlockSide;
-    const int y = row * kBlockSide;
-    TileSamples& samples = worker.samples;
-    if (Policy::kUsual) {
-        if (HWY_UNLIKELY(samples.owner[block] != kNobody))
-            WriteOwnedBlock(block, t.tile, worker);
-        samples.nearest[block] = std::min(samples.nearest[block], nearest);
+/// The columns and rows of blocks that hold the bounds of a triangle.
+struct BlockBounds {
+    explicit BlockBounds(const TileTriangle& t)
+        : column(t.x0 / kBlockSide), row(t.y0 / kBlockSide), columns(t.x1 / kBlockSide - column + 1),
+          rows(t.y1 / kBlockSide - row + 1)
+    {
     }
-    const BlockCorner corner{hn::Set(tag, t.EdgeAt(0, x, y)), hn::Set(tag, t.EdgeAt(1, x, y)),
-                             hn::Set(tag, t.EdgeAt(2, x, y)), hn::Set(DoubleTag(), t.DepthAt(x, y))};
-    CoverBlock(t, corner, policy, x, y, block, number, worker);
+    int column, row, columns, rows;
+};
+
+/// blockIndex() of the 4 x 4 blocks from column and row on.
+HWY_INLINE Uints BlocksFrom(int column, int row, std::size_t lane)
+{
+    constexpr UintTag tag;
+    const auto along = [](const std::array<std::int32_t, kLanes>& pattern, std::size_t at, int first) HWY_ATTR {
+        return hn::BitCast(UintTag(), hn::Add(hn::Load(IntTag(), pattern.data() + at), hn::Set(IntTag(), first)));
+    };
+    const Uints x = along(kPattern.x, lane, column);
+    const Uints y = along(kPattern.y, lane, row);
+    const Uints three = hn::Set(tag, 3);
+    const Uints inSubtile = hn::Add(hn::ShiftLeft<2>(hn::And(y, three)), hn::And(x, three));
+    const Uints subtile = hn::Add(hn::ShiftLeft<2>(hn::ShiftRight<2>(y)), hn::ShiftRight<2>(x));
+    return hn::Add(hn::ShiftLeft<4>(subtile), inSubtile);
+}
+
+/// A triangle of at most 4 x 4 blocks: those that it touches, without asking what is in front.
+template <class Policy>
+HWY_INLINE void CoverWindow(const TriangleLanes& t, const BlockBounds& bounds, float nearest, const Policy& policy,
+                            std::uint32_t number, Worker& worker, TileDepth& tile, BlockQueue& queue)
+{
+    BlockQueue::Group& group = NextGroup(policy, queue, worker);
+    const int x = bounds.column * kBlockSide;
+    const int y = bounds.row * kBlockSide;
+    for (std::size_t v = 0; v < kVectors; ++v)
+        Store(Add(Mul(t.depth[v], hn::Set(DoubleTag(), double(kBlockSide))), hn::Set(DoubleTag(), t.DepthAt(x, y))),
+              group.corners.depth.data() + v * kPerVector);
+    const std::uint32_t inBounds = (((1U << bounds.columns) - 1) * 0x1111U) & ((1U << bounds.rows * kBlockSide) - 1);
+    const std::uint32_t touched = JudgeSquares<2>(t, x, y, group.corners).touched & inBounds;
+    tile.nearestSmall = std::min(tile.nearestSmall, std::max(std::bit_cast<std::int32_t>(nearest), 0));
+    WriteBlankBlocks(worker.samples, tile);
+    if (tile.owners)
+        for (std::uint32_t bits = touched; bits != 0; bits &= bits - 1) {
+            const int square = std::countr_zero(bits);
+            const int block = blockIndex(bounds.column + square % kBlockSide, bounds.row + square / kBlockSide);
+            WriteOwnedBlock(static_cast<std::size_t>(block), t.tile, worker);
+        }
+    AppendGroup(t, number, touched, queue,
+                [&](std::size_t lane) HWY_ATTR { return BlocksFrom(bounds.column, bounds.row, lane); });
 }
 
 template <class Policy>
 HWY_INLINE void CoverTriangle(const TileTriangle& t, const Policy& policy, TileOrigin origin, std::uint32_t number,
-                              Worker& worker, TileDepth& tile)
+                              Worker& worker, TileDepth& tile, BlockQueue& queue)
 {
     const TriangleLanes lanes = SpreadTriangle(t, origin);
-    const int column0 = t.x0 / kBlockSide;
-    const int column1 = t.x1 / kBlockSide;
-    const int row0 = t.y0 / kBlockSide;
-    const int row1 = t.y1 / kBlockSide;
-    if ((column1 - column0) + (row1 - row0) > 3) {
-        CoverSubtiles(lanes, t, policy, number, worker, tile);
-        return;
-    }
-    const auto nearest = std::max(std::bit_cast<std::int32_t>(t.nearest), 0);
-    for (int row = row0; row <= row1; ++row)
-        for (int column = column0; column <= column1; ++column)
-            CoverLoneBlock(lanes, nearest, policy, column, row, number, worker);
+    const BlockBounds bounds(t);
+    if (bounds.columns > kBlockSide || bounds.rows > kBlockSide)
+        CoverSubtiles(lanes, t, policy, number, worker, tile, queue);
+    else
+        CoverWindow(lanes, bounds, t.nearest, policy, number, worker, tile, queue);
 }
 
 template <class Policy>
-inline void CoverTileWith(const FrameJob& job, Worker& worker, TileOrigin origin)
+inline void CoverTileWith(const FrameJob& job, Worker& worker, TileOrigin origin, TileDepth& tile)
 {
     constexpr std::size_t kAhead = 8; // triangles
     const Policy policy(job, origin);
-    TileSamples& samples = worker.samples;
-    TileDepth tile{std::bit_cast<std::int32_t>(job.rules.depthClear)};
+    BlockQueue queue;
     for (std::size_t block = 0; block < worker.blocks.size(); ++block) {
         const TileBlock& bin = worker.blocks[block];
         if (block + 1 < worker.blocks.size())
@@ -415,14 +528,16 @@ inline void CoverTileWith(const FrameJob& job, Worker& worker, TileOrigin origin
             if (Policy::kUsual && std::bit_cast<std::int32_t>(t.nearest) >= tile.farthest)
                 continue;
             if (HWY_UNLIKELY(t.exact())) {
-                WriteOwnedBlocks(origin, worker);
-                samples.nearest.fill(0);
+                FlushQueue(policy, queue, worker);
+                WriteOwnedBlocks(origin, worker, tile);
+                tile.nearestSmall = 0;
                 coverExactly(job, bin.chunk->pieces[t.source & ~kPiece], number, origin, worker);
                 continue;
             }
-            CoverTriangle(t, policy, origin, number, worker, tile);
+            CoverTriangle(t, policy, origin, number, worker, tile, queue);
         }
     }
+    FlushQueue(policy, queue, worker);
 }
 
 /// Blocks outside the target are behind everything: they take no time and keep no tile from being full.
@@ -450,16 +565,17 @@ inline void CoverTile(const FrameJob& job, Worker& worker, TileOrigin origin)
     HideOffTarget(job, origin, samples);
     if (job.countsCoverage())
         samples.coverage.fill(0);
+    TileDepth tile{clear, clear};
     const bool usual = rules.depthTested && rules.depthCompare == DepthCompare::Less &&
                        rules.depthFormat == DepthFormat::Float32 && !job.countsCoverage();
     if (usual) {
-        CoverTileWith<UsualDepth>(job, worker, origin);
+        CoverTileWith<UsualDepth>(job, worker, origin, tile);
     } else {
-        WriteOwnedBlocks(origin, worker);
-        CoverTileWith<AnyDepth>(job, worker, origin);
+        WriteOwnedBlocks(origin, worker, tile);
+        CoverTileWith<AnyDepth>(job, worker, origin, tile);
     }
     if (job.depth != nullptr || job.ids != nullptr || rules.shading == Shading::Depth)
-        WriteOwnedBlocks(origin, worker);
+        WriteOwnedBlocks(origin, worker, tile);
 }
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE

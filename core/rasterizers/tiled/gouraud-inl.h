@@ -29,13 +29,8 @@ inline std::uint32_t LanesOnTarget(const FrameJob& job, TileOrigin origin, int b
     return bits;
 }
 
-/// Colours of 0 to 255, held within that and rounded, in the lowest bits: above 2^23 a float counts in ones.
-HWY_INLINE Ints ChannelOf(Floats c)
-{
-    constexpr FloatTag tag;
-    const Floats held = hn::Min(hn::Max(c, hn::Zero(tag)), hn::Set(tag, 255.0F));
-    return hn::BitCast(IntTag(), hn::Add(held, hn::Set(tag, 0x1p23F)));
-}
+/// Colours of 0 to 255 rounded, in the lowest bits: above 2^23 a float counts in ones.
+HWY_INLINE Ints ChannelOf(Floats c) { return hn::BitCast(IntTag(), hn::Add(c, hn::Set(FloatTag(), 0x1p23F))); }
 
 HWY_INLINE Uints PackChannels(Floats red, Floats green, Floats blue)
 {
@@ -43,6 +38,14 @@ HWY_INLINE Uints PackChannels(Floats red, Floats green, Floats blue)
     // What is above the lowest 8 bits is shifted out, or covered by alpha.
     const Ints packed = hn::Or3(hn::ShiftLeft<16>(ChannelOf(red)), hn::ShiftLeft<8>(ChannelOf(green)), ChannelOf(blue));
     return hn::BitCast(UintTag(), hn::Or(packed, hn::Set(tag, static_cast<std::int32_t>(0xff000000U))));
+}
+
+/// The same of colours that may lie outside.
+HWY_INLINE Uints PackHeld(Floats red, Floats green, Floats blue)
+{
+    const auto held = [](Floats c)
+                          HWY_ATTR { return hn::Min(hn::Max(c, hn::Zero(FloatTag())), hn::Set(FloatTag(), 255.0F)); };
+    return PackChannels(held(red), held(green), held(blue));
 }
 
 /// The colour of a triangle at samples (x, y) of the target.
@@ -58,7 +61,7 @@ HWY_INLINE Uints ColorAt(const ColorPlanes& planes, Floats x, Floats y)
     if (HWY_LIKELY(planes.way == ColorWay::Affine))
         return PackChannels(plane(1), plane(2), plane(3));
     const Floats w = hn::Div(hn::Set(tag, 1.0F), plane(0));
-    return PackChannels(hn::Mul(plane(1), w), hn::Mul(plane(2), w), hn::Mul(plane(3), w));
+    return PackHeld(hn::Mul(plane(1), w), hn::Mul(plane(2), w), hn::Mul(plane(3), w));
 }
 
 /// A block while it is shaded.

@@ -75,6 +75,14 @@ HWY_INLINE void Store(const WideDoubles& wide, double* to)
         hn::Store(wide.part[p], DoubleTag(), to + p * kDoubles);
 }
 
+HWY_INLINE WideDoubles LoadWide(const double* from)
+{
+    WideDoubles wide;
+    for (std::size_t p = 0; p < kParts; ++p)
+        wide.part[p] = hn::Load(DoubleTag(), from + p * kDoubles);
+    return wide;
+}
+
 /// Rounds to nearest.
 HWY_INLINE Floats ToFloats(const WideDoubles& wide)
 {

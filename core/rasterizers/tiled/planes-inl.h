@@ -97,8 +97,8 @@ HWY_INLINE WeightLanes<Doubles> MakeWeights(const PlaneGeometry& g)
 struct ColorLanes3 {
     std::array<std::array<HalfFloats, 3>, 3> channel; ///< of corner k: red, green, blue
     std::array<HalfFloats, 3> w;
-    HalfFloats largest; ///< of the channels, and 1
-    HalfFloats range;   ///< most that a channel differs between two corners
+    HalfFloats lowest, highest; ///< of the channels
+    HalfFloats range;           ///< most that a channel differs between two corners
 };
 
 HWY_INLINE ColorLanes3 LoadColors(const CornerColors& colors)
@@ -108,13 +108,14 @@ HWY_INLINE ColorLanes3 LoadColors(const CornerColors& colors)
     for (std::size_t k = 0; k < 3; ++k)
         hn::LoadInterleaved4(tag, &colors.lanes[k][0].x, out.channel[k][0], out.channel[k][1], out.channel[k][2],
                              out.w[k]);
-    out.largest = hn::Set(tag, 1.0F);
+    out.lowest = out.highest = out.channel[0][0];
     out.range = hn::Zero(tag);
     for (std::size_t i = 0; i < 3; ++i) {
         const HalfFloats high = hn::Max(hn::Max(out.channel[0][i], out.channel[1][i]), out.channel[2][i]);
         const HalfFloats low = hn::Min(hn::Min(out.channel[0][i], out.channel[1][i]), out.channel[2][i]);
         out.range = hn::Max(out.range, hn::Sub(high, low));
-        out.largest = hn::Max(out.largest, hn::Max(high, hn::Neg(low)));
+        out.lowest = hn::Min(out.lowest, low);
+        out.highest = hn::Max(out.highest, high);
     }
     return out;
 }
@@ -122,13 +123,15 @@ HWY_INLINE ColorLanes3 LoadColors(const CornerColors& colors)
 /// Where colours of a whole vector of triangles may be taken as linear on the screen.
 ///
 /// exact  The weights of perspective differ from those of the screen by (r - 1)/4 in sum, r the ratio of the corners'
-///        w: the colour by that times its range. float32 keeps 24 bits of the largest term of a sum.
+///        w: the colour by that times its range. float32 keeps 24 bits of the largest term of a sum. Corners within
+///        0 to 1 keep all samples within that, but for errors that rounding to whole steps swallows.
 HWY_INLINE hn::Mask<HalfFloatTag> ColorsAreAffine(const Rules& rules, const ColorLanes3& colors, HalfFloats steepness)
 {
     constexpr HalfFloatTag tag;
-    constexpr float kSteps = 0.125F; // of 255
+    constexpr float kSteps = 0.25F; // of 255
     constexpr float kEnough = 1 << 10;
-    const auto precise = hn::Lt(hn::Mul(steepness, colors.largest), hn::Set(tag, kEnough));
+    const auto plain = hn::And(hn::Ge(colors.lowest, hn::Zero(tag)), hn::Le(colors.highest, hn::Set(tag, 1.0F)));
+    const auto precise = hn::And(plain, hn::Lt(steepness, hn::Set(tag, kEnough)));
     if (!rules.perspectiveCorrect)
         return precise;
     const auto& [a, b, c] = colors.w;
@@ -196,8 +199,9 @@ inline HalfInts MakePerspective(const Rules& rules, const PlaneGeometry& g, cons
     // float32 keeps 24 bits of the largest term of a sum; what is left of them after the terms cancel and after the
     // division by w must be enough for a colour.
     constexpr double kEnough = 1 << 12;
+    const HalfFloats largest = hn::Max(hn::Max(colors.highest, hn::Neg(colors.lowest)), hn::Set(HalfFloatTag(), 1.0F));
     const Doubles ratio = hn::Div(hn::Max(hn::Max(q[0], q[1]), q[2]), hn::Min(hn::Min(q[0], q[1]), q[2]));
-    const Doubles cancelled = hn::Mul(weights.steepness, hn::Mul(ratio, hn::PromoteTo(tag, colors.largest)));
+    const Doubles cancelled = hn::Mul(weights.steepness, hn::Mul(ratio, hn::PromoteTo(tag, largest)));
     const std::uint32_t precise = BitsOf(tag, hn::Lt(cancelled, hn::Set(tag, kEnough)));
     const auto way = [](ColorWay w) HWY_ATTR { return hn::Set(HalfIntTag(), static_cast<std::int32_t>(w)); };
     const HalfInts other =

@@ -149,7 +149,7 @@ HWY_INLINE bool ShadeShare(const Shader& shader, const VisibleTriangle& visible,
         const ShaderLanes<kCount> lanes{visible, planes, VaryingsAt(planes, x, y, v), MaskOf(FloatTag(), bits)};
         if (HWY_UNLIKELY(!shader.Can(lanes)))
             return false;
-        BlendColor(PackChannels(shader(lanes)), share, v, samples);
+        BlendColor(PackHeld(shader(lanes)), share, v, samples);
     }
     return true;
 }
@@ -183,7 +183,7 @@ inline void ShadeDepth(const FrameJob& job, Worker& worker)
             const std::int32_t* key = worker.samples.key.data() + std::size_t(share.block) * kLanes + v * kPerVector;
             const Floats depth =
                 hn::Mul(hn::BitCast(floatTag, hn::Xor(hn::Load(tag, key), flip)), hn::Set(floatTag, 255.0F));
-            BlendColor(PackChannels({depth, depth, depth}), share, v, worker.samples);
+            BlendColor(PackHeld({depth, depth, depth}), share, v, worker.samples);
         }
 }
 

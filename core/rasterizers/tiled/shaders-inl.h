@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
 {
 
-HWY_INLINE Uints PackChannels(const RgbLanes& color) { return PackChannels(color.red, color.green, color.blue); }
+HWY_INLINE Uints PackHeld(const RgbLanes& color) { return PackHeld(color.red, color.green, color.blue); }
 
 /// A vector of samples of one triangle: what a shader reads.
 template <std::size_t kCount>

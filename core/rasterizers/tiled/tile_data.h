@@ -87,7 +87,7 @@ constexpr std::uint32_t kPiece = 1U << 31;
 
 /// How a triangle's colours are found.
 enum class ColorWay : std::int32_t {
-    Affine,      ///< planes of colour: w changes too little to be seen
+    Affine,      ///< planes of colour: w changes too little to be seen, no sample lies outside of 0 to 1
     Perspective, ///< planes of colour/w and 1/w
     Exact        ///< too steep for float32: sample by sample
 };

@@ -69,11 +69,32 @@ T* output(std::vector<T>& memory, bool asked, std::size_t count)
     return asked ? memory.data() : nullptr;
 }
 
+/// A picture in pages of 2 MiB: the rows of a tile lie in as many small pages, which would all have to be looked up.
+QImage newPicture(int width, int height)
+{
+    using Memory = LargeArray<std::uint32_t>;
+    auto memory = std::make_unique<Memory>();
+    std::uint32_t* pixels = memory->reserve(std::size_t(width) * std::size_t(height));
+    const auto release = [](void* owner) { delete static_cast<Memory*>(owner); };
+    return {reinterpret_cast<uchar*>(pixels),
+            width,
+            height,
+            width * qsizetype(sizeof *pixels),
+            QImage::Format_RGB32,
+            release,
+            memory.release()};
+}
+
 /// Where the frame goes, and what is already there.
 void aim(FrameJob& job, Frame& frame, PictureMemory& picture)
 {
     const Rules& rules = job.rules;
-    sizePicture(frame, rules, job.outputs);
+    const bool fits =
+        frame.image.size() == QSize(rules.width, rules.height) && frame.image.format() == QImage::Format_RGB32;
+    if (!job.outputs.picture)
+        frame.image = QImage();
+    else if (!fits)
+        frame.image = newPicture(rules.width, rules.height);
     const bool unchanged = picture.image == frame.image.cacheKey() && picture.emptyColor == job.emptyColor &&
                            picture.pitch == job.grid.pitch && picture.blank.size() == job.grid.count();
     if (!unchanged)
