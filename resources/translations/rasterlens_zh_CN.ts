@@ -2159,7 +2159,7 @@
     </message>
     <message>
         <source>%1 of %2 pixels differ, by at most %3 of 255 steps · PSNR %4 dB</source>
-        <translation>%2 个像素中有 %1 个不同，最多差 %3 级（共 255 级）· PSNR %4 dB</translation>
+        <translation>%1 / %2 像素不同，最多 %3/255 级 · PSNR %4 dB</translation>
     </message>
     <message>
         <source>Mistakes</source>
