@@ -6,6 +6,7 @@
 #include "core/pipeline/interpolation.h"
 #include "core/render.h"
 #include "core/rules.h"
+#include "tests/seed.h"
 
 #include <QString>
 #include <QtGlobal>
@@ -22,15 +23,7 @@ namespace rasterlens::test
 
 using Random = std::mt19937_64;
 
-/// Starts from RASTERLENS_SEED (1 if there is none) and prints it.
-inline Random seededRandom()
-{
-    bool given = false;
-    const int value = qEnvironmentVariableIntValue("RASTERLENS_SEED", &given);
-    const int seed = given ? value : 1;
-    qInfo("RASTERLENS_SEED=%d", seed);
-    return Random(static_cast<std::uint64_t>(seed));
-}
+inline Random seededRandom() { return Random(seedOfRun()); }
 
 inline double uniform(Random& random, double low, double high)
 {

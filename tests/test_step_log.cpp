@@ -6,6 +6,7 @@
 #include "core/observe/counting_observer.h"
 #include "core/render.h"
 #include "core/steps.h"
+#include "tests/seed.h"
 
 #include <QTest>
 
@@ -172,8 +173,7 @@ void TestStepLog::builtinScenesLookTheSame()
 
 void TestStepLog::randomSettingsLookTheSame()
 {
-    const unsigned seed = std::random_device()();
-    qInfo("seed %u", seed);
+    const unsigned seed = test::seedOfRun();
     std::mt19937 random(seed);
     const auto scenes = builtinScenes();
     std::vector<Scene> small;
@@ -202,8 +202,7 @@ void TestStepLog::randomSettingsLookTheSame()
 
 void TestStepLog::everyPositionIsAFreshPartialRun()
 {
-    const unsigned seed = std::random_device()();
-    qInfo("seed %u", seed);
+    const unsigned seed = test::seedOfRun();
     std::mt19937 random(seed);
     for (const char* name : {"triangle", "painter-cycle", "tunnel", "lines"}) {
         const Scene scene = builtin(name);
@@ -230,8 +229,7 @@ void TestStepLog::everyPositionIsAFreshPartialRun()
 
 void TestStepLog::everyPositionIsACappedRun()
 {
-    const unsigned seed = std::random_device()();
-    qInfo("seed %u", seed);
+    const unsigned seed = test::seedOfRun();
     std::mt19937 random(seed);
     for (const char* name : {"square-diagonal", "piercing", "cube", "behind-camera"}) {
         const Scene scene = builtin(name);
@@ -372,8 +370,7 @@ void TestStepLog::diagonalHasEightTiesWithOwners()
 
 void TestStepLog::edgeValuesAreExact()
 {
-    const unsigned seed = std::random_device()();
-    qInfo("seed %u", seed);
+    const unsigned seed = test::seedOfRun();
     std::mt19937 random(seed);
     std::size_t samples = 0;
     for (int i = 0; i < 50; ++i) {

@@ -1,4 +1,5 @@
 // The tiled algorithm against edge-equation: the same coverage, ids and depth bit for bit, colours to a step.
+#include "tests/seed.h"
 #include "tests/tiled_support.h"
 
 #include <QTest>
@@ -134,9 +135,7 @@ void TestTiled::drawsSoupsAlike_data()
 void TestTiled::drawsSoupsAlike()
 {
     QFETCH(QSize, size);
-    const QByteArray wanted = qgetenv("SEED"); // to repeat a run
-    const unsigned seed = wanted.isEmpty() ? std::random_device()() : wanted.toUInt();
-    qInfo("seed %u", seed);
+    const unsigned seed = test::seedOfRun();
     std::mt19937 random(seed);
     const std::vector<Simd> all = simds();
     for (int round = 0; round < 6; ++round) {

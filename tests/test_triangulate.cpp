@@ -1,5 +1,6 @@
 // Polygons become triangles that cover them exactly.
 #include "core/triangulate.h"
+#include "tests/seed.h"
 
 #include <QTest>
 
@@ -62,8 +63,7 @@ void TestTriangulate::concavePolygons()
 
 void TestTriangulate::randomStars()
 {
-    const auto seed = std::random_device()();
-    qInfo("seed %u", seed);
+    const unsigned seed = test::seedOfRun();
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> radius(0.1F, 1);
     for (int i = 0; i < 300; ++i) { // stars: rays in order, any length

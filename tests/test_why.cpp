@@ -5,6 +5,7 @@
 #include "core/observe/step_text.h"
 #include "core/observe/why.h"
 #include "core/render.h"
+#include "tests/seed.h"
 
 #include <QJsonArray>
 #include <QTest>
@@ -25,6 +26,12 @@ constexpr char kLower[] = "tri -1 -1 0 1 1 0 0   1 -1 0 1 1 0 0   -1 1 0 1 1 0 0
 constexpr char kUpperBehind[] = "tri 1 1 .5 1 0 1 0   -1 1 .5 1 0 1 0   1 -1 .5 1 0 1 0\n";
 constexpr char kWholeFar[] = "tri -1 -1 .9 1 0 0 1   3 -1 .9 1 0 0 1   -1 3 .9 1 0 0 1\n";
 
+bool isClose(QRgb a, QRgb b, int steps)
+{
+    return std::abs(qRed(a) - qRed(b)) <= steps && std::abs(qGreen(a) - qGreen(b)) <= steps &&
+           std::abs(qBlue(a) - qBlue(b)) <= steps;
+}
+
 } // namespace
 
 class TestWhy : public QObject
@@ -43,8 +50,7 @@ private Q_SLOTS:
 
 void TestWhy::agreesWithThePicture()
 {
-    const unsigned seed = std::random_device()();
-    qInfo("seed %u", seed);
+    const unsigned seed = test::seedOfRun();
     std::mt19937 random(seed);
     const auto upTo = [&](int n) { return std::uniform_int_distribution<int>(0, n)(random); };
     std::vector<Scene> scenes;
@@ -73,7 +79,8 @@ void TestWhy::agreesWithThePicture()
                 QStringLiteral("%1 of seed %2, %3 (%4, %5) ").arg(i).arg(seed).arg(scene.id).arg(x).arg(y).toUtf8() +
                 settings.mistakes.join(QLatin1Char(' ')).toUtf8();
             const std::size_t at = std::size_t(y) * std::size_t(settings.size.width()) + std::size_t(x);
-            QVERIFY2(report.color == frame.image.pixel(x, y), what.constData());
+            const int tolerance = settings.algorithm == Algorithm::Tiled ? 1 : 0; // shown by edge-equation
+            QVERIFY2(isClose(report.color, frame.image.pixel(x, y), tolerance), what.constData());
             if (!settings.mistakes.isEmpty())
                 continue; // ids and coverage may then stand elsewhere
             QVERIFY2(frame.ids[at] == (report.visibleFace ? int(*report.visibleFace) : -1), what.constData());
