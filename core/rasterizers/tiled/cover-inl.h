@@ -47,15 +47,27 @@ struct TriangleLanes {
     std::array<WideDoubles, kVectors> depth;
     std::array<std::int32_t, 3> a;
     std::array<std::int32_t, 3> b;
-    std::array<std::int32_t, 3> c;
-    double origin; ///< of the depth plane, at the target's first sample: from there on all sums are exact
     double perX;
     double perY;
-    TileOrigin tile;
-
-    HWY_INLINE std::int32_t EdgeAt(std::size_t k, int x, int y) const { return c[k] + a[k] * x + b[k] * y; }
-    HWY_INLINE double DepthAt(int x, int y) const { return origin + perX * (tile.x + x) + perY * (tile.y + y); }
 };
+
+/// A triangle at a sample: the first of a square of squares.
+struct SampleValues {
+    std::array<std::int32_t, 3> edge;
+    double depth;
+};
+
+/// A triangle at sample (x, y) of the tile.
+HWY_INLINE SampleValues ValuesAt(const TriangleLanes& lanes, const TileTriangle& t, int x, int y)
+{
+    const int toX = x - t.anchorX();
+    const int toY = y - t.anchorY();
+    SampleValues at;
+    for (std::size_t k = 0; k < 3; ++k)
+        at.edge[k] = t.c[k] + lanes.a[k] * toX + lanes.b[k] * toY;
+    at.depth = t.depthOrigin + t.depthPerX * toX + t.depthPerY * toY;
+    return at;
+}
 
 HWY_INLINE WideDoubles DepthOffsets(double perX, double perY, std::size_t first)
 {
@@ -69,17 +81,14 @@ HWY_INLINE WideDoubles DepthOffsets(double perX, double perY, std::size_t first)
     return offsets;
 }
 
-HWY_INLINE TriangleLanes SpreadTriangle(const TileTriangle& t, TileOrigin origin)
+HWY_INLINE TriangleLanes SpreadTriangle(const TileTriangle& t)
 {
     constexpr IntTag tag;
     TriangleLanes lanes;
     lanes.a = {t.a[0], t.a[1], -(t.a[0] + t.a[1])};
     lanes.b = {t.b[0], t.b[1], -(t.b[0] + t.b[1])};
-    lanes.c = t.c;
     lanes.perX = t.depthPerX;
     lanes.perY = t.depthPerY;
-    lanes.origin = t.depthOrigin;
-    lanes.tile = origin;
     for (std::size_t v = 0; v < kVectors; ++v) {
         const std::size_t at = v * kPerVector;
         const Ints x = hn::Load(tag, kPattern.x.data() + at);
@@ -289,7 +298,7 @@ inline void WriteBlankBlocks(TileSamples& samples, TileDepth& tile)
 }
 
 /// Writes the keys and ids of a block that one triangle has to itself.
-inline void WriteOwnedBlock(std::size_t block, TileOrigin origin, Worker& worker)
+inline void WriteOwnedBlock(std::size_t block, Worker& worker)
 {
     TileSamples& samples = worker.samples;
     const std::uint32_t number = samples.owner[block];
@@ -297,8 +306,8 @@ inline void WriteOwnedBlock(std::size_t block, TileOrigin origin, Worker& worker
         return;
     samples.owner[block] = kNobody;
     const TileTriangle& t = worker.triangle(number);
-    const int x = origin.x + blockColumn(static_cast<int>(block)) * kBlockSide;
-    const int y = origin.y + blockRow(static_cast<int>(block)) * kBlockSide;
+    const int x = blockColumn(static_cast<int>(block)) * kBlockSide - t.anchorX();
+    const int y = blockRow(static_cast<int>(block)) * kBlockSide - t.anchorY();
     const Doubles corner = hn::Set(DoubleTag(), t.depthOrigin + t.depthPerX * x + t.depthPerY * y);
     for (std::size_t v = 0; v < kVectors; ++v) {
         const std::size_t at = block * kLanes + v * kPerVector;
@@ -308,22 +317,23 @@ inline void WriteOwnedBlock(std::size_t block, TileOrigin origin, Worker& worker
     }
 }
 
-inline void WriteOwnedBlocks(TileOrigin origin, Worker& worker, TileDepth& tile)
+inline void WriteOwnedBlocks(Worker& worker, TileDepth& tile)
 {
     WriteBlankBlocks(worker.samples, tile);
     for (std::size_t block = 0; tile.owners && block < kTileBlocks; ++block)
-        WriteOwnedBlock(block, origin, worker);
+        WriteOwnedBlock(block, worker);
     tile.owners = false;
 }
 
-/// Which of the 16 squares of 2^kSideLog2 samples from (x, y) on the triangle touches and covers, a bit each.
+/// Which of 16 squares of 2^kSideLog2 samples the triangle touches and covers, a bit each.
 struct SquareVerdicts {
     std::uint32_t touched = 0;
     std::uint32_t covered = 0;
 };
 
 template <int kSideLog2>
-HWY_INLINE SquareVerdicts JudgeSquares(const TriangleLanes& t, int x, int y, SquareCorners& corners)
+HWY_INLINE SquareVerdicts JudgeSquares(const TriangleLanes& t, const std::array<std::int32_t, 3>& first,
+                                       SquareCorners& corners)
 {
     constexpr IntTag tag;
     constexpr int kLast = (1 << kSideLog2) - 1;
@@ -332,7 +342,7 @@ HWY_INLINE SquareVerdicts JudgeSquares(const TriangleLanes& t, int x, int y, Squ
         std::array<Ints, 3> highest;
         std::array<Ints, 3> lowest;
         for (std::size_t k = 0; k < 3; ++k) {
-            const Ints corner = hn::Add(hn::Set(tag, t.EdgeAt(k, x, y)), hn::ShiftLeft<kSideLog2>(t.edge[k][v]));
+            const Ints corner = hn::Add(hn::Set(tag, first[k]), hn::ShiftLeft<kSideLog2>(t.edge[k][v]));
             hn::Store(corner, tag, corners.edge[k].data() + v * kPerVector);
             highest[k] = hn::Add(corner, hn::Set(tag, kLast * (std::max(t.a[k], 0) + std::max(t.b[k], 0))));
             lowest[k] = hn::Add(corner, hn::Set(tag, kLast * (std::min(t.a[k], 0) + std::min(t.b[k], 0))));
@@ -356,18 +366,25 @@ inline void RefreshFarthest(const TileSamples& samples, TileDepth& tile)
     tile.updates = 0;
 }
 
+/// Depths at the first samples of 16 blocks.
+HWY_INLINE void StoreDepths(const TriangleLanes& t, double first, SquareCorners& corners)
+{
+    constexpr DoubleTag tag;
+    for (std::size_t v = 0; v < kVectors; ++v)
+        Store(Add(Mul(t.depth[v], hn::Set(tag, double(kBlockSide))), hn::Set(tag, first)),
+              corners.depth.data() + v * kPerVector);
+}
+
 /// What is to be done about the blocks of a subtile, a bit each.
 struct BlockWork {
     std::uint32_t cover;       ///< sample by sample
     std::uint32_t writeBefore; ///< of these, those that have an owner
 };
 
-HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, int x, int y, SquareVerdicts verdicts, const AnyDepth&,
+HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, double firstDepth, SquareVerdicts verdicts, const AnyDepth&,
                                   std::size_t, std::uint32_t, TileSamples&, TileDepth&, SquareCorners& corners)
 {
-    for (std::size_t v = 0; v < kVectors; ++v)
-        Store(Add(Mul(t.depth[v], hn::Set(DoubleTag(), double(kBlockSide))), hn::Set(DoubleTag(), t.DepthAt(x, y))),
-              corners.depth.data() + v * kPerVector);
+    StoreDepths(t, firstDepth, corners);
     return {verdicts.touched, 0};
 }
 
@@ -375,7 +392,7 @@ HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, int x, int y, SquareVe
 /// to it without looking at their samples.
 ///
 /// exact  bounds are depths at corner samples, which the plane gives exactly; rounding to float32 keeps order
-HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, int x, int y, SquareVerdicts verdicts, const UsualDepth&,
+HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, double firstDepth, SquareVerdicts verdicts, const UsualDepth&,
                                   std::size_t firstBlock, std::uint32_t number, TileSamples& samples, TileDepth& tile,
                                   SquareCorners& corners)
 {
@@ -383,7 +400,7 @@ HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, int x, int y, SquareVe
     constexpr UintTag unsignedTag;
     constexpr DoubleTag wide;
     const Ints nearestSmall = hn::Set(tag, tile.nearestSmall);
-    const Doubles first = hn::Set(wide, t.DepthAt(x, y));
+    const Doubles first = hn::Set(wide, firstDepth);
     const Doubles toNearest = hn::Set(wide, 3 * (std::min(t.perX, 0.0) + std::min(t.perY, 0.0)));
     const Doubles toFarthest = hn::Set(wide, 3 * (std::max(t.perX, 0.0) + std::max(t.perY, 0.0)));
     BlockWork work{0, 0};
@@ -417,30 +434,30 @@ HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, int x, int y, SquareVe
 
 /// A triangle that is large in the tile: subtiles first, then their blocks.
 template <class Policy>
-HWY_INLINE void CoverSubtiles(const TriangleLanes& t, const TileTriangle& bounds, const Policy& policy,
+HWY_INLINE void CoverSubtiles(const TriangleLanes& lanes, const TileTriangle& t, const Policy& policy,
                               std::uint32_t number, Worker& worker, TileDepth& tile, BlockQueue& queue)
 {
     SquareCorners subtileCorners;
-    std::uint32_t subtiles = JudgeSquares<4>(t, 0, 0, subtileCorners).touched;
+    std::uint32_t subtiles = JudgeSquares<4>(lanes, ValuesAt(lanes, t, 0, 0).edge, subtileCorners).touched;
     for (; subtiles != 0; subtiles &= subtiles - 1) {
         const int subtile = std::countr_zero(subtiles);
         const int x = subtile % 4 * 16;
         const int y = subtile / 4 * 16;
-        if (x > bounds.x1 || x + 15 < bounds.x0 || y > bounds.y1 || y + 15 < bounds.y0)
+        if (x > t.x1 || x + 15 < t.x0 || y > t.y1 || y + 15 < t.y0)
             continue;
         BlockQueue::Group& group = NextGroup(policy, queue, worker);
         const std::size_t firstBlock = static_cast<std::size_t>(subtile) * 16;
-        const SquareVerdicts verdicts = JudgeSquares<2>(t, x, y, group.corners);
+        const SampleValues first = ValuesAt(lanes, t, x, y);
+        const SquareVerdicts verdicts = JudgeSquares<2>(lanes, first.edge, group.corners);
         BlockWork work =
-            DecideBlocks(t, x, y, verdicts, policy, firstBlock, number, worker.samples, tile, group.corners);
+            DecideBlocks(lanes, first.depth, verdicts, policy, firstBlock, number, worker.samples, tile, group.corners);
         if (work.writeBefore != 0) {
             WriteBlankBlocks(worker.samples, tile);
             for (; work.writeBefore != 0; work.writeBefore &= work.writeBefore - 1)
-                WriteOwnedBlock(firstBlock + static_cast<std::size_t>(std::countr_zero(work.writeBefore)), t.tile,
-                                worker);
+                WriteOwnedBlock(firstBlock + static_cast<std::size_t>(std::countr_zero(work.writeBefore)), worker);
         }
         if (work.cover != 0)
-            AppendGroup(t, number, work.cover, queue, [&](std::size_t lane) HWY_ATTR {
+            AppendGroup(lanes, number, work.cover, queue, [&](std::size_t lane) HWY_ATTR {
                 return hn::Iota(UintTag(), static_cast<std::uint32_t>(firstBlock + lane));
             });
     }
@@ -475,39 +492,36 @@ HWY_INLINE Uints BlocksFrom(int column, int row, std::size_t lane)
 
 /// A triangle of at most 4 x 4 blocks: those that it touches, without asking what is in front.
 template <class Policy>
-HWY_INLINE void CoverWindow(const TriangleLanes& t, const BlockBounds& bounds, float nearest, const Policy& policy,
-                            std::uint32_t number, Worker& worker, TileDepth& tile, BlockQueue& queue)
+HWY_INLINE void CoverWindow(const TriangleLanes& lanes, const TileTriangle& t, const BlockBounds& bounds,
+                            const Policy& policy, std::uint32_t number, Worker& worker, TileDepth& tile,
+                            BlockQueue& queue)
 {
     BlockQueue::Group& group = NextGroup(policy, queue, worker);
-    const int x = bounds.column * kBlockSide;
-    const int y = bounds.row * kBlockSide;
-    for (std::size_t v = 0; v < kVectors; ++v)
-        Store(Add(Mul(t.depth[v], hn::Set(DoubleTag(), double(kBlockSide))), hn::Set(DoubleTag(), t.DepthAt(x, y))),
-              group.corners.depth.data() + v * kPerVector);
+    StoreDepths(lanes, t.depthOrigin, group.corners);
     const std::uint32_t inBounds = (((1U << bounds.columns) - 1) * 0x1111U) & ((1U << bounds.rows * kBlockSide) - 1);
-    const std::uint32_t touched = JudgeSquares<2>(t, x, y, group.corners).touched & inBounds;
-    tile.nearestSmall = std::min(tile.nearestSmall, std::max(std::bit_cast<std::int32_t>(nearest), 0));
+    const std::uint32_t touched = JudgeSquares<2>(lanes, t.c, group.corners).touched & inBounds;
+    tile.nearestSmall = std::min(tile.nearestSmall, std::max(std::bit_cast<std::int32_t>(t.nearest), 0));
     WriteBlankBlocks(worker.samples, tile);
     if (tile.owners)
         for (std::uint32_t bits = touched; bits != 0; bits &= bits - 1) {
             const int square = std::countr_zero(bits);
             const int block = blockIndex(bounds.column + square % kBlockSide, bounds.row + square / kBlockSide);
-            WriteOwnedBlock(static_cast<std::size_t>(block), t.tile, worker);
+            WriteOwnedBlock(static_cast<std::size_t>(block), worker);
         }
-    AppendGroup(t, number, touched, queue,
+    AppendGroup(lanes, number, touched, queue,
                 [&](std::size_t lane) HWY_ATTR { return BlocksFrom(bounds.column, bounds.row, lane); });
 }
 
 template <class Policy>
-HWY_INLINE void CoverTriangle(const TileTriangle& t, const Policy& policy, TileOrigin origin, std::uint32_t number,
-                              Worker& worker, TileDepth& tile, BlockQueue& queue)
+HWY_INLINE void CoverTriangle(const TileTriangle& t, const Policy& policy, std::uint32_t number, Worker& worker,
+                              TileDepth& tile, BlockQueue& queue)
 {
-    const TriangleLanes lanes = SpreadTriangle(t, origin);
+    const TriangleLanes lanes = SpreadTriangle(t);
     const BlockBounds bounds(t);
     if (bounds.columns > kBlockSide || bounds.rows > kBlockSide)
         CoverSubtiles(lanes, t, policy, number, worker, tile, queue);
     else
-        CoverWindow(lanes, bounds, t.nearest, policy, number, worker, tile, queue);
+        CoverWindow(lanes, t, bounds, policy, number, worker, tile, queue);
 }
 
 template <class Policy>
@@ -529,12 +543,12 @@ inline void CoverTileWith(const FrameJob& job, Worker& worker, TileOrigin origin
                 continue;
             if (HWY_UNLIKELY(t.exact())) {
                 FlushQueue(policy, queue, worker);
-                WriteOwnedBlocks(origin, worker, tile);
+                WriteOwnedBlocks(worker, tile);
                 tile.nearestSmall = 0;
                 coverExactly(job, bin.chunk->pieces[t.source & ~kPiece], number, origin, worker);
                 continue;
             }
-            CoverTriangle(t, policy, origin, number, worker, tile, queue);
+            CoverTriangle(t, policy, number, worker, tile, queue);
         }
     }
     FlushQueue(policy, queue, worker);
@@ -571,11 +585,11 @@ inline void CoverTile(const FrameJob& job, Worker& worker, TileOrigin origin)
     if (usual) {
         CoverTileWith<UsualDepth>(job, worker, origin, tile);
     } else {
-        WriteOwnedBlocks(origin, worker, tile);
+        WriteOwnedBlocks(worker, tile);
         CoverTileWith<AnyDepth>(job, worker, origin, tile);
     }
     if (job.depth != nullptr || job.ids != nullptr || rules.shading == Shading::Depth)
-        WriteOwnedBlocks(origin, worker, tile);
+        WriteOwnedBlocks(worker, tile);
 }
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE

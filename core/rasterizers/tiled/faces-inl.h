@@ -287,7 +287,7 @@ struct alignas(64) SetupLanes {
     std::array<double, 4 * kDoubles> depth;           ///< source and bounds as 64 bits, depth plane
     ColorPlaneLanes colors;
     // What it takes to move them to other tiles.
-    std::array<std::array<double, kDoubles>, 3> c; ///< at the target's first sample
+    std::array<std::array<double, kDoubles>, 3> c; ///< not held within 32 bits
     std::array<std::int32_t, kDoubles> x0, y0, x1, y1;
     std::array<std::int32_t, kDoubles> column0, row0, column1, row1; ///< of tiles
     std::array<std::int32_t, kDoubles> tile;                         ///< of the first sample
@@ -354,13 +354,11 @@ HWY_INLINE HalfInts StoreBounds(const TileGrid& grid, const SampleLanes& columns
     return hn::Or(low, hn::ShiftLeft<16>(high));
 }
 
-/// Edge values at the first sample of a tile.
-HWY_INLINE HalfInts EdgeAtTile(const EdgeLanes& edge, Doubles originX, Doubles originY)
+/// Edge values at a sample of the target.
+HWY_INLINE Doubles EdgeAt(const EdgeLanes& edge, Doubles x, Doubles y)
 {
     constexpr DoubleTag wide;
-    const Doubles value = hn::Add(
-        edge.c, hn::Add(hn::Mul(hn::PromoteTo(wide, edge.a), originX), hn::Mul(hn::PromoteTo(wide, edge.b), originY)));
-    return hn::DemoteTo(HalfIntTag(), hn::Min(value, hn::Set(wide, double(kFarInside))));
+    return hn::Add(edge.c, hn::Add(hn::Mul(hn::PromoteTo(wide, edge.a), x), hn::Mul(hn::PromoteTo(wide, edge.b), y)));
 }
 
 HWY_INLINE Doubles SourceAndBounds(const SetupQueue& queue, std::size_t at, HalfInts bounds)
@@ -424,22 +422,27 @@ HWY_INLINE void SetUpLanes(const FrameJob& job, const Chunk& chunk, const SetupQ
     const HalfInts column0 = TilesOf(columns.first, job.grid.pitch);
     const HalfInts row0 = TilesOf(rows.first, job.grid.pitch);
     const HalfInts bounds = StoreBounds(job.grid, columns, rows, column0, row0, out);
-    const Doubles pitch = hn::Set(wide, double(job.grid.pitch));
-    const Doubles originX = hn::Mul(hn::PromoteTo(wide, column0), pitch);
-    const Doubles originY = hn::Mul(hn::PromoteTo(wide, row0), pitch);
+    const HalfInts anchorX = hn::And(columns.first, hn::Set(tag, -kBlockSide));
+    const HalfInts anchorY = hn::And(rows.first, hn::Set(tag, -kBlockSide));
+    const Doubles wideX = hn::PromoteTo(wide, anchorX);
+    const Doubles wideY = hn::PromoteTo(wide, anchorY);
     const Doubles inverseArea = hn::Div(hn::Set(wide, 1.0), area);
     const PlaneLanes plane = MakeDepthPlane(corner[0], corner[1], corner[2], inverseArea, rules);
     const HalfFloats nearest =
         hn::DemoteTo(HalfFloatTag(), hn::Sub(Min3(corner[0].depth, corner[1].depth, corner[2].depth),
                                              hn::Set(wide, DepthSlack(rules.depthFormat))));
     hn::StoreInterleaved4(edges[0].a, edges[1].a, edges[0].b, edges[1].b, tag, out.gradients.data());
-    hn::StoreInterleaved4(EdgeAtTile(edges[0], originX, originY), EdgeAtTile(edges[1], originX, originY),
-                          EdgeAtTile(edges[2], originX, originY), hn::BitCast(tag, nearest), tag, out.constants.data());
-    hn::StoreInterleaved4(SourceAndBounds(queue, at, bounds), plane.origin, plane.perX, plane.perY, wide,
-                          out.depth.data());
+    std::array<HalfInts, 3> c;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Doubles value = EdgeAt(edges[k], wideX, wideY);
+        hn::Store(value, wide, out.c[k].data());
+        c[k] = hn::DemoteTo(tag, hn::Min(value, hn::Set(wide, double(kFarInside))));
+    }
+    hn::StoreInterleaved4(c[0], c[1], c[2], hn::BitCast(tag, nearest), tag, out.constants.data());
+    const Doubles depth = hn::Add(plane.origin, hn::Add(hn::Mul(plane.perX, wideX), hn::Mul(plane.perY, wideY)));
+    hn::StoreInterleaved4(SourceAndBounds(queue, at, bounds), depth, plane.perX, plane.perY, wide, out.depth.data());
     HalfInts steepest = hn::Zero(tag);
     for (std::size_t k = 0; k < 3; ++k) {
-        hn::Store(edges[k].c, wide, out.c[k].data());
         steepest = Max3(steepest, hn::Abs(edges[k].a), hn::Abs(edges[k].b));
     }
     out.exact = BitsOf(tag, hn::Gt(steepest, hn::Set(tag, kLargestGradient))) | ~BitsOf(wide, plane.plane);
@@ -447,8 +450,6 @@ HWY_INLINE void SetUpLanes(const FrameJob& job, const Chunk& chunk, const SetupQ
     if (job.interpolatesColor()) {
         CornerColors colors;
         StageColors(job, chunk, queue, at, out.used, colors);
-        const HalfInts anchorX = hn::And(columns.first, hn::Set(tag, -kBlockSide));
-        const HalfInts anchorY = hn::And(rows.first, hn::Set(tag, -kBlockSide));
         const auto toCentre = [](HalfInts samples, HalfInts from) HWY_ATTR {
             return hn::Sub(hn::Add(hn::ShiftLeft<8>(samples), hn::Set(HalfIntTag(), kUnit / 2)), from);
         };
@@ -464,14 +465,22 @@ inline void EmitToTile(const FrameJob& job, Chunk& chunk, const SetupLanes& lane
 {
     const int originX = column * job.grid.pitch;
     const int originY = row * job.grid.pitch;
+    const int x0 = std::max(lanes.x0[i] - originX, 0);
+    const int y0 = std::max(lanes.y0[i] - originY, 0);
+    const int x1 = std::min(lanes.x1[i] - originX, job.grid.pitch - 1);
+    const int y1 = std::min(lanes.y1[i] - originY, job.grid.pitch - 1);
+    const auto anchor = [](int sample) { return sample & -kBlockSide; };
+    // From the anchor in the triangle's first tile to the one in this.
+    const int toX = originX + anchor(x0) - anchor(lanes.x0[i]);
+    const int toY = originY + anchor(y0) - anchor(lanes.y0[i]);
     const std::int32_t* gradients = lanes.gradients.data() + 4 * i;
     const double a[3] = {double(gradients[0]), double(gradients[1]), -double(gradients[0]) - gradients[1]};
     const double b[3] = {double(gradients[2]), double(gradients[3]), -double(gradients[2]) - gradients[3]};
     const bool exact = (lanes.exact >> i & 1) != 0;
     std::array<std::int32_t, 3> c{};
     for (std::size_t k = 0; k < 3 && !exact; ++k) {
-        const double value = lanes.c[k][i] + a[k] * originX + b[k] * originY;
-        if (value + (std::max(a[k], 0.0) + std::max(b[k], 0.0)) * (kTileSide - 1) < 0)
+        const double value = lanes.c[k][i] + a[k] * toX + b[k] * toY;
+        if (value + std::max(a[k], 0.0) * (x1 - anchor(x0)) + std::max(b[k], 0.0) * (y1 - anchor(y0)) < 0)
             return;
         c[k] = static_cast<std::int32_t>(std::min(value, double(kFarInside)));
     }
@@ -479,10 +488,11 @@ inline void EmitToTile(const FrameJob& job, Chunk& chunk, const SetupLanes& lane
     lanes.copyTo(i, job.interpolatesColor(), slot);
     TileTriangle& t = *slot.triangle;
     t.c = c;
-    t.x0 = static_cast<std::uint8_t>(std::max(lanes.x0[i] - originX, 0));
-    t.y0 = static_cast<std::uint8_t>(std::max(lanes.y0[i] - originY, 0));
-    t.x1 = static_cast<std::uint8_t>(std::min(lanes.x1[i] - originX, job.grid.pitch - 1));
-    t.y1 = static_cast<std::uint8_t>(std::min(lanes.y1[i] - originY, job.grid.pitch - 1));
+    t.depthOrigin += t.depthPerX * toX + t.depthPerY * toY;
+    t.x0 = static_cast<std::uint8_t>(x0);
+    t.y0 = static_cast<std::uint8_t>(y0);
+    t.x1 = static_cast<std::uint8_t>(x1);
+    t.y1 = static_cast<std::uint8_t>(y1);
     if (exact) {
         t.source = kPiece | static_cast<std::uint32_t>(chunk.pieces.size() - 1);
         t.makeExact();
