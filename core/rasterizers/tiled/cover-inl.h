@@ -432,19 +432,28 @@ HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, double firstDepth, Squ
     return work;
 }
 
+/// Bits of the squares, of 4 x 4, in these columns and rows.
+constexpr std::uint32_t SquaresBetween(int column0, int row0, int column1, int row1)
+{
+    const std::uint32_t columns = (2U << column1) - (1U << column0);
+    const std::uint32_t rows = (16U << row1 * 4) - (1U << row0 * 4);
+    return (columns * 0x1111U) & rows;
+}
+
 /// A triangle that is large in the tile: subtiles first, then their blocks.
 template <class Policy>
 HWY_INLINE void CoverSubtiles(const TriangleLanes& lanes, const TileTriangle& t, const Policy& policy,
                               std::uint32_t number, Worker& worker, TileDepth& tile, BlockQueue& queue)
 {
-    SquareCorners subtileCorners;
-    std::uint32_t subtiles = JudgeSquares<4>(lanes, ValuesAt(lanes, t, 0, 0).edge, subtileCorners).touched;
+    std::uint32_t subtiles = SquaresBetween(t.x0 / 16, t.y0 / 16, t.x1 / 16, t.y1 / 16);
+    if (std::popcount(subtiles) > 4) {
+        SquareCorners corners;
+        subtiles &= JudgeSquares<4>(lanes, ValuesAt(lanes, t, 0, 0).edge, corners).touched;
+    }
     for (; subtiles != 0; subtiles &= subtiles - 1) {
         const int subtile = std::countr_zero(subtiles);
         const int x = subtile % 4 * 16;
         const int y = subtile / 4 * 16;
-        if (x > t.x1 || x + 15 < t.x0 || y > t.y1 || y + 15 < t.y0)
-            continue;
         BlockQueue::Group& group = NextGroup(policy, queue, worker);
         const std::size_t firstBlock = static_cast<std::size_t>(subtile) * 16;
         const SampleValues first = ValuesAt(lanes, t, x, y);
@@ -498,7 +507,7 @@ HWY_INLINE void CoverWindow(const TriangleLanes& lanes, const TileTriangle& t, c
 {
     BlockQueue::Group& group = NextGroup(policy, queue, worker);
     StoreDepths(lanes, t.depthOrigin, group.corners);
-    const std::uint32_t inBounds = (((1U << bounds.columns) - 1) * 0x1111U) & ((1U << bounds.rows * kBlockSide) - 1);
+    const std::uint32_t inBounds = SquaresBetween(0, 0, bounds.columns - 1, bounds.rows - 1);
     const std::uint32_t touched = JudgeSquares<2>(lanes, t.c, group.corners).touched & inBounds;
     tile.nearestSmall = std::min(tile.nearestSmall, std::max(std::bit_cast<std::int32_t>(t.nearest), 0));
     WriteBlankBlocks(worker.samples, tile);

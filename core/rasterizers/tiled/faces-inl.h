@@ -373,6 +373,9 @@ HWY_INLINE Doubles SourceAndBounds(const SetupQueue& queue, std::size_t at, Half
 HWY_INLINE void StageColors(const FrameJob& job, const Chunk& chunk, const SetupQueue& queue, std::size_t at,
                             std::uint32_t lanes, CornerColors& colors)
 {
+    for (std::uint32_t unused = ~lanes & ((1U << kDoubles) - 1); unused != 0; unused &= unused - 1)
+        for (auto& corner : colors.lanes)
+            corner[static_cast<std::size_t>(std::countr_zero(unused))] = glm::vec4(0);
     for (; lanes != 0; lanes &= lanes - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
         const std::uint32_t source = queue.source[at + lane];
