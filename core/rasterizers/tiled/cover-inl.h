@@ -263,7 +263,7 @@ HWY_INLINE void AppendGroup(const TriangleLanes& t, std::uint32_t number, std::u
         for (std::size_t k = 0; k < 3; ++k)
             hn::Store(t.edge[k][v], IntTag(), group.offsets.edge[k].data() + lane);
         Store(t.depth[v], group.offsets.depth.data() + lane);
-        const Uints places = hn::Iota(tag, index << 8 | static_cast<std::uint32_t>(lane));
+        const Uints places = PlacesFrom(index << 8, lane);
         const Uints items = hn::Or(hn::ShiftLeft<16>(blocksAt(lane)), places);
         const std::uint32_t bits = wanted >> lane & ((1U << kPerVector) - 1);
         hn::StoreU(hn::Compress(items, MaskOf(tag, bits)), tag, queue.items.data() + queue.itemCount);
@@ -467,7 +467,7 @@ HWY_INLINE void CoverSubtiles(const TriangleLanes& lanes, const TileTriangle& t,
         }
         if (work.cover != 0)
             AppendGroup(lanes, number, work.cover, queue, [&](std::size_t lane) HWY_ATTR {
-                return hn::Iota(UintTag(), static_cast<std::uint32_t>(firstBlock + lane));
+                return PlacesFrom(static_cast<std::uint32_t>(firstBlock), lane);
             });
     }
     if (Policy::kUsual && tile.updates >= kTileBlocks / 4)

@@ -22,8 +22,7 @@ constexpr std::uint32_t kFaceBatch = 64;
 /// Triangles that passed every test and wait for their set-up, corner by corner.
 struct alignas(64) SetupQueue {
     static constexpr std::size_t kCapacity = 2 * kFaceBatch + 16;
-    std::array<std::array<std::int32_t, kCapacity>, 3> x; ///< units
-    std::array<std::array<std::int32_t, kCapacity>, 3> y;
+    std::array<std::array<ScreenXY, kCapacity>, 3> position;
     std::array<std::array<double, kCapacity>, 3> depth;
     std::array<std::uint32_t, kCapacity> source;
     std::size_t count = 0;
@@ -34,8 +33,7 @@ struct alignas(64) SetupQueue {
             std::copy_n(lanes.begin() + std::ptrdiff_t(from), count - from, lanes.begin());
         };
         for (std::size_t k = 0; k < 3; ++k) {
-            move(x[k]);
-            move(y[k]);
+            move(position[k]);
             move(depth[k]);
         }
         move(source);
@@ -69,33 +67,28 @@ HWY_INLINE Doubles TwiceArea(Doubles abX, Doubles abY, Doubles acX, Doubles acY)
 
 /// Corners of a batch of faces.
 struct alignas(64) FaceBatch {
-    std::array<std::array<std::int32_t, kFaceBatch>, 3> x;
-    std::array<std::array<std::int32_t, kFaceBatch>, 3> y;
-    std::array<std::array<double, kFaceBatch>, 3> depth;
+    std::array<std::array<ScreenXY, kFaceBatch>, 3> position;
+    const std::uint32_t* indices;
+    std::array<ScreenPoint, 3 * kFaceBatch> corners; ///< where the frame keeps none
+
+    HWY_INLINE const ScreenPoint& point(const FrameJob& job, std::size_t face, std::size_t corner) const
+    {
+        const std::size_t at = 3 * face + corner;
+        return job.points != nullptr ? job.points[indices[at]] : corners[at];
+    }
 };
 
 HWY_INLINE void GatherFaces(const FrameJob& job, std::uint32_t first, std::uint32_t count, FaceBatch& batch)
 {
-    const std::uint32_t* indices = job.scene->mesh.indices.data() + 3 * std::size_t(first);
-    const auto put = [&](std::size_t i, std::size_t k, const ScreenPoint& p) {
-        batch.x[k][i] = p.x;
-        batch.y[k][i] = p.y;
-        batch.depth[k][i] = p.depth;
-    };
-    if (job.points != nullptr) {
-        for (std::size_t i = 0; i < count; ++i)
-            for (std::size_t k = 0; k < 3; ++k)
-                put(i, k, job.points[indices[3 * i + k]]);
-    } else {
-        std::array<ScreenPoint, 3 * kFaceBatch> corners;
-        ProcessCorners(job, indices, 3 * std::size_t(count), corners.data());
-        for (std::size_t i = 0; i < count; ++i)
-            for (std::size_t k = 0; k < 3; ++k)
-                put(i, k, corners[3 * i + k]);
-    }
+    batch.indices = job.scene->mesh.indices.data() + 3 * std::size_t(first);
+    if (job.points == nullptr)
+        ProcessCorners(job, batch.indices, 3 * std::size_t(count), batch.corners.data());
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            batch.position[k][i] = batch.point(job, i, k).position;
     for (std::size_t i = count; i < kFaceBatch && i % kDoubles != 0; ++i)
         for (std::size_t k = 0; k < 3; ++k)
-            put(i, k, {0, 0, 0});
+            batch.position[k][i] = {0, 0};
 }
 
 /// What becomes of the faces in the lanes of a vector, a bit each.
@@ -110,12 +103,10 @@ HWY_INLINE FaceVerdicts JudgeFaces(const Rules& rules, const FaceBatch& batch, s
 {
     constexpr HalfIntTag tag;
     constexpr DoubleTag wide;
-    const HalfInts ax = hn::Load(tag, batch.x[0].data() + at);
-    const HalfInts bx = hn::Load(tag, batch.x[1].data() + at);
-    const HalfInts cx = hn::Load(tag, batch.x[2].data() + at);
-    const HalfInts ay = hn::Load(tag, batch.y[0].data() + at);
-    const HalfInts by = hn::Load(tag, batch.y[1].data() + at);
-    const HalfInts cy = hn::Load(tag, batch.y[2].data() + at);
+    HalfInts ax, ay, bx, by, cx, cy;
+    hn::LoadInterleaved2(tag, &batch.position[0][at].x, ax, ay);
+    hn::LoadInterleaved2(tag, &batch.position[1][at].x, bx, by);
+    hn::LoadInterleaved2(tag, &batch.position[2][at].x, cx, cy);
     const HalfInts lowX = Min3(ax, bx, cx);
     const Doubles area = TwiceArea(hn::PromoteTo(wide, hn::Sub(bx, ax)), hn::PromoteTo(wide, hn::Sub(by, ay)),
                                    hn::PromoteTo(wide, hn::Sub(cx, ax)), hn::PromoteTo(wide, hn::Sub(cy, ay)));
@@ -139,8 +130,8 @@ inline void QueueOutsideFace(const FrameJob& job, Chunk& chunk, std::uint32_t fa
         const std::size_t at = queue.count++;
         for (std::size_t k = 0; k < 3; ++k) {
             const ScreenVertex& v = triangle.vertices[k];
-            queue.x[k][at] = static_cast<std::int32_t>(v.position.x * kUnit);
-            queue.y[k][at] = static_cast<std::int32_t>(v.position.y * kUnit);
+            queue.position[k][at] = {static_cast<std::int32_t>(v.position.x * kUnit),
+                                     static_cast<std::int32_t>(v.position.y * kUnit)};
             queue.depth[k][at] = v.depth;
         }
         queue.source[at] = kPiece | static_cast<std::uint32_t>(chunk.pieces.size());
@@ -398,8 +389,7 @@ HWY_INLINE void SetUpLanes(const FrameJob& job, const Chunk& chunk, const SetupQ
     std::array<CornerLanes, 3> corner;
     const Doubles samplesPerUnit = hn::Set(wide, 1.0 / kUnit);
     for (std::size_t k = 0; k < 3; ++k) {
-        x[k] = hn::LoadU(tag, queue.x[k].data() + at);
-        y[k] = hn::LoadU(tag, queue.y[k].data() + at);
+        hn::LoadInterleaved2(tag, &queue.position[k][at].x, x[k], y[k]);
         corner[k] = {hn::Mul(hn::PromoteTo(wide, x[k]), samplesPerUnit),
                      hn::Mul(hn::PromoteTo(wide, y[k]), samplesPerUnit), hn::LoadU(wide, queue.depth[k].data() + at)};
     }
@@ -539,7 +529,7 @@ HWY_INLINE void DrainQueue(const FrameJob& job, Chunk& chunk, SetupQueue& queue,
     if (all && at < queue.count) {
         for (std::size_t i = queue.count; i < at + kDoubles; ++i)
             for (std::size_t k = 0; k < 3; ++k) {
-                queue.x[k][i] = queue.y[k][i] = 0;
+                queue.position[k][i] = {0, 0};
                 queue.depth[k][i] = 0;
             }
         SetUpAndBin(job, chunk, queue, at, queue.count - at);
@@ -576,15 +566,17 @@ HWY_INLINE void SortFaces(const FrameJob& job, Chunk& chunk, const FaceBatch& ba
         const std::size_t i = at + lane;
         const auto face = static_cast<std::uint32_t>(firstFace + i);
         if ((outside >> lane & 1) != 0) {
-            const auto code = [&](std::size_t k) { return batch.x[k][i] == kOutside ? batch.y[k][i] : 0; };
+            const auto code = [&](std::size_t k) {
+                const ScreenXY& p = batch.position[k][i];
+                return p.x == kOutside ? p.y : 0;
+            };
             QueueOutsideFace(job, chunk, face, {code(0), code(1), code(2)}, queue, makeRoom);
             continue;
         }
         const std::size_t slot = queue.count++;
         for (std::size_t k = 0; k < 3; ++k) {
-            queue.x[k][slot] = batch.x[k][i];
-            queue.y[k][slot] = batch.y[k][i];
-            queue.depth[k][slot] = batch.depth[k][i];
+            queue.position[k][slot] = batch.position[k][i];
+            queue.depth[k][slot] = batch.point(job, i, k).depth;
         }
         queue.source[slot] = face;
     }

@@ -39,10 +39,15 @@ constexpr int kTileSamples = kTileSide * kTileSide;
 /// Units of a sample: 1/256, the grid of the edge functions.
 constexpr int kUnit = 256;
 
-/// A vertex on the screen in units, y down, or outside the view volume.
-struct ScreenPoint {
+/// A position on the screen in units, y down, or outside the view volume.
+struct ScreenXY {
     std::int32_t x; ///< kOutside: not to be drawn as it is
     std::int32_t y; ///< or the planes it is outside of (ClipPlanes), kNotFinite
+};
+
+/// A vertex on the screen.
+struct ScreenPoint {
+    ScreenXY position;
     double depth;
 };
 static_assert(sizeof(ScreenPoint) == 16);
