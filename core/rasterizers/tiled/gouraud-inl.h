@@ -10,6 +10,7 @@
 #include "core/rasterizers/tiled/exact_path.h"
 #include "core/rasterizers/tiled/kernels.h"
 #include "core/rasterizers/tiled/lanes-inl.h"
+#include "core/rasterizers/tiled/tile_output.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
@@ -130,26 +131,53 @@ HWY_INLINE ColorBlock LoadColorBlock(const FrameJob& job, const TileSamples& sam
     return loaded;
 }
 
-/// Colours a whole tile.
+/// Colours one block.
+HWY_INLINE void ShadeBlock(const FrameJob& job, Worker& worker, TileOrigin origin, std::size_t block,
+                           std::uint32_t* out)
+{
+    const TileSamples& samples = worker.samples;
+    ColorBlock shaded = LoadColorBlock(job, samples, origin, block);
+    const std::uint32_t owner = samples.owner[block];
+    const std::uint32_t* ids = samples.ids.data() + block * kLanes;
+    std::uint32_t remaining = owner == kEmpty ? 0 : 0xffff & ~shaded.lanesOf(kNobody);
+    if (job.counting) {
+        remaining &= LanesOnTarget(job, origin, static_cast<int>(block));
+        worker.pixels.shaded += static_cast<unsigned>(std::popcount(remaining));
+    }
+    while (remaining != 0) {
+        const std::uint32_t number = owner != kNobody ? owner : ids[std::countr_zero(remaining)];
+        const std::uint32_t lanes = shaded.lanesOf(number);
+        ColorLanes(job, worker, origin, block, number, lanes & remaining, shaded);
+        remaining &= ~lanes;
+    }
+    shaded.store(out);
+}
+
+/// Brings the pixels of four blocks side by side near.
+HWY_INLINE void PrefetchBlocks(const FrameJob& job, TileOrigin origin, int firstBlock)
+{
+    const int x = origin.x + blockColumn(firstBlock) * kBlockSide;
+    const int y = origin.y + blockRow(firstBlock) * kBlockSide;
+    const std::uint32_t* pixels = job.color + std::ptrdiff_t(y) * job.rules.width + x;
+    for (int row = 0; row < kBlockSide; ++row)
+        __builtin_prefetch(pixels + std::ptrdiff_t(row) * job.rules.width, 1);
+}
+
+/// Colours a whole tile; a picture with one sample a pixel is written on the way.
 inline void ShadeColors(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
-    TileSamples& samples = worker.samples;
-    for (std::size_t block = 0; block < kTileBlocks; ++block) {
-        ColorBlock shaded = LoadColorBlock(job, samples, origin, block);
-        const std::uint32_t owner = samples.owner[block];
-        const std::uint32_t* ids = samples.ids.data() + block * kLanes;
-        std::uint32_t remaining = owner == kEmpty ? 0 : 0xffff & ~shaded.lanesOf(kNobody);
-        if (job.counting) {
-            remaining &= LanesOnTarget(job, origin, static_cast<int>(block));
-            worker.pixels.shaded += static_cast<unsigned>(std::popcount(remaining));
-        }
-        while (remaining != 0) {
-            const std::uint32_t number = owner != kNobody ? owner : ids[std::countr_zero(remaining)];
-            const std::uint32_t lanes = shaded.lanesOf(number);
-            ColorLanes(job, worker, origin, block, number, lanes & remaining, shaded);
-            remaining &= ~lanes;
-        }
-        shaded.store(samples.color.data() + block * kLanes);
+    constexpr std::size_t kBlocks = 4; // side by side
+    constexpr std::size_t kAhead = 2 * kBlocks;
+    const bool direct = job.rules.sampleGrid == 1;
+    alignas(64) std::array<std::uint32_t, kBlocks * kLanes> row;
+    for (std::size_t first = 0; first < kTileBlocks; first += kBlocks) {
+        std::uint32_t* out = direct ? row.data() : worker.samples.color.data() + first * kLanes;
+        if (direct && first + kAhead < kTileBlocks)
+            PrefetchBlocks(job, origin, static_cast<int>(first + kAhead));
+        for (std::size_t i = 0; i < kBlocks; ++i)
+            ShadeBlock(job, worker, origin, first + i, out + i * kLanes);
+        if (direct)
+            writeBlocks(job, origin, static_cast<int>(first), row.data());
     }
 }
 

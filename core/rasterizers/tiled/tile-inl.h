@@ -58,7 +58,8 @@ inline void DrawTiles(const FrameJob& job, Worker& worker, int columnBegin, int 
         job.blank[tile] = 0;
         const TileOrigin origin{column * pitch, row * pitch};
         CoverTile(job, worker, origin);
-        prefetchTile(job, origin);
+        if (!job.interpolatesColor())
+            prefetchTile(job, origin);
         ShadeTile(job, worker, origin);
         writeTile(job, worker, origin);
     }

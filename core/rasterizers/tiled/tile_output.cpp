@@ -39,25 +39,6 @@ void copySubtileRow(const std::uint32_t* blocks, std::uint32_t* out, std::size_t
                         kBlockSide * sizeof *out);
 }
 
-void copyColor(const FrameJob& job, const TileSamples& samples, const PixelBox& box)
-{
-    const int width = box.x1 - box.x0;
-    const int height = box.y1 - box.y0;
-    const auto stride = static_cast<std::size_t>(job.rules.width);
-    for (int y = 0; y < height; y += kBlockSide)
-        for (int x = 0; x < width; x += 4 * kBlockSide) {
-            std::uint32_t* out = job.color + pixelIndex(job, box.x0 + x, box.y0 + y);
-            if (x + 4 * kBlockSide <= width && y + kBlockSide <= height) {
-                copySubtileRow(&samples.color[std::size_t(sampleIndex(x, y))], out, stride);
-                continue;
-            }
-            for (int j = 0; j < std::min(kBlockSide, height - y); ++j)
-                for (int i = 0; i < std::min(4 * kBlockSide, width - x); ++i)
-                    out[std::size_t(j) * stride + std::size_t(i)] =
-                        samples.color[std::size_t(sampleIndex(x + i, y + j))];
-        }
-}
-
 /// The mean of a pixel's samples, channel by channel, rounded to nearest; (x, y) is the first of them.
 template <int kGrid>
 std::uint32_t meanColor(const TileSamples& samples, int x, int y)
@@ -95,18 +76,39 @@ void averageColor(const FrameJob& job, const TileSamples& samples, const PixelBo
 
 } // namespace
 
+void writeBlocks(const FrameJob& job, TileOrigin origin, int firstBlock, const std::uint32_t* colors)
+{
+    const int x = origin.x + blockColumn(firstBlock) * kBlockSide;
+    const int y = origin.y + blockRow(firstBlock) * kBlockSide;
+    const int width = std::min(4 * kBlockSide, job.rules.width - x);
+    const int height = std::min(kBlockSide, job.rules.height - y);
+    if (width <= 0 || height <= 0)
+        return;
+    std::uint32_t* out = job.color + pixelIndex(job, x, y);
+    const auto stride = static_cast<std::size_t>(job.rules.width);
+    if (width == 4 * kBlockSide && height == kBlockSide) {
+        copySubtileRow(colors, out, stride);
+        return;
+    }
+    for (int j = 0; j < height; ++j)
+        for (int i = 0; i < width; ++i)
+            out[std::size_t(j) * stride + std::size_t(i)] =
+                colors[i / kBlockSide * kLanes + j * kBlockSide + i % kBlockSide];
+}
+
 void writeTile(const FrameJob& job, const Worker& worker, TileOrigin origin)
 {
     const TileSamples& samples = worker.samples;
     const PixelBox box = pixelsOf(job, origin);
     const int grid = job.rules.sampleGrid;
-    if (grid == 1)
-        copyColor(job, samples, box);
+    if (grid == 1 && !job.interpolatesColor()) // those are written as they are made
+        for (int block = 0; block < kTileBlocks; block += 4)
+            writeBlocks(job, origin, block, &samples.color[std::size_t(block) * kLanes]);
     else if (grid == 2)
         averageColor<2>(job, samples, box, origin);
     else if (grid == 3)
         averageColor<3>(job, samples, box, origin);
-    else
+    else if (grid == 4)
         averageColor<4>(job, samples, box, origin);
     // The sample nearest the pixel's centre.
     const auto at = [&](int x, int y) {
