@@ -16,6 +16,8 @@ constexpr Verb kVerbs[] = {
     {"render", "draw a scene into a picture, arrays and counters", runRender},
     {"info", "say what a scene is made of", runInfo},
     {"diff", "compare two pictures or arrays", runDiff},
+    {"bench", "measure speed against error", runBench},
+    {"cases", "draw the hard cases and compare with the exact reference", runCases},
     {"steps", "tell every step of the drawing", runSteps},
     {"why", "say why a pixel is what it is", runWhy},
 };

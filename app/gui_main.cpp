@@ -1,9 +1,11 @@
 #include "ui/cards.h"
+#include "ui/experiment_panel.h"
 #include "ui/image_export.h"
 #include "ui/main_window.h"
 #include "ui/mistakes_section.h"
 #include "ui/pipeline_panel.h"
 #include "ui/step_mode.h"
+#include "ui/truth_mode.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -35,11 +37,17 @@ struct Arguments {
     std::optional<QSize> windowSize;
     QString panel;
     std::optional<QPoint> pixel;
+    bool referee = false;
+    int measuredFrames = 0;
+    rasterlens::CompareView compare = rasterlens::CompareView::Off;
     std::optional<rasterlens::LanguageKind> language;
     std::optional<rasterlens::ThemeKind> theme;
 };
 
-QStringList panelNames() { return rasterlens::Cards::names() + QStringList{QStringLiteral("mistakes")}; }
+QStringList panelNames()
+{
+    return rasterlens::Cards::names() + rasterlens::TruthMode::panelNames() + QStringList{QStringLiteral("mistakes")};
+}
 
 struct ParsedArguments {
     std::optional<Arguments> arguments;
@@ -78,14 +86,26 @@ ParsedArguments parseArguments(const QStringList& words)
         QStringLiteral("step"),
         QStringLiteral("Opens the step mode at a position, or at the first tie, sign-change, depth-fail, clip or nan."),
         QStringLiteral("where"));
-    parser.addOptions({help, version, screenshot, windowSize, language, theme, panel, pixel, step});
+    const QCommandLineOption referee(QStringLiteral("referee"),
+                                     QStringLiteral("Checks the picture against the exact reference."));
+    const QCommandLineOption measure(
+        QStringLiteral("measure"),
+        QStringLiteral("Measures speed against error, <frames> frames a variant (with --panel experiment)."),
+        QStringLiteral("frames"));
+    const QCommandLineOption compare(
+        QStringLiteral("compare"),
+        QStringLiteral("Compares with the picture without mistakes or as the scene asks: wipe, blink or difference."),
+        QStringLiteral("view"));
+    parser.addOptions(
+        {help, version, screenshot, windowSize, language, theme, panel, pixel, step, referee, compare, measure});
     parser.addPositionalArgument(QStringLiteral("scene"),
                                  QStringLiteral("An .obj, a .case, a session .json, builtin:NAME or stress:NAME."),
                                  QStringLiteral("[scene]"));
     if (!parser.parse(words))
         return refuse(parser.errorText());
     if (parser.isSet(help)) {
-        std::fputs(qPrintable(parser.helpText()), stdout);
+        QString text = parser.helpText(); // there is no QApplication yet that knows the program's name
+        std::fputs(qPrintable(text.replace(QLatin1String("<executable_name>"), QLatin1String("rasterlens"))), stdout);
         return {};
     }
     if (parser.isSet(version)) {
@@ -126,6 +146,17 @@ ParsedArguments parseArguments(const QStringList& words)
         if (!panelNames().contains(arguments.panel))
             return refuse(QStringLiteral("--panel takes %1").arg(panelNames().join(", ")));
     }
+    arguments.referee = parser.isSet(referee);
+    arguments.measuredFrames = parser.value(measure).toInt();
+    if (parser.isSet(measure) && arguments.measuredFrames < 1)
+        return refuse(QStringLiteral("--measure takes a number of frames"));
+    if (parser.isSet(compare)) {
+        const QStringList views{QStringLiteral("wipe"), QStringLiteral("blink"), QStringLiteral("difference")};
+        const qsizetype view = views.indexOf(parser.value(compare));
+        if (view < 0)
+            return refuse(QStringLiteral("--compare takes %1").arg(views.join(QStringLiteral(", "))));
+        arguments.compare = static_cast<rasterlens::CompareView>(view + 1);
+    }
     if (parser.isSet(pixel)) {
         const QStringList parts = parser.value(pixel).split(QLatin1Char(','));
         bool goodX = false;
@@ -140,7 +171,7 @@ ParsedArguments parseArguments(const QStringList& words)
 
 void openPanel(rasterlens::MainWindow& window, const QString& name)
 {
-    if (!window.cards().show(name))
+    if (!window.cards().show(name) && !window.truthMode().showPanel(name))
         window.pipelinePanel().mistakes().setOpen(true);
 }
 
@@ -154,7 +185,7 @@ void takeScreenshot(rasterlens::MainWindow& window, const QString& path)
             takeScreenshot(window, path);
             return;
         }
-        if (const auto error = rasterlens::savePng(window.grab().toImage(), path)) {
+        if (const auto error = rasterlens::savePng(window.picture(), path)) {
             printError(*error);
             QApplication::exit(kInvalidInput);
             return;
@@ -209,6 +240,10 @@ int main(int argc, char** argv)
         window.document().disconnect(&starting);
         if (arguments.pixel)
             window.viewport().selectPixel(arguments.pixel);
+        window.truthMode().referee().setOn(arguments.referee);
+        window.truthMode().comparison().setView(arguments.compare);
+        if (arguments.measuredFrames > 0)
+            window.truthMode().experiment().run(arguments.measuredFrames);
         if (!arguments.panel.isEmpty())
             openPanel(window, arguments.panel);
         if (forScreenshot)

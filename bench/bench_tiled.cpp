@@ -26,13 +26,13 @@ struct Series {
     std::vector<double> total, processor, vertex, geometry, raster;
 };
 
-Series measure(const Scene& scene, const Settings& settings, int warmUp, int frames)
+Series measure(const Scene& scene, const Settings& settings, Outputs outputs, int warmUp, int frames)
 {
     Series series;
     Frame frame;
     for (int i = -warmUp; i < frames; ++i) {
         const double before = processorMs();
-        render(scene, settings, frame);
+        render(scene, settings, frame, outputs);
         if (i < 0)
             continue;
         series.total.push_back(frame.times.total);
@@ -57,6 +57,7 @@ int main(int argc, char** argv)
     parser.addOption({"warm-up", "frames that do not", "N", "3"});
     parser.addOption({"set", "a settings field", "FIELD=VALUE"});
     parser.addOption({"size", "pixels", "WxH", "1920x1080"});
+    parser.addOption({"depth-only", "a depth buffer and no picture"});
     parser.process(application);
 
     Settings settings;
@@ -70,6 +71,8 @@ int main(int argc, char** argv)
             return 2;
         }
     }
+    const bool depthOnly = parser.isSet("depth-only");
+    const Outputs outputs{.depth = depthOnly, .picture = !depthOnly};
     std::printf("%-30s %9s %9s %9s | %9s %9s | %8s %8s %8s (minima)\n", "scene", "median", "p90", "min", "CPU med",
                 "CPU min", "vertex", "geometry", "raster");
     for (const QString& name : parser.positionalArguments()) {
@@ -83,7 +86,7 @@ int main(int argc, char** argv)
             return 2;
         }
         const Series s =
-            measure(*load.scene, settings, parser.value("warm-up").toInt(), parser.value("frames").toInt());
+            measure(*load.scene, settings, outputs, parser.value("warm-up").toInt(), parser.value("frames").toInt());
         std::printf("%-30s %9.3f %9.3f %9.3f | %9.3f %9.3f | %8.3f %8.3f %8.3f\n", qPrintable(name.section('/', -1)),
                     quantile(s.total, 0.5), quantile(s.total, 0.9), quantile(s.total, 0), quantile(s.processor, 0.5),
                     quantile(s.processor, 0), quantile(s.vertex, 0), quantile(s.geometry, 0), quantile(s.raster, 0));

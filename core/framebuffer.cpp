@@ -29,22 +29,30 @@ void pickCentres(const std::vector<T>& samples, std::vector<T>& pixels, int widt
                         static_cast<std::size_t>(x * grid + grid / 2)];
 }
 
+/// Makes the frame's picture one of the right size, or none.
+void sizePicture(Frame& frame, const Rules& rules, Outputs outputs)
+{
+    if (!outputs.picture)
+        frame.image = QImage();
+    else if (frame.image.size() != QSize(rules.width, rules.height) || frame.image.format() != QImage::Format_RGB32)
+        frame.image = QImage(rules.width, rules.height, QImage::Format_RGB32);
+}
+
 } // namespace
 
 Framebuffer::Framebuffer(Frame& frame, const Rules& rules, Outputs outputs, std::uint32_t clearColor)
     : m_frame(&frame), m_rules(rules), m_outputs(outputs)
 {
-    if (frame.image.size() != QSize(rules.width, rules.height) || frame.image.format() != QImage::Format_RGB32)
-        frame.image = QImage(rules.width, rules.height, QImage::Format_RGB32);
+    sizePicture(frame, rules, outputs);
     m_samples.columns = rules.columns();
     m_samples.rows = rules.rows();
     m_samples.stride = rules.strideIsRows ? rules.rows() : rules.columns();
     const std::size_t count = sampleCount();
     const bool direct = isDirect();
-    if (direct) {
+    if (outputs.picture && direct) {
         m_samples.color = reinterpret_cast<std::uint32_t*>(frame.image.bits());
         std::fill_n(m_samples.color, count, clearColor);
-    } else {
+    } else if (outputs.picture) {
         m_samples.color = cleared(m_color, count, clearColor);
     }
     if (outputs.depth || rules.depthTested)
@@ -65,12 +73,13 @@ std::size_t Framebuffer::sampleCount() const
 
 void Framebuffer::resolve()
 {
-    if (m_rules.shading == Shading::Overdraw)
+    if (m_outputs.picture && m_rules.shading == Shading::Overdraw)
         for (std::size_t i = 0, n = sampleCount(); i < n; ++i)
             m_samples.color[i] = overdrawColor(m_samples.coverage[i]);
     const int grid = m_rules.sampleGrid;
     if (!isDirect()) {
-        resolveColor();
+        if (m_outputs.picture)
+            resolveColor();
         if (m_outputs.depth)
             pickCentres(m_depth, m_frame->depth, m_rules.width, m_rules.height, grid);
         if (m_outputs.ids)

@@ -38,6 +38,15 @@ std::optional<QString> unsupported(const Scene& scene, const Settings& settings)
     return rasterizerSupports(rulesFor(scene, settings));
 }
 
+std::optional<Settings> fastSettings(const Scene& scene, const Settings& settings)
+{
+    Settings fast = settings;
+    fast.algorithm = Algorithm::Tiled;
+    if (fast == settings || unsupported(scene, fast))
+        return std::nullopt;
+    return fast;
+}
+
 void render(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs, std::stop_token stop)
 {
     if (settings.algorithm == Algorithm::Tiled) {

@@ -16,16 +16,17 @@ namespace rasterlens
 
 struct TiledContext;
 
-/// What a frame is asked for beside the picture. Nothing that is not asked for is written.
+/// What a frame is asked for. Nothing that is not asked for is written, and without a picture nothing is shaded.
 struct Outputs {
     bool depth = false;
     bool ids = false;
     bool coverage = false;
+    bool picture = true;
 };
 
 /// A finished picture. All arrays are row by row from the top, width * height of the image.
 struct Frame {
-    QImage image;                  ///< Format_RGB32
+    QImage image;                  ///< Format_RGB32; null if not asked for
     std::vector<float> depth;      ///< depth buffer, 0..1; with several samples that of the sample nearest the centre
     std::vector<std::int32_t> ids; ///< face that was written last, -1 none; likewise
     std::vector<std::uint16_t> coverage; ///< how many faces covered it, before the depth test; likewise
@@ -35,6 +36,10 @@ struct Frame {
 
 /// Why these settings cannot be drawn, or nothing. The sentence is English; the caller adds the context.
 [[nodiscard]] std::optional<QString> unsupported(const Scene& scene, const Settings& settings);
+
+/// The settings with which the tiled algorithm draws the same picture, colours at most one step off, faster; nothing
+/// where the algorithm is part of the picture (mistakes, number types, lines, edge-then-span) or is tiled already.
+[[nodiscard]] std::optional<Settings> fastSettings(const Scene& scene, const Settings& settings);
 
 /// Draws one frame at full speed.
 ///

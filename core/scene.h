@@ -1,5 +1,6 @@
 #pragma once
 #include "core/diagnostics.h"
+#include "core/mip_chain.h"
 #include "core/settings.h"
 
 #include <QString>
@@ -35,6 +36,7 @@ struct Texture {
     int width = 0;
     int height = 0;
     std::vector<std::uint32_t> texels; ///< width * height, row by row
+    MipChain mips{};                   ///< made of them when first asked for
 };
 
 struct Material {

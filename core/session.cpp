@@ -4,10 +4,12 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QSaveFile>
 
 #include <algorithm>
+#include <cmath>
 
 namespace rasterlens
 {
@@ -39,13 +41,47 @@ QJsonObject parse(const QByteArray& text, DiagnosticSink& diagnostics)
     return document.object();
 }
 
+std::map<std::uint32_t, glm::vec4> verticesOf(const QJsonValue& json, DiagnosticSink& diagnostics)
+{
+    std::map<std::uint32_t, glm::vec4> vertices;
+    if (!json.isObject() && !json.isUndefined())
+        diagnostics.error(0, QStringLiteral("\"vertices\" takes an object"));
+    const QJsonObject object = json.toObject();
+    for (auto it = object.begin(); it != object.end(); ++it) {
+        bool isIndex = false;
+        const std::uint32_t vertex = it.key().toUInt(&isIndex);
+        const QJsonArray numbers = it.value().toArray();
+        const bool isPosition = numbers.size() == 4 && std::all_of(numbers.begin(), numbers.end(), [](const auto& n) {
+                                    return n.isDouble() && std::isfinite(static_cast<float>(n.toDouble()));
+                                });
+        if (!isIndex || !isPosition) {
+            diagnostics.error(
+                0, QStringLiteral("\"vertices\" takes an index and a position: \"0\": [x, y, z, w], not \"%1\"")
+                       .arg(it.key()));
+            continue;
+        }
+        for (int i = 0; i < 4; ++i)
+            vertices[vertex][i] = static_cast<float>(numbers[i].toDouble());
+    }
+    return vertices;
+}
+
+QJsonObject toJson(const std::map<std::uint32_t, glm::vec4>& vertices)
+{
+    QJsonObject json;
+    for (const auto& [vertex, at] : vertices)
+        json[QString::number(vertex)] = QJsonArray{at.x, at.y, at.z, at.w};
+    return json;
+}
+
 Session sessionOf(const QJsonObject& json, const QDir& folder, DiagnosticSink& diagnostics)
 {
     Session session;
     for (const QString& key : json.keys())
-        if (key != QLatin1String("rasterlens") && key != QLatin1String("scene") && key != QLatin1String("settings"))
+        if (!QStringList{"rasterlens", "scene", "settings", "vertices"}.contains(key))
             diagnostics.error(
-                0, QStringLiteral("there is no key \"%1\"; rasterlens, scene and settings are expected").arg(key));
+                0, QStringLiteral("there is no key \"%1\"; rasterlens, scene, settings and vertices are expected")
+                       .arg(key));
     if (json[QLatin1String("rasterlens")] != kFormatVersion)
         diagnostics.error(0, QStringLiteral("this is not a session of this program; \"rasterlens\": %1 is expected")
                                  .arg(kFormatVersion));
@@ -59,10 +95,10 @@ Session sessionOf(const QJsonObject& json, const QDir& folder, DiagnosticSink& d
     const QJsonValue settings = json[QLatin1String("settings")];
     if (!settings.isObject() && !settings.isUndefined())
         diagnostics.error(0, QStringLiteral("\"settings\" takes an object"));
-    const SettingsParse parsed = settingsFromJson(settings.toObject());
-    for (const QString& error : parsed.errors)
+    session.settings = settings.toObject();
+    for (const QString& error : settingsFromJson(session.settings).errors)
         diagnostics.error(0, error);
-    session.settings = parsed.settings;
+    session.vertices = verticesOf(json[QLatin1String("vertices")], diagnostics);
     return session;
 }
 
@@ -95,11 +131,42 @@ SessionLoad loadSession(const QString& path)
     return {session, diagnostics.take()};
 }
 
+Settings settingsOf(const Session& session, const Settings& base)
+{
+    return settingsFromJson(session.settings, base).settings;
+}
+
+std::map<std::uint32_t, glm::vec4> movedVertices(const Mesh& original, const Mesh& edited)
+{
+    std::map<std::uint32_t, glm::vec4> moved;
+    for (std::uint32_t i = 0; i < edited.vertices.size(); ++i)
+        if (const glm::vec4& now = edited.vertices[i].position;
+            now != original.vertices[i].position && std::isfinite(now.x + now.y + now.z + now.w))
+            moved[i] = now;
+    return moved;
+}
+
+Diagnostics moveVertices(Scene& scene, const Session& session, const QString& sessionPath)
+{
+    DiagnosticSink diagnostics(sessionPath);
+    std::vector<MeshVertex>& vertices = scene.mesh.vertices;
+    for (const auto& [vertex, position] : session.vertices)
+        if (vertex < vertices.size())
+            vertices[vertex].position = position;
+        else
+            diagnostics.error(0, QStringLiteral("\"vertices\" names vertex %1; the scene has %2, counted from 0")
+                                     .arg(vertex)
+                                     .arg(vertices.size()));
+    return diagnostics.take();
+}
+
 std::optional<QString> saveSession(const Session& session, const QString& path)
 {
-    const QJsonObject json{{"rasterlens", kFormatVersion},
-                           {"scene", storedScene(session.scene, QFileInfo(path).absoluteDir())},
-                           {"settings", toJson(session.settings)}};
+    QJsonObject json{{"rasterlens", kFormatVersion},
+                     {"scene", storedScene(session.scene, QFileInfo(path).absoluteDir())},
+                     {"settings", session.settings}};
+    if (!session.vertices.empty())
+        json["vertices"] = toJson(session.vertices);
     const QByteArray text = QJsonDocument(json).toJson();
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())

@@ -78,7 +78,8 @@ constexpr Choice kShadings[] = {{"gouraud", QT_TRANSLATE_NOOP("Settings", "Goura
                                 {"overdraw", QT_TRANSLATE_NOOP("Settings", "Overdraw")},
                                 {"triangle-id", QT_TRANSLATE_NOOP("Settings", "Triangle id")}};
 constexpr Choice kTextureFilters[] = {{"nearest", QT_TRANSLATE_NOOP("Settings", "Nearest")},
-                                      {"bilinear", QT_TRANSLATE_NOOP("Settings", "Bilinear")}};
+                                      {"bilinear", QT_TRANSLATE_NOOP("Settings", "Bilinear")},
+                                      {"trilinear", QT_TRANSLATE_NOOP("Settings", "Bilinear with mipmaps")}};
 constexpr Choice kSimds[] = {{"auto", QT_TRANSLATE_NOOP("Settings", "Best available")},
                              {"scalar", QT_TRANSLATE_NOOP("Settings", "Scalar")},
                              {"sse4", "SSE4"},
@@ -208,7 +209,9 @@ constexpr SettingsField kFields[] = {
                         QT_TRANSLATE_NOOP("Settings", "What colours a fragment.")),
     choice<&S::textureFilter>(
         "texture-filter", Stage::Shade, kTextureFilters, QT_TRANSLATE_NOOP("Settings", "Texture filter"),
-        QT_TRANSLATE_NOOP("Settings", "The nearest texel, or a blend of the four around the point.")),
+        QT_TRANSLATE_NOOP("Settings",
+                          "The nearest texel, a blend of the four around the point, or such blends in mipmaps: "
+                          "smaller copies of the texture that keep distant patterns calm.")),
     integer<&S::threads>(
         "threads", Stage::Image, 0, 256, QT_TRANSLATE_NOOP("Settings", "Threads"),
         QT_TRANSLATE_NOOP("Settings", "Threads of the tiled algorithm; 0 takes as many as the machine has.")),

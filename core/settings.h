@@ -32,7 +32,7 @@ enum class AttributePath { Planes, EdgeThenSpan };
 enum class TieRule { TopLeft, Inclusive, Exclusive };
 enum class Samples { One, Grid2, Grid3, Grid4 };
 enum class Shading { Gouraud, Flat, RandomFlat, Texture, Phong, Depth, Normals, Uv, Overdraw, TriangleId };
-enum class TextureFilter { Nearest, Bilinear };
+enum class TextureFilter { Nearest, Bilinear, Trilinear };
 enum class Simd { Auto, Scalar, Sse4, Avx2, Avx512, Neon };
 
 /// Pixels [x, x + width) x [y, y + height), origin top left.

@@ -26,10 +26,13 @@
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QSpinBox>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QtTest>
+
+#include <set>
 
 using namespace rasterlens;
 
@@ -109,6 +112,7 @@ private Q_SLOTS:
     void pixelCardFollowsTheSettings();
     void pixelCardFollowsLanguageAndTheme();
     void pixelCardRowsAskForTheirStep();
+    void thePanelsFollowTheFaceOfTheStep();
     void pixelCardIsEmptyWithoutAPixel();
     void mistakesChangeSettingsAndPicture();
     void mistakeOpensItsScene();
@@ -200,6 +204,24 @@ void TestCards::pixelCardRowsAskForTheirStep()
     QCOMPARE(session.event()->face, cards().pixelCard().rows()[1].face);
     QCOMPARE(session.event()->kind, StepKind::Sample);
     QCOMPARE(QPoint(session.event()->x, session.event()->y), QPoint(3, 4));
+}
+
+void TestCards::thePanelsFollowTheFaceOfTheStep()
+{
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    QVERIFY(cards().show(QStringLiteral("vertices")));
+    StepSession& session = m_window->stepMode().session();
+    session.open();
+    QVERIFY(settle());
+    std::set<int> faces;
+    for (std::size_t position = 1; position <= session.size(); ++position) {
+        session.moveTo(position);
+        if (session.event()->face == StepEvent::kNone)
+            continue;
+        faces.insert(int(session.event()->face));
+        QCOMPARE(m_window->findChild<VertexPanel*>()->findChild<QSpinBox*>()->value(), int(session.event()->face));
+    }
+    QCOMPARE(faces.size(), 2U);
 }
 
 void TestCards::pixelCardIsEmptyWithoutAPixel()

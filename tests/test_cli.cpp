@@ -77,6 +77,7 @@ private Q_SLOTS:
     void allOutputsOrNone();
     void fullDiskIsAnError();
     void pictureGoesToStdout();
+    void drawsWithoutAPicture();
     void arraysHaveTheShapeOfThePicture();
     void sizeComesFromTheSceneUnlessGiven();
     void everyOptionReachesTheSettings();
@@ -312,6 +313,23 @@ void TestCli::pictureGoesToStdout()
         QCOMPARE(QImage::fromData(readFile(path(name))).convertToFormat(QImage::Format_RGB32),
                  QImage(path("out.png")).convertToFormat(QImage::Format_RGB32));
     }
+}
+
+void TestCli::drawsWithoutAPicture()
+{
+    const QStringList before = entries();
+    QCOMPARE(call(QStringLiteral("render a.case --depth with.npy -o p.png")).exitCode, 0);
+    const Run good = call(QStringLiteral("render a.case --depth alone.npy --stats s.json --no-picture"));
+    QCOMPARE(good.err, QString());
+    QCOMPARE(good.exitCode, 0);
+    QCOMPARE(readFile(path("alone.npy")), readFile(path("with.npy")));
+    QVERIFY(!QFile::exists(path("out.png")));
+    QVERIFY(readFile(path("s.json")).contains("\"shaded\": 0"));
+    QCOMPARE(call(QStringLiteral("render a.case --no-picture")).exitCode, 2);
+    QCOMPARE(call(QStringLiteral("render a.case --no-picture -o p.png --depth d.npy")).exitCode, 2);
+    for (const char* name : {"with.npy", "alone.npy", "s.json", "p.png"})
+        QFile::remove(path(name));
+    QCOMPARE(entries(), before);
 }
 
 void TestCli::arraysHaveTheShapeOfThePicture()

@@ -68,6 +68,7 @@ private Q_SLOTS:
     void withoutCoverageTheFacesDecide();
     void onlyTheWindowCounts();
     void severalSamples();
+    void windowsJoin();
 };
 
 void TestCoverageDifference::aRightFrameIsRight()
@@ -126,8 +127,8 @@ void TestCoverageDifference::depthAndColor()
     QCOMPARE(d.depthMax, 0.25);
     QCOMPARE(d.depthMean, 0.25 / 56);
     QCOMPARE(d.colorMax, 10.0);
-    // 56 pixels are half a step off in red, one is ten steps off in green
-    QVERIFY(std::abs(d.psnrDb - 10 * std::log10(255.0 * 255 * 192 / (56 * 0.25 + 100))) < 1e-9);
+    // one channel is ten steps off; that 56 pixels are half a step off in red is rounding
+    QVERIFY(std::abs(d.psnrDb - 10 * std::log10(255.0 * 255 * 192 / 100)) < 1e-9);
 
     pair.truth.depthTested = false;
     d = pair.difference();
@@ -179,6 +180,34 @@ void TestCoverageDifference::severalSamples()
         QCOMPARE(d.wrong(), 0U);
         QVERIFY(d.colorMax <= 1);
     }
+}
+
+void TestCoverageDifference::windowsJoin()
+{
+    Scene scene = twoFaces();
+    scene.mesh.vertices[1].color = {0.3F, 0.1F, 0.7F};
+    const auto wrongFrame = [&](std::optional<PixelRect> window) {
+        scene.window = window;
+        Pair pair = renderedAndTrue(scene);
+        pair.rendered.coverage[pixel(2, 2)] = 0;
+        pair.rendered.coverage[pixel(5, 7)] = 1;
+        pair.rendered.coverage[pixel(5, 6)] = 2;
+        pair.rendered.depth[pixel(4, 1)] += 0.5F;
+        pair.rendered.image.setPixel(4, 5, qRgb(0, 0, 0));
+        return pair.difference();
+    };
+    const CoverageDifference whole = wrongFrame(std::nullopt);
+    const CoverageDifference sum =
+        joined(wrongFrame(PixelRect{0, 0, kSide, 3}), wrongFrame(PixelRect{0, 3, kSide, kSide - 3}));
+    QVERIFY(whole.missing == 1 && whole.extra == 1 && whole.hitTwice == 1);
+    for (const auto member : {&CoverageDifference::pixels, &CoverageDifference::covered, &CoverageDifference::missing,
+                              &CoverageDifference::extra, &CoverageDifference::hitTwice,
+                              &CoverageDifference::depthsCompared, &CoverageDifference::colorsCompared})
+        QCOMPARE(sum.*member, whole.*member);
+    for (const auto member :
+         {&CoverageDifference::depthMax, &CoverageDifference::depthMean, &CoverageDifference::colorMax,
+          &CoverageDifference::colorMean, &CoverageDifference::psnrDb})
+        QVERIFY(std::abs(sum.*member - whole.*member) < 1e-12 * whole.*member);
 }
 
 QTEST_APPLESS_MAIN(TestCoverageDifference)

@@ -1,6 +1,8 @@
 #include "core/builtin_scenes.h"
 #include "core/case_file.h"
+#include "core/session.h"
 #include "ui/document.h"
+#include "ui/vertex_panel.h"
 
 #include <QFile>
 #include <QSettings>
@@ -242,6 +244,32 @@ private Q_SLOTS:
         QCOMPARE(second.scene()->mesh.faceCount(), std::size_t(1));
         QVERIFY(!second.isDirty());
         QCOMPARE(second.recentFiles().value(0), sessionPath);
+    }
+
+    void movedVerticesComeBackWithTheSession()
+    {
+        const QString scenePath = write(QStringLiteral("triangle.case"), kOneTriangle);
+        const QString sessionPath = m_folder.filePath(QStringLiteral("moved.json"));
+        Document document;
+        document.open(scenePath);
+        QTRY_COMPARE_WITH_TIMEOUT(document.scene()->id, scenePath, 20000);
+        document.editScene(withVertex(*document.scene(), 1, {0.25F, -0.5F, 0, 1}));
+        QVERIFY(document.isDirty());
+        QVERIFY(document.saveSession(sessionPath));
+        QVERIFY(!document.isDirty());
+
+        Document second;
+        QSignalSpy opened(&second, &Document::opened);
+        second.open(sessionPath);
+        QVERIFY(opened.wait(20000));
+        QVERIFY(second.scene()->mesh.vertices[1].position == glm::vec4(0.25F, -0.5F, 0, 1));
+        QVERIFY(!second.isDirty());
+        QVERIFY(second.saveSession(sessionPath)); // the move is still known as one
+        QCOMPARE(loadSession(sessionPath).session->vertices.size(), 1U);
+
+        document.undo();
+        QVERIFY(document.saveSession(sessionPath));
+        QVERIFY(loadSession(sessionPath).session->vertices.empty());
     }
 
     void unwritableSessionIsReported()

@@ -1,6 +1,9 @@
-// The catalogue of hard cases: every file says what must hold, and the exact reference holds it.
+// The catalogue of hard cases: every file says what must hold; the exact reference and the fixed-point rasterizers hold
+// it, and floating point is seen to fail.
 #include "core/case_file.h"
 #include "core/truth/expectations.h"
+#include "core/truth/hard_cases.h"
+#include "core/truth/variants.h"
 
 #include <QDir>
 #include <QFile>
@@ -17,6 +20,12 @@ private Q_SLOTS:
     void thereAreEnough();
     void cases_data();
     void cases();
+    void theCatalogueIsBuiltIn();
+    void fixedPointPasses_data();
+    void fixedPointPasses();
+    void floatingPointFails_data();
+    void floatingPointFails();
+    void toleranceIsNotExactness();
     void everyKeyCanFail_data();
     void everyKeyCanFail();
     void malformedLinesSayWhy();
@@ -30,6 +39,13 @@ QStringList caseFiles() { return QDir(QStringLiteral(RASTERLENS_CASES)).entryLis
 Outcome referenceOutcome(const Scene& scene)
 {
     return outcomeOf(exactReference(scene, scene.defaults), scene.background);
+}
+
+CaseVerdict verdict(const QString& name, const char* variant)
+{
+    const Scene scene = *loadScene(hardCasePath(name)).scene;
+    const Settings settings = changedBy(*findVariant(QLatin1String(variant)), scene.defaults);
+    return judgeCase(scene, caseTruth(scene, settings.samples), settings);
 }
 
 } // namespace
@@ -58,6 +74,75 @@ void TestHardCases::cases()
     for (const Expectation& line : checkExpectations(load.scene->expectations, referenceOutcome(*load.scene)))
         QVERIFY2(line.holds,
                  qPrintable(QStringLiteral("expect %1 %2: found %3").arg(line.key, line.value, line.found)));
+}
+
+void TestHardCases::theCatalogueIsBuiltIn()
+{
+    QStringList files;
+    for (const QString& name : hardCaseNames())
+        files << name + QStringLiteral(".case");
+    QCOMPARE(files, caseFiles());
+}
+
+void TestHardCases::fixedPointPasses_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const QString& name : hardCaseNames())
+        QTest::newRow(qPrintable(name)) << name;
+}
+
+void TestHardCases::fixedPointPasses()
+{
+    QFETCH(QString, name);
+    const Scene scene = *loadScene(hardCasePath(name)).scene;
+    const ExactFrame truth = caseTruth(scene, scene.defaults.samples);
+    for (const char* id : {"edge-equation", "edge-walking", "edge-walking-spans", "tiled"}) {
+        const CaseVerdict v = judgeCase(scene, truth, changedBy(*findVariant(QLatin1String(id)), scene.defaults));
+        QVERIFY2(v.grade == CaseGrade::Passes || v.grade == CaseGrade::PassesWithin,
+                 qPrintable(QLatin1String(id) + QStringLiteral(": ") + v.reason));
+    }
+}
+
+void TestHardCases::floatingPointFails_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("failing");
+    QTest::addColumn<QString>("reason");
+    const auto row = [](const char* name, const char* failing, const char* reason) {
+        QTest::newRow(name) << QString::fromLatin1(name) << QString::fromLatin1(failing) << QString::fromLatin1(reason);
+    };
+    row("124_cancellation_one_unit_inside", "edge-equation-float32", "1 missing, first at (2605, 3238)");
+    row("125_cancellation_one_unit_outside", "edge-equation-float32-direct", "1 extra");
+    row("175_drift_float32_missing", "edge-equation-float32", "10 missing, first at (16382, 0)");
+    row("176_drift_float32_extra", "edge-equation-float32", "2 extra, first at (13588, 1)");
+    row("018_fan_96_slivers", "edge-walking-float32", "1 hit too often");
+    row("119_perspective_ratio_10000", "edge-equation-affine", "expect color");
+    row("161_snap_bits_0_mesh", "edge-equation-float64", "");
+}
+
+void TestHardCases::floatingPointFails()
+{
+    QFETCH(QString, name);
+    QFETCH(QString, failing);
+    QFETCH(QString, reason);
+    const CaseVerdict v = verdict(name, qPrintable(failing));
+    QCOMPARE(v.grade, CaseGrade::Fails);
+    QVERIFY2(v.reason.contains(reason), qPrintable(v.reason));
+    // What drifts is the running sum: evaluated anew, the same numbers are right.
+    if (name.contains(QLatin1String("drift")))
+        QCOMPARE(verdict(name, "edge-equation-float32-direct").grade, CaseGrade::Passes);
+}
+
+void TestHardCases::toleranceIsNotExactness()
+{
+    const CaseVerdict depth = verdict(QStringLiteral("111_depth_one_ulp_apart"), "edge-equation");
+    QCOMPARE(depth.grade, CaseGrade::PassesWithin);
+    QVERIFY(depth.difference.otherFace > 0 && !depth.reason.isEmpty());
+    const CaseVerdict snapped = verdict(QStringLiteral("164_exact_moves_one_pixel"), "edge-equation");
+    QCOMPARE(snapped.grade, CaseGrade::PassesWithin);
+    QVERIFY(snapped.difference.tolerated > 0);
+    // Where there is only one face, another one is wrong whatever its depth.
+    QCOMPARE(verdict(QStringLiteral("009_edges_grid_on_centres"), "edge-equation-bits-0").grade, CaseGrade::Fails);
 }
 
 void TestHardCases::everyKeyCanFail_data()

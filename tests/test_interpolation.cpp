@@ -114,6 +114,7 @@ private Q_SLOTS:
     void depthIsTrue();
     void weightsAndPerspectiveAreTrue();
     void affineLeavesTheWeights();
+    void gradientsAreDerivatives();
     void onlyWhatIsReadIsCarried();
     void fractionOfTheWayInSpace();
     void edgeThenSpanAgreesWithPlanes();
@@ -246,6 +247,47 @@ void TestInterpolation::affineLeavesTheWeights()
     const FaceInterpolation face(t, area2Of(t), rules);
     const Weights weights{0.25, 0.5, 0.25};
     QCOMPARE(face.perspective(weights), weights);
+}
+
+/// u = U/W with U and W linear on the screen: a step to p changes it by exactly u' times W here over W at p.
+void TestInterpolation::gradientsAreDerivatives()
+{
+    Random random = seededRandom();
+    int tried = 0;
+    for (int i = 0; i < 3000; ++i) {
+        Rules rules = rulesOf(64);
+        rules.perspectiveCorrect = i % 4 != 0;
+        const ScreenTriangle t = randomTriangle(random, 64, false);
+        if (std::abs(area2Of(t)) < 64)
+            continue;
+        const FaceInterpolation face(t, area2Of(t), rules);
+        const auto uvAt = [&](const Weights& weights) {
+            glm::dvec2 uv(0);
+            for (std::size_t k = 0; k < 3; ++k)
+                uv += weights[k] * glm::dvec2(t.vertices[k].varyings[0], t.vertices[k].varyings[1]);
+            return uv;
+        };
+        const auto inverseW = [&](const Weights& screen) {
+            double sum = 0;
+            for (std::size_t k = 0; k < 3; ++k)
+                sum += screen[k] * (rules.perspectiveCorrect ? t.vertices[k].invW : 1);
+            return sum;
+        };
+        const Weights here = face.weightsAt(20, 30);
+        if (*std::min_element(here.begin(), here.end()) < 0.05) // the neighbours may be beyond the horizon
+            continue;
+        ++tried;
+        const glm::dvec2 uv = uvAt(face.perspective(here));
+        const UvGradient gradient = face.uvGradient(here, face.perspective(here), 0);
+        const auto check = [&](const Weights& there, const glm::dvec2& derivative) {
+            const glm::dvec2 step = derivative * (inverseW(here) / inverseW(there));
+            const glm::dvec2 error = uvAt(face.perspective(there)) - uv - step;
+            return glm::length(error) <= 1e-6 * (glm::length(step) + 1e-3);
+        };
+        QVERIFY(check(face.weightsAt(21, 30), gradient.perX));
+        QVERIFY(check(face.weightsAt(20, 31), gradient.perY));
+    }
+    QVERIFY(tried > 50);
 }
 
 void TestInterpolation::onlyWhatIsReadIsCarried()

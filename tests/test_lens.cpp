@@ -4,6 +4,7 @@
 #include "ui/lens_overlay.h"
 #include "ui/main_window.h"
 #include "ui/scrubber.h"
+#include "ui/stage_strip.h"
 #include "ui/step_listing.h"
 #include "ui/step_mode.h"
 #include "ui/transport_dock.h"
@@ -124,6 +125,7 @@ private Q_SLOTS:
     void scopeLimitsTheRecord();
     void capIsNoticed();
     void recordingNeverBlocks();
+    void theStripMarksTheStageOfTheStep();
     void exportsDrawingsAndRuns();
 };
 
@@ -552,6 +554,20 @@ void TestLens::recordingNeverBlocks()
     QVERIFY(!session().log());
 }
 
+void TestLens::theStripMarksTheStageOfTheStep()
+{
+    QVERIFY(!m_window->stageStrip().current());
+    QVERIFY(record());
+    QVERIFY(!m_window->stageStrip().current()); // before the first step
+    for (std::size_t position = 1; position <= session().size(); ++position) {
+        session().moveTo(position);
+        QCOMPARE(m_window->stageStrip().current(), std::optional(stageOf(log().event(position - 1).kind)));
+    }
+    session().close();
+    QVERIFY(settle());
+    QVERIFY(!m_window->stageStrip().current());
+}
+
 void TestLens::exportsDrawingsAndRuns()
 {
     QVERIFY(record());
@@ -566,11 +582,16 @@ void TestLens::exportsDrawingsAndRuns()
     QVERIFY(!text.contains("<image"));
 
     const std::size_t before = session().position();
-    QVERIFY(!mode().exportRun(m_folder.path(), 8, 12, 16));
+    const auto errorOf = [&](const QString& folder, RunExport::Run run) {
+        QSignalSpy finished(&mode().exportRun(folder, run), &RunExport::finished);
+        return finished.wait() ? finished.front().front().toString() : QStringLiteral("never finished");
+    };
+    QCOMPARE(errorOf(m_folder.path(), {8, 12, 16}), QString());
     QCOMPARE(session().position(), before);
     for (const char* name : {"step-08.png", "step-09.png", "step-10.png", "step-11.png", "step-12.png"})
         QCOMPARE(QImageReader(m_folder.filePath(QLatin1String(name))).size(), QSize(8 * 16 + 1, 8 * 16 + 1));
-    QVERIFY(mode().exportRun(m_folder.filePath(QStringLiteral("missing")), 0, 1, 1));
+    QVERIFY(errorOf(m_folder.filePath(QStringLiteral("missing")), {0, 1, 1}).contains(QStringLiteral("step-0.png")));
+    QCOMPARE(session().position(), before);
     for (const int zoom : {1, 8, 32})
         QCOMPARE(viewport().figure(zoom).width(), 8 * zoom + (zoom >= 8 ? 1 : 0));
 }

@@ -29,22 +29,37 @@ private Q_SLOTS:
 void TestSession::roundTrip()
 {
     const Folder folder;
-    Session session{QStringLiteral("builtin:cube"), {}};
-    session.settings.size = {640, 480};
-    session.settings.culling = Culling::Front;
-    session.settings.reversedZ = true;
-    session.settings.view.eye = {0.1, 1.0 / 3, -1e-7};
-    session.settings.mistakes = {QStringLiteral("all-inclusive")};
+    Session session{QStringLiteral("builtin:cube"), {}, {}};
+    Settings settings;
+    settings.size = {640, 480};
+    settings.culling = Culling::Front;
+    settings.reversedZ = true;
+    settings.view.eye = {0.1, 1.0 / 3, -1e-7};
+    settings.mistakes = {QStringLiteral("all-inclusive")};
+    session.settings = toJson(settings);
+    session.vertices = {{2, {0.1F, -1e-30F, 3e38F, 1}}, {7, {0, 0, 0, 1}}};
     const QString path = folder.path(QStringLiteral("s.json"));
     QCOMPARE(saveSession(session, path), std::nullopt);
     const SessionLoad load = loadSession(path);
     QVERIFY2(load.session && load.diagnostics.empty(), qPrintable(textOf(load.diagnostics)));
     QCOMPARE(load.session->scene, session.scene);
-    QVERIFY(load.session->settings == session.settings);
+    QVERIFY(settingsOf(*load.session, {}) == settings);
+    QVERIFY(load.session->vertices == session.vertices);
+
+    const Scene original = *loadScene(session.scene).scene;
+    Scene moved = original;
+    QVERIFY(moveVertices(moved, session, path).empty());
+    QVERIFY(movedVertices(original.mesh, moved.mesh) == session.vertices);
+    session.vertices[1000] = {0, 0, 0, 1};
+    verifyRemark(moveVertices(moved, session, path), path + QStringLiteral(": "), QStringLiteral("names vertex 1000"));
 
     const QString least = folder.write(QStringLiteral("least.json"), R"({"rasterlens": 1, "scene": "stress:tiny"})");
     QVERIFY(loadSession(least).session);
-    QVERIFY(loadSession(least).session->settings == Settings());
+    QVERIFY(settingsOf(*loadSession(least).session, settings) == settings); // what it does not name stays
+    const QString one = folder.write(QStringLiteral("one.json"),
+                                     R"({"rasterlens": 1, "scene": "stress:tiny", "settings": {"culling": "none"}})");
+    settings.culling = Culling::None;
+    QVERIFY(settingsOf(*loadSession(one).session, settings) == settings);
 }
 
 void TestSession::pathsAreRelativeToTheFile()
@@ -53,14 +68,14 @@ void TestSession::pathsAreRelativeToTheFile()
     QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("a/models")));
     const QString path = folder.path(QStringLiteral("a/s.json"));
     const QString inside = folder.path(QStringLiteral("a/models/head.obj"));
-    QCOMPARE(saveSession({inside, {}}, path), std::nullopt);
+    QCOMPARE(saveSession({inside, {}, {}}, path), std::nullopt);
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QVERIFY(file.readAll().contains("\"models/head.obj\""));
     QCOMPARE(loadSession(path).session->scene, inside);
 
     const QString outside = folder.path(QStringLiteral("head.obj"));
-    QCOMPARE(saveSession({outside, {}}, path), std::nullopt);
+    QCOMPARE(saveSession({outside, {}, {}}, path), std::nullopt);
     QCOMPARE(loadSession(path).session->scene, outside);
 
     const QString up = folder.write(QStringLiteral("a/up.json"), R"({"rasterlens": 1, "scene": "../head.obj"})");
@@ -71,12 +86,12 @@ void TestSession::savedWholeOrNotAtAll()
 {
     const Folder folder;
     const QString path = folder.path(QStringLiteral("none/s.json"));
-    const auto problem = saveSession({QStringLiteral("builtin:cube"), {}}, path);
+    const auto problem = saveSession({QStringLiteral("builtin:cube"), {}, {}}, path);
     QVERIFY(problem && problem->startsWith(path + QStringLiteral(" cannot be written: ")));
-    const auto directory = saveSession({QStringLiteral("builtin:cube"), {}}, folder.path());
+    const auto directory = saveSession({QStringLiteral("builtin:cube"), {}, {}}, folder.path());
     QVERIFY(directory.has_value());
     const QString good = folder.path(QStringLiteral("s.json"));
-    QCOMPARE(saveSession({QStringLiteral("builtin:cube"), {}}, good), std::nullopt);
+    QCOMPARE(saveSession({QStringLiteral("builtin:cube"), {}, {}}, good), std::nullopt);
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{QStringLiteral("s.json")});
 }
 
@@ -101,6 +116,12 @@ void TestSession::broken_data()
     row("unknown key", R"({"rasterlens": 1, "scene": "a.obj", "colour": 1})", 0, "there is no key \"colour\"");
     row("settings is a list", R"({"rasterlens": 1, "scene": "a.obj", "settings": []})", 0,
         "\"settings\" takes an object");
+    row("vertices is a list", R"({"rasterlens": 1, "scene": "a.obj", "vertices": []})", 0,
+        "\"vertices\" takes an object");
+    row("vertex without w", R"({"rasterlens": 1, "scene": "a.obj", "vertices": {"0": [1, 2, 3]}})", 0,
+        "\"vertices\" takes an index and a position");
+    row("vertex beyond float32", R"({"rasterlens": 1, "scene": "a.obj", "vertices": {"0": [1, 2, 3, 1e300]}})", 0,
+        "\"vertices\" takes an index and a position");
     row("unknown setting", R"({"rasterlens": 1, "scene": "a.obj", "settings": {"gloss": 1}})", 0,
         "there is no setting \"gloss\"");
     row("setting out of range", R"({"rasterlens": 1, "scene": "a.obj", "settings": {"subpixel-bits": 12}})", 0,

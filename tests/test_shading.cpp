@@ -50,6 +50,8 @@ private Q_SLOTS:
     void idsHaveColours();
     void nearestTexels();
     void bilinearTexels();
+    void mipLevelsAreMeans();
+    void trilinearTexels();
     void textureTimesColour();
     void anyCoordinateIsSafe();
     void varyingsAreAPrefix();
@@ -197,6 +199,57 @@ void TestShading::bilinearTexels()
     QVERIFY(close(at(0.3125F, 0.25F), {0.875F, 0.125F, 0}));
 }
 
+/// Every level is the mean of the whole, and of the area each of its texels covers.
+void TestShading::mipLevelsAreMeans()
+{
+    const MipLevels four = makeMipLevels(fourTexels());
+    QCOMPARE(four.levels.size(), 2U);
+    QCOMPARE(four.texels.back(), 0xff808080U);
+    // Five texels of width 2/5 of the next: 1, 1 and 1/2, then 1/2, 1 and 1.
+    const MipLevels five =
+        makeMipLevels({QStringLiteral("five"), 5, 1, {0xff00000a, 0xff000014, 0xff00001e, 0xff000028, 0xff000032}, {}});
+    QCOMPARE(five.levels.size(), 3U);
+    QCOMPARE(five.levels[1].width, 2);
+    QCOMPARE(five.texels[5], 0xff000000U + 18); // (10 + 20 + 30 / 2) / 2.5
+    QCOMPARE(five.texels[6], 0xff000000U + 42);
+    QCOMPARE(five.texels[7], 0xff000000U + 30);
+    Random random = seededRandom();
+    for (int i = 0; i < 50; ++i) {
+        Texture texture{QStringLiteral("random"), integer(random, 1, 33), integer(random, 1, 33), {}, {}};
+        double sum = 0;
+        for (int k = 0; k < texture.width * texture.height; ++k) {
+            texture.texels.push_back(0xff000000U | static_cast<std::uint32_t>(integer(random, 0, 255)));
+            sum += texture.texels.back() & 255U;
+        }
+        const MipLevels mips = makeMipLevels(texture);
+        QCOMPARE(mips.levels.back().width * mips.levels.back().height, 1);
+        QCOMPARE(std::size_t(mips.levels.back().first) + 1, mips.texels.size());
+        const double mean = sum / double(texture.texels.size());
+        // Each level rounds once.
+        QVERIFY(std::abs(double(mips.texels.back() & 255U) - mean) <= 0.5 * double(mips.levels.size()));
+    }
+}
+
+void TestShading::trilinearTexels()
+{
+    const Texture texture = fourTexels();
+    const auto at = [&](float u, float v, float texelsPerSample) {
+        return sampleTexture(texture, {u, v}, TextureFilter::Trilinear, {{0, texelsPerSample / 2}, {0.01F, 0}});
+    };
+    const glm::vec3 gray = glm::vec3(128) / 255.0F;
+    QVERIFY(close(at(0.25F, 0.25F, 0), {1, 0, 0}));
+    QVERIFY(close(at(0.25F, 0.25F, 1), {1, 0, 0})); // a texel a sample: the texture itself
+    QVERIFY(close(at(0.25F, 0.25F, 2), gray));      // two: the level of half its size, which is one texel
+    QVERIFY(close(at(0.25F, 0.25F, 1000), gray));
+    QVERIFY(close(at(0.25F, 0.25F, std::sqrt(2.0F)), glm::mix(glm::vec3(1, 0, 0), gray, 0.5F)));
+    QVERIFY(close(at(0.25F, 0.25F, kNaN), {1, 0, 0}));
+    QVERIFY(close(at(0.25F, 0.25F, kInf), gray));
+    // A copy with other texels has other levels.
+    Texture copy = texture;
+    copy.texels.assign(4, 0xff0000ff);
+    QVERIFY(close(sampleTexture(copy, {0, 0}, TextureFilter::Trilinear, {{9, 9}, {0, 0}}), {0, 0, 1}));
+}
+
 void TestShading::textureTimesColour()
 {
     Scene scene = oneTriangle();
@@ -226,10 +279,12 @@ void TestShading::anyCoordinateIsSafe()
         values.push_back(anyFloat(random));
     for (const float u : values)
         for (const float v : {u, values[static_cast<std::size_t>(integer(random, 0, int(values.size()) - 1))], 0.3F})
-            for (const TextureFilter filter : {TextureFilter::Nearest, TextureFilter::Bilinear}) {
-                QCOMPARE(packColor(sampleTexture(texture, {u, v}, filter)) & 0xff000000U, 0xff000000U);
-                const glm::vec3 green = sampleTexture(one, {u, v}, filter);
-                QVERIFY(filter == TextureFilter::Bilinear || close(green, {0, 1, 0}));
+            for (const TextureFilter filter :
+                 {TextureFilter::Nearest, TextureFilter::Bilinear, TextureFilter::Trilinear}) {
+                const UvGradient gradient{{u, v}, {v, u}};
+                QCOMPARE(packColor(sampleTexture(texture, {u, v}, filter, gradient)) & 0xff000000U, 0xff000000U);
+                const glm::vec3 green = sampleTexture(one, {u, v}, filter, gradient);
+                QVERIFY(filter != TextureFilter::Nearest || close(green, {0, 1, 0}));
             }
 }
 

@@ -1,18 +1,15 @@
 // The tiled algorithm against edge-equation: the same coverage, ids and depth bit for bit, colours to a step.
-#include "core/builtin_scenes.h"
-#include "core/render.h"
+#include "tests/tiled_support.h"
 
 #include <QTest>
 
 #include <atomic>
-#include <bit>
-#include <cmath>
 #include <cstdlib>
 #include <new>
-#include <random>
 #include <thread>
 
 using namespace rasterlens;
+using namespace rasterlens::test;
 
 namespace
 {
@@ -37,177 +34,6 @@ void* operator new(std::size_t size, const std::nothrow_t&) noexcept
 
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-
-namespace
-{
-
-constexpr Outputs kAll{.depth = true, .ids = true, .coverage = true};
-
-/// Instruction sets of this machine.
-std::vector<Simd> simds()
-{
-    std::vector<Simd> found;
-    for (const Simd simd : {Simd::Scalar, Simd::Sse4, Simd::Avx2, Simd::Avx512, Simd::Neon}) {
-        Settings settings;
-        settings.algorithm = Algorithm::Tiled;
-        settings.simd = simd;
-        if (!unsupported(Scene(), settings))
-            found.push_back(simd);
-    }
-    return found;
-}
-
-int largestColorStep(const QImage& a, const QImage& b)
-{
-    int step = 0;
-    for (int y = 0; y < a.height(); ++y) {
-        const auto* rowA = reinterpret_cast<const QRgb*>(a.constScanLine(y));
-        const auto* rowB = reinterpret_cast<const QRgb*>(b.constScanLine(y));
-        for (int x = 0; x < a.width(); ++x)
-            if (rowA[x] != rowB[x])
-                step =
-                    std::max({step, std::abs(qRed(rowA[x]) - qRed(rowB[x])),
-                              std::abs(qGreen(rowA[x]) - qGreen(rowB[x])), std::abs(qBlue(rowA[x]) - qBlue(rowB[x]))});
-    }
-    return step;
-}
-
-bool sameBits(const std::vector<float>& a, const std::vector<float>& b)
-{
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](float p, float q) {
-        return std::bit_cast<std::uint32_t>(p) == std::bit_cast<std::uint32_t>(q);
-    });
-}
-
-template <class T>
-QString firstDifference(const std::vector<T>& a, const std::vector<T>& b, int width)
-{
-    for (std::size_t i = 0; i < a.size(); ++i)
-        if (a[i] != b[i])
-            return QStringLiteral("at (%1, %2): %3, expected %4")
-                .arg(i % std::size_t(width))
-                .arg(i / std::size_t(width))
-                .arg(double(b[i]), 0, 'g', 9)
-                .arg(double(a[i]), 0, 'g', 9);
-    return QStringLiteral("none");
-}
-
-/// What of two pictures differs, or nothing.
-QString difference(const Frame& expected, const Frame& actual)
-{
-    const int width = expected.image.width();
-    if (expected.coverage != actual.coverage)
-        return "coverage " + firstDifference(expected.coverage, actual.coverage, width);
-    if (!sameBits(expected.depth, actual.depth))
-        return "depth " + firstDifference(expected.depth, actual.depth, width);
-    if (expected.ids != actual.ids)
-        return "ids " + firstDifference(expected.ids, actual.ids, width);
-    const int step = largestColorStep(expected.image, actual.image);
-    return step > 1 ? QStringLiteral("colours by %1").arg(step) : QString();
-}
-
-/// Compares with edge-equation: every instruction set, several threads, with and without the other outputs (which
-/// take different ways through the kernel).
-QString compareAll(const Scene& scene, Settings settings, const std::vector<Simd>& among)
-{
-    settings.algorithm = Algorithm::EdgeEquation;
-    Frame expected;
-    const Statistics expectedCounts = renderCounted(scene, settings, expected, kAll);
-    settings.algorithm = Algorithm::Tiled;
-    std::optional<QImage> first;
-    for (const Simd simd : among)
-        for (const int threads : {1, 2, 5}) {
-            settings.simd = simd;
-            settings.threads = threads;
-            const auto tell = [&](const QString& what) {
-                return QStringLiteral("simd %1, %2 threads: %3")
-                    .arg(valueId(*findSettingsField("simd"), settings))
-                    .arg(threads)
-                    .arg(what);
-            };
-            Frame all;
-            const Statistics counts = renderCounted(scene, settings, all, kAll);
-            if (const QString d = difference(expected, all); !d.isEmpty())
-                return tell(d);
-            if (!(counts.faces == expectedCounts.faces))
-                return tell("counts of faces");
-            if (counts.pixels.covered != expectedCounts.pixels.covered ||
-                counts.pixels.depthPassed != expectedCounts.pixels.depthPassed ||
-                counts.pixels.depthFailed != expectedCounts.pixels.depthFailed || counts.pixels.coveredTwice != 0)
-                return tell("counts of samples");
-            if (first && *first != all.image)
-                return tell("colours differ from those of another instruction set");
-            first = all.image;
-            Frame usual;
-            render(scene, settings, usual, {.depth = true, .ids = true});
-            usual.coverage = all.coverage;
-            if (const QString d = difference(expected, usual); !d.isEmpty())
-                return tell("uncounted: " + d);
-            if (usual.image != all.image)
-                return tell("counting changes colours");
-        }
-    return {};
-}
-
-Scene clipScene(QSize size)
-{
-    Scene scene;
-    scene.space = SceneSpace::Clip;
-    scene.lit = false;
-    scene.materials = {Material{}};
-    scene.defaults.size = size;
-    return scene;
-}
-
-void addTriangle(Scene& scene, const std::array<glm::vec4, 3>& positions, std::mt19937& random)
-{
-    std::uniform_real_distribution<float> unit(0, 1);
-    for (const glm::vec4& position : positions) {
-        scene.mesh.indices.push_back(static_cast<std::uint32_t>(scene.mesh.vertices.size()));
-        scene.mesh.vertices.push_back({.position = position,
-                                       .uv = {unit(random), unit(random)},
-                                       .color = {unit(random), unit(random), unit(random)}});
-    }
-}
-
-glm::vec4 fromScreen(double x, double y, double depth, double w, QSize size)
-{
-    return {float((x / size.width() * 2 - 1) * w), float((1 - y / size.height() * 2) * w), float((2 * depth - 1) * w),
-            float(w)};
-}
-
-/// Triangles of every kind that is hard: small, slivers, huge, clipped, on sample centres, at equal depth.
-Scene soup(std::mt19937& random, QSize size, int count)
-{
-    Scene scene = clipScene(size);
-    std::uniform_real_distribution<double> unit(0, 1);
-    const auto range = [&](double low, double high) { return low + (high - low) * unit(random); };
-    for (int i = 0; i < count; ++i) {
-        const int kind = int(range(0, 7));
-        const double scale = kind == 0 ? 3 : kind == 1 ? 30 : kind == 2 ? 3000 : 0.6 * size.width();
-        const glm::dvec2 centre(range(-0.1, 1.1) * size.width(), range(-0.1, 1.1) * size.height());
-        const double depth = kind == 3 ? 0.5 : range(-0.05, 1.05);
-        const double angle = range(0, 6.28);
-        std::array<glm::vec4, 3> p;
-        for (glm::vec4& v : p) {
-            glm::dvec2 at = centre + scale * glm::dvec2(range(-1, 1), range(-1, 1));
-            if (kind == 4) { // a sliver
-                const double along = range(-1, 1) * size.width();
-                const double across = range(-0.01, 0.01);
-                at = centre + glm::dvec2(along * std::cos(angle) - across * std::sin(angle),
-                                         along * std::sin(angle) + across * std::cos(angle));
-            }
-            if (kind == 5)
-                at = glm::floor(at) + 0.5;
-            const double w = kind == 6 ? range(-0.5, 2) : kind == 1 ? range(0.5, 4) : 1;
-            v = fromScreen(at.x, at.y, kind == 3 ? depth : depth + range(-0.1, 0.1), w, size);
-        }
-        addTriangle(scene, p, random);
-    }
-    return scene;
-}
-
-} // namespace
 
 class TestTiled : public QObject
 {

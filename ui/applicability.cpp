@@ -55,8 +55,8 @@ constexpr Rule kRules[] = {
      QT_TRANSLATE_NOOP("Applicability", "This shading reads no interpolated attributes.")},
     {"interpolation", withoutAttributes,
      QT_TRANSLATE_NOOP("Applicability", "This shading reads no interpolated attributes.")},
-    {"texture-filter", [](const Settings& s) { return s.shading != Shading::Texture; },
-     QT_TRANSLATE_NOOP("Applicability", "Only texture shading reads texels.")},
+    {"texture-filter", [](const Settings& s) { return s.shading != Shading::Texture && s.shading != Shading::Phong; },
+     QT_TRANSLATE_NOOP("Applicability", "Only texture and Phong shading read texels.")},
     {"threads", notTiled, QT_TRANSLATE_NOOP("Applicability", "Only the tiled algorithm uses threads.")},
     {"simd", notTiled, QT_TRANSLATE_NOOP("Applicability", "Only the tiled algorithm uses vector instructions.")},
 };

@@ -52,6 +52,8 @@ public:
 
     /// A counted frame is shown: it knows the faces seen at the pixels.
     void frameCounted();
+    /// The panels show this face.
+    void followFace(quint32 face) { m_selection.setFace(face); }
     /// Whether something shown is still being computed.
     [[nodiscard]] bool isBusy() const;
     void retranslate();

@@ -87,6 +87,15 @@ QString clipPlaneSign(ClipPlane plane)
     return {};
 }
 
+QString clipPlaneSigns(std::uint32_t planes)
+{
+    QStringList signs;
+    for (int i = 0; i < kClipPlanes; ++i)
+        if ((planes & 1U << i) != 0)
+            signs << clipPlaneSign(static_cast<ClipPlane>(i));
+    return signs.join(QStringLiteral(", "));
+}
+
 /// One of the two pictures: a coordinate against w, or the screen in NDC.
 class ClipTheatre::Stage : public QWidget
 {

@@ -37,7 +37,8 @@ std::shared_ptr<const Scene> emptyScene()
 } // namespace
 
 Document::Document(QObject* parent)
-    : QObject(parent), m_scene(emptyScene()), m_settings(m_scene->defaults), m_clean(m_settings), m_cleanScene(m_scene)
+    : QObject(parent), m_scene(emptyScene()), m_settings(m_scene->defaults), m_clean(m_settings), m_cleanScene(m_scene),
+      m_original(m_scene)
 {
 }
 
@@ -91,6 +92,7 @@ void Document::setScene(std::shared_ptr<const Scene> scene, const Settings& sett
     m_settings = settings;
     m_clean = settings;
     m_cleanScene = m_scene;
+    m_original = m_scene;
     m_undo.clear();
     m_redo.clear();
     m_inGesture = false;
@@ -125,6 +127,19 @@ void Document::open(const QString& name)
     startOpening(name, [name] { return load(name); });
 }
 
+void Document::openWith(const QString& name, std::function<void(Settings&)> change)
+{
+    startOpening(name, [name, change = std::move(change)] {
+        Opened opened = load(name);
+        if (opened.scene) {
+            Settings settings = opened.settings.value_or(opened.scene->defaults);
+            change(settings);
+            opened.settings = settings;
+        }
+        return opened;
+    });
+}
+
 void Document::openMistake(const QString& id)
 {
     const Mistake* mistake = findMistake(id);
@@ -132,7 +147,8 @@ void Document::openMistake(const QString& id)
         return;
     startOpening(QStringLiteral("builtin:") + QLatin1String(mistake->scene), [mistake] {
         MistakeDemo demo = mistakeDemo(*mistake);
-        return Opened{std::make_shared<const Scene>(std::move(demo.scene)), demo.mistaken, {}};
+        const auto scene = std::make_shared<const Scene>(std::move(demo.scene));
+        return Opened{scene, scene, demo.mistaken, {}};
     });
 }
 
@@ -154,21 +170,30 @@ Document::Opened Document::load(const QString& name)
 {
     Opened opened;
     QString sceneName = name;
+    SessionLoad session;
     if (isSession(name)) {
-        SessionLoad session = loadSession(name);
+        session = loadSession(name);
         opened.diagnostics = std::move(session.diagnostics);
         if (!session.session)
             return opened;
-        opened.settings = session.session->settings;
         sceneName = session.session->scene;
     }
     LoadOptions options;
-    if (opened.settings)
-        options.size = opened.settings->size;
-    SceneLoad scene = loadScene(sceneName, options);
-    opened.diagnostics.insert(opened.diagnostics.end(), scene.diagnostics.begin(), scene.diagnostics.end());
-    if (scene.scene)
-        opened.scene = std::make_shared<const Scene>(std::move(*scene.scene));
+    if (session.session)
+        options.size = settingsOf(*session.session, {}).size;
+    SceneLoad load = loadScene(sceneName, options);
+    opened.diagnostics.insert(opened.diagnostics.end(), load.diagnostics.begin(), load.diagnostics.end());
+    if (!load.scene)
+        return opened;
+    opened.original = opened.scene = std::make_shared<const Scene>(std::move(*load.scene));
+    if (session.session)
+        opened.settings = settingsOf(*session.session, opened.original->defaults);
+    if (session.session && !session.session->vertices.empty()) {
+        auto edited = std::make_shared<Scene>(*opened.original);
+        const Diagnostics errors = moveVertices(*edited, *session.session, name);
+        opened.diagnostics.insert(opened.diagnostics.end(), errors.begin(), errors.end());
+        opened.scene = errors.empty() ? std::move(edited) : nullptr;
+    }
     return opened;
 }
 
@@ -180,6 +205,7 @@ void Document::finishOpening(const QString& name, quint64 serial, const Opened& 
     if (opened.scene) {
         m_sessionPath = isSession(name) ? name : QString();
         setScene(opened.scene, opened.settings.value_or(opened.scene->defaults));
+        m_original = opened.original;
         if (!isGenerated(name))
             rememberRecent(name);
     }
@@ -192,13 +218,14 @@ void Document::finishOpening(const QString& name, quint64 serial, const Opened& 
 
 bool Document::saveSession(const QString& path)
 {
-    const Session session{m_scene->id, m_settings};
+    const Session session{m_scene->id, toJson(m_settings), movedVertices(m_original->mesh, m_scene->mesh)};
     if (const auto error = rasterlens::saveSession(session, path)) {
         Q_EMIT diagnosticsReported({{Severity::Error, path, 0, *error}});
         return false;
     }
     m_sessionPath = path;
     m_clean = m_settings;
+    m_cleanScene = m_scene;
     rememberRecent(path);
     Q_EMIT settingsChanged();
     return true;

@@ -51,6 +51,8 @@ public:
     ///
     /// errors  diagnosticsReported; scene and settings stay as they were
     void open(const QString& name);
+    /// Likewise, with a change of the settings that the file asks for.
+    void openWith(const QString& name, std::function<void(Settings&)> change);
     [[nodiscard]] bool isLoading() const { return m_loading; }
     /// Opens the scene and the settings in which a mistake shows, likewise.
     void openMistake(const QString& id);
@@ -77,7 +79,8 @@ private:
     /// What the background thread brings back.
     struct Opened {
         std::shared_ptr<const Scene> scene;
-        std::optional<Settings> settings; ///< of a session
+        std::shared_ptr<const Scene> original; ///< before the session moved vertices
+        std::optional<Settings> settings;      ///< of a session
         Diagnostics diagnostics;
     };
 
@@ -98,8 +101,9 @@ private:
     Settings m_settings;
     Settings m_clean; ///< as last opened or saved
     std::shared_ptr<const Scene> m_cleanScene;
-    std::vector<State> m_undo; ///< the latest last
-    std::vector<State> m_redo; ///< the next last
+    std::shared_ptr<const Scene> m_original; ///< before any vertex was moved
+    std::vector<State> m_undo;               ///< the latest last
+    std::vector<State> m_redo;               ///< the next last
     bool m_inGesture = false;
     QString m_sessionPath;
     bool m_loading = false;

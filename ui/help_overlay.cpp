@@ -1,5 +1,6 @@
 #include "ui/help_overlay.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QGraphicsDropShadowEffect>
 #include <QHBoxLayout>
@@ -58,7 +59,7 @@ void HelpOverlay::setSections(const std::vector<Section>& sections)
     QString right;
     std::size_t used = 0;
     for (const Section& section : sections) {
-        (used * 2 < total ? left : right) += htmlOf(section, palette());
+        (used * 2 + section.lines.size() < total ? left : right) += htmlOf(section, palette());
         used += section.lines.size() + 2;
     }
     m_left->setText(left);
@@ -68,8 +69,19 @@ void HelpOverlay::setSections(const std::vector<Section>& sections)
 
 void HelpOverlay::place()
 {
-    adjustSize();
+    // As large as everything else where there is room, smaller where there is not.
     const QSize room = parentWidget()->size();
+    constexpr qreal kSmallest = 7;
+    for (qreal points = QApplication::font().pointSizeF(); points >= kSmallest; points -= 0.5) {
+        QFont font = QApplication::font();
+        font.setPointSizeF(points);
+        m_left->setFont(font);
+        m_right->setFont(font);
+        layout()->activate();
+        adjustSize();
+        if (width() <= room.width() && height() <= room.height())
+            break;
+    }
     move(std::max(0, (room.width() - width()) / 2), std::max(0, (room.height() - height()) / 2));
     raise();
 }

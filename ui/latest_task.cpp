@@ -32,6 +32,12 @@ bool LatestTask::superseded() const
     return m_waiting != nullptr;
 }
 
+bool LatestTask::supersededWithin(std::chrono::milliseconds time)
+{
+    std::unique_lock lock(m_mutex);
+    return m_posted.wait_for(lock, m_thread.get_stop_token(), time, [this] { return m_waiting != nullptr; });
+}
+
 void LatestTask::run(std::stop_token shutdown)
 {
     while (true) {

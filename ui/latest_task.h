@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
@@ -29,6 +30,8 @@ public:
 
     /// Whether a newer job waits. For the job at work, which may spare itself the rest.
     [[nodiscard]] bool superseded() const;
+    /// Whether a newer job comes in this time. Likewise.
+    [[nodiscard]] bool supersededWithin(std::chrono::milliseconds time);
 
 private:
     void run(std::stop_token shutdown);

@@ -6,7 +6,6 @@
 #include "ui/cards.h"
 #include "ui/dock.h"
 #include "ui/help_overlay.h"
-#include "ui/image_export.h"
 #include "ui/message_bar.h"
 #include "ui/mistake_badge.h"
 #include "ui/mistakes_section.h"
@@ -17,6 +16,7 @@
 #include "ui/step_listing.h"
 #include "ui/step_mode.h"
 #include "ui/transport_dock.h"
+#include "ui/truth_mode.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -43,8 +43,6 @@ namespace
 constexpr int kCardGap = 7;
 constexpr int kPipelineWidth = 298;
 constexpr int kStatisticsWidth = 272;
-constexpr int kWhyHeight = 430;
-constexpr int kStatisticsHeight = 330;
 constexpr int kActivityDelayMs = 150;
 constexpr int kLayoutVersion = 2;
 
@@ -118,14 +116,17 @@ void MainWindow::buildLayout()
     m_cards = new Cards(m_document, *m_viewport, *this);
     m_cards->setParent(this);
     m_cards->place(m_statisticsDock, &m_stepMode->transport());
-    sizeDocks();
+    m_truth->place(m_cards->docks().back());
     setContentsMargins(kCardGap, 0, kCardGap, 0);
 }
 
 void MainWindow::sizeDocks()
 {
     resizeDocks({m_pipelineDock, m_statisticsDock}, {kPipelineWidth, kStatisticsWidth}, Qt::Horizontal);
-    resizeDocks({m_cards->docks().front(), m_statisticsDock}, {kWhyHeight, kStatisticsHeight}, Qt::Vertical);
+    QDockWidget* above = m_cards->docks().front();
+    const int column = above->height() + m_statisticsDock->height();
+    const int statistics = m_statisticsDock->sizeHint().height();
+    resizeDocks({above, m_statisticsDock}, {std::max(column - statistics, 1), statistics}, Qt::Vertical);
 }
 
 QWidget* MainWindow::buildCanvas()
@@ -156,9 +157,12 @@ QWidget* MainWindow::buildCanvas()
     column->addLayout(messages);
 
     m_viewport = new ViewportWidget;
+    auto* bars = new QVBoxLayout;
+    column->addLayout(bars);
     m_mistakeBadge = new MistakeBadge(m_viewport);
     column->addWidget(m_viewport, 1);
     m_stepMode = std::make_unique<StepMode>(m_document, *m_viewport, *this);
+    m_truth = std::make_unique<TruthMode>(m_document, *m_viewport, *this, *bars);
     column->addWidget(&m_stepMode->listing());
 
     m_caption = new QLabel;
@@ -245,6 +249,7 @@ void MainWindow::connectParts()
         m_pipelinePanel->mistakes().setOpen(true);
     });
     connect(m_pipelinePanel, &PipelinePanel::sceneChosen, &m_document, &Document::open);
+    connect(m_pipelinePanel, &PipelinePanel::floatFailureChosen, m_truth.get(), &TruthMode::showFloatFailure);
     connect(m_pipelinePanel, &PipelinePanel::openRequested, this, &MainWindow::chooseFileToOpen);
     connect(m_pipelinePanel, &PipelinePanel::invalidInput, m_message,
             [this](const QString& message) { m_message->show(MessageKind::Error, message); });
@@ -255,13 +260,24 @@ void MainWindow::connectParts()
 
     connect(m_cards, &Cards::stepRequested, m_stepMode.get(), &StepMode::showFace);
     connect(m_stepMode.get(), &StepMode::frameChanged, this, &MainWindow::showFrame);
+    connect(m_truth.get(), &TruthMode::faceWanted, m_stepMode.get(), &StepMode::showFace);
+    connect(m_truth.get(), &TruthMode::stepWanted, m_stepMode.get(), &StepMode::showStep);
+    connect(m_truth.get(), &TruthMode::message, m_message,
+            [this](const QString& text) { m_message->show(MessageKind::Info, text); });
+    connect(m_truth.get(), &TruthMode::failed, m_message,
+            [this](const QString& text) { m_message->show(MessageKind::Error, text); });
     connect(m_stepMode.get(), &StepMode::message, m_message,
             [this](const QString& text) { m_message->show(MessageKind::Info, text); });
+    connect(&m_stepMode->session(), &StepSession::positionChanged, this, [this] {
+        if (const auto face = m_stepMode->session().face())
+            m_cards->followFace(*face);
+    });
     connect(&m_stepMode->session(), &StepSession::recordingChanged, this, [this] {
         if (isSettled())
             Q_EMIT settled();
     });
 
+    connect(m_viewport, &ViewportWidget::frameShown, m_statisticsPanel, &StatisticsPanel::setShown);
     connect(m_viewport, &ViewportWidget::viewChanged, this, &MainWindow::syncCanvasHeader);
     connect(m_viewport, &ViewportWidget::pixelChanged, this, &MainWindow::syncReadout);
     connect(m_viewport, &ViewportWidget::gestureEnded, this, [this] { m_document.endGesture(); });
@@ -339,8 +355,10 @@ void MainWindow::showFrame()
     const FramePtr& frame = step ? step : m_lastFrame;
     if (!frame)
         return;
-    m_viewport->setFrame(frame);
+    m_truth->showOnCanvas(frame, step != nullptr);
     m_stageStrip->setFrame(frame);
+    const StepEvent* event = step ? m_stepMode->session().event() : nullptr;
+    m_stageStrip->setCurrent(event ? std::optional(stageOf(event->kind)) : std::nullopt);
     m_statisticsPanel->setFrame(frame);
 }
 
@@ -352,7 +370,10 @@ bool MainWindow::isSettled() const
                          m_lastFrame->settings == m_document.settings());
 }
 
-bool MainWindow::isComplete() const { return isSettled() && !m_cards->isBusy() && !m_mistakeBadge->isCounting(); }
+bool MainWindow::isComplete() const
+{
+    return isSettled() && !m_cards->isBusy() && !m_mistakeBadge->isCounting() && !m_truth->isBusy();
+}
 
 QString MainWindow::message() const
 {
@@ -458,6 +479,7 @@ void MainWindow::setLook(const Look& look)
         applyLook(*qApp, look);
     m_look = look;
     m_viewport->setCanvasColor(themeColors(look.kind).canvas);
+    m_truth->setPresentation(look.presentation);
     m_viewport->setThickLines(look.presentation);
     m_dark->setChecked(look.kind == ThemeKind::Dark);
 }
@@ -466,8 +488,12 @@ void MainWindow::setPresentation(bool on)
 {
     if (on == m_look.presentation)
         return;
-    if (on)
+    if (on) {
         m_stateBeforePresentation = saveState(kLayoutVersion);
+        for (Dock* dock : findChildren<Dock*>()) // before the type grows, and the window with it
+            dock->hide();
+    }
+    m_stepMode->transport().setBrief(on);
     Look look = m_look;
     look.presentation = on;
     setLook(look);
@@ -476,8 +502,6 @@ void MainWindow::setPresentation(bool on)
     m_caption->setVisible(on);
     m_presentation->setChecked(on);
     if (on) {
-        for (Dock* dock : findChildren<Dock*>())
-            dock->hide();
         m_stepMode->transport().setVisible(m_stepMode->session().isOpen());
         showFullScreen();
         m_viewport->setFocus();
@@ -491,6 +515,7 @@ void MainWindow::resetLayout()
 {
     setPresentation(false);
     restoreState(m_defaultState, kLayoutVersion);
+    m_docksArranged = false;
     sizeDocks();
     m_viewport->fit(m_document.scene()->window);
 }
@@ -499,7 +524,7 @@ void MainWindow::restoreMemory()
 {
     const QSettings memory;
     restoreGeometry(memory.value(QStringLiteral("window/geometry")).toByteArray());
-    restoreState(memory.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion);
+    m_docksArranged = restoreState(memory.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion);
     setLook({memory.value(QStringLiteral("window/dark")).toBool() ? ThemeKind::Dark : ThemeKind::Light, false});
     const QString language = memory.value(QStringLiteral("window/language")).toString();
     setLanguage(language.isEmpty()                   ? Language::ofSystem()
@@ -516,34 +541,6 @@ void MainWindow::saveMemory()
     memory.setValue(QStringLiteral("window/dark"), m_look.kind == ThemeKind::Dark);
     memory.setValue(QStringLiteral("window/language"),
                     m_language.kind() == LanguageKind::Chinese ? QStringLiteral("zh_CN") : QStringLiteral("en"));
-}
-
-bool MainWindow::exportFigure(const QString& path)
-{
-    const auto error = path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)
-                           ? m_viewport->saveSvgFigure(m_figureZoom, path)
-                           : savePng(m_viewport->figure(m_figureZoom), path);
-    reportSaved(error, path);
-    return !error;
-}
-
-bool MainWindow::exportFramebuffer(const QString& path)
-{
-    const auto error = savePng(m_lastFrame ? m_lastFrame->frame.image : QImage(), path);
-    reportSaved(error, path);
-    return !error;
-}
-
-bool MainWindow::exportWindow(const QString& path)
-{
-    const auto error = savePng(grab().toImage(), path);
-    reportSaved(error, path);
-    return !error;
-}
-
-void MainWindow::reportSaved(const std::optional<QString>& error, const QString& path)
-{
-    m_message->show(error ? MessageKind::Error : MessageKind::Info, error ? *error : tr("Written: %1").arg(path));
 }
 
 void MainWindow::changeEvent(QEvent* event)
@@ -577,6 +574,21 @@ void MainWindow::showEvent(QShowEvent* event)
 {
     QMainWindow::showEvent(event);
     m_viewport->setFocus();
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event)
+{
+    QMainWindow::resizeEvent(event);
+    if (!m_docksArranged)
+        QTimer::singleShot(0, this, &MainWindow::sizeDocks); // once the docks have followed the window
+}
+
+bool MainWindow::event(QEvent* event)
+{
+    // Where the main window itself takes the mouse there are only the lines between the docks.
+    if (event->type() == QEvent::MouseMove)
+        m_docksArranged = m_docksArranged || (QGuiApplication::mouseButtons() & Qt::LeftButton) != 0;
+    return QMainWindow::event(event);
 }
 
 } // namespace rasterlens

@@ -29,6 +29,7 @@ class PipelinePanel;
 class StageStrip;
 class StatisticsPanel;
 class StepMode;
+class TruthMode;
 
 /// The window: canvas in the middle, pipeline left, statistics right.
 class MainWindow : public QMainWindow
@@ -51,6 +52,7 @@ public:
     [[nodiscard]] MistakeBadge& mistakeBadge() { return *m_mistakeBadge; }
     [[nodiscard]] RenderWorker& worker() { return m_worker; }
     [[nodiscard]] StepMode& stepMode() { return *m_stepMode; }
+    [[nodiscard]] TruthMode& truthMode() { return *m_truth; }
 
     void openDefaultScene();
     void setLanguage(LanguageKind kind);
@@ -66,6 +68,8 @@ public:
     [[nodiscard]] bool isComplete() const;
     /// The message above the canvas; empty when there is none.
     [[nodiscard]] QString message() const;
+    /// The window with the panels that float above it.
+    [[nodiscard]] QImage picture();
 
     /// errors  a message above the canvas; false
     bool exportFigure(const QString& path); ///< as SVG where the name says so
@@ -81,6 +85,8 @@ protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    bool event(QEvent* event) override;
 
 private:
     /// An action or menu whose text follows the language.
@@ -146,6 +152,7 @@ private:
 
     ViewportWidget* m_viewport = nullptr;
     std::unique_ptr<StepMode> m_stepMode;
+    std::unique_ptr<TruthMode> m_truth;
     StageStrip* m_stageStrip = nullptr;
     PipelinePanel* m_pipelinePanel = nullptr;
     StatisticsPanel* m_statisticsPanel = nullptr;
@@ -190,6 +197,7 @@ private:
 
     FramePtr m_lastFrame;
     bool m_refused = false;
+    bool m_docksArranged = false; ///< by the user, in this run or an earlier one
     QByteArray m_defaultState;
     QByteArray m_stateBeforePresentation;
 };

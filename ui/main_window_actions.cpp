@@ -3,6 +3,7 @@
 #include "ui/cards.h"
 #include "ui/dock.h"
 #include "ui/help_overlay.h"
+#include "ui/image_export.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/mistakes_section.h"
@@ -10,6 +11,7 @@
 #include "ui/pipeline_panel.h"
 #include "ui/step_mode.h"
 #include "ui/transport_dock.h"
+#include "ui/truth_mode.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -21,6 +23,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
+#include <QPainter>
 #include <QToolButton>
 
 #include <array>
@@ -66,6 +69,7 @@ void MainWindow::buildMenus()
     buildViewMenu();
     buildSettingsMenu();
     menuBar()->addMenu(m_stepMode->transport().menu());
+    menuBar()->addMenu(m_truth->menu());
     buildMistakesMenu();
     buildHelpMenu();
 }
@@ -170,6 +174,8 @@ void MainWindow::buildViewMenu()
     addToggle(view, QT_TR_NOOP("Pixel grid (from 8\u00d7)"), {}, true, overlay(&OverlayOptions::grid));
     addToggle(view, QT_TR_NOOP("Sample positions (from 16\u00d7)"), {}, true, overlay(&OverlayOptions::sampleDots));
     addToggle(view, QT_TR_NOOP("Pixel values (from 48\u00d7)"), {}, true, overlay(&OverlayOptions::numbers));
+    addToggle(view, QT_TR_NOOP("Fast drawing while the camera moves"), {}, true,
+              [this](bool on) { m_worker.setFastMotion(on); });
     addToggle(view, QT_TR_NOOP("Draw continuously (measures FPS)"), QKeySequence(Qt::SHIFT | Qt::Key_R), false,
               [this](bool on) { m_worker.setContinuous(on); });
     view->addSeparator();
@@ -182,8 +188,9 @@ void MainWindow::buildAppearanceMenus(QMenu* view)
     for (Dock* dock : {m_pipelineDock, m_statisticsDock})
         panels->addAction(dock->toggleViewAction());
     panels->addAction(m_stepMode->transport().toggleViewAction());
-    for (Dock* dock : m_cards->docks())
-        panels->addAction(dock->toggleViewAction());
+    for (const auto& docks : {m_cards->docks(), m_truth->docks()})
+        for (Dock* dock : docks)
+            panels->addAction(dock->toggleViewAction());
     add(view, QT_TR_NOOP("Reset &layout"), QKeySequence(Qt::CTRL | Qt::Key_0), [this] { resetLayout(); });
     m_presentation =
         addToggle(view, QT_TR_NOOP("P&resentation"), Qt::Key_F11, false, [this](bool on) { setPresentation(on); });
@@ -254,6 +261,7 @@ void MainWindow::retranslate()
     retranslateActions();
     m_mistakesMenu->retranslate();
     m_cards->retranslate();
+    m_truth->retranslate();
     m_pipelineDock->setTitle(tr("Scene"));
     m_statisticsDock->setTitle(tr("Statistics"));
     m_pipelineDock->toggleViewAction()->setText(tr("Scene and pipeline"));
@@ -383,6 +391,15 @@ void MainWindow::syncHelp()
                          {tr("Ctrl + Shift + Left, Right"), tr("one stage"), {}},
                          {tr("Ctrl + Home, End"), tr("to the start, the end"), {}},
                          {QStringLiteral("[  ]"), tr("slower, faster"), {}}}});
+    const CompareView compared = m_truth->comparison().view();
+    sections.push_back(
+        {tr("Compare"),
+         {{QStringLiteral("V"), tr("exact referee"), m_truth->referee().isOn() ? on : off},
+          {QStringLiteral("Shift+V"), tr("next wrong pixel"), {}},
+          {QStringLiteral("S"), tr("wipe between A and B"), compared == CompareView::Wipe ? on : off},
+          {QStringLiteral("B"), tr("blink A and B"), compared == CompareView::Blink ? on : off},
+          {QStringLiteral("D"), tr("difference of A and B"), compared == CompareView::Difference ? on : off},
+          {QStringLiteral("A  Shift+A"), tr("pin A, exchange A and B"), {}}}});
     m_help->setSections(sections);
 }
 
@@ -422,6 +439,45 @@ void MainWindow::chooseFileToExport(const QString& title, const QString& suggest
     dialog->selectFile(suggestion);
     connect(dialog, &QFileDialog::fileSelected, this, std::move(save));
     dialog->open();
+}
+
+QImage MainWindow::picture()
+{
+    QPixmap picture = grab();
+    QPainter painter(&picture);
+    for (Dock* dock : findChildren<Dock*>())
+        if (dock->isVisible() && dock->isFloating())
+            painter.drawPixmap(mapFromGlobal(dock->mapToGlobal(QPoint(0, 0))), dock->grab());
+    painter.end();
+    return picture.toImage();
+}
+
+bool MainWindow::exportFigure(const QString& path)
+{
+    const auto error = path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)
+                           ? m_viewport->saveSvgFigure(m_figureZoom, path)
+                           : savePng(m_viewport->figure(m_figureZoom), path);
+    reportSaved(error, path);
+    return !error;
+}
+
+bool MainWindow::exportFramebuffer(const QString& path)
+{
+    const auto error = savePng(m_lastFrame ? m_lastFrame->frame.image : QImage(), path);
+    reportSaved(error, path);
+    return !error;
+}
+
+bool MainWindow::exportWindow(const QString& path)
+{
+    const auto error = savePng(picture(), path);
+    reportSaved(error, path);
+    return !error;
+}
+
+void MainWindow::reportSaved(const std::optional<QString>& error, const QString& path)
+{
+    m_message->show(error ? MessageKind::Error : MessageKind::Info, error ? *error : tr("Written: %1").arg(path));
 }
 
 } // namespace rasterlens

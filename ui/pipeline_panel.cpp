@@ -4,6 +4,7 @@
 #include "core/render.h"
 #include "ui/field_row.h"
 #include "ui/mistakes_section.h"
+#include "ui/number_dial.h"
 #include "ui/stage_strip.h"
 
 #include <QAbstractItemView>
@@ -13,12 +14,14 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <array>
 
 namespace rasterlens
@@ -92,6 +95,8 @@ PipelinePanel::PipelinePanel(Document& document, const Language& language, QWidg
         column->addLayout(group);
         if (stage == Stage::Image)
             addSize(group);
+        if (stage == Stage::Screen)
+            addNumberDial(group);
         for (const SettingsField& field : settingsFields()) {
             if (field.stage != stage)
                 continue;
@@ -163,6 +168,32 @@ void PipelinePanel::addScene(QVBoxLayout* group)
     m_sceneNote->setWordWrap(true);
     m_sceneNote->setTextInteractionFlags(Qt::TextSelectableByMouse);
     group->addWidget(m_sceneNote);
+}
+
+void PipelinePanel::addNumberDial(QVBoxLayout* group)
+{
+    m_dial = new NumberDial(m_document);
+    group->addWidget(m_dial);
+    m_floatFailures = linkButton();
+    m_floatFailures->setPopupMode(QToolButton::InstantPopup);
+    m_floatFailures->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+    m_failureMenu = new QMenu(m_floatFailures);
+    m_floatFailures->setMenu(m_failureMenu);
+    group->addWidget(m_floatFailures, 0, Qt::AlignHCenter);
+    connect(m_failureMenu, &QMenu::triggered, this,
+            [this](const QAction* action) { Q_EMIT floatFailureChosen(action->data().toString()); });
+}
+
+/// Scenes in which coverage by float32 edge functions is wrong and that by fixed point is right.
+void PipelinePanel::fillFailureMenu()
+{
+    m_floatFailures->setText(tr("Where float32 fails") + QStringLiteral(" \u25be"));
+    m_floatFailures->setToolTip(tr("Opens a scene with float32 and has the referee check it"));
+    m_failureMenu->clear();
+    for (const BuiltinScene& scene : builtinScenes())
+        if (std::ranges::find(kFloatFailures, QLatin1String(scene.name)) != kFloatFailures.end())
+            m_failureMenu->addAction(QCoreApplication::translate("BuiltinScene", scene.title))
+                ->setData(QStringLiteral("builtin:") + QLatin1String(scene.name));
 }
 
 void PipelinePanel::addSize(QVBoxLayout* group)
@@ -300,6 +331,7 @@ void PipelinePanel::retranslate()
 {
     m_heading->setText(tr("Pipeline"));
     m_open->setText(tr("Open\u2026"));
+    fillFailureMenu();
     m_reset->setToolTip(tr("Put back every value to what the scene asks for"));
     m_sizeLabel->setText(tr("Size in pixels"));
     m_sizeBox->setToolTip(

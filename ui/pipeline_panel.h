@@ -6,10 +6,12 @@
 #include <QComboBox>
 #include <QWidget>
 
+#include <array>
 #include <map>
 #include <vector>
 
 class QLabel;
+class QMenu;
 class QScrollArea;
 class QToolButton;
 class QVBoxLayout;
@@ -19,6 +21,12 @@ namespace rasterlens
 
 class FieldRow;
 class MistakesSection;
+class NumberDial;
+
+/// Built-in scenes in which float32 edge functions, stepped, cover other samples than they should.
+constexpr std::array<QLatin1String, 5> kFloatFailures{QLatin1String("slivers"), QLatin1String("edge-guardband"),
+                                                      QLatin1String("tile-square"), QLatin1String("cube"),
+                                                      QLatin1String("two-windings")};
 
 /// The scene and every switch of the pipeline, in pipeline order, made from the field table.
 class PipelinePanel : public QWidget
@@ -31,6 +39,7 @@ public:
     /// Shows the key that steps a field beside its switch.
     void setKeyHint(const QString& fieldId, const QString& key);
     void scrollTo(Stage stage);
+    [[nodiscard]] NumberDial& numberDial() { return *m_dial; }
     [[nodiscard]] MistakesSection& mistakes() { return *m_mistakes; }
 
     /// The switch of a field: a QComboBox, QSpinBox or QCheckBox.
@@ -45,6 +54,8 @@ Q_SIGNALS:
     void sceneChosen(const QString& name);
     void openRequested();
     void invalidInput(const QString& message);
+    /// A built-in scene that float32 decides wrongly is to be shown.
+    void floatFailureChosen(const QString& name);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -53,6 +64,8 @@ private:
     QVBoxLayout* addGroup(Stage stage);
     void addScene(QVBoxLayout* group);
     void addSize(QVBoxLayout* group);
+    void addNumberDial(QVBoxLayout* group);
+    void fillFailureMenu();
     void syncScene();
     void syncSettings();
     void applySize();
@@ -71,6 +84,9 @@ private:
     QWidget* m_sizeDot = nullptr;
     std::map<Stage, QLabel*> m_groupHeadings;
     std::vector<FieldRow*> m_rows;
+    NumberDial* m_dial = nullptr;
+    QToolButton* m_floatFailures = nullptr;
+    QMenu* m_failureMenu = nullptr;
     MistakesSection* m_mistakes = nullptr;
 };
 

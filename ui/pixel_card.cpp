@@ -61,14 +61,7 @@ QString compareSign(const WhyReport& report)
     return {};
 }
 
-QString planesWords(std::uint32_t planes)
-{
-    QStringList names;
-    for (int i = 0; i < kClipPlanes; ++i)
-        if ((planes & 1U << i) != 0)
-            names << clipPlaneSign(static_cast<ClipPlane>(i));
-    return names.isEmpty() ? PixelCard::tr("no plane") : names.join(QStringLiteral(", "));
-}
+QString planesWords(std::uint32_t planes) { return planes == 0 ? PixelCard::tr("no plane") : clipPlaneSigns(planes); }
 
 QString verdictWords(const WhyReport& report, const WhyFace& face)
 {

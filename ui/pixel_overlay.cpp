@@ -1,6 +1,7 @@
 #include "ui/pixel_overlay.h"
 
 #include "ui/theme.h"
+#include "ui/wipe.h"
 
 #include <QFontMetricsF>
 #include <QPaintEngine>
@@ -77,8 +78,14 @@ void paintImage(QPainter& painter, const QRect& pixels, const CanvasTransform& t
                 painter.fillRect(transform.toCanvas(QRectF(x, y, 1, 1)), QColor(image.pixel(x, y)));
         return;
     }
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, transform.zoom < 1);
-    painter.drawImage(transform.toCanvas(QRectF(pixels)), image, QRectF(pixels));
+    const QRectF target = transform.toCanvas(QRectF(pixels));
+    if (transform.zoom >= 1) {
+        painter.drawImage(target, image, QRectF(pixels));
+        return;
+    }
+    // Every pixel has its share of what is shown: the painter's own filter would skip some, and thin lines with them.
+    const QSize size = (target.size() * painter.device()->devicePixelRatioF()).toSize().expandedTo({1, 1});
+    painter.drawImage(target, image.copy(pixels).scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
 }
 
 void paintCells(QPainter& painter, const QRect& pixels, const CanvasTransform& transform, int samples,
@@ -170,6 +177,22 @@ void paintPixelFrame(QPainter& painter, QPoint pixel, const CanvasTransform& tra
     painter.drawRect(cell);
 }
 
+/// One picture with what belongs to its pixels.
+void paintPicture(QPainter& painter, const QRect& canvas, const CanvasTransform& transform, const RenderedFrame& frame,
+                  const OverlayOptions& options)
+{
+    const QRect pixels = transform.pixelsIn(canvas, frame.frame.image.size());
+    if (pixels.isEmpty())
+        return;
+    paintImage(painter, pixels, transform, frame.frame.image);
+    if (transform.zoom >= kGridFromZoom)
+        paintCells(painter, pixels, transform, sampleGrid(frame.settings.samples), options);
+    const bool numbersHidden =
+        std::ranges::any_of(options.layers, [](const CanvasLayer* layer) { return layer->hidesNumbers(); });
+    if (options.numbers && transform.zoom >= kNumbersFromZoom && !numbersHidden)
+        paintNumbers(painter, pixels, transform, frame.frame);
+}
+
 } // namespace
 
 QPoint CanvasTransform::pixelAt(QPointF canvas) const
@@ -202,25 +225,30 @@ void paintCanvas(QPainter& painter, const QRect& canvas, const CanvasTransform& 
                  const OverlayOptions& options)
 {
     const QImage& image = frame.frame.image;
-    const QRect pixels = transform.pixelsIn(canvas, image.size());
     painter.save();
     painter.setPen(QColor(120, 128, 140, 150));
     const QRect border = transform.toCanvas(QRectF(image.rect())).toRect();
     painter.drawRect(border.adjusted(-1, -1, 0, 0));
-    if (!pixels.isEmpty()) {
-        paintImage(painter, pixels, transform, image);
-        if (transform.zoom >= kGridFromZoom)
-            paintCells(painter, pixels, transform, sampleGrid(frame.settings.samples), options);
-        const bool numbersHidden = options.layer && options.layer->hidesNumbers();
-        if (options.numbers && transform.zoom >= kNumbersFromZoom && !numbersHidden)
-            paintNumbers(painter, pixels, transform, frame.frame);
+    paintPicture(painter, canvas, transform, frame, options);
+    const bool wiped = options.wipe && options.wipe->left->frame.image.size() == image.size();
+    const double column = wiped ? wipeColumn(*options.wipe, canvas, transform, image.width()) : 0;
+    if (wiped) {
+        painter.save();
+        const QRectF left(QPointF(canvas.topLeft()), QPointF(column, canvas.bottom() + 1.0));
+        painter.setClipRect(left);
+        paintPicture(painter, canvas, transform, *options.wipe->left, options);
+        painter.restore();
     }
-    if (options.layer)
-        options.layer->paint(painter, canvas, transform, options);
+    for (const CanvasLayer* layer : options.layers)
+        layer->paint(painter, canvas, transform, options);
     if (options.hoveredPixel && transform.zoom >= kGridFromZoom && image.rect().contains(*options.hoveredPixel))
         paintPixelFrame(painter, *options.hoveredPixel, transform, false, options.thickLines);
     if (options.selectedPixel && transform.zoom >= kGridFromZoom / 2 && image.rect().contains(*options.selectedPixel))
         paintPixelFrame(painter, *options.selectedPixel, transform, true, options.thickLines);
+    if (wiped)
+        paintWipe(painter, canvas, column, options.thickLines);
+    if (!options.tag.isEmpty())
+        paintTag(painter, canvas, options.tag);
     painter.restore();
 }
 

@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 class QPainter;
 
@@ -51,6 +52,12 @@ public:
     [[nodiscard]] virtual bool hidesNumbers() const = 0;
 };
 
+/// Another picture of the same size in the left part of the canvas.
+struct Wipe {
+    FramePtr left;
+    double at = 0.5; ///< where it ends, as a fraction of the picture's width
+};
+
 /// What lies over the picture. Each is drawn from its zoom on.
 struct OverlayOptions {
     bool grid = true;
@@ -59,7 +66,9 @@ struct OverlayOptions {
     bool thickLines = false; ///< presentation
     std::optional<QPoint> selectedPixel;
     std::optional<QPoint> hoveredPixel;
-    const CanvasLayer* layer = nullptr; ///< not owned
+    std::optional<Wipe> wipe;
+    QString tag;                            ///< the name of the picture, where there are several
+    std::vector<const CanvasLayer*> layers; ///< from the lowest to the highest; not owned
 };
 
 /// Paints the picture, nearest-neighbour from zoom 1 on, and its overlays.

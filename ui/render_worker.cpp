@@ -8,6 +8,9 @@
 namespace rasterlens
 {
 
+/// Faces from which the first picture of any change is drawn fast: the other algorithms take a tenth of a second.
+constexpr std::size_t kLargeScene = 200000;
+
 /// Keeps the memory of frames the window has let go of.
 class RenderWorker::Pool : public std::enable_shared_from_this<RenderWorker::Pool>
 {
@@ -51,14 +54,15 @@ RenderWorker::~RenderWorker() { m_continuous = false; }
 
 void RenderWorker::request(std::shared_ptr<const Scene> scene, const Settings& settings)
 {
-    const auto running = mustInterrupt(scene, settings) ? LatestTask::Running::Interrupt : LatestTask::Running::Finish;
+    const bool moves = onlyCameraMoves(scene, settings);
     const bool wasBusy = busy();
+    Request request{scene, settings, ++m_requested, std::nullopt, std::chrono::steady_clock::now()};
+    if (m_fastMotion && !m_continuous && (moves || scene->mesh.faceCount() >= kLargeScene))
+        request.fast = fastSettings(*scene, settings);
     m_scene = std::move(scene);
     m_settings = settings;
-    const quint64 serial = ++m_requested;
-    m_task.post(
-        [this, scene = m_scene, settings, serial](std::stop_token stop) { work(scene, settings, serial, stop); },
-        running);
+    m_task.post([this, request = std::move(request)](const std::stop_token& stop) { work(request, stop); },
+                moves && !m_shown ? LatestTask::Running::Finish : LatestTask::Running::Interrupt);
     if (!wasBusy)
         Q_EMIT busyChanged(true);
 }
@@ -72,47 +76,72 @@ void RenderWorker::setContinuous(bool on)
         request(m_scene, m_settings);
 }
 
-bool RenderWorker::mustInterrupt(const std::shared_ptr<const Scene>& scene, const Settings& settings) const
+bool RenderWorker::onlyCameraMoves(const std::shared_ptr<const Scene>& scene, const Settings& settings) const
 {
     Settings sameView = settings;
     sameView.view = m_settings.view;
-    return m_counting || scene != m_scene || !(sameView == m_settings);
+    return scene == m_scene && sameView == m_settings && !(settings == m_settings);
 }
 
-void RenderWorker::work(const std::shared_ptr<const Scene>& scene, const Settings& settings, quint64 serial,
-                        std::stop_token stop)
+std::shared_ptr<RenderedFrame> RenderWorker::newFrame(const Request& request)
 {
-    bool counted = false;
+    std::shared_ptr<RenderedFrame> picture = m_pool->take();
+    picture->scene = request.scene;
+    picture->settings = request.settings;
+    picture->counted = false;
+    picture->fast = false;
+    picture->requested = request.time;
+    return picture;
+}
+
+void RenderWorker::drawFast(const Request& request, const std::stop_token& stop)
+{
+    const std::shared_ptr<RenderedFrame> picture = newFrame(request);
+    picture->fast = true;
+    picture->frame.tiled = std::exchange(m_tiled, nullptr);
+    render(*request.scene, *request.fast, picture->frame, {}, stop);
+    m_tiled = std::exchange(picture->frame.tiled, nullptr);
+    if (!stop.stop_requested())
+        deliver(picture, request.serial);
+}
+
+void RenderWorker::drawCounted(const Request& request, const StageTimes& times, const std::stop_token& stop)
+{
+    const std::shared_ptr<RenderedFrame> picture = newFrame(request);
+    picture->statistics = renderCounted(*request.scene, request.settings, picture->frame,
+                                        {.depth = true, .ids = true, .coverage = false}, stop);
+    picture->counted = true;
+    picture->frame.times = times;
+    if (!stop.stop_requested())
+        deliver(picture, request.serial);
+}
+
+void RenderWorker::work(const Request& request, const std::stop_token& stop)
+{
+    constexpr std::chrono::milliseconds kRest(60); // a hand that moves the mouse sends more before that
+    const quint64 serial = request.serial;
+    m_shown = false;
     try {
+        if (request.fast) {
+            drawFast(request, stop);
+            m_shown = true;
+            if (stop.stop_requested() || m_task.supersededWithin(kRest))
+                return;
+        }
+        bool counted = false;
         do {
-            const std::shared_ptr<RenderedFrame> picture = m_pool->take();
-            picture->scene = scene;
-            picture->settings = settings;
-            picture->counted = false;
-            render(*scene, settings, picture->frame, {}, stop);
+            const std::shared_ptr<RenderedFrame> picture = newFrame(request);
+            render(*request.scene, request.settings, picture->frame, {}, stop);
             if (stop.stop_requested())
                 return;
             deliver(picture, serial);
-
+            m_shown = true;
             if (counted || m_task.superseded())
                 continue;
-            m_counting = true;
-            const StageTimes times = picture->frame.times;
-            const std::shared_ptr<RenderedFrame> inspected = m_pool->take();
-            inspected->scene = scene;
-            inspected->settings = settings;
-            inspected->statistics = renderCounted(*scene, settings, inspected->frame,
-                                                  {.depth = true, .ids = true, .coverage = false}, stop);
-            inspected->counted = true;
-            inspected->frame.times = times;
-            m_counting = false;
-            if (stop.stop_requested())
-                return;
-            deliver(inspected, serial);
+            drawCounted(request, picture->frame.times, stop);
             counted = true;
         } while (m_continuous && !m_task.superseded() && !stop.stop_requested());
     } catch (const std::bad_alloc&) {
-        m_counting = false;
         QMetaObject::invokeMethod(
             this,
             [this, serial] {

@@ -7,7 +7,9 @@
 #include <QObject>
 
 #include <atomic>
+#include <chrono>
 #include <memory>
+#include <optional>
 
 namespace rasterlens
 {
@@ -19,16 +21,18 @@ struct RenderedFrame {
     Frame frame;           ///< depth and ids only where `statistics` is set
     Statistics statistics; ///< meaningful where `counted`
     bool counted = false;
+    bool fast = false;                               ///< drawn by the tiled algorithm in place of the chosen one
+    std::chrono::steady_clock::time_point requested; ///< when the change it shows was made
 };
 
 using FramePtr = std::shared_ptr<const RenderedFrame>;
 
 /// Draws frames on a background thread; the latest request wins.
 ///
-/// order   first the picture at full speed, then, if nothing newer waits, the same picture counted, with depth and face
-/// ids
-///         for the pixel read-out. Camera moves let the frame at work finish, so motion stays visible however slow a
-///         frame is; any other change stops it.
+/// order   while the camera moves, and for large scenes, first a picture by the tiled algorithm where that is the same;
+///         then, once nothing newer comes, the picture by the chosen algorithm at full speed; then the same counted,
+///         with depth and face ids for the pixel read-out. Camera moves let the first picture finish, so motion stays
+///         visible however slow a frame is; any other change stops it.
 class RenderWorker : public QObject
 {
     Q_OBJECT
@@ -39,6 +43,10 @@ public:
 
     /// in   settings for which unsupported() is empty
     void request(std::shared_ptr<const Scene> scene, const Settings& settings);
+
+    /// Whether the tiled algorithm stands in for the chosen one while the camera moves and for large scenes.
+    void setFastMotion(bool on) { m_fastMotion = on; }
+    [[nodiscard]] bool hasFastMotion() const { return m_fastMotion; }
 
     /// Draws the last request again and again, to measure frames per second.
     void setContinuous(bool on);
@@ -55,17 +63,30 @@ Q_SIGNALS:
 private:
     class Pool;
 
-    void work(const std::shared_ptr<const Scene>& scene, const Settings& settings, quint64 serial,
-              std::stop_token stop);
+    /// What is to be drawn.
+    struct Request {
+        std::shared_ptr<const Scene> scene;
+        Settings settings;
+        quint64 serial = 0;
+        std::optional<Settings> fast; ///< draw with these first
+        std::chrono::steady_clock::time_point time;
+    };
+
+    void work(const Request& request, const std::stop_token& stop);
+    void drawFast(const Request& request, const std::stop_token& stop);
+    void drawCounted(const Request& request, const StageTimes& times, const std::stop_token& stop);
+    [[nodiscard]] std::shared_ptr<RenderedFrame> newFrame(const Request& request);
     void deliver(FramePtr frame, quint64 serial);
-    [[nodiscard]] bool mustInterrupt(const std::shared_ptr<const Scene>& scene, const Settings& settings) const;
+    [[nodiscard]] bool onlyCameraMoves(const std::shared_ptr<const Scene>& scene, const Settings& settings) const;
 
     std::shared_ptr<Pool> m_pool;
     std::shared_ptr<const Scene> m_scene;
     Settings m_settings;
     quint64 m_requested = 0;
     quint64 m_delivered = 0;
-    std::atomic<bool> m_counting = false;
+    bool m_fastMotion = true;
+    std::shared_ptr<TiledContext> m_tiled; ///< of the fast pictures, whichever frame they go to
+    std::atomic<bool> m_shown = false;     ///< the request at work has had its first picture
     std::atomic<bool> m_continuous = false;
     LatestTask m_task; ///< last: its thread uses the members above
 };

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace rasterlens
 {
@@ -30,8 +31,6 @@ class StageChip : public QAbstractButton
 public:
     StageChip(QWidget* parent, bool last) : QAbstractButton(parent), m_last(last)
     {
-        setCheckable(true);
-        setAutoExclusive(true);
         setCursor(Qt::PointingHandCursor);
         setFocusPolicy(Qt::TabFocus);
         setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -48,6 +47,12 @@ public:
         update();
     }
 
+    void setMarked(bool on)
+    {
+        if (std::exchange(m_marked, on) != on)
+            update();
+    }
+
     QSize sizeHint() const override
     {
         return {96, QFontMetrics(nameFont()).height() + QFontMetrics(figureFont()).height() + 12};
@@ -61,18 +66,17 @@ protected:
         painter.setRenderHint(QPainter::Antialiasing);
         const int arrow = m_last ? 0 : (parentWidget()->width() >= kWidthWithArrows ? kArrowWidth : 5);
         const QRectF box = QRectF(rect()).adjusted(0.5, 0.5, -0.5 - arrow, -0.5);
-        const bool marked = isChecked();
         painter.setPen(
             QPen(hasFocus() || underMouse() ? palette().color(QPalette::Highlight) : palette().color(QPalette::Mid),
                  hasFocus() ? 2 : 1));
-        painter.setBrush(palette().color(marked ? QPalette::Highlight : QPalette::AlternateBase));
+        painter.setBrush(palette().color(m_marked ? QPalette::Highlight : QPalette::AlternateBase));
         painter.drawRoundedRect(box, 6, 6);
 
         const QRectF upper(box.left(), box.top() + 5, box.width(), QFontMetricsF(nameFont()).height());
         const QRectF lower(box.left(), upper.bottom() + 1, box.width(), QFontMetricsF(figureFont()).height());
-        painter.setPen(palette().color(marked ? QPalette::HighlightedText : QPalette::Text));
+        painter.setPen(palette().color(m_marked ? QPalette::HighlightedText : QPalette::Text));
         drawFitting(painter, upper, nameFont(), {text(), m_shortName});
-        if (!marked)
+        if (!m_marked)
             painter.setPen(palette().color(QPalette::PlaceholderText));
         drawFitting(painter, lower, figureFont(), {m_figure, m_shortFigure});
 
@@ -110,6 +114,7 @@ private:
     QString m_figure;
     QString m_shortFigure;
     bool m_last;
+    bool m_marked = false;
 };
 
 QString stageTitle(Stage stage)
@@ -165,7 +170,12 @@ void StageStrip::setFrame(const FramePtr& frame)
     updateTexts();
 }
 
-void StageStrip::setCurrent(Stage stage) { m_chips[static_cast<std::size_t>(stage)]->setChecked(true); }
+void StageStrip::setCurrent(std::optional<Stage> stage)
+{
+    m_current = stage;
+    for (std::size_t i = 0; i < m_chips.size(); ++i)
+        m_chips[i]->setMarked(stage == kStages[i]);
+}
 
 QString StageStrip::figure(Stage stage) const
 {

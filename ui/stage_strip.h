@@ -4,6 +4,7 @@
 
 #include <QWidget>
 
+#include <optional>
 #include <vector>
 
 namespace rasterlens
@@ -22,7 +23,9 @@ public:
     void setScene(const Scene& scene);
     void setSettings(const Settings& settings);
     void setFrame(const FramePtr& frame);
-    void setCurrent(Stage stage);
+    /// The stage the present step belongs to; none outside the step mode.
+    void setCurrent(std::optional<Stage> stage);
+    [[nodiscard]] std::optional<Stage> current() const { return m_current; }
 
     /// The figure shown under a stage.
     [[nodiscard]] QString figure(Stage stage) const;
@@ -42,6 +45,7 @@ private:
     std::size_t m_faceCount = 0;
     Settings m_settings;
     FramePtr m_counted;
+    std::optional<Stage> m_current;
 };
 
 /// The name of a stage in the language in use.

@@ -11,6 +11,9 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <chrono>
+
 namespace rasterlens
 {
 namespace
@@ -18,60 +21,70 @@ namespace
 
 constexpr qint64 kRateWindowMs = 1000;
 
-#define ROW(id, title, help, member)                                                                                   \
+#define COUNTER(id, member)                                                                                            \
     {                                                                                                                  \
-        id, title, help, [](const Statistics& s) -> std::uint64_t { return s.member; }                                 \
+        id, [](const Statistics& s) -> std::uint64_t { return s.member; }                                              \
     }
 
-QString milliseconds(double ms) { return QString::number(ms, 'f', ms < 100 ? 2 : 1); }
+QLabel* mutedLabel(const QString& text = {})
+{
+    auto* label = new QLabel(text);
+    label->setObjectName(QStringLiteral("muted"));
+    return label;
+}
+
+/// Three digits tell a stage's share.
+QString milliseconds(double ms) { return QString::number(ms, 'f', ms < 10 ? 2 : ms < 100 ? 1 : 0); }
 
 } // namespace
 
 StatisticsPanel::StatisticsPanel(QWidget* parent)
     : QWidget(parent),
       m_rows{
-          {nullptr, QT_TRANSLATE_NOOP("StatisticsPanel", "Faces"), nullptr, nullptr},
-          ROW("submitted", QT_TRANSLATE_NOOP("StatisticsPanel", "submitted"),
-              QT_TRANSLATE_NOOP("StatisticsPanel", "Triangles of the scene."), faces.submitted),
-          ROW("rejected", QT_TRANSLATE_NOOP("StatisticsPanel", "rejected"),
-              QT_TRANSLATE_NOOP("StatisticsPanel", "Wholly outside the view volume."), faces.rejected),
-          ROW("clipped", QT_TRANSLATE_NOOP("StatisticsPanel", "clipped"),
-              QT_TRANSLATE_NOOP("StatisticsPanel", "Cut by at least one plane."), faces.clipped),
-          ROW("created_by_clipping", QT_TRANSLATE_NOOP("StatisticsPanel", "created by clipping"),
-              QT_TRANSLATE_NOOP("StatisticsPanel", "Triangles drawn for the cut faces."), faces.createdByClipping),
-          ROW("culled_back", QT_TRANSLATE_NOOP("StatisticsPanel", "culled, back"),
-              QT_TRANSLATE_NOOP("StatisticsPanel", "Turned away from us."), faces.culledBack),
-          ROW("culled_front", QT_TRANSLATE_NOOP("StatisticsPanel", "culled, front"),
-              QT_TRANSLATE_NOOP("StatisticsPanel", "Turned towards us."), faces.culledFront),
-          ROW("degenerate", QT_TRANSLATE_NOOP("StatisticsPanel", "degenerate"),
-              QT_TRANSLATE_NOOP("StatisticsPanel", "Without area after snapping."), faces.degenerate),
-          ROW("non_finite", QT_TRANSLATE_NOOP("StatisticsPanel", "not finite"),
-              QT_TRANSLATE_NOOP("StatisticsPanel", "A corner is infinite or not a number."), faces.nonFinite),
-          ROW("rasterized", QT_TRANSLATE_NOOP("StatisticsPanel", "rasterized"),
-              QT_TRANSLATE_NOOP("StatisticsPanel", "Faces that reached the pixels; a cut face counts once."),
-              faces.rasterized),
-          {nullptr, QT_TRANSLATE_NOOP("StatisticsPanel", "Pixels"), nullptr, nullptr},
-          ROW("tested", QT_TRANSLATE_NOOP("StatisticsPanel", "tested"),
-              QT_TRANSLATE_NOOP("StatisticsPanel", "Positions at which coverage was decided."), pixels.tested),
-          ROW("covered", QT_TRANSLATE_NOOP("StatisticsPanel", "covered"),
-              QT_TRANSLATE_NOOP("StatisticsPanel", "Fragments."), pixels.covered),
-          ROW("depth_passed", QT_TRANSLATE_NOOP("StatisticsPanel", "depth passed"),
-              QT_TRANSLATE_NOOP("StatisticsPanel", "Fragments that passed the depth test."), pixels.depthPassed),
-          ROW("depth_failed", QT_TRANSLATE_NOOP("StatisticsPanel", "depth failed"),
-              QT_TRANSLATE_NOOP("StatisticsPanel", "Fragments hidden behind what was there."), pixels.depthFailed),
-          ROW("shaded", QT_TRANSLATE_NOOP("StatisticsPanel", "shaded"),
-              QT_TRANSLATE_NOOP("StatisticsPanel", "Fragments whose colour was computed."), pixels.shaded),
-          ROW("written", QT_TRANSLATE_NOOP("StatisticsPanel", "written"),
-              QT_TRANSLATE_NOOP("StatisticsPanel", "Fragments stored in the image."), pixels.written),
-          ROW("covered_twice", QT_TRANSLATE_NOOP("StatisticsPanel", "hit twice"),
-              QT_TRANSLATE_NOOP("StatisticsPanel",
-                                "Hit by both faces at the edge they share: 0 under the top-left rule."),
-              pixels.coveredTwice),
-      },
-      m_timeRows{{QT_TRANSLATE_NOOP("StatisticsPanel", "vertices"), &StageTimes::vertex},
-                 {QT_TRANSLATE_NOOP("StatisticsPanel", "geometry"), &StageTimes::geometry},
-                 {QT_TRANSLATE_NOOP("StatisticsPanel", "rasterization"), &StageTimes::raster},
-                 {QT_TRANSLATE_NOOP("StatisticsPanel", "frame"), &StageTimes::total}}
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "Faces"), nullptr, {}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "submitted"),
+           QT_TRANSLATE_NOOP("StatisticsPanel", "Triangles of the scene."),
+           {COUNTER("submitted", faces.submitted)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "rejected"),
+           QT_TRANSLATE_NOOP("StatisticsPanel", "Wholly outside the view volume."),
+           {COUNTER("rejected", faces.rejected)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "clipped · into pieces"),
+           QT_TRANSLATE_NOOP("StatisticsPanel",
+                             "Cut by at least one plane, and the triangles drawn for the cut faces."),
+           {COUNTER("clipped", faces.clipped), COUNTER("created_by_clipping", faces.createdByClipping)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "culled: back · front"),
+           QT_TRANSLATE_NOOP("StatisticsPanel", "Turned away from us, and turned towards us."),
+           {COUNTER("culled_back", faces.culledBack), COUNTER("culled_front", faces.culledFront)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "no area · not finite"),
+           QT_TRANSLATE_NOOP("StatisticsPanel",
+                             "Without area after snapping, and with a corner that is infinite or not a number."),
+           {COUNTER("degenerate", faces.degenerate), COUNTER("non_finite", faces.nonFinite)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "rasterized"),
+           QT_TRANSLATE_NOOP("StatisticsPanel", "Faces that reached the pixels; a cut face counts once."),
+           {COUNTER("rasterized", faces.rasterized)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "Pixels"), nullptr, {}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "tested"),
+           QT_TRANSLATE_NOOP("StatisticsPanel", "Positions at which coverage was decided."),
+           {COUNTER("tested", pixels.tested)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "covered"),
+           QT_TRANSLATE_NOOP("StatisticsPanel", "Fragments."),
+           {COUNTER("covered", pixels.covered)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "depth passed"),
+           QT_TRANSLATE_NOOP("StatisticsPanel", "Fragments that passed the depth test."),
+           {COUNTER("depth_passed", pixels.depthPassed)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "depth failed"),
+           QT_TRANSLATE_NOOP("StatisticsPanel", "Fragments hidden behind what was there."),
+           {COUNTER("depth_failed", pixels.depthFailed)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "shaded"),
+           QT_TRANSLATE_NOOP("StatisticsPanel", "Fragments whose colour was computed."),
+           {COUNTER("shaded", pixels.shaded)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "written"),
+           QT_TRANSLATE_NOOP("StatisticsPanel", "Fragments stored in the image."),
+           {COUNTER("written", pixels.written)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "hit twice"),
+           QT_TRANSLATE_NOOP("StatisticsPanel", "Hit by both faces at the edge they share: 0 under the top-left rule."),
+           {COUNTER("covered_twice", pixels.coveredTwice)}},
+      }
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 2, 12, 8);
@@ -80,11 +93,15 @@ StatisticsPanel::StatisticsPanel(QWidget* parent)
     auto* rate = new QHBoxLayout;
     m_fps = new QLabel(QStringLiteral("\u2013"));
     m_fps->setObjectName(QStringLiteral("fps"));
-    m_fpsUnit = new QLabel;
-    m_fpsUnit->setObjectName(QStringLiteral("muted"));
+    m_fpsUnit = mutedLabel();
+    m_frameTime = mutedLabel();
     rate->addWidget(m_fps, 0, Qt::AlignBaseline);
     rate->addWidget(m_fpsUnit, 1, Qt::AlignBaseline);
+    rate->addWidget(m_frameTime, 0, Qt::AlignBaseline);
     column->addLayout(rate);
+    m_stageTimes = mutedLabel();
+    m_stageTimes->setObjectName(QStringLiteral("mutedSmall"));
+    column->addWidget(m_stageTimes);
 
     m_scroll = new QScrollArea;
     m_scroll->setWidgetResizable(true);
@@ -95,35 +112,21 @@ StatisticsPanel::StatisticsPanel(QWidget* parent)
     content->setObjectName(QStringLiteral("panelContent"));
     auto* grid = new QGridLayout(content);
     grid->setContentsMargins(0, 0, 2, 0);
-    grid->setHorizontalSpacing(16);
-    grid->setVerticalSpacing(2);
+    grid->setHorizontalSpacing(12);
+    grid->setVerticalSpacing(0);
     grid->setColumnStretch(0, 1);
     int line = 0;
-    const auto addHeading = [&] {
-        auto* label = new QLabel;
-        label->setObjectName(QStringLiteral("heading"));
-        label->setContentsMargins(0, line == 0 ? 2 : 6, 0, 0);
-        grid->addWidget(label, line++, 0, 1, 2);
-        return label;
-    };
-    const auto addRow = [&](QLabel*& name, QLabel*& value, const char* look) {
-        name = new QLabel;
-        name->setObjectName(QStringLiteral("muted"));
-        value = new QLabel(QStringLiteral("\u2013"));
-        value->setObjectName(QLatin1String(look));
-        value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        grid->addWidget(name, line, 0);
-        grid->addWidget(value, line++, 1);
-    };
-    for (Row& row : m_rows)
-        if (row.get)
-            addRow(row.name, row.value, "counter");
-        else
-            row.name = addHeading();
-    m_timesHeading = addHeading();
-    for (TimeRow& row : m_timeRows)
-        addRow(row.name, row.value, "time");
+    for (Row& row : m_rows) {
+        row.name = row.counters.empty() ? new QLabel : mutedLabel();
+        grid->addWidget(row.name, line, 0);
+        if (row.counters.empty()) {
+            row.name->setObjectName(QStringLiteral("heading"));
+            row.name->setContentsMargins(0, line == 0 ? 0 : 4, 0, 0);
+        } else {
+            grid->addLayout(counterLine(row.counters), line, 1);
+        }
+        ++line;
+    }
     grid->setRowStretch(line, 1);
     m_scroll->setWidget(content);
     column->addWidget(m_scroll, 1);
@@ -135,7 +138,24 @@ StatisticsPanel::StatisticsPanel(QWidget* parent)
     retranslate();
 }
 
-#undef ROW
+#undef COUNTER
+
+/// Right-aligned, with a dot between two.
+QHBoxLayout* StatisticsPanel::counterLine(std::vector<Counter>& counters)
+{
+    auto* line = new QHBoxLayout;
+    line->setSpacing(4);
+    line->addStretch(1);
+    for (Counter& counter : counters) {
+        if (&counter != &counters.front())
+            line->addWidget(mutedLabel(QStringLiteral("\u00b7")));
+        counter.value = new QLabel(QStringLiteral("\u2013"));
+        counter.value->setObjectName(QStringLiteral("counter"));
+        counter.value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        line->addWidget(counter.value);
+    }
+    return line;
+}
 
 void StatisticsPanel::setFrame(const FramePtr& frame)
 {
@@ -145,15 +165,38 @@ void StatisticsPanel::setFrame(const FramePtr& frame)
         while (now - m_finished.front() > kRateWindowMs)
             m_finished.pop_front();
         m_times = frame->frame.times;
+        m_fast = frame->fast;
         showTimes();
         m_settle.start();
         return;
     }
     m_counted = frame;
     for (const Row& row : m_rows)
-        if (row.get)
-            row.value->setText(grouped(row.get(frame->statistics)));
+        for (const Counter& counter : row.counters)
+            counter.value->setText(grouped(counter.get(frame->statistics)));
     keepWideEnough();
+}
+
+void StatisticsPanel::setShown(const FramePtr& frame)
+{
+    if (!frame->fast)
+        return;
+    constexpr std::size_t kLatencies = 50;
+    const std::chrono::duration<double, std::milli> latency = std::chrono::steady_clock::now() - frame->requested;
+    m_latencies.push_back(latency.count());
+    if (m_latencies.size() > kLatencies)
+        m_latencies.pop_front();
+    explainRate();
+}
+
+double StatisticsPanel::latency() const
+{
+    if (m_latencies.empty())
+        return 0;
+    std::vector<double> sorted(m_latencies.begin(), m_latencies.end());
+    const auto middle = sorted.begin() + std::ptrdiff_t(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    return *middle;
 }
 
 /// No counter is ever cut off: the panel is as wide as its widest row.
@@ -161,15 +204,20 @@ void StatisticsPanel::keepWideEnough()
 {
     constexpr int kScrollBarRoom = 12;
     const int needed = m_scroll->widget()->sizeHint().width() + kScrollBarRoom;
-    if (m_scroll->minimumWidth() < needed)
-        m_scroll->setMinimumWidth(needed);
+    m_scroll->setMinimumWidth(std::max(m_scroll->minimumWidth(), needed));
+}
+
+QSize StatisticsPanel::sizeHint() const
+{
+    const int scrolled = m_scroll->widget()->sizeHint().height() - m_scroll->sizeHint().height();
+    return QWidget::sizeHint() + QSize(0, scrolled);
 }
 
 void StatisticsPanel::setStale(bool stale)
 {
     for (const Row& row : m_rows)
-        if (row.get)
-            row.value->setEnabled(!stale);
+        for (const Counter& counter : row.counters)
+            counter.value->setEnabled(!stale);
 }
 
 /// Counted while frames keep coming; what one frame's time allows once they stopped.
@@ -190,8 +238,11 @@ void StatisticsPanel::showTimes()
     m_fps->setText(rate > 0
                        ? (rate < 10 ? QString::number(rate, 'f', 1) : grouped(static_cast<std::uint64_t>(rate + 0.5)))
                        : QStringLiteral("\u2013"));
-    for (const TimeRow& row : m_timeRows)
-        row.value->setText(milliseconds(m_times.*row.time));
+    m_fpsUnit->setText(m_fast ? tr("FPS, tiled") : QStringLiteral("FPS"));
+    m_frameTime->setText(tr("%1 ms").arg(milliseconds(m_times.total)));
+    m_stageTimes->setText(
+        tr("vertex %1 · geometry %2 · raster %3")
+            .arg(milliseconds(m_times.vertex), milliseconds(m_times.geometry), milliseconds(m_times.raster)));
 }
 
 QString StatisticsPanel::asJson() const
@@ -221,30 +272,38 @@ QString StatisticsPanel::asCsv() const
 QString StatisticsPanel::shown(const QString& counter) const
 {
     for (const Row& row : m_rows)
-        if (row.get && QLatin1String(row.id) == counter)
-            return row.value->text();
+        for (const Counter& candidate : row.counters)
+            if (QLatin1String(candidate.id) == counter)
+                return candidate.value->text();
     return {};
+}
+
+void StatisticsPanel::explainRate()
+{
+    QString text = tr("Frames per second: counted while frames keep coming, else what the last frame's time allows. "
+                      "While the camera moves the tiled algorithm draws the same picture.");
+    if (!m_latencies.empty())
+        text += QLatin1Char(' ') + tr("From a move to its picture on the screen: %1 ms, the median of %2.")
+                                       .arg(milliseconds(latency()))
+                                       .arg(m_latencies.size());
+    m_fpsUnit->setToolTip(text);
+    m_fps->setToolTip(text);
 }
 
 void StatisticsPanel::retranslate()
 {
     const auto translated = [](const char* text) { return QCoreApplication::translate("StatisticsPanel", text); };
-    m_fpsUnit->setText(QStringLiteral("FPS"));
-    m_fpsUnit->setToolTip(translated(QT_TRANSLATE_NOOP(
-        "StatisticsPanel",
-        "Frames per second: counted while frames keep coming, else what the last frame's time allows.")));
-    m_fps->setToolTip(m_fpsUnit->toolTip());
-    m_timesHeading->setText(translated(QT_TRANSLATE_NOOP("StatisticsPanel", "Milliseconds")));
+    explainRate();
+    m_frameTime->setToolTip(tr("Time of the last frame."));
+    m_stageTimes->setToolTip(tr("Milliseconds of the last frame in each part of the pipeline."));
     for (const Row& row : m_rows) {
         row.name->setText(translated(row.title));
-        if (!row.get)
-            continue;
-        row.name->setToolTip(translated(row.help));
-        row.value->setToolTip(row.name->toolTip());
+        if (row.help)
+            row.name->setToolTip(translated(row.help));
+        for (const Counter& counter : row.counters)
+            counter.value->setToolTip(row.name->toolTip());
     }
-    for (const TimeRow& row : m_timeRows) {
-        row.name->setText(translated(row.title));
-    }
+    showTimes();
     m_scroll->setMinimumWidth(0);
     keepWideEnough();
 }

@@ -9,6 +9,7 @@
 #include <deque>
 #include <vector>
 
+class QHBoxLayout;
 class QScrollArea;
 
 namespace rasterlens
@@ -24,6 +25,10 @@ public:
 
     void setFrame(const FramePtr& frame);
     void setStale(bool stale);
+    /// The frame is on the screen.
+    void setShown(const FramePtr& frame);
+    /// Milliseconds from a camera move to its picture on the screen, the median of the last ones; 0 before the first.
+    [[nodiscard]] double latency() const;
 
     /// The last counted frame as the statistics document of the command line, and flattened to one row.
     [[nodiscard]] QString asJson() const;
@@ -31,38 +36,41 @@ public:
     /// The text shown for a counter, by its JSON name: `submitted`, `covered`.
     [[nodiscard]] QString shown(const QString& counter) const;
 
+    QSize sizeHint() const override; ///< with every row in sight
+
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    struct Row {
+    struct Counter {
         const char* id;
+        std::uint64_t (*get)(const Statistics&);
+        QLabel* value = nullptr;
+    };
+    /// One or two counters on a line; none: a heading.
+    struct Row {
         const char* title;
         const char* help;
-        std::uint64_t (*get)(const Statistics&); ///< null: a heading
+        std::vector<Counter> counters;
         QLabel* name = nullptr;
-        QLabel* value = nullptr;
     };
-    struct TimeRow {
-        const char* title;
-        double StageTimes::*time;
-        QLabel* name = nullptr;
-        QLabel* value = nullptr;
-    };
-
+    static QHBoxLayout* counterLine(std::vector<Counter>& counters);
     [[nodiscard]] double framesPerSecond() const;
     void retranslate();
+    void explainRate();
     void showTimes();
     void keepWideEnough();
 
     std::vector<Row> m_rows;
-    std::vector<TimeRow> m_timeRows;
     QScrollArea* m_scroll = nullptr;
     QLabel* m_fps = nullptr;
     QLabel* m_fpsUnit = nullptr;
-    QLabel* m_timesHeading = nullptr;
+    QLabel* m_frameTime = nullptr;
+    QLabel* m_stageTimes = nullptr;
     FramePtr m_counted;
     StageTimes m_times;
+    bool m_fast = false; ///< m_times are those of the tiled algorithm, while the camera moves
+    std::deque<double> m_latencies;
     QElapsedTimer m_clock;
     std::deque<qint64> m_finished; ///< when the last frames were completed, milliseconds
     QTimer m_settle;               ///< shows the rate again once frames stop coming

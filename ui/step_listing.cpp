@@ -18,7 +18,7 @@ namespace
 {
 
 constexpr std::size_t kListingLines = 4;
-constexpr int kCompactBelow = 790; ///< height of the window from which on the whole listing has room
+constexpr int kCompactBelow = 560; ///< height of the canvas card from which on the whole listing has room
 
 QString translated(const char* text) { return QCoreApplication::translate("StepListing", text); }
 
@@ -305,7 +305,7 @@ void StepListing::sync()
     m_explanation = {};
     if (m_session.isOpen() && m_session.log() && m_session.position() > 0)
         m_explanation = explainStep(*m_session.log(), m_session.position() - 1);
-    const bool isCompact = window()->height() < kCompactBelow;
+    const bool isCompact = parentWidget()->height() < kCompactBelow;
     const QFont font = numberFont(-0.5);
     const QString accent = palette().color(QPalette::AlternateBase).name();
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
@@ -327,15 +327,23 @@ void StepListing::sync()
     m_formula->setStyleSheet(QStringLiteral("color: %1;").arg(palette().color(QPalette::Link).name()));
 }
 
+QSize StepListing::minimumSizeHint() const
+{
+    int shown = 0;
+    for (const QLabel* line : m_lines)
+        shown += line->isHidden() ? 0 : 1;
+    return QFrame::minimumSizeHint() - QSize(0, std::max(shown - 1, 0) * m_lines.front()->sizeHint().height());
+}
+
 void StepListing::showEvent(QShowEvent* event)
 {
-    window()->installEventFilter(this);
+    parentWidget()->installEventFilter(this);
     QFrame::showEvent(event);
 }
 
 bool StepListing::eventFilter(QObject* watched, QEvent* event)
 {
-    if (watched == window() && event->type() == QEvent::Resize)
+    if (watched == parentWidget() && event->type() == QEvent::Resize)
         sync();
     return QFrame::eventFilter(watched, event);
 }

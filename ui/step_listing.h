@@ -36,6 +36,8 @@ public:
 
     [[nodiscard]] const StepExplanation& explanation() const { return m_explanation; }
 
+    QSize minimumSizeHint() const override; ///< of the present line and the formula: the other lines leave first
+
 protected:
     void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;

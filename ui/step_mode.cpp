@@ -1,13 +1,10 @@
 #include "ui/step_mode.h"
 
-#include "ui/image_export.h"
 #include "ui/step_listing.h"
 #include "ui/transport_dock.h"
 #include "ui/viewport_widget.h"
 
-#include <QDir>
 #include <QFileDialog>
-#include <QGuiApplication>
 #include <QInputDialog>
 #include <QMainWindow>
 #include <QRegularExpression>
@@ -41,7 +38,7 @@ StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& wi
       m_listing(new StepListing(m_session)), m_window(window)
 {
     window.addDockWidget(Qt::BottomDockWidgetArea, m_transport);
-    viewport.setLayer(&m_lens);
+    viewport.addLayer(&m_lens);
     connect(&m_session, &StepSession::logChanged, this, &StepMode::syncLens);
     connect(&m_session, &StepSession::positionChanged, this, [this] {
         syncLens();
@@ -78,7 +75,7 @@ StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& wi
             [this] { Q_EMIT message(tr("The record ends without another such event.")); });
 }
 
-StepMode::~StepMode() { m_viewport.setLayer(nullptr); }
+StepMode::~StepMode() { m_viewport.removeLayer(&m_lens); }
 
 /// The model reads the log, which it must not outlive.
 void StepMode::syncLens()
@@ -158,22 +155,13 @@ void StepMode::showFace(quint32 face, QPoint pixel)
         Q_EMIT message(tr("The record holds no step of face %1.").arg(face));
 }
 
-std::optional<QString> StepMode::exportRun(const QString& folder, std::size_t first, std::size_t last,
-                                           std::optional<int> zoom)
+RunExport& StepMode::exportRun(const QString& folder, RunExport::Run run)
 {
-    if (!m_session.log())
-        return tr("Nothing is recorded.");
-    const std::size_t before = m_session.position();
-    last = std::min(last, m_session.size());
-    const int digits = int(QString::number(last).size());
-    std::optional<QString> error;
-    for (std::size_t position = first; position <= last && !error; ++position) {
-        m_session.moveTo(position);
-        const QString name = QStringLiteral("step-%1.png").arg(position, digits, 10, QLatin1Char('0'));
-        error = savePng(m_viewport.figure(zoom), QDir(folder).filePath(name));
-    }
-    m_session.moveTo(before);
-    return error;
+    auto* files = new RunExport(m_session, m_viewport, folder, run, &m_window);
+    connect(files, &RunExport::finished, this, [this, folder](const QString& error) {
+        Q_EMIT message(error.isEmpty() ? tr("Written: %1").arg(folder) : error);
+    });
+    return *files;
 }
 
 void StepMode::chooseRunToExport(std::optional<int> zoom)
@@ -203,10 +191,7 @@ void StepMode::chooseRunToExport(std::optional<int> zoom)
         folder->setFileMode(QFileDialog::Directory);
         folder->setOption(QFileDialog::ShowDirsOnly);
         connect(folder, &QFileDialog::fileSelected, this, [=, this](const QString& path) {
-            QGuiApplication::setOverrideCursor(Qt::WaitCursor);
-            const auto error = exportRun(path, std::size_t(first), std::size_t(last), zoom);
-            QGuiApplication::restoreOverrideCursor();
-            Q_EMIT message(error ? *error : tr("Written: %1").arg(path));
+            exportRun(path, {std::size_t(first), std::size_t(last), zoom});
         });
         folder->open();
     });

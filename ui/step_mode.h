@@ -1,5 +1,6 @@
 #pragma once
 #include "ui/lens_overlay.h"
+#include "ui/run_export.h"
 #include "ui/step_session.h"
 
 #include <QObject>
@@ -44,11 +45,11 @@ public:
     /// Nothing is being recorded.
     [[nodiscard]] bool isSettled() const { return !m_session.isRecording(); }
 
-    /// One numbered PNG a position, first..last, at a whole zoom or as on the screen.
+    /// Starts to write one numbered PNG a position, at a whole zoom or as on the screen.
     ///
-    /// errors  a sentence; the files before it stay
-    [[nodiscard]] std::optional<QString> exportRun(const QString& folder, std::size_t first, std::size_t last,
-                                                   std::optional<int> zoom);
+    /// in   session() has a log that holds the run
+    /// out  lives until it has finished
+    RunExport& exportRun(const QString& folder, RunExport::Run run);
 
     /// Asks for the range and the folder.
     void chooseRunToExport(std::optional<int> zoom);

@@ -82,12 +82,12 @@ QFrame#stepListing { background: @card; border-top: 1px solid @border; border-bo
 QLabel#stepNotice { background: @accentSoft; color: @text; border-radius: 4px; padding: 1px 6px; }
 QLabel#heading, QLabel#groupHeading { font-weight: bold; }
 QLabel#title { font-weight: bold; font-size: @ptTitle; }
-QLabel#muted, QLabel#keyHint { color: @muted; }
-QLabel#keyHint { font-size: @ptSmall; }
+QLabel#muted, QLabel#keyHint, QLabel#mutedSmall { color: @muted; }
+QLabel#keyHint, QLabel#mutedSmall { font-size: @ptSmall; }
 QLabel#fps { font-weight: bold; font-size: @ptHuge; }
 QLabel#counter { font-family: "@mono"; font-weight: bold; }
 QLabel#counter:disabled { color: @muted; }
-QLabel#time, QLabel#readout { font-family: "@mono"; }
+QLabel#readout { font-family: "@mono"; }
 QLabel#numbers { font-family: "@mono"; color: @muted; font-size: @ptSmall; }
 QLabel#pill { background: @accentSoft; color: @text; border: 1px solid @border; border-radius: 9px; padding: 1px 7px;
               font-weight: bold; font-size: @ptSmall; }

@@ -18,6 +18,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
+#include <QPainter>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -45,6 +46,25 @@ bool keepsKey(const QObject* widget, int key)
     return (qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QComboBox*>(widget)) &&
            key == Qt::Key_Space;
 }
+
+/// A line of text that ends in dots where it has no room.
+class ElidedLabel : public QLabel
+{
+public:
+    ElidedLabel()
+    {
+        setObjectName(QStringLiteral("muted"));
+        setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        painter.setPen(palette().color(foregroundRole()));
+        painter.drawText(rect(), int(alignment()), fontMetrics().elidedText(text(), Qt::ElideRight, width()));
+    }
+};
 
 } // namespace
 
@@ -259,9 +279,7 @@ QWidget* TransportDock::buildTitleRow()
     m_step->setObjectName(QStringLiteral("heading"));
     row->addWidget(m_step);
     row->addSpacing(8);
-    m_summary = new QLabel;
-    m_summary->setObjectName(QStringLiteral("muted"));
-    m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_summary = new ElidedLabel;
     row->addWidget(m_summary, 1);
     m_notice = new QLabel;
     m_notice->setObjectName(QStringLiteral("stepNotice"));
@@ -279,6 +297,7 @@ QWidget* TransportDock::buildBody()
     auto* column = new QVBoxLayout(m_body);
     column->setContentsMargins(8, 0, 8, 6);
     column->setSpacing(0);
+    column->setSizeConstraint(QLayout::SetMinAndMaxSize); // room left over is the canvas's, at any size of type
     m_scrubber = new Scrubber;
     connect(m_scrubber, &Scrubber::moved, this, [this](std::size_t position) {
         m_session.setPlaying(false);
@@ -288,14 +307,20 @@ QWidget* TransportDock::buildBody()
     auto* row = new QHBoxLayout;
     row->setContentsMargins(6, 0, 4, 0);
     m_legend = new QLabel;
-    m_keys = new QLabel;
-    m_keys->setObjectName(QStringLiteral("muted"));
-    m_keys->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_keys = new ElidedLabel;
+    m_legend->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     m_keys->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     row->addWidget(m_legend);
     row->addWidget(m_keys, 1);
     column->addLayout(row);
     return m_body;
+}
+
+void TransportDock::setBrief(bool on)
+{
+    m_brief = on;
+    m_keys->setVisible(!on);
+    sync();
 }
 
 void TransportDock::retranslate()
@@ -380,8 +405,9 @@ void TransportDock::sync()
     const std::array scopes{tr("whole frame"), tr("one face"), tr("rectangle")};
     m_scopeLink->setText(scopes[std::size_t(m_session.scope())] + QStringLiteral(" \u25be"));
     m_speedLink->setText(tr("speed %1 \u25be").arg(speedText(m_session.speed())));
-    for (QToolButton* link : {m_scopeLink, m_speedLink, m_runLink})
+    for (QToolButton* link : {m_speedLink, m_runLink})
         link->setVisible(open);
+    m_scopeLink->setVisible(open && !m_brief);
     m_scrubber->setPosition(position);
 }
 

@@ -33,6 +33,9 @@ public:
     [[nodiscard]] QString stepText() const;
     [[nodiscard]] QString noticeText() const;
 
+    /// Only what a large type has room for: what is recorded is chosen in the menu, keys are in the help.
+    void setBrief(bool on);
+
 Q_SIGNALS:
     void rectangleWanted(); ///< the scope is to be what the canvas shows
     void stopMissed();      ///< "run until" came to the end
@@ -91,6 +94,7 @@ private:
     QFrame* m_titleRow = nullptr;
     QLabel* m_step = nullptr;
     QLabel* m_summary = nullptr;
+    bool m_brief = false;
     QLabel* m_notice = nullptr;
     QLabel* m_legend = nullptr;
     QLabel* m_keys = nullptr;

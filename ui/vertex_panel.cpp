@@ -2,6 +2,7 @@
 
 #include "core/observe/step_log.h"
 #include "core/observe/step_text.h"
+#include "ui/clip_theatre.h"
 #include "ui/theme.h"
 
 #include <QEvent>
@@ -97,7 +98,7 @@ QString VertexTableModel::cell(int row, const VertexRow& corner) const
             .arg(fullNumber(corner.snapped.x), fullNumber(corner.snapped.y))
             .replace(QLatin1Char('-'), QChar(0x2212));
     case DepthValue: return shortNumber(corner.depth);
-    case OutsideOf: return corner.outside == 0 ? tr("inside") : planesText(corner.outside);
+    case OutsideOf: return corner.outside == 0 ? tr("inside") : clipPlaneSigns(corner.outside);
     case ScreenRegion: return regionText(corner.screenRegion);
     default: return {};
     }

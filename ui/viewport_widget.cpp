@@ -2,6 +2,7 @@
 
 #include "ui/image_export.h"
 #include "ui/theme.h"
+#include "ui/wipe.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rasterlens
 {
@@ -46,6 +48,7 @@ ViewportWidget::ViewportWidget(QWidget* parent) : QWidget(parent), m_canvasColor
 void ViewportWidget::setFrame(const FramePtr& frame)
 {
     const QSize former = imageSize();
+    m_frameShown = m_frame == frame;
     m_frame = frame;
     if (imageSize() != former) {
         m_fitPixels.reset();
@@ -76,9 +79,38 @@ void ViewportWidget::setThickLines(bool on)
     update();
 }
 
-void ViewportWidget::setLayer(const CanvasLayer* layer)
+void ViewportWidget::setCompared(const FramePtr& left, const QString& tag)
 {
-    m_options.layer = layer;
+    if (left)
+        m_wipe.left = left;
+    m_options.wipe = left ? std::optional(m_wipe) : std::nullopt;
+    m_options.tag = tag;
+    update();
+}
+
+bool ViewportWidget::isOnWipe(QPointF canvas) const
+{
+    constexpr double kReach = 8;
+    return m_options.wipe &&
+           std::abs(canvas.x() - wipeColumn(m_wipe, rect(), m_transform, imageSize().width())) <= kReach;
+}
+
+void ViewportWidget::moveWipe(double column)
+{
+    m_wipe.at = std::clamp(m_transform.toImage(QPointF(column, 0)).x() / imageSize().width(), 0.0, 1.0);
+    m_options.wipe = m_wipe;
+    update();
+}
+
+void ViewportWidget::addLayer(const CanvasLayer* layer)
+{
+    m_options.layers.push_back(layer);
+    update();
+}
+
+void ViewportWidget::removeLayer(const CanvasLayer* layer)
+{
+    std::erase(m_options.layers, layer);
     update();
 }
 
@@ -249,6 +281,8 @@ void ViewportWidget::paintEvent(QPaintEvent*)
     paintCanvas(painter, rect(), m_transform, *m_frame, m_options);
     if (m_stale)
         paintStaleMark(painter);
+    if (!std::exchange(m_frameShown, true))
+        Q_EMIT frameShown(m_frame);
 }
 
 void ViewportWidget::paintStaleMark(QPainter& painter) const
@@ -314,7 +348,7 @@ ViewportWidget::Drag ViewportWidget::dragFor(const QMouseEvent& event) const
 
 void ViewportWidget::mousePressEvent(QMouseEvent* event)
 {
-    m_drag = dragFor(*event);
+    m_drag = event->button() == Qt::LeftButton && isOnWipe(event->position()) ? Drag::Wipe : dragFor(*event);
     m_pressedAt = event->position();
     m_lastDragAt = event->position();
     m_moved = false;
@@ -324,8 +358,10 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event)
 {
     const QPointF at = event->position();
     hover(m_transform.pixelAt(at));
-    if (m_drag == Drag::None)
+    if (m_drag == Drag::None) {
+        isOnWipe(at) ? setCursor(Qt::SplitHCursor) : unsetCursor();
         return;
+    }
     if (!m_moved && (at - m_pressedAt).manhattanLength() < kDragThreshold)
         return;
     m_moved = true;
@@ -342,6 +378,7 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event)
     case Drag::Orbit: Q_EMIT orbited(drag / scale); break;
     case Drag::PanCamera: Q_EMIT cameraPanned(drag / m_transform.zoom); break;
     case Drag::Dolly: Q_EMIT dollied(std::pow(kDollyPerPixel, drag.y())); break;
+    case Drag::Wipe: moveWipe(at.x()); break;
     case Drag::None: break;
     }
 }

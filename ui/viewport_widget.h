@@ -35,8 +35,11 @@ public:
     void setStale(bool stale);
     void setCanvasColor(const QColor& color);
     void setThickLines(bool on);
-    /// in  painted over the picture, also in figures; must outlive the widget, may be null
-    void setLayer(const CanvasLayer* layer);
+    /// Another picture in the left part, and the name of the one shown where there are several.
+    void setCompared(const FramePtr& left, const QString& tag);
+    /// in  painted over the picture and the layers before it, also in figures; until it is removed
+    void addLayer(const CanvasLayer* layer);
+    void removeLayer(const CanvasLayer* layer);
     /// Brings a pixel that is out of sight into the middle.
     void showPixel(QPoint pixel);
 
@@ -77,6 +80,7 @@ Q_SIGNALS:
     void cameraPanned(QPointF drag);
     void dollied(double factor);
     void gestureEnded();
+    void frameShown(const rasterlens::FramePtr& frame); ///< painted for the first time
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -90,7 +94,7 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
-    enum class Drag { None, PanCanvas, Orbit, PanCamera, Dolly };
+    enum class Drag { None, PanCanvas, Orbit, PanCamera, Dolly, Wipe };
 
     /// Where a figure is painted to.
     struct FigurePart {
@@ -105,14 +109,18 @@ private:
     void setTransform(CanvasTransform transform);
     void hover(std::optional<QPoint> pixel);
     void nudge(QPoint step);
+    [[nodiscard]] bool isOnWipe(QPointF canvas) const;
+    void moveWipe(double column);
     void paintStaleMark(QPainter& painter) const;
 
     FramePtr m_frame;
     CanvasTransform m_transform;
     OverlayOptions m_options;
+    Wipe m_wipe;
     std::optional<PixelRect> m_fitPixels;
     bool m_fitted = true;
     bool m_stale = false;
+    bool m_frameShown = true;
     QColor m_canvasColor;
     LeftDrag m_leftDrag = LeftDrag::Orbits;
     Drag m_drag = Drag::None;

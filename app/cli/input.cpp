@@ -42,7 +42,7 @@ Session openSession(const QString& path)
     if (!load.session)
         failDiagnostics(load.diagnostics);
     printWarnings(load.diagnostics);
-    if (const QStringList unknown = unknownMistakes(load.session->settings); !unknown.isEmpty())
+    if (const QStringList unknown = unknownMistakes(settingsOf(*load.session, {})); !unknown.isEmpty())
         failInput(
             QStringLiteral("%1: there is no mistake \"%2\"; \"rasterlens-cli render --list-mistakes\" lists those "
                            "there are")
@@ -64,9 +64,11 @@ Input openInput(const QString& name, const Arguments& arguments)
         return {std::move(*load.scene), settings, std::move(load.diagnostics)};
     }
     const Session session = openSession(name);
-    const Settings settings = withOptions(session.settings, arguments);
-    options.size = settings.size;
+    options.size = withOptions(settingsOf(session, {}), arguments).size;
     SceneLoad load = openScene(session.scene, options);
+    if (const Diagnostics errors = moveVertices(*load.scene, session, name); !errors.empty())
+        failDiagnostics(errors);
+    const Settings settings = withOptions(settingsOf(session, load.scene->defaults), arguments);
     return {std::move(*load.scene), settings, std::move(load.diagnostics)};
 }
 

@@ -135,7 +135,7 @@ private:
         if (given.size() < m_usage.operands.size())
             failArguments(QStringLiteral("%1: %2 is missing; expected: %3")
                               .arg(program(m_usage), m_usage.operands[given.size()], m_usage.synopsis));
-        if (given.size() > m_usage.operands.size())
+        if (given.size() > m_usage.operands.size() && !m_usage.manyOperands)
             failArguments(QStringLiteral("%1: \"%2\" is one argument too many; expected: %3")
                               .arg(program(m_usage), given[m_usage.operands.size()], m_usage.synopsis));
         for (const QString& operand : given)

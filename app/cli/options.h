@@ -52,7 +52,8 @@ struct Usage {
     QString description;  ///< paragraphs
     QStringList operands; ///< names of the operands, all of them required
     QList<OptionGroup> groups;
-    QString notes; ///< paragraphs below the options
+    QString notes;             ///< paragraphs below the options
+    bool manyOperands = false; ///< any number of operands beyond those
 };
 
 /// Sorts the words. `--` ends the options; a lone `-` is a value or an operand.

@@ -19,10 +19,14 @@ Usage usage()
         return Option{QString::fromLatin1(name), Option::Kind::Value, QString::fromLatin1(valueName),
                       QString::fromLatin1(help)};
     };
+    const Option noPicture{QStringLiteral("--no-picture"),
+                           Option::Kind::Switch,
+                           {},
+                           QStringLiteral("Shade nothing and write no picture, only the other outputs: a depth pass.")};
     const OptionGroup outputs{
         QStringLiteral("Outputs (- is stdout):"),
         {file("-o", "FILE", "The picture; default out.png. The suffix tells the format: png, ppm, bmp, jpg, jpeg."),
-         file("--depth", "F.npy", "The depth buffer: float32, 0 to 1."),
+         noPicture, file("--depth", "F.npy", "The depth buffer: float32, 0 to 1."),
          file("--ids", "F.npy",
               "The face seen at each pixel: int32, counted from 0 in the order of the file, -1 none."),
          file("--coverage", "F.npy", "How many faces cover each pixel's centre, before the depth test: uint16."),
@@ -57,15 +61,29 @@ struct OutputNames {
     QString stats;
 
     explicit OutputNames(const Arguments& arguments)
-        : image(arguments.value(QStringLiteral("-o")).value_or(QStringLiteral("out.png"))),
-          imageFormat(cli::imageFormat(image)), depth(arguments.value(QStringLiteral("--depth")).value_or(QString())),
+        : image(imageName(arguments)), imageFormat(image.isEmpty() ? QByteArray() : cli::imageFormat(image)),
+          depth(arguments.value(QStringLiteral("--depth")).value_or(QString())),
           ids(arguments.value(QStringLiteral("--ids")).value_or(QString())),
           coverage(arguments.value(QStringLiteral("--coverage")).value_or(QString())),
           stats(arguments.value(QStringLiteral("--stats")).value_or(QString()))
     {
         QStringList names{image, depth, ids, coverage, stats};
         names.removeAll(QString());
+        if (names.isEmpty())
+            failArguments(QStringLiteral("rasterlens-cli render: --no-picture leaves nothing to write; one of --depth, "
+                                         "--ids, --coverage, --stats is expected"));
         checkOutputNames(names);
+    }
+
+private:
+    static QString imageName(const Arguments& arguments)
+    {
+        const auto name = arguments.value(QStringLiteral("-o"));
+        if (!arguments.isOn(QStringLiteral("--no-picture")))
+            return name.value_or(QStringLiteral("out.png"));
+        if (name)
+            failArguments(QStringLiteral("rasterlens-cli render: -o and --no-picture exclude each other"));
+        return {};
     }
 };
 
@@ -80,11 +98,16 @@ void renderTo(const Scene& scene, const Settings& settings, const OutputNames& n
 {
     const bool counted = !names.stats.isEmpty();
     Frame frame;
-    const Statistics statistics = counted ? renderCounted(scene, settings, frame) : Statistics();
-    render(scene, settings, frame, {!names.depth.isEmpty(), !names.ids.isEmpty(), !names.coverage.isEmpty()});
+    const Outputs outputs{.depth = !names.depth.isEmpty(),
+                          .ids = !names.ids.isEmpty(),
+                          .coverage = !names.coverage.isEmpty(),
+                          .picture = !names.image.isEmpty()};
+    const Statistics statistics = counted ? renderCounted(scene, settings, frame, outputs) : Statistics();
+    render(scene, settings, frame, outputs);
 
     OutputFiles files;
-    files.add(names.image, imageBytes(frame.image, names.imageFormat));
+    if (outputs.picture)
+        files.add(names.image, imageBytes(frame.image, names.imageFormat));
     addArray(files, names.depth, frame.depth, settings.size);
     addArray(files, names.ids, frame.ids, settings.size);
     addArray(files, names.coverage, frame.coverage, settings.size);

@@ -13,6 +13,8 @@ struct Verb {
     ExitCode (*run)(const QStringList& words); ///< the words after the verb; throws Failure
 };
 
+ExitCode runBench(const QStringList& words);
+ExitCode runCases(const QStringList& words);
 ExitCode runDiff(const QStringList& words);
 ExitCode runInfo(const QStringList& words);
 ExitCode runRender(const QStringList& words);

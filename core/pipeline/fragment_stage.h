@@ -84,14 +84,17 @@ private:
 
         const float stored = m_samples.depth != nullptr ? m_samples.depth[at] : m_rules->depthClear;
         const bool passed = !m_rules->depthTested || depthPasses(fragment.depth, stored, m_rules->depthCompare);
-        const bool shaded = passed || !m_rules->depthBeforeShading;
+        const bool shaded = m_samples.color != nullptr && (passed || !m_rules->depthBeforeShading);
         std::uint32_t color = 0;
         if (shaded) {
+            UvGradient gradient;
             if (m_rules->varyingCount > 0) {
                 fragment.weights = weights != nullptr ? *weights : m_interpolation->perspective(screen);
                 m_interpolation->varyings(fragment.weights, fragment.varyings);
+                if (needsUvGradient(*m_rules, *m_uniforms))
+                    gradient = m_interpolation->uvGradient(screen, fragment.weights, kVaryingUv);
             }
-            color = shadeFragment(*m_rules, *m_uniforms, fragment.varyings, fragment.depth, m_eyeWorld);
+            color = shadeFragment(*m_rules, *m_uniforms, fragment.varyings, fragment.depth, m_eyeWorld, gradient);
         }
         m_observer->onFragment(fragment, stored, passed);
         if (shaded)
@@ -105,8 +108,11 @@ private:
     void write(std::size_t at, const Fragment& fragment, std::uint32_t color)
     {
         const bool writesDepth = m_samples.depth != nullptr;
-        const Pixel before{m_samples.color[at], writesDepth ? m_samples.depth[at] : m_rules->depthClear};
-        m_samples.color[at] = color;
+        const bool writesColor = m_samples.color != nullptr;
+        const Pixel before{writesColor ? m_samples.color[at] : 0,
+                           writesDepth ? m_samples.depth[at] : m_rules->depthClear};
+        if (writesColor)
+            m_samples.color[at] = color;
         if (writesDepth)
             m_samples.depth[at] = fragment.depth;
         if (m_samples.ids != nullptr)

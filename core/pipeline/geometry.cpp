@@ -4,8 +4,12 @@
 #include "core/pipeline/vertex_stage.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
 namespace rasterlens
 {
@@ -17,30 +21,69 @@ bool isFinite(const glm::dvec4& p)
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w);
 }
 
-/// Fan triangles of a polygon seen from one of its corners, as indices.
-struct FanTriangle {
-    std::array<std::size_t, 3> corners;
-    double area2;
-};
-
-struct Fan {
-    std::array<FanTriangle, ClipPolygon::kMaxVertices> triangles;
+/// Corners of a polygon, as indices.
+struct Outline {
+    std::array<std::size_t, ClipPolygon::kMaxVertices + 1> corners;
     std::size_t count = 0;
 
-    [[nodiscard]] std::span<const FanTriangle> span() const { return {triangles.data(), count}; }
+    void add(std::size_t corner) { corners[count++] = corner; }
 };
 
-Fan fanFrom(std::size_t apex, std::span<const ScreenVertex> polygon)
+double cornerArea2(std::span<const ScreenVertex> polygon, std::size_t a, std::size_t b, std::size_t c)
 {
-    Fan fan;
+    return twiceArea(polygon[a].position, polygon[b].position, polygon[c].position);
+}
+
+/// The outline from a corner from which all triangles of the fan turn the polygon's way, if there is such a corner.
+std::optional<Outline> outlineSeenFromACorner(std::span<const ScreenVertex> polygon, double sense)
+{
     const std::size_t n = polygon.size();
-    for (std::size_t i = 1; i + 1 < n; ++i) {
-        const std::array<std::size_t, 3> c{apex, (apex + i) % n, (apex + i + 1) % n};
-        const double area2 = twiceArea(polygon[c[0]].position, polygon[c[1]].position, polygon[c[2]].position);
-        if (area2 != 0)
-            fan.triangles[fan.count++] = {c, area2};
+    for (std::size_t apex = 0; apex < n; ++apex) {
+        const auto turns = [&](std::size_t i) {
+            return cornerArea2(polygon, apex, (apex + i) % n, (apex + i + 1) % n) * sense >= 0;
+        };
+        std::size_t i = 1;
+        while (i + 1 < n && turns(i))
+            ++i;
+        if (i + 1 < n)
+            continue;
+        Outline outline;
+        for (std::size_t k = 0; k < n; ++k)
+            outline.add((apex + k) % n);
+        return outline;
     }
-    return fan;
+    return std::nullopt;
+}
+
+/// The corners of the convex hull in the sense given, from the leftmost (of those the topmost) on.
+///
+/// source  Andrew, Another efficient algorithm for convex hulls in two dimensions, Information Processing Letters
+///         9(5), 1979
+Outline convexHull(std::span<const ScreenVertex> polygon, double sense)
+{
+    std::array<std::size_t, ClipPolygon::kMaxVertices> sorted{};
+    const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(polygon.size());
+    std::iota(sorted.begin(), end, std::size_t{0});
+    std::sort(sorted.begin(), end, [&](std::size_t a, std::size_t b) {
+        const glm::dvec2& p = polygon[a].position;
+        const glm::dvec2& q = polygon[b].position;
+        return std::pair(p.x, p.y) < std::pair(q.x, q.y);
+    });
+    Outline hull;
+    const auto addChain = [&](auto first, auto last) {
+        const std::size_t start = hull.count;
+        for (auto corner = first; corner != last; ++corner) {
+            while (hull.count >= start + 2 &&
+                   cornerArea2(polygon, hull.corners[hull.count - 2], hull.corners[hull.count - 1], *corner) * sense <=
+                       0)
+                --hull.count;
+            hull.add(*corner);
+        }
+        --hull.count; // the next chain starts with it
+    };
+    addChain(sorted.begin(), end);
+    addChain(std::make_reverse_iterator(end), sorted.rend());
+    return hull;
 }
 
 } // namespace
@@ -66,20 +109,17 @@ ProcessedVertex FaceStages::processVertex(const ClipVertex& vertex) const
 
 int FaceStages::appendFan(std::uint32_t face, std::span<const ScreenVertex> polygon, std::vector<ScreenTriangle>& out)
 {
-    const double area2 = twicePolygonArea(polygon);
-    const auto sameWay = [&](const FanTriangle& t) { return (t.area2 > 0) == (area2 > 0); };
-    Fan fan;
-    for (std::size_t apex = 0; apex < polygon.size(); ++apex) {
-        fan = fanFrom(apex, polygon);
-        if (const auto triangles = fan.span(); std::all_of(triangles.begin(), triangles.end(), sameWay))
-            break;
-    }
+    const double sense = twicePolygonArea(polygon);
+    const std::optional<Outline> seen = outlineSeenFromACorner(polygon, sense);
+    const Outline outline = seen ? *seen : convexHull(polygon, sense);
     int pieces = 0;
-    for (const FanTriangle& t : fan.span())
-        if (sameWay(t)) {
-            out.push_back({{polygon[t.corners[0]], polygon[t.corners[1]], polygon[t.corners[2]]}, face});
+    for (std::size_t i = 1; i + 1 < outline.count; ++i) {
+        const auto [a, b, c] = std::tuple(outline.corners[0], outline.corners[i], outline.corners[i + 1]);
+        if (cornerArea2(polygon, a, b, c) != 0) {
+            out.push_back({{polygon[a], polygon[b], polygon[c]}, face});
             ++pieces;
         }
+    }
     return pieces;
 }
 

@@ -133,7 +133,8 @@ private:
         return out;
     }
 
-    /// Cuts a convex polygon into triangles from a corner that sees all of it: snapping may have dented it a little.
+    /// Cuts a polygon into triangles from a corner that sees all of it: snapping may have dented it a little. Where no
+    /// corner does, snapping has folded it over itself, and its convex hull is drawn: no sample is hit twice.
     ///
     /// out   the number of triangles
     static int appendFan(std::uint32_t face, std::span<const ScreenVertex> polygon, std::vector<ScreenTriangle>& out);

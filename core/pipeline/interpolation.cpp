@@ -126,4 +126,29 @@ void FaceInterpolation::varyings(const Weights& weights, Varyings& out) const
             static_cast<float>(weights[0] * a.varyings[k] + weights[1] * b.varyings[k] + weights[2] * c.varyings[k]);
 }
 
+UvGradient FaceInterpolation::uvGradient(const Weights& screen, const Weights& weights, std::size_t at) const
+{
+    const auto& v = m_triangle->vertices;
+    glm::dvec2 center(0);
+    double inverseW = 0;
+    std::array<glm::dvec2, 3> uv;
+    std::array<double, 3> q;
+    for (std::size_t k = 0; k < 3; ++k) {
+        uv[k] = {v[k].varyings[at], v[k].varyings[at + 1]};
+        q[k] = m_perspectiveCorrect ? v[k].invW : 1;
+        center += weights[k] * uv[k];
+        inverseW += screen[k] * q[k];
+    }
+    // With uv = sum(b q uv_k) / sum(b q), the quotient rule leaves sum(b' q (uv_k - uv)) / sum(b q).
+    glm::dvec2 perX(0);
+    glm::dvec2 perY(0);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec2 opposite = v[(k + 2) % 3].position - v[(k + 1) % 3].position;
+        const glm::dvec2 pull = (uv[k] - center) * (q[k] * m_inverseArea2 / inverseW);
+        perX += opposite.y * pull;
+        perY -= opposite.x * pull;
+    }
+    return {glm::vec2(perX), glm::vec2(perY)};
+}
+
 } // namespace rasterlens

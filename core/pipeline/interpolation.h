@@ -61,6 +61,11 @@ public:
     /// The first rules.varyingCount floats: sum of weight times the vertices' varyings.
     void varyings(const Weights& weights, Varyings& out) const;
 
+    /// The derivatives, at a sample, of the two varyings from `at` on.
+    ///
+    /// in   weights of that sample, on the screen and after perspective()
+    [[nodiscard]] UvGradient uvGradient(const Weights& screen, const Weights& weights, std::size_t at) const;
+
     [[nodiscard]] const ScreenTriangle& triangle() const { return *m_triangle; }
 
 private:

@@ -29,10 +29,49 @@ int wrapTexel(double texel, int size)
     return wrapped >= 0 && wrapped < size ? static_cast<int>(wrapped) : 0;
 }
 
-glm::vec3 texelColor(const Texture& texture, int x, int y)
+/// A texture or one of its mip levels.
+struct TexelView {
+    const std::uint32_t* texels;
+    int width;
+    int height;
+
+    [[nodiscard]] glm::vec3 at(int x, int y) const { return unpackColor(texels[std::ptrdiff_t(y) * width + x]); }
+};
+
+glm::vec3 nearestTexel(const TexelView& view, const glm::vec2& uv)
 {
-    return unpackColor(texture.texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(texture.width) +
-                                      static_cast<std::size_t>(x)]);
+    return view.at(wrapTexel(std::floor(double(uv.x) * view.width), view.width),
+                   wrapTexel(std::floor(double(uv.y) * view.height), view.height));
+}
+
+/// A blend of the four texel centres around the point.
+glm::vec3 bilinear(const TexelView& view, const glm::vec2& uv)
+{
+    const double u = double(uv.x) * view.width - 0.5;
+    const double v = double(uv.y) * view.height - 0.5;
+    const double left = std::floor(u);
+    const double below = std::floor(v);
+    const float s = static_cast<float>(u - left);
+    const float t = static_cast<float>(v - below);
+    const int x0 = wrapTexel(left, view.width);
+    const int x1 = wrapTexel(left + 1, view.width);
+    const int y0 = wrapTexel(below, view.height);
+    const int y1 = wrapTexel(below + 1, view.height);
+    return glm::mix(glm::mix(view.at(x0, y0), view.at(x1, y0), s), glm::mix(view.at(x0, y1), view.at(x1, y1), s), t);
+}
+
+/// A blend of the two mip levels between which the samples lie as close as texels.
+glm::vec3 trilinear(const Texture& texture, const glm::vec2& uv, const UvGradient& gradient)
+{
+    const MipLevels& mips = texture.mips.of(texture);
+    const auto last = static_cast<int>(mips.levels.size()) - 1;
+    const float level = std::min(mipLevel(texture, gradient), static_cast<float>(last));
+    const auto finer = static_cast<int>(level);
+    const auto sample = [&](int l) {
+        const MipLevels::Level& m = mips.levels[static_cast<std::size_t>(l)];
+        return bilinear({mips.texels.data() + m.first, m.width, m.height}, uv);
+    };
+    return glm::mix(sample(finer), sample(std::min(finer + 1, last)), level - static_cast<float>(finer));
 }
 
 glm::vec3 faceNormal(const Mesh& mesh, std::uint32_t face)
@@ -45,11 +84,12 @@ glm::vec3 faceNormal(const Mesh& mesh, std::uint32_t face)
     return length > 0 ? normal / length : glm::vec3(0, 0, 1);
 }
 
-glm::vec3 phong(const Rules& rules, const FaceUniforms& uniforms, const Varyings& v, const glm::vec3& eyeWorld)
+glm::vec3 phong(const Rules& rules, const FaceUniforms& uniforms, const Varyings& v, const glm::vec3& eyeWorld,
+                const UvGradient& gradient)
 {
     glm::vec3 color = get(v, kVaryingColor);
     if (uniforms.texture != nullptr)
-        color *= sampleTexture(*uniforms.texture, {v[kVaryingUv], v[kVaryingUv + 1]}, rules.textureFilter);
+        color *= sampleTexture(*uniforms.texture, {v[kVaryingUv], v[kVaryingUv + 1]}, rules.textureFilter, gradient);
     if (!rules.lit)
         return color;
     const glm::vec3 normal = glm::normalize(get(v, kVaryingNormal));
@@ -142,14 +182,14 @@ FaceUniforms faceUniforms(const Scene& scene, std::uint32_t face, Shading shadin
 }
 
 std::uint32_t shadeFragment(const Rules& rules, const FaceUniforms& uniforms, const Varyings& v, float depth,
-                            const glm::vec3& eyeWorld)
+                            const glm::vec3& eyeWorld, const UvGradient& gradient)
 {
     switch (rules.shading) {
     case Shading::Gouraud: return packColor(get(v, kVaryingColor));
     case Shading::Texture:
-        return packColor(get(v, kVaryingColor) *
-                         sampleTexture(*uniforms.texture, {v[kVaryingUv], v[kVaryingUv + 1]}, rules.textureFilter));
-    case Shading::Phong: return packColor(phong(rules, uniforms, v, eyeWorld));
+        return packColor(get(v, kVaryingColor) * sampleTexture(*uniforms.texture, {v[kVaryingUv], v[kVaryingUv + 1]},
+                                                               rules.textureFilter, gradient));
+    case Shading::Phong: return packColor(phong(rules, uniforms, v, eyeWorld, gradient));
     case Shading::Depth: return packColor(glm::vec3(depth));
     case Shading::Normals: return packColor(0.5F * glm::normalize(get(v, 0)) + 0.5F);
     case Shading::Uv: return packColor({v[0] - std::floor(v[0]), v[1] - std::floor(v[1]), 0});
@@ -174,23 +214,25 @@ glm::vec3 unpackColor(std::uint32_t color)
     return glm::vec3(float(color >> 16 & 255U), float(color >> 8 & 255U), float(color & 255U)) * (1.0F / 255.0F);
 }
 
-glm::vec3 sampleTexture(const Texture& texture, const glm::vec2& uv, TextureFilter filter)
+glm::vec3 sampleTexture(const Texture& texture, const glm::vec2& uv, TextureFilter filter, const UvGradient& gradient)
 {
-    const double u = double(uv.x) * texture.width;
-    const double v = double(uv.y) * texture.height;
-    if (filter == TextureFilter::Nearest)
-        return texelColor(texture, wrapTexel(std::floor(u), texture.width), wrapTexel(std::floor(v), texture.height));
-    // The four texel centres around the point.
-    const double left = std::floor(u - 0.5);
-    const double below = std::floor(v - 0.5);
-    const float s = static_cast<float>(u - 0.5 - left);
-    const float t = static_cast<float>(v - 0.5 - below);
-    const int x0 = wrapTexel(left, texture.width);
-    const int x1 = wrapTexel(left + 1, texture.width);
-    const int y0 = wrapTexel(below, texture.height);
-    const int y1 = wrapTexel(below + 1, texture.height);
-    return glm::mix(glm::mix(texelColor(texture, x0, y0), texelColor(texture, x1, y0), s),
-                    glm::mix(texelColor(texture, x0, y1), texelColor(texture, x1, y1), s), t);
+    const TexelView view{texture.texels.data(), texture.width, texture.height};
+    switch (filter) {
+    case TextureFilter::Nearest: return nearestTexel(view, uv);
+    case TextureFilter::Bilinear: return bilinear(view, uv);
+    case TextureFilter::Trilinear: break;
+    }
+    return trilinear(texture, uv, gradient);
+}
+
+float mipLevel(const Texture& texture, const UvGradient& gradient)
+{
+    const auto squaredTexels = [&](const glm::vec2& step) {
+        const glm::vec2 texels = step * glm::vec2(texture.width, texture.height);
+        return texels.x * texels.x + texels.y * texels.y;
+    };
+    const float squared = std::max(squaredTexels(gradient.perX), squaredTexels(gradient.perY));
+    return squared > 1 ? 0.5F * std::log2(squared) : 0.0F;
 }
 
 std::uint32_t colorOfId(std::uint32_t id)

@@ -40,18 +40,31 @@ struct FaceUniforms {
 
 [[nodiscard]] FaceUniforms faceUniforms(const Scene& scene, std::uint32_t face, Shading shading);
 
+/// Whether this face's colours depend on the gradient.
+[[nodiscard]] inline bool needsUvGradient(const Rules& rules, const FaceUniforms& uniforms)
+{
+    return rules.textureFilter == TextureFilter::Trilinear && uniforms.texture != nullptr;
+}
+
 /// A fragment's colour as 0xffRRGGBB.
 ///
-/// in   varyings as the shading lays them out; depth 0..1; eye in world space (phong)
+/// in   varyings as the shading lays them out; depth 0..1; eye in world space (phong); the gradient if it is needed
 [[nodiscard]] std::uint32_t shadeFragment(const Rules& rules, const FaceUniforms& uniforms, const Varyings& varyings,
-                                          float depth, const glm::vec3& eyeWorld);
+                                          float depth, const glm::vec3& eyeWorld, const UvGradient& gradient = {});
 
 /// round(255 * clamp(c, 0, 1)) for each channel; NaN gives 0.
 [[nodiscard]] std::uint32_t packColor(const glm::vec3& color);
 [[nodiscard]] glm::vec3 unpackColor(std::uint32_t color);
 
 /// The texture's colour at uv; coordinates repeat.
-[[nodiscard]] glm::vec3 sampleTexture(const Texture& texture, const glm::vec2& uv, TextureFilter filter);
+///
+/// in   the gradient for trilinear only
+[[nodiscard]] glm::vec3 sampleTexture(const Texture& texture, const glm::vec2& uv, TextureFilter filter,
+                                      const UvGradient& gradient = {});
+
+/// The mip level whose texels are as far apart as the samples: log2 of the texels that the longer of the two steps
+/// goes past, at least 0.
+[[nodiscard]] float mipLevel(const Texture& texture, const UvGradient& gradient);
 
 /// A colour that differs for neighbouring numbers: what random-flat and triangle-id show.
 [[nodiscard]] std::uint32_t colorOfId(std::uint32_t id);

@@ -56,6 +56,12 @@ struct ScreenTriangle {
 /// Screen-space barycentric weights of the vertices A, B, C; they sum to 1.
 using Weights = std::array<double, 3>;
 
+/// How texture coordinates change from a sample to its neighbours.
+struct UvGradient {
+    glm::vec2 perX{0, 0}; ///< to the right
+    glm::vec2 perY{0, 0}; ///< down
+};
+
 /// What became of a face. Every submitted face has exactly one fate.
 enum class FaceFate { Rejected, CulledBack, CulledFront, Degenerate, NonFinite, Rasterized };
 

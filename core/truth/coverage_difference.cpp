@@ -50,14 +50,25 @@ struct ErrorSum {
         ++count;
     }
     [[nodiscard]] double mean() const { return count > 0 ? sum / static_cast<double>(count) : 0; }
-    [[nodiscard]] double psnrDb() const
-    {
-        constexpr double kPeak = 255;
-        if (squares == 0)
-            return std::numeric_limits<double>::infinity();
-        return 10 * std::log10(kPeak * kPeak * static_cast<double>(count) / squares);
-    }
+    [[nodiscard]] double meanSquare() const { return count > 0 ? squares / static_cast<double>(count) : 0; }
 };
+
+constexpr double kPeak = 255;
+
+double psnrFromMeanSquare(double meanSquare)
+{
+    return meanSquare == 0 ? std::numeric_limits<double>::infinity() : 10 * std::log10(kPeak * kPeak / meanSquare);
+}
+
+double meanSquareFromPsnr(double psnrDb) { return kPeak * kPeak * std::pow(10, -psnrDb / 10); }
+
+/// The mean of two means over so many values.
+double joinedMean(double a, std::uint64_t countA, double b, std::uint64_t countB)
+{
+    const auto weightA = static_cast<double>(countA);
+    const auto weightB = static_cast<double>(countB);
+    return countA + countB == 0 ? 0 : (a * weightA + b * weightB) / (weightA + weightB);
+}
 
 void count(CoverageDifference& result, PixelVerdict verdict)
 {
@@ -113,21 +124,41 @@ CoverageDifference coverageDifference(const Frame& rendered, const ExactFrame& t
             if (sameFace && truth.depthTested && !rendered.depth.empty())
                 depth.add(std::abs(static_cast<double>(rendered.depth[pixel]) - truth.depth[sample]));
             const glm::dvec3 shown(qRed(line[x]), qGreen(line[x]), qBlue(line[x]));
-            const glm::dvec3 error = glm::abs(shown - 255.0 * truth.pixelColor(x, y, background));
+            const glm::dvec3 exact = 255.0 * truth.pixelColor(x, y, background);
             for (int channel = 0; channel < 3; ++channel) {
-                picture.add(error[channel]);
+                picture.add(shown[channel] - std::floor(exact[channel] + 0.5));
                 if (sameFace)
-                    color.add(error[channel]);
+                    color.add(std::abs(shown[channel] - exact[channel]));
             }
         }
     }
     result.pixels = result.verdicts.size();
+    result.depthsCompared = depth.count;
+    result.colorsCompared = color.count / 3;
     result.depthMax = depth.max;
     result.depthMean = depth.mean();
     result.colorMax = color.max;
     result.colorMean = color.mean();
-    result.psnrDb = picture.psnrDb();
+    result.psnrDb = psnrFromMeanSquare(picture.meanSquare());
     return result;
+}
+
+CoverageDifference joined(const CoverageDifference& a, const CoverageDifference& b)
+{
+    CoverageDifference sum;
+    for (const auto member :
+         {&CoverageDifference::pixels, &CoverageDifference::covered, &CoverageDifference::missing,
+          &CoverageDifference::extra, &CoverageDifference::hitTwice, &CoverageDifference::hitLess,
+          &CoverageDifference::neverHit, &CoverageDifference::otherFace, &CoverageDifference::tolerated,
+          &CoverageDifference::depthsCompared, &CoverageDifference::colorsCompared})
+        sum.*member = a.*member + b.*member;
+    sum.depthMax = std::max(a.depthMax, b.depthMax);
+    sum.depthMean = joinedMean(a.depthMean, a.depthsCompared, b.depthMean, b.depthsCompared);
+    sum.colorMax = std::max(a.colorMax, b.colorMax);
+    sum.colorMean = joinedMean(a.colorMean, a.colorsCompared, b.colorMean, b.colorsCompared);
+    sum.psnrDb =
+        psnrFromMeanSquare(joinedMean(meanSquareFromPsnr(a.psnrDb), a.pixels, meanSquareFromPsnr(b.psnrDb), b.pixels));
+    return sum;
 }
 
 double legalBandPixels(QSize size)

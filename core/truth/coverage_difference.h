@@ -34,11 +34,14 @@ struct CoverageDifference {
     std::uint64_t otherFace = 0; ///< OtherFace
     std::uint64_t tolerated = 0; ///< of all these: closer to a true edge than the band allows, hence counted as right
 
+    std::uint64_t depthsCompared = 0; ///< pixels
+    std::uint64_t colorsCompared = 0; ///< pixels
+
     double depthMax = 0;  ///< depth units
     double depthMean = 0; ///< depth units
     double colorMax = 0;  ///< 8-bit steps away from the exact colour; 0.5 is what rounding alone may do
     double colorMean = 0; ///< 8-bit steps, mean over the channels
-    double psnrDb = 0;    ///< over all pixels, background too; infinite for equal pictures
+    double psnrDb = 0;    ///< of the picture against the truth rounded to 8 bits, all pixels; infinite: equal
 
     [[nodiscard]] std::uint64_t wrong() const { return missing + extra + hitTwice + hitLess + otherFace; }
 };
@@ -53,6 +56,10 @@ struct CoverageDifference {
 ///         needs edgeDistance
 [[nodiscard]] CoverageDifference coverageDifference(const Frame& rendered, const ExactFrame& truth,
                                                     glm::vec3 background, double bandPixels = 0);
+
+/// The difference of a picture from those of two windows that share no pixel. Without verdicts; a crack is one within
+/// its window.
+[[nodiscard]] CoverageDifference joined(const CoverageDifference& a, const CoverageDifference& b);
 
 /// The band within which a rasterizer that snaps to 1/256 pixel may differ from the unsnapped truth: half the diagonal
 /// of the snapping grid, and float32 noise of the viewport transform.

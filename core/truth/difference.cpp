@@ -77,7 +77,7 @@ Difference difference(const QImage& a, const QImage& b)
 
 std::span<const HeatClass> heatScale() { return kHeatScale; }
 
-QImage heatMap(const QImage& a, const QImage& b)
+QImage heatMap(const QImage& a, const QImage& b, int amplification)
 {
     assert(a.size() == b.size());
     const QImage left = a.convertToFormat(QImage::Format_RGB32);
@@ -86,7 +86,7 @@ QImage heatMap(const QImage& a, const QImage& b)
     for (int y = 0; y < heat.height(); ++y) {
         auto* out = reinterpret_cast<QRgb*>(heat.scanLine(y));
         for (int x = 0; x < heat.width(); ++x)
-            out[x] = heatColor(steps(row(left, y)[x], row(right, y)[x]).max(), row(left, y)[x]);
+            out[x] = heatColor(amplification * steps(row(left, y)[x], row(right, y)[x]).max(), row(left, y)[x]);
     }
     return heat;
 }

@@ -34,8 +34,8 @@ struct HeatClass {
 /// Where two pictures differ: a pixel that differs has the colour of its class, so that a single step is as easy to
 /// find as a wrong pixel; all others show `a` as a dark grey.
 ///
-/// in      pictures of one size, any format
+/// in      pictures of one size, any format; `amplification`, at least 1, multiplies the steps before they are classed
 /// out     Format_RGB32
-[[nodiscard]] QImage heatMap(const QImage& a, const QImage& b);
+[[nodiscard]] QImage heatMap(const QImage& a, const QImage& b, int amplification = 1);
 
 } // namespace rasterlens

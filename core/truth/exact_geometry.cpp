@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
+#include <utility>
 
 namespace mp = boost::multiprecision;
 
@@ -206,6 +208,60 @@ std::int64_t doubledArea(std::span<const Snapped> polygon)
         sum += a.x * b.y - b.x * a.y;
     }
     return sum;
+}
+
+namespace
+{
+
+/// Positive where a, b, c run clockwise on the screen (y down).
+std::int64_t turn(const Snapped& a, const Snapped& b, const Snapped& c)
+{
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+} // namespace
+
+bool isFolded(std::span<const Snapped> polygon, int sign)
+{
+    const std::size_t n = polygon.size();
+    for (const Snapped& eye : polygon) {
+        bool seesAll = true;
+        for (std::size_t i = 0; i < n && seesAll; ++i)
+            seesAll = turn(eye, polygon[i], polygon[(i + 1) % n]) * sign >= 0;
+        if (seesAll)
+            return false;
+    }
+    return true;
+}
+
+std::vector<std::size_t> hullCorners(std::span<const Snapped> polygon, int sign)
+{
+    const auto before = [&](std::size_t a, std::size_t b) {
+        return std::pair(polygon[a].x, polygon[a].y) < std::pair(polygon[b].x, polygon[b].y);
+    };
+    const auto distance = [&](std::size_t a, std::size_t b) {
+        return std::abs(polygon[a].x - polygon[b].x) + std::abs(polygon[a].y - polygon[b].y);
+    };
+    std::size_t leftmost = 0;
+    for (std::size_t i = 1; i < polygon.size(); ++i)
+        if (before(i, leftmost))
+            leftmost = i;
+    // gift wrapping: from corner to corner, always the one that leaves all others on the inside; of several in line
+    // the farthest
+    std::vector<std::size_t> hull;
+    std::size_t corner = leftmost;
+    do {
+        hull.push_back(corner);
+        std::size_t next = corner;
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const std::int64_t side = turn(polygon[corner], polygon[next], polygon[i]) * sign;
+            if (distance(corner, i) > 0 &&
+                (next == corner || side < 0 || (side == 0 && distance(corner, i) > distance(corner, next))))
+                next = i;
+        }
+        corner = next;
+    } while (distance(corner, leftmost) > 0);
+    return hull;
 }
 
 std::vector<Columns> windingColumns(std::span<const Snapped> polygon, int sign, int row, Columns columns,

@@ -122,6 +122,12 @@ struct Snapped {
 /// Twice the area; positive where the polygon runs clockwise on the screen (y down).
 [[nodiscard]] std::int64_t doubledArea(std::span<const Snapped> polygon);
 
+/// Whether snapping has folded a polygon over itself so far that no corner sees all of it. in: sign of its area
+[[nodiscard]] bool isFolded(std::span<const Snapped> polygon, int sign);
+
+/// The corners of the convex hull in the sense of the sign, from the leftmost (of those the topmost) on.
+[[nodiscard]] std::vector<std::size_t> hullCorners(std::span<const Snapped> polygon, int sign);
+
 /// The columns of one row of samples where the polygon winds round the sample in the sense of its area.
 [[nodiscard]] std::vector<Columns> windingColumns(std::span<const Snapped> polygon, int sign, int row, Columns columns,
                                                   const Lattice& lattice);

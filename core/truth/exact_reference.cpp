@@ -5,11 +5,14 @@
 #include "core/truth/edge_distance.h"
 #include "core/truth/exact_geometry.h"
 
+#include <QRect>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace rasterlens
 {
@@ -314,7 +317,21 @@ private:
             noteEdges(unsnapped);
         if (refused(sign))
             return;
+        if (isFolded(polygon, sign)) {
+            const std::vector<std::size_t> hull = hullCorners(polygon, sign);
+            screen = picked(screen, hull);
+            polygon = picked(polygon, hull);
+        }
         drawPolygon(screen, polygon, sign, static_cast<std::int32_t>(triangle.face));
+    }
+
+    template <class Value>
+    static std::vector<Value> picked(const std::vector<Value>& values, const std::vector<std::size_t>& indices)
+    {
+        std::vector<Value> result;
+        for (const std::size_t i : indices)
+            result.push_back(values[i]);
+        return result;
     }
 
     [[nodiscard]] std::vector<ScreenCorner> screenPolygon(const std::vector<Corner>& clipped,
@@ -426,6 +443,15 @@ bool isFinite(const ClipTriangle& triangle)
     return true;
 }
 
+/// The part of a window that a viewport shows, if it shows any.
+std::optional<PixelRect> visiblePart(const PixelRect& window, QSize size)
+{
+    const QRect visible = QRect(window.x, window.y, window.width, window.height) & QRect({0, 0}, size);
+    if (visible.isEmpty())
+        return std::nullopt;
+    return PixelRect{visible.x(), visible.y(), visible.width(), visible.height()};
+}
+
 ExactFrame emptyFrame(const ExactOptions& options)
 {
     ExactFrame frame;
@@ -464,11 +490,13 @@ glm::dvec3 ExactFrame::pixelColor(int x, int y, glm::vec3 background) const
     return sum / static_cast<double>(sampleGrid * sampleGrid);
 }
 
-ExactFrame exactReference(std::span<const ClipTriangle> triangles, const ExactOptions& options)
+ExactFrame exactReference(std::span<const ClipTriangle> triangles, const ExactOptions& options, std::stop_token stop)
 {
     ExactFrame frame = emptyFrame(options);
     Painter painter(options, frame);
     for (const ClipTriangle& triangle : triangles) {
+        if (stop.stop_requested())
+            break;
         if (isFinite(triangle))
             painter.draw(triangle);
         else
@@ -496,7 +524,7 @@ ExactOptions exactOptions(const Scene& scene, const Settings& settings)
     options.depthClear = static_cast<double>(rules.depthClear);
     options.depthFormat = settings.depthFormat;
     options.sampleGrid = rules.sampleGrid;
-    options.window = scene.window;
+    options.window = scene.window ? visiblePart(*scene.window, settings.size) : std::nullopt;
     return options;
 }
 
@@ -516,9 +544,9 @@ std::vector<ClipTriangle> exactTriangles(const Scene& scene, const Settings& set
     return triangles;
 }
 
-ExactFrame exactReference(const Scene& scene, const Settings& settings)
+ExactFrame exactReference(const Scene& scene, const Settings& settings, std::stop_token stop)
 {
-    return exactReference(exactTriangles(scene, settings), exactOptions(scene, settings));
+    return exactReference(exactTriangles(scene, settings), exactOptions(scene, settings), std::move(stop));
 }
 
 } // namespace rasterlens

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace rasterlens
@@ -72,8 +73,9 @@ struct ExactFrame {
 ///   the eye and lies in a face where the three 3x3 determinants have the sign of det[A B C] and z is within the range.
 ///   Sample centres are never on an x or y plane, so this equals clipping and then filling.
 /// - Snapped: exact clipping against the six planes, exact rounding, then the winding number of the snapped polygon
-///   along every row of samples. Snapping may dent a clipped polygon or cross its edges; it covers what it winds
-///   round in the sense of its area, so that faces sharing an edge still add up.
+///   along every row of samples. Snapping may dent a clipped polygon; it covers what it winds round in the sense of
+///   its area, so that faces sharing an edge still add up. One that is folded so far that no corner sees all of it
+///   covers its convex hull (docs/CONVENTIONS.md).
 /// - The top-left rule is a symbolic displacement of the sample by (e, e^2) right and down with an infinitesimal e:
 ///   no edge is ever classified.
 ///
@@ -86,21 +88,24 @@ struct ExactFrame {
 ///         faces over 256 x 256: 0.02 s for small ones, 0.8 s for 31 million covered samples. Edge distances cost
 ///         their length.
 /// exact   cover and id; depth to 1e-15; colour to some 1e-15 of the largest corner value
-/// errors  faces with a non-finite position are dropped and counted
+/// errors  faces with a non-finite position are dropped and counted; `stop` ends the work early and leaves an
+///         unfinished frame
 /// source  Olano & Greer, Triangle scan conversion using 2D homogeneous coordinates, Graphics Hardware 1997.
 ///         Numbers: Boost.Multiprecision cpp_int rather than GMP: headers only, nothing to ship or link, and with 512
 ///         bits in place common input allocates nothing, which is fast enough by the measurement above.
-[[nodiscard]] ExactFrame exactReference(std::span<const ClipTriangle> triangles, const ExactOptions& options);
+[[nodiscard]] ExactFrame exactReference(std::span<const ClipTriangle> triangles, const ExactOptions& options,
+                                        std::stop_token stop = {});
 
 /// What these settings ought to draw: z-buffer visibility, the top-left rule, culling by the snapped area and correct
 /// rules whatever the settings say about algorithm, clipping, visibility, ties, interpolation and mistakes. Vertices
-/// snap for NumberType::Fixed unless the scene is `exact`; the window is that of the scene.
+/// snap for NumberType::Fixed unless the scene is `exact`; the window is that
+/// of the scene, as far as the viewport shows it.
 [[nodiscard]] ExactOptions exactOptions(const Scene& scene, const Settings& settings);
 
 /// The faces of a scene as the vertex stage hands them on, with Gouraud colours.
 [[nodiscard]] std::vector<ClipTriangle> exactTriangles(const Scene& scene, const Settings& settings);
 
 /// The truth about a scene.
-[[nodiscard]] ExactFrame exactReference(const Scene& scene, const Settings& settings);
+[[nodiscard]] ExactFrame exactReference(const Scene& scene, const Settings& settings, std::stop_token stop = {});
 
 } // namespace rasterlens

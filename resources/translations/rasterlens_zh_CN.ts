@@ -48,8 +48,8 @@
         <translation>这种着色不读取插值属性。</translation>
     </message>
     <message>
-        <source>Only texture shading reads texels.</source>
-        <translation>只有纹理着色才读取纹素。</translation>
+        <source>Only texture and Phong shading read texels.</source>
+        <translation>只有纹理着色和 Phong 着色才读取纹素。</translation>
     </message>
     <message>
         <source>Only the tiled algorithm uses threads.</source>
@@ -341,6 +341,33 @@
     <message>
         <source>With a guard band the triangle is not clipped; the bounding box alone keeps it on the screen.</source>
         <translation>有保护带时三角形不被裁剪；只靠包围盒把它留在屏幕内。</translation>
+    </message>
+</context>
+<context>
+    <name>Experiment</name>
+    <message>
+        <source>wrong pixels: missing, extra or hit twice</source>
+        <translation>错误像素：缺失、多余或重复覆盖</translation>
+    </message>
+    <message>
+        <source>largest depth error</source>
+        <translation>最大深度误差</translation>
+    </message>
+    <message>
+        <source>colour error, root mean square, 8-bit steps</source>
+        <translation>颜色误差（均方根，8 位级差）</translation>
+    </message>
+    <message>
+        <source>ns per covered pixel</source>
+        <translation>纳秒/被覆盖像素</translation>
+    </message>
+    <message>
+        <source>million triangles a second</source>
+        <translation>每秒百万三角形</translation>
+    </message>
+    <message>
+        <source>no other is better in both</source>
+        <translation>没有别的变体两方面都更好</translation>
     </message>
 </context>
 <context>
@@ -1611,10 +1638,6 @@
         <translation>纹理过滤</translation>
     </message>
     <message>
-        <source>The nearest texel, or a blend of the four around the point.</source>
-        <translation>取最近的纹素，或混合周围四个纹素。</translation>
-    </message>
-    <message>
         <source>Threads</source>
         <translation>线程数</translation>
     </message>
@@ -1629,6 +1652,14 @@
     <message>
         <source>The instruction set of the tiled algorithm.</source>
         <translation>分块算法使用的指令集。</translation>
+    </message>
+    <message>
+        <source>Bilinear with mipmaps</source>
+        <translation>双线性与 mipmap</translation>
+    </message>
+    <message>
+        <source>The nearest texel, a blend of the four around the point, or such blends in mipmaps: smaller copies of the texture that keep distant patterns calm.</source>
+        <translation>取最近的纹素、混合周围四个纹素，或在 mipmap（纹理的缩小副本）中作同样的混合，使远处的图案不闪烁。</translation>
     </message>
 </context>
 <context>
@@ -1652,54 +1683,6 @@
     <message>
         <source>Wholly outside the view volume.</source>
         <translation>完全在视景体之外。</translation>
-    </message>
-    <message>
-        <source>clipped</source>
-        <translation>被裁剪</translation>
-    </message>
-    <message>
-        <source>Cut by at least one plane.</source>
-        <translation>至少被一个平面切割。</translation>
-    </message>
-    <message>
-        <source>created by clipping</source>
-        <translation>裁剪生成</translation>
-    </message>
-    <message>
-        <source>Triangles drawn for the cut faces.</source>
-        <translation>为被切割的面而画的三角形。</translation>
-    </message>
-    <message>
-        <source>culled, back</source>
-        <translation>剔除（背面）</translation>
-    </message>
-    <message>
-        <source>Turned away from us.</source>
-        <translation>背对我们。</translation>
-    </message>
-    <message>
-        <source>culled, front</source>
-        <translation>剔除（正面）</translation>
-    </message>
-    <message>
-        <source>Turned towards us.</source>
-        <translation>面向我们。</translation>
-    </message>
-    <message>
-        <source>degenerate</source>
-        <translation>退化</translation>
-    </message>
-    <message>
-        <source>Without area after snapping.</source>
-        <translation>对齐后面积为零。</translation>
-    </message>
-    <message>
-        <source>not finite</source>
-        <translation>非有限值</translation>
-    </message>
-    <message>
-        <source>A corner is infinite or not a number.</source>
-        <translation>某个顶点是无穷大或不是数。</translation>
     </message>
     <message>
         <source>rasterized</source>
@@ -1770,28 +1753,28 @@
         <translation>在公共边上被两个面同时覆盖：左上规则下为 0。</translation>
     </message>
     <message>
-        <source>vertices</source>
-        <translation>顶点</translation>
+        <source>clipped · into pieces</source>
+        <translation>被裁剪 · 裁成</translation>
     </message>
     <message>
-        <source>geometry</source>
-        <translation>几何</translation>
+        <source>Cut by at least one plane, and the triangles drawn for the cut faces.</source>
+        <translation>至少被一个平面裁剪的面，以及为它们绘制的三角形。</translation>
     </message>
     <message>
-        <source>rasterization</source>
-        <translation>光栅化</translation>
+        <source>culled: back · front</source>
+        <translation>剔除：背面 · 正面</translation>
     </message>
     <message>
-        <source>frame</source>
-        <translation>整帧</translation>
+        <source>Turned away from us, and turned towards us.</source>
+        <translation>背向我们的，与朝向我们的。</translation>
     </message>
     <message>
-        <source>Frames per second: counted while frames keep coming, else what the last frame&apos;s time allows.</source>
-        <translation>每秒帧数：连续出帧时为实际计数，否则按上一帧的用时推算。</translation>
+        <source>no area · not finite</source>
+        <translation>无面积 · 非有限</translation>
     </message>
     <message>
-        <source>Milliseconds</source>
-        <translation>毫秒</translation>
+        <source>Without area after snapping, and with a corner that is infinite or not a number.</source>
+        <translation>对齐后没有面积的，与有顶点为无穷大或非数的。</translation>
     </message>
 </context>
 <context>
@@ -1964,6 +1947,41 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::CaseBrowser</name>
+    <message>
+        <source>A click opens a case in the lens, with its wrong pixels glowing; a click on a sign opens it with that variant.</source>
+        <translation>点击案例即在透镜中打开，错误像素会发光；点击某个符号则以该变体打开。</translation>
+    </message>
+    <message>
+        <source>What must hold:</source>
+        <translation>必须成立：</translation>
+    </message>
+    <message>
+        <source>%1 of %2 drawn, in %3 a variant fails</source>
+        <translation>已画 %1/%2，其中 %3 个有变体失败</translation>
+    </message>
+    <message>
+        <source>%1 of %2 cases listed, in %3 a variant fails</source>
+        <translation>列出 %1/%2 个案例，%3 个有变体失败</translation>
+    </message>
+    <message>
+        <source>Filter by name, note or expectation</source>
+        <translation>按名称、说明或期望筛选</translation>
+    </message>
+    <message>
+        <source>Only where a variant fails</source>
+        <translation>只看有变体失败的</translation>
+    </message>
+    <message>
+        <source>✓ passes, ≈ passes within what snapping or the depth format can tell, ✗ fails, – cannot be drawn</source>
+        <translation>✓ 通过，≈ 在对齐或深度格式所能分辨的范围内通过，✗ 失败，– 无法绘制</translation>
+    </message>
+    <message>
+        <source>Hard cases</source>
+        <translation>疑难案例</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::ClipTheatre</name>
     <message>
         <source>clip space: %1 across, w up</source>
@@ -2040,6 +2058,112 @@
     <message>
         <source>The coordinate that is drawn against w</source>
         <translation>与 w 对画的坐标</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::CompareBar</name>
+    <message>
+        <source>A and B have the same settings: change one, or pin A and go on</source>
+        <translation>A 与 B 的设置相同：改动一项，或固定 A 后继续</translation>
+    </message>
+    <message>
+        <source>no mistakes</source>
+        <translation>没有错误</translation>
+    </message>
+    <message>
+        <source>scene&apos;s own</source>
+        <translation>场景设定</translation>
+    </message>
+    <message>
+        <source>pinned</source>
+        <translation>已固定</translation>
+    </message>
+    <message>
+        <source>Picture A</source>
+        <translation>画面 A</translation>
+    </message>
+    <message>
+        <source>Picture A; B is always the present one</source>
+        <translation>画面 A；B 始终是当前画面</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>固定</translation>
+    </message>
+    <message>
+        <source>Keep the present settings as A (A)</source>
+        <translation>把当前设置固定为 A（A）</translation>
+    </message>
+    <message>
+        <source>Exchange A and B (Shift+A)</source>
+        <translation>交换 A 与 B（Shift+A）</translation>
+    </message>
+    <message>
+        <source>Wipe</source>
+        <translation>划分</translation>
+    </message>
+    <message>
+        <source>A left of the line, B right of it; drag the line (S)</source>
+        <translation>线左为 A，线右为 B；可拖动这条线（S）</translation>
+    </message>
+    <message>
+        <source>Blink</source>
+        <translation>闪烁</translation>
+    </message>
+    <message>
+        <source>A and B in turn (B)</source>
+        <translation>A 与 B 轮流显示（B）</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>差异</translation>
+    </message>
+    <message>
+        <source>Where A and B differ, and how much (D)</source>
+        <translation>A 与 B 何处不同、相差多少（D）</translation>
+    </message>
+    <message>
+        <source>Stop comparing</source>
+        <translation>结束比较</translation>
+    </message>
+    <message>
+        <source>Amplification</source>
+        <translation>放大倍数</translation>
+    </message>
+    <message>
+        <source>Differences are multiplied by this before they are coloured</source>
+        <translation>差异先乘以此数再上色</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::Comparison</name>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>A cannot be drawn: %1</source>
+        <translation>无法绘制 A：%1</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for another picture of this size.</source>
+        <translation>内存不足，无法再画一幅这样大小的画面。</translation>
+    </message>
+    <message>
+        <source>drawing A …</source>
+        <translation>正在绘制 A……</translation>
+    </message>
+    <message>
+        <source>A and B are the same in all %1 pixels</source>
+        <translation>A 与 B 的全部 %1 个像素都相同</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pixels differ, by at most %3 of 255 steps · PSNR %4 dB</source>
+        <translation>%1 / %2 像素不同，最多 %3/255 级 · PSNR %4 dB</translation>
+    </message>
+    <message>
+        <source>Mistakes</source>
+        <translation>错误</translation>
     </message>
 </context>
 <context>
@@ -2135,6 +2259,116 @@
     <message>
         <source>Textbook: n .1, f 50, z 1..10</source>
         <translation>教科书：n .1, f 50, z 1..10</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::ExperimentModel</name>
+    <message>
+        <source>On the frontier: no other variant is at least as fast with less error</source>
+        <translation>在前沿上：没有别的变体误差更小且同样快</translation>
+    </message>
+    <message>
+        <source>Median, tenth and ninetieth percentile</source>
+        <translation>中位数，第 10 与第 90 百分位</translation>
+    </message>
+    <message>
+        <source>Variant</source>
+        <translation>变体</translation>
+    </message>
+    <message>
+        <source>ns per pixel</source>
+        <translation>纳秒/像素</translation>
+    </message>
+    <message>
+        <source>Mtri/s</source>
+        <translation>百万三角形/秒</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>误差</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::ExperimentPanel</name>
+    <message>
+        <source>%1 could not be written: %2</source>
+        <translation>无法写入 %1：%2</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Every variant of the pipeline on the present scene: how fast, and how far from the exact picture.</source>
+        <translation>在当前场景上测量管线的每个变体：有多快，离精确画面有多远。</translation>
+    </message>
+    <message>
+        <source>%1 · edge equation takes %2 times as long as edge walking here, 1.36 times in [002]</source>
+        <translation>%1 · 这里边函数用时是边步进的 %2 倍，[002] 中为 1.36 倍</translation>
+    </message>
+    <message>
+        <source>Loaded: %1</source>
+        <translation>已载入：%1</translation>
+    </message>
+    <message>
+        <source>Export the measurements</source>
+        <translation>导出测量结果</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>已写入：%1</translation>
+    </message>
+    <message>
+        <source>frames each</source>
+        <translation>帧/变体</translation>
+    </message>
+    <message>
+        <source>Frames of each variant that count; one more warms up</source>
+        <translation>每个变体计入的帧数；另有一帧预热</translation>
+    </message>
+    <message>
+        <source>Error: coverage</source>
+        <translation>误差：覆盖</translation>
+    </message>
+    <message>
+        <source>Error: depth</source>
+        <translation>误差：深度</translation>
+    </message>
+    <message>
+        <source>Error: colour</source>
+        <translation>误差：颜色</translation>
+    </message>
+    <message>
+        <source>Error of the horizontal axis</source>
+        <translation>横轴的误差</translation>
+    </message>
+    <message>
+        <source>ns per pixel</source>
+        <translation>纳秒/像素</translation>
+    </message>
+    <message>
+        <source>Mtri/s</source>
+        <translation>百万三角形/秒</translation>
+    </message>
+    <message>
+        <source>Speed of the vertical axis</source>
+        <translation>纵轴的速度</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>Double-click or Enter loads the variant</source>
+        <translation>双击或按回车载入该变体</translation>
+    </message>
+    <message>
+        <source>%1 · no variant has this error here: colours need Gouraud shading, depths a depth test</source>
+        <translation>%1 · 这里没有变体具有这种误差：颜色需要 Gouraud 着色，深度需要深度测试</translation>
     </message>
 </context>
 <context>
@@ -2665,6 +2899,38 @@
         <source>mistakes</source>
         <translation>错误</translation>
     </message>
+    <message>
+        <source>Fast drawing while the camera moves</source>
+        <translation>相机移动时快速绘制</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>exact referee</source>
+        <translation>精确裁判</translation>
+    </message>
+    <message>
+        <source>next wrong pixel</source>
+        <translation>下一个错误像素</translation>
+    </message>
+    <message>
+        <source>wipe between A and B</source>
+        <translation>在 A 与 B 之间划分</translation>
+    </message>
+    <message>
+        <source>blink A and B</source>
+        <translation>A 与 B 闪烁</translation>
+    </message>
+    <message>
+        <source>difference of A and B</source>
+        <translation>A 与 B 的差异</translation>
+    </message>
+    <message>
+        <source>pin A, exchange A and B</source>
+        <translation>固定 A，交换 A 与 B</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::MessageBar</name>
@@ -2815,6 +3081,45 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::NumberDial</name>
+    <message>
+        <source>1 unit = %1 px</source>
+        <translation>1 单位 = %1 像素</translation>
+    </message>
+    <message>
+        <source>step %1 px</source>
+        <translation>步长 %1 像素</translation>
+    </message>
+    <message>
+        <source>%1 of %2 bits, %3 left</source>
+        <translation>用 %1/%2 位，余 %3 位</translation>
+    </message>
+    <message>
+        <source>needs %1 bits, has %2</source>
+        <translation>需 %1 位，只有 %2 位</translation>
+    </message>
+    <message>
+        <source>float</source>
+        <translation>浮点</translation>
+    </message>
+    <message>
+        <source>fixed point, bits after the point</source>
+        <translation>定点数，小数位数</translation>
+    </message>
+    <message>
+        <source>Number dial: %1, %2</source>
+        <translation>数值转盘：%1，%2</translation>
+    </message>
+    <message>
+        <source>The numbers that decide which samples are inside. Up and Down turn the dial.</source>
+        <translation>决定哪些样本在内部的数值。按上、下键转动转盘。</translation>
+    </message>
+    <message>
+        <source>The bar shows the bits of the largest edge value on this picture: filled are those it needs; what does not fit into the number is rounded away, and samples close to an edge may be decided wrongly.</source>
+        <translation>横条表示此画面上最大边函数值的位数：填色部分是它所需的位；放不下的位会被舍入，靠近边的样本就可能判错。</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::PipelinePanel</name>
     <message>
         <source>&quot;%1&quot; is not a size. Write WIDTH x HEIGHT with 1 to %2 each.</source>
@@ -2849,6 +3154,14 @@
     <message>
         <source>Width and height of the picture, 1 to %1 each. The window only magnifies it.</source>
         <translation>图像的宽和高，各为 1 到 %1。窗口只负责放大显示。</translation>
+    </message>
+    <message>
+        <source>Where float32 fails</source>
+        <translation>float32 在哪里出错</translation>
+    </message>
+    <message>
+        <source>Opens a scene with float32 and has the referee check it</source>
+        <translation>用 float32 打开一个场景，并请裁判核对</translation>
     </message>
 </context>
 <context>
@@ -3060,10 +3373,123 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::Referee</name>
+    <message>
+        <source>not checked: these settings cannot be drawn</source>
+        <translation>未核对：这些设置无法绘制</translation>
+    </message>
+    <message>
+        <source>not checked: only filled triangles have a true coverage</source>
+        <translation>未核对：只有填充的三角形才有真实覆盖</translation>
+    </message>
+    <message>
+        <source>not checked: %1 samples, and memory is set aside for %2. Choose a smaller picture.</source>
+        <translation>未核对：共 %1 个样本，而内存只留给 %2 个。请选用更小的画面。</translation>
+    </message>
+    <message>
+        <source>checking …</source>
+        <translation>正在核对……</translation>
+    </message>
+    <message>
+        <source>none wrong of %1 samples</source>
+        <translation>%1 个样本全部正确</translation>
+    </message>
+    <message>
+        <source>none wrong of %1 pixels, judged by their middle samples</source>
+        <translation>%1 个像素全部正确（按中间的样本判定）</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>，</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples</source>
+        <translation>%1（共 %2 个样本）</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pixels, judged by their middle samples</source>
+        <translation>%1（共 %2 个像素，按中间的样本判定）</translation>
+    </message>
+    <message>
+        <source>depth off by at most %1</source>
+        <translation>深度误差不超过 %1</translation>
+    </message>
+    <message>
+        <source>colour by at most %1 of 255 steps</source>
+        <translation>颜色误差不超过 %1 级（共 255 级）</translation>
+    </message>
+    <message>
+        <source>%1 within %2 px of an edge let pass</source>
+        <translation>距边 %2 像素以内的 %1 个放行</translation>
+    </message>
+    <message>
+        <source>%1 right</source>
+        <translation>正确 %1</translation>
+    </message>
+    <message>
+        <source>%1 of another face</source>
+        <translation>别的面 %1</translation>
+    </message>
+    <message>
+        <source>%1 hit too seldom</source>
+        <translation>命中过少 %1</translation>
+    </message>
+    <message>
+        <source>%1 hit twice</source>
+        <translation>重复命中 %1</translation>
+    </message>
+    <message>
+        <source>%1 extra</source>
+        <translation>多余 %1</translation>
+    </message>
+    <message>
+        <source>%1 missing</source>
+        <translation>缺失 %1</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::RefereeBar</name>
+    <message>
+        <source>Referee</source>
+        <translation>裁判</translation>
+    </message>
+    <message>
+        <source>Every sample against the exact reference: integers of any length, no rounding anywhere</source>
+        <translation>每个样本都与精确参考对照：任意长整数，处处不舍入</translation>
+    </message>
+    <message>
+        <source>Next ›</source>
+        <translation>下一个 ›</translation>
+    </message>
+    <message>
+        <source>Show the next wrong pixel (Shift+V)</source>
+        <translation>显示下一个错误像素（Shift+V）</translation>
+    </message>
+    <message>
+        <source>Send the referee off (V)</source>
+        <translation>请裁判离场（V）</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::RenderWorker</name>
     <message>
         <source>There is not enough memory for a picture of this size.</source>
         <translation>内存不足，无法绘制这么大的图像。</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::RunExport</name>
+    <message>
+        <source>Writing the pictures…</source>
+        <translation>正在写入图片…</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Export a run of steps</source>
+        <translation>导出一段步骤</translation>
     </message>
 </context>
 <context>
@@ -3136,6 +3562,37 @@
         <source>Clip</source>
         <comment>short for clip space</comment>
         <translation>裁剪</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::StatisticsPanel</name>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 毫秒</translation>
+    </message>
+    <message>
+        <source>vertex %1 · geometry %2 · raster %3</source>
+        <translation>顶点 %1 · 几何 %2 · 光栅 %3</translation>
+    </message>
+    <message>
+        <source>Time of the last frame.</source>
+        <translation>最近一帧的时间。</translation>
+    </message>
+    <message>
+        <source>Milliseconds of the last frame in each part of the pipeline.</source>
+        <translation>最近一帧在流水线各部分所用的毫秒数。</translation>
+    </message>
+    <message>
+        <source>FPS, tiled</source>
+        <translation>FPS，分块算法</translation>
+    </message>
+    <message>
+        <source>Frames per second: counted while frames keep coming, else what the last frame&apos;s time allows. While the camera moves the tiled algorithm draws the same picture.</source>
+        <translation>每秒帧数：连续绘制时为实际计数，否则由最近一帧的时间推算。相机移动时由分块算法绘制同一画面。</translation>
+    </message>
+    <message>
+        <source>From a move to its picture on the screen: %1 ms, the median of %2.</source>
+        <translation>从移动到画面显示：%1 毫秒（%2 次的中位数）。</translation>
     </message>
 </context>
 <context>
@@ -3365,6 +3822,49 @@
     <message>
         <source>speed %1 ▾</source>
         <translation>速度 %1 ▾</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::TruthMode</name>
+    <message>
+        <source>&amp;Exact referee</source>
+        <translation>精确裁判(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Next wrong pixel</source>
+        <translation>下一个错误像素(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Wipe between A and B</source>
+        <translation>在 A 与 B 之间划分(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Blink A and B</source>
+        <translation>A 与 B 闪烁(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Difference of A and B</source>
+        <translation>A 与 B 的差异(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Pin the present settings as A</source>
+        <translation>把当前设置固定为 A(&amp;P)</translation>
+    </message>
+    <message>
+        <source>E&amp;xchange A and B</source>
+        <translation>交换 A 与 B(&amp;X)</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>比较(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Hard cases</source>
+        <translation>疑难案例</translation>
+    </message>
+    <message>
+        <source>Speed against error</source>
+        <translation>速度与误差</translation>
     </message>
 </context>
 <context>

@@ -139,10 +139,17 @@ void shadeExactly(const FrameJob& job, const VisibleTriangle& visible, const Blo
         const int y = origin.y + blockRow(share.block) * kBlockSide + lane / kBlockSide;
         const std::size_t at = std::size_t(share.block) * kLanes + std::size_t(lane);
         Varyings varyings;
-        if (job.rules.varyingCount > 0)
-            interpolation.varyings(interpolation.perspective(interpolation.weightsAt(x, y)), varyings);
+        UvGradient gradient;
+        if (job.rules.varyingCount > 0) {
+            const Weights screen = interpolation.weightsAt(x, y);
+            const Weights weights = interpolation.perspective(screen);
+            interpolation.varyings(weights, varyings);
+            if (needsUvGradient(job.rules, uniforms))
+                gradient = interpolation.uvGradient(screen, weights, kVaryingUv);
+        }
         const float depth = std::bit_cast<float>(samples.key[at] ^ depthFlip(job.rules.depthCompare));
-        samples.color[at] = shadeFragment(job.rules, uniforms, varyings, depth, glm::vec3(job.matrices.eyeWorld));
+        samples.color[at] =
+            shadeFragment(job.rules, uniforms, varyings, depth, glm::vec3(job.matrices.eyeWorld), gradient);
     }
 }
 

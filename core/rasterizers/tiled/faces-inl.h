@@ -6,11 +6,12 @@
 #define RASTERLENS_TILED_FACES_INL_H
 #endif
 
-#include "core/pipeline/interpolation.h"
 #include "core/rasterizers/tiled/exact_path.h"
 #include "core/rasterizers/tiled/kernels.h"
 #include "core/rasterizers/tiled/lanes-inl.h"
 #include "core/rasterizers/tiled/planes-inl.h"
+#include "core/rasterizers/tiled/setup-inl.h"
+#include "core/rasterizers/tiled/varyings-inl.h"
 #include "core/rasterizers/tiled/vertices-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -40,30 +41,6 @@ struct alignas(64) SetupQueue {
         count -= from;
     }
 };
-
-/// First and last sample along an axis whose centre lies between two positions, inside the target.
-struct SampleLanes {
-    HalfInts first;
-    HalfInts last;
-};
-
-HWY_INLINE SampleLanes SamplesBetween(HalfInts low, HalfInts high, int size)
-{
-    constexpr HalfIntTag tag;
-    return {hn::Max(hn::ShiftRight<8>(hn::Add(low, hn::Set(tag, kUnit / 2 - 1))), hn::Zero(tag)),
-            hn::Min(hn::ShiftRight<8>(hn::Sub(high, hn::Set(tag, kUnit / 2))), hn::Set(tag, size - 1))};
-}
-
-HWY_INLINE HalfInts Min3(HalfInts a, HalfInts b, HalfInts c) { return hn::Min(hn::Min(a, b), c); }
-HWY_INLINE HalfInts Max3(HalfInts a, HalfInts b, HalfInts c) { return hn::Max(hn::Max(a, b), c); }
-HWY_INLINE Doubles Min3(Doubles a, Doubles b, Doubles c) { return hn::Min(hn::Min(a, b), c); }
-HWY_INLINE Doubles Max3(Doubles a, Doubles b, Doubles c) { return hn::Max(hn::Max(a, b), c); }
-
-/// twiceArea() of positions in any unit.
-HWY_INLINE Doubles TwiceArea(Doubles abX, Doubles abY, Doubles acX, Doubles acY)
-{
-    return hn::Sub(hn::Mul(abY, acX), hn::Mul(abX, acY));
-}
 
 /// Corners of a batch of faces.
 struct alignas(64) FaceBatch {
@@ -139,137 +116,6 @@ inline void QueueOutsideFace(const FrameJob& job, Chunk& chunk, std::uint32_t fa
     }
 }
 
-/// The edge from one corner to the next, in units; c in 256ths of a unit, at the target's first sample.
-struct EdgeLanes {
-    HalfInts a, b;
-    Doubles c;
-};
-
-HWY_INLINE EdgeLanes MakeEdge(HalfInts fromX, HalfInts fromY, HalfInts toX, HalfInts toY, const Rules& rules)
-{
-    constexpr HalfIntTag tag;
-    constexpr DoubleTag wide;
-    const HalfInts a = hn::Sub(toY, fromY);
-    const HalfInts b = hn::Sub(fromX, toX);
-    const HalfInts zero = hn::Zero(tag);
-    const auto owner = hn::Or(hn::Gt(a, zero), hn::And(hn::Eq(a, zero), hn::Gt(b, zero)));
-    const Doubles threshold =
-        hn::PromoteTo(wide, hn::IfThenElse(owner, hn::Set(tag, rules.tie.owner), hn::Set(tag, rules.tie.other)));
-    const HalfInts half = hn::Set(tag, kUnit / 2);
-    const Doubles value = hn::Add(hn::Mul(hn::PromoteTo(wide, a), hn::PromoteTo(wide, hn::Sub(half, fromX))),
-                                  hn::Mul(hn::PromoteTo(wide, b), hn::PromoteTo(wide, hn::Sub(half, fromY))));
-    return {a, b, hn::Floor(hn::Mul(hn::Sub(value, threshold), hn::Set(wide, 1.0 / kUnit)))};
-}
-
-/// Rounds to a multiple of a power of two, as depthPlane() does.
-HWY_INLINE Doubles RoundTo(Doubles value, Doubles quantum)
-{
-    const Doubles magic = hn::Mul(quantum, hn::Set(DoubleTag(), 0x1.8p52));
-    return hn::Sub(hn::Add(value, magic), magic);
-}
-
-struct CornerLanes {
-    Doubles x, y, depth; ///< samples
-};
-
-struct PlaneLanes {
-    Doubles origin, perX, perY;
-    hn::Mask<DoubleTag> plane; ///< false: a needle
-};
-
-/// depthPlane(), operation by operation.
-HWY_INLINE PlaneLanes MakeDepthPlane(const CornerLanes& a, const CornerLanes& b, const CornerLanes& c,
-                                     Doubles inverseArea, const Rules& rules)
-{
-    constexpr DoubleTag tag;
-    const auto set = [](double value) HWY_ATTR { return hn::Set(DoubleTag(), value); };
-    const Doubles abX = hn::Sub(b.x, a.x);
-    const Doubles abY = hn::Sub(b.y, a.y);
-    const Doubles acX = hn::Sub(c.x, a.x);
-    const Doubles acY = hn::Sub(c.y, a.y);
-    const Doubles zb = hn::Sub(b.depth, a.depth);
-    const Doubles zc = hn::Sub(c.depth, a.depth);
-    const Doubles zcAbY = hn::Mul(zc, abY);
-    const Doubles zbAcY = hn::Mul(zb, acY);
-    const Doubles zbAcX = hn::Mul(zb, acX);
-    const Doubles zcAbX = hn::Mul(zc, abX);
-    const Doubles perX = hn::Mul(hn::Sub(zcAbY, zbAcY), inverseArea);
-    const Doubles perY = hn::Mul(hn::Sub(zbAcX, zcAbX), inverseArea);
-
-    const Doubles margin = set(kPlaneMargin);
-    const Doubles lowX = hn::Sub(hn::Max(Min3(a.x, b.x, c.x), set(0)), margin);
-    const Doubles lowY = hn::Sub(hn::Max(Min3(a.y, b.y, c.y), set(0)), margin);
-    const Doubles highX = hn::Add(hn::Min(Max3(a.x, b.x, c.x), set(rules.columns())), margin);
-    const Doubles highY = hn::Add(hn::Min(Max3(a.y, b.y, c.y), set(rules.rows())), margin);
-    const Doubles toOriginX = hn::Sub(set(0.5), a.x);
-    const Doubles toOriginY = hn::Sub(set(0.5), a.y);
-    const Doubles originAtZero = hn::Add(hn::Add(a.depth, hn::Mul(perX, toOriginX)), hn::Mul(perY, toOriginY));
-    const Doubles largest =
-        hn::Add(hn::Add(hn::Abs(originAtZero), hn::Mul(hn::Abs(perX), hn::Max(hn::Abs(highX), margin))),
-                hn::Mul(hn::Abs(perY), hn::Max(hn::Abs(highY), margin)));
-    // 2^(exponent - 51)
-    constexpr DoubleBitsTag bits;
-    const auto exponent =
-        hn::And(hn::BitCast(bits, hn::Max(largest, set(0x1p-900))), hn::Set(bits, std::int64_t(0x7ff) << 52));
-    const Doubles quantum = hn::BitCast(tag, hn::Sub(exponent, hn::Set(bits, std::int64_t(51) << 52)));
-    const Doubles extent = hn::Add(hn::Add(hn::Sub(highX, lowX), hn::Sub(highY, lowY)), set(1));
-    const Doubles products = hn::Add(hn::Add(hn::Add(hn::Abs(zcAbY), hn::Abs(zbAcY)), hn::Abs(zbAcX)), hn::Abs(zcAbX));
-    const Doubles steepness = hn::Mul(hn::Mul(products, hn::Abs(inverseArea)), set(0x1p-52));
-    const auto finite = hn::Le(largest, set(std::numeric_limits<double>::max()));
-    PlaneLanes plane;
-    plane.plane = hn::And(finite, hn::Lt(hn::Mul(hn::Add(quantum, steepness), extent), set(kPlaneError)));
-    plane.perX = RoundTo(perX, quantum);
-    plane.perY = RoundTo(perY, quantum);
-    plane.origin =
-        RoundTo(hn::Add(hn::Add(a.depth, hn::Mul(plane.perX, toOriginX)), hn::Mul(plane.perY, toOriginY)), quantum);
-    return plane;
-}
-
-/// Narrows the bounds of triangles of at most 4 x 4 samples to the rows and columns they cover, to nothing if they
-/// cover none: it is cheaper to find that out here, many at a time, than in the tiles.
-HWY_INLINE void NarrowBounds(const std::array<EdgeLanes, 3>& edges, SampleLanes& columns, SampleLanes& rows)
-{
-    constexpr HalfIntTag tag;
-    constexpr DoubleTag wide;
-    const HalfInts side = hn::Set(tag, kBlockSide);
-    const auto small =
-        hn::And(hn::Lt(hn::Sub(columns.last, columns.first), side), hn::Lt(hn::Sub(rows.last, rows.first), side));
-    if (hn::AllFalse(tag, small))
-        return;
-    std::array<HalfInts, 3> row;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Doubles corner =
-            hn::Add(edges[k].c, hn::Add(hn::Mul(hn::PromoteTo(wide, edges[k].a), hn::PromoteTo(wide, columns.first)),
-                                        hn::Mul(hn::PromoteTo(wide, edges[k].b), hn::PromoteTo(wide, rows.first))));
-        const Doubles limit = hn::Set(wide, double(kFarInside));
-        row[k] = hn::DemoteTo(tag, hn::Min(hn::Max(corner, hn::Neg(limit)), limit));
-    }
-    const HalfInts outside = hn::Set(tag, -1);
-    const HalfInts none = hn::Set(tag, kBlockSide);
-    HalfInts firstColumn = none, lastColumn = outside, firstRow = none, lastRow = outside;
-    for (int y = 0; y < kBlockSide; ++y) {
-        std::array<HalfInts, 3> e = row;
-        for (int x = 0; x < kBlockSide; ++x) {
-            const auto covered = hn::Gt(hn::Or3(e[0], e[1], e[2]), outside);
-            const HalfInts column = hn::Set(tag, x);
-            const HalfInts line = hn::Set(tag, y);
-            firstColumn = hn::IfThenElse(covered, hn::Min(firstColumn, column), firstColumn);
-            lastColumn = hn::IfThenElse(covered, hn::Max(lastColumn, column), lastColumn);
-            firstRow = hn::IfThenElse(covered, hn::Min(firstRow, line), firstRow);
-            lastRow = hn::IfThenElse(covered, line, lastRow);
-            for (std::size_t k = 0; k < 3; ++k)
-                e[k] = hn::Add(e[k], edges[k].a);
-        }
-        for (std::size_t k = 0; k < 3; ++k)
-            row[k] = hn::Add(row[k], edges[k].b);
-    }
-    // Samples beyond the target may be covered too.
-    columns = {hn::IfThenElse(small, hn::Add(columns.first, firstColumn), columns.first),
-               hn::Min(columns.last, hn::IfThenElse(small, hn::Add(columns.first, lastColumn), columns.last))};
-    rows = {hn::IfThenElse(small, hn::Add(rows.first, firstRow), rows.first),
-            hn::Min(rows.last, hn::IfThenElse(small, hn::Add(rows.first, lastRow), rows.last))};
-}
-
 /// A vector of triangles ready for the bins.
 struct alignas(64) SetupLanes {
     // Records as they are in the tile of the triangle's first sample: lane after lane, so many numbers each.
@@ -282,18 +128,21 @@ struct alignas(64) SetupLanes {
     std::array<std::int32_t, kDoubles> x0, y0, x1, y1;
     std::array<std::int32_t, kDoubles> column0, row0, column1, row1; ///< of tiles
     std::array<std::int32_t, kDoubles> tile;                         ///< of the first sample
+    std::array<std::uint32_t, kDoubles> varyings{};                  ///< numbers of VaryingPlanes
     std::uint32_t used;                                              ///< a bit for each lane whose bounds hold samples
     std::uint32_t alone;                                             ///< that lies in one tile
     std::uint32_t exact;                                             ///< that the fast path cannot draw
 
-    HWY_INLINE void copyTo(std::size_t lane, bool withColors, Chunk::Slot slot) const
+    HWY_INLINE void copyTo(std::size_t lane, const FrameJob& job, Chunk::Slot slot) const
     {
         TileTriangle& t = *slot.triangle;
         std::memcpy(&t.a, gradients.data() + 4 * lane, 4 * sizeof(std::int32_t));
         std::memcpy(&t.c, constants.data() + 4 * lane, 4 * sizeof(std::int32_t));
         std::memcpy(&t.source, depth.data() + 4 * lane, 4 * sizeof(double));
-        if (withColors)
+        if (job.interpolatesColor())
             colors.copyTo(lane, *slot.colors);
+        else
+            slot.colors->varyings = varyings[lane];
     }
 };
 
@@ -377,8 +226,50 @@ HWY_INLINE void StageColors(const FrameJob& job, const Chunk& chunk, const Setup
     }
 }
 
+/// Planes of any kCount varyings, for the lanes in use.
+template <std::size_t kCount>
+inline void SetUpVaryings(const FrameJob& job, Chunk& chunk, const SetupQueue& queue, std::size_t at,
+                          const PlaneGeometry& geometry, HalfInts anchorX, HalfInts anchorY, SetupLanes& lanes)
+{
+    VaryingStage<kCount> stage;
+    std::array<VaryingPlanes<kCount>*, kDoubles> out{};
+    for (std::uint32_t bits = lanes.used; bits != 0; bits &= bits - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+        const std::uint32_t source = queue.source[at + lane];
+        if (HWY_UNLIKELY((source & kPiece) != 0))
+            StagePieceVaryings(chunk.pieces[source & ~kPiece].triangle, lane, stage);
+        else
+            StageFaceVaryings(job, source, lane, stage);
+        lanes.varyings[lane] = chunk.varyingCount++;
+        out[lane] = &chunk.varyings<VaryingPlanes<kCount>>(lanes.varyings[lane]);
+    }
+    MakeVaryingPlanes(job.rules, geometry, stage, lanes.used, anchorX, anchorY, out);
+}
+
+/// What the shading interpolates.
+HWY_INLINE void SetUpPlanes(const FrameJob& job, Chunk& chunk, const SetupQueue& queue, std::size_t at,
+                            const PlaneGeometry& geometry, HalfInts anchorX, HalfInts anchorY, SetupLanes& lanes)
+{
+    const auto setUp = [&](auto count) HWY_ATTR {
+        SetUpVaryings<count()>(job, chunk, queue, at, geometry, anchorX, anchorY, lanes);
+    };
+    switch (job.rules.shading) {
+    case Shading::Gouraud: {
+        CornerColors colors;
+        StageColors(job, chunk, queue, at, lanes.used, colors);
+        MakeColorPlanes(job.rules, geometry, colors, lanes.used, anchorX, anchorY, lanes.colors);
+        break;
+    }
+    case Shading::Texture: setUp(std::integral_constant<std::size_t, kTextureVaryings>()); break;
+    case Shading::Phong: setUp(std::integral_constant<std::size_t, kPhongVaryings>()); break;
+    case Shading::Normals: setUp(std::integral_constant<std::size_t, kNormalVaryings>()); break;
+    case Shading::Uv: setUp(std::integral_constant<std::size_t, kUvVaryings>()); break;
+    default: break;
+    }
+}
+
 /// Sets up a vector of triangles from the queue; `present`: a bit for each lane that holds one.
-HWY_INLINE void SetUpLanes(const FrameJob& job, const Chunk& chunk, const SetupQueue& queue, std::size_t at,
+HWY_INLINE void SetUpLanes(const FrameJob& job, Chunk& chunk, const SetupQueue& queue, std::size_t at,
                            std::uint32_t present, SetupLanes& out)
 {
     constexpr HalfIntTag tag;
@@ -440,16 +331,14 @@ HWY_INLINE void SetUpLanes(const FrameJob& job, const Chunk& chunk, const SetupQ
     }
     out.exact = BitsOf(tag, hn::Gt(steepest, hn::Set(tag, kLargestGradient))) | ~BitsOf(wide, plane.plane);
 
-    if (job.interpolatesColor()) {
-        CornerColors colors;
-        StageColors(job, chunk, queue, at, out.used, colors);
+    if (job.interpolates()) {
         const auto toCentre = [](HalfInts samples, HalfInts from) HWY_ATTR {
             return hn::Sub(hn::Add(hn::ShiftLeft<8>(samples), hn::Set(HalfIntTag(), kUnit / 2)), from);
         };
         const PlaneGeometry geometry{hn::Sub(x[1], x[0]), hn::Sub(y[1], y[0]),     hn::Sub(x[2], x[0]),
                                      hn::Sub(y[2], y[0]), toCentre(anchorX, x[0]), toCentre(anchorY, y[0]),
                                      inverseArea};
-        MakeColorPlanes(rules, geometry, colors, out.used, anchorX, anchorY, out.colors);
+        SetUpPlanes(job, chunk, queue, at, geometry, anchorX, anchorY, out);
     }
 }
 
@@ -478,7 +367,7 @@ inline void EmitToTile(const FrameJob& job, Chunk& chunk, const SetupLanes& lane
         c[k] = static_cast<std::int32_t>(std::min(value, double(kFarInside)));
     }
     const Chunk::Slot slot = chunk.append(job.grid.index(column, row));
-    lanes.copyTo(i, job.interpolatesColor(), slot);
+    lanes.copyTo(i, job, slot);
     TileTriangle& t = *slot.triangle;
     t.c = c;
     t.depthOrigin += t.depthPerX * toX + t.depthPerY * toY;
@@ -510,11 +399,10 @@ HWY_INLINE void SetUpAndBin(const FrameJob& job, Chunk& chunk, const SetupQueue&
 {
     SetupLanes lanes;
     SetUpLanes(job, chunk, queue, at, (1U << count) - 1, lanes);
-    const bool withColors = job.interpolatesColor();
     for (std::uint32_t bits = lanes.used; bits != 0; bits &= bits - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(bits));
         if (HWY_LIKELY((lanes.alone & ~lanes.exact) >> i & 1))
-            lanes.copyTo(i, withColors, chunk.append(static_cast<std::size_t>(lanes.tile[i])));
+            lanes.copyTo(i, job, chunk.append(static_cast<std::size_t>(lanes.tile[i])));
         else
             EmitToTiles(job, chunk, lanes, i, queue.source[at + i]);
     }

@@ -100,7 +100,7 @@ HWY_INLINE void ColorLanes(const FrameJob& job, Worker& worker, TileOrigin origi
     if (HWY_UNLIKELY(planes.way == ColorWay::Exact)) {
         std::uint32_t* memory = worker.samples.color.data() + block * kLanes;
         samples.store(memory);
-        shadeExactly(job, {worker.triangle(number).source, 0, &worker.chunkOf(number)},
+        shadeExactly(job, {worker.triangle(number).source, &worker.chunkOf(number), nullptr, {}},
                      {static_cast<std::uint16_t>(block), static_cast<std::uint16_t>(lanes), 0}, origin, worker.samples);
         samples.load(memory);
         return;
@@ -131,9 +131,9 @@ HWY_INLINE ColorBlock LoadColorBlock(const FrameJob& job, const TileSamples& sam
     return loaded;
 }
 
-/// Colours one block.
-HWY_INLINE void ShadeBlock(const FrameJob& job, Worker& worker, TileOrigin origin, std::size_t block,
-                           std::uint32_t* out)
+/// Colours a block; what nobody won is background.
+HWY_INLINE void ColorWholeBlock(const FrameJob& job, Worker& worker, TileOrigin origin, std::size_t block,
+                                std::uint32_t* out)
 {
     const TileSamples& samples = worker.samples;
     ColorBlock shaded = LoadColorBlock(job, samples, origin, block);
@@ -143,6 +143,7 @@ HWY_INLINE void ShadeBlock(const FrameJob& job, Worker& worker, TileOrigin origi
     if (job.counting) {
         remaining &= LanesOnTarget(job, origin, static_cast<int>(block));
         worker.pixels.shaded += static_cast<unsigned>(std::popcount(remaining));
+        worker.pixels.written += static_cast<unsigned>(std::popcount(remaining));
     }
     while (remaining != 0) {
         const std::uint32_t number = owner != kNobody ? owner : ids[std::countr_zero(remaining)];
@@ -151,34 +152,6 @@ HWY_INLINE void ShadeBlock(const FrameJob& job, Worker& worker, TileOrigin origi
         remaining &= ~lanes;
     }
     shaded.store(out);
-}
-
-/// Brings the pixels of four blocks side by side near.
-HWY_INLINE void PrefetchBlocks(const FrameJob& job, TileOrigin origin, int firstBlock)
-{
-    const int x = origin.x + blockColumn(firstBlock) * kBlockSide;
-    const int y = origin.y + blockRow(firstBlock) * kBlockSide;
-    const std::uint32_t* pixels = job.color + std::ptrdiff_t(y) * job.rules.width + x;
-    for (int row = 0; row < kBlockSide; ++row)
-        __builtin_prefetch(pixels + std::ptrdiff_t(row) * job.rules.width, 1);
-}
-
-/// Colours a whole tile; a picture with one sample a pixel is written on the way.
-inline void ShadeColors(const FrameJob& job, Worker& worker, TileOrigin origin)
-{
-    constexpr std::size_t kBlocks = 4; // side by side
-    constexpr std::size_t kAhead = 2 * kBlocks;
-    const bool direct = job.rules.sampleGrid == 1;
-    alignas(64) std::array<std::uint32_t, kBlocks * kLanes> row;
-    for (std::size_t first = 0; first < kTileBlocks; first += kBlocks) {
-        std::uint32_t* out = direct ? row.data() : worker.samples.color.data() + first * kLanes;
-        if (direct && first + kAhead < kTileBlocks)
-            PrefetchBlocks(job, origin, static_cast<int>(first + kAhead));
-        for (std::size_t i = 0; i < kBlocks; ++i)
-            ShadeBlock(job, worker, origin, first + i, out + i * kLanes);
-        if (direct)
-            writeBlocks(job, origin, static_cast<int>(first), row.data());
-    }
 }
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE

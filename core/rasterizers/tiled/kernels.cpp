@@ -18,6 +18,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 #include "core/rasterizers/tiled/kernels_scalar.h"
 
+#include <algorithm>
+
 namespace rasterlens::tiled
 {
 namespace
@@ -45,15 +47,29 @@ constexpr Target kTargets[] = {
 #endif
 };
 
+bool isSupported(const Target& target)
+{
+    static const std::int64_t supported = hwy::SupportedTargets();
+    return (supported & target.flag) != 0;
+}
+
 } // namespace
 
 const Kernels* kernelsFor(Simd simd)
 {
-    static const std::int64_t supported = hwy::SupportedTargets();
+    const Simd best = simdFor(simd);
     for (const Target& target : kTargets)
-        if ((simd == Simd::Auto || simd == target.simd) && (supported & target.flag) != 0)
+        if (best == target.simd && isSupported(target))
             return target.kernels();
-    return simd == Simd::Auto || simd == Simd::Scalar ? scalarKernels() : nullptr;
+    return best == Simd::Scalar ? scalarKernels() : nullptr;
+}
+
+Simd simdFor(Simd simd)
+{
+    if (simd != Simd::Auto)
+        return simd;
+    const auto best = std::find_if(std::begin(kTargets), std::end(kTargets), isSupported);
+    return best != std::end(kTargets) ? best->simd : Simd::Scalar;
 }
 
 } // namespace rasterlens::tiled

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/pipeline/geometry.h"
+#include "core/pipeline/shading.h"
 #include "core/rasterizers/tiled/tile_data.h"
 #include "core/render.h"
 
@@ -24,15 +25,21 @@ struct FrameJob {
     std::uint8_t* blank = nullptr;
     /// A vertex of the mesh each; null: every corner of a face is processed with it.
     ScreenPoint* points = nullptr;
-    /// Likewise: lit colour, w of clip space; null where the mesh has both or nobody asks.
+    /// Likewise: colour, w of clip space; null where the mesh has both or nobody asks.
     glm::vec4* colors = nullptr;
     std::vector<Chunk>* chunks = nullptr;
-    std::uint32_t* color = nullptr; ///< the picture, row by row
-    float* depth = nullptr;         ///< null if not asked for, as the following
+    std::uint32_t* color = nullptr; ///< the picture, row by row; null if not asked for, as the following
+    float* depth = nullptr;
     std::int32_t* ids = nullptr;
     std::uint16_t* coverage = nullptr;
 
-    [[nodiscard]] bool interpolatesColor() const { return rules.shading == Shading::Gouraud; }
+    [[nodiscard]] bool interpolates() const { return rules.varyingCount > 0; }
+    [[nodiscard]] bool interpolatesColor() const { return interpolates() && rules.shading == Shading::Gouraud; }
+    /// Whether vertices have lit colours; else their colours are as the mesh has them.
+    [[nodiscard]] bool lightsVertices() const
+    {
+        return scene->lit && (rules.shading == Shading::Gouraud || rules.shading == Shading::Texture);
+    }
     [[nodiscard]] bool countsCoverage() const
     {
         return counting || outputs.coverage || rules.shading == Shading::Overdraw;
@@ -42,8 +49,9 @@ struct FrameJob {
 /// A triangle of the tile that won samples.
 struct VisibleTriangle {
     std::uint32_t source;
-    std::uint32_t color; ///< of shadings that have one a face
     const Chunk* chunk;
+    const void* varyings; ///< VaryingPlanes of shadings that have them
+    FaceUniforms uniforms;
 };
 
 /// A block and the samples of it that a triangle won.
@@ -68,7 +76,8 @@ struct Worker {
     std::vector<VisibleTriangle> visible;
     std::array<BlockShare, kTileSamples> shares; ///< as many as can be
     std::size_t shareCount = 0;
-    bool full = false; ///< every sample of the tile that is on the target has been won
+    std::uint32_t resolvedSubtiles = 0; ///< a bit each: their pixels have been written already
+    bool full = false;                  ///< every sample of the tile that is on the target has been won
 
     [[nodiscard]] std::span<const BlockShare> sharesInUse() const { return {shares.data(), shareCount}; }
 
@@ -98,5 +107,8 @@ struct Kernels {
 
 /// The stages for an instruction set, or nothing where the machine does not have it. Auto is the best there is.
 [[nodiscard]] const Kernels* kernelsFor(Simd simd);
+
+/// The instruction set Auto stands for on this machine; the others stand for themselves.
+[[nodiscard]] Simd simdFor(Simd simd);
 
 } // namespace rasterlens::tiled

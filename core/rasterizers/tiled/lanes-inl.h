@@ -102,6 +102,26 @@ HWY_INLINE Floats ToFloats(const WideDoubles& wide)
 #endif
 }
 
+HWY_INLINE WideDoubles ToDoubles(Floats narrow)
+{
+#if HWY_TARGET == HWY_SCALAR
+    return {{hn::PromoteTo(DoubleTag(), narrow)}};
+#else
+    return {{hn::PromoteTo(DoubleTag(), hn::LowerHalf(HalfFloatTag(), narrow)),
+             hn::PromoteTo(DoubleTag(), hn::UpperHalf(HalfFloatTag(), narrow))}};
+#endif
+}
+
+/// Of whole numbers.
+HWY_INLINE Ints ToInts(const WideDoubles& wide)
+{
+#if HWY_TARGET == HWY_SCALAR
+    return hn::DemoteTo(HalfIntTag(), wide.part[0]);
+#else
+    return hn::Combine(IntTag(), hn::DemoteTo(HalfIntTag(), wide.part[1]), hn::DemoteTo(HalfIntTag(), wide.part[0]));
+#endif
+}
+
 /// A bit for each lane of a mask.
 template <class Tag, class Mask>
 HWY_INLINE std::uint32_t BitsOf(Tag tag, Mask mask)

@@ -84,6 +84,16 @@ HWY_INLINE WeightLanes<Lanes> MakeWeights(Tag tag, Lanes abX, Lanes abY, Lanes a
     return w;
 }
 
+/// In double.
+HWY_INLINE WeightLanes<Doubles> MakeWeights(const PlaneGeometry& g)
+{
+    const auto toSamples = [](HalfInts units) HWY_ATTR {
+        return hn::Mul(hn::PromoteTo(DoubleTag(), units), hn::Set(DoubleTag(), 1.0 / kUnit));
+    };
+    return MakeWeights(DoubleTag(), toSamples(g.abX), toSamples(g.abY), toSamples(g.acX), toSamples(g.acY),
+                       toSamples(g.toAnchorX), toSamples(g.toAnchorY), g.inverseArea);
+}
+
 struct ColorLanes3 {
     std::array<std::array<HalfFloats, 3>, 3> channel; ///< of corner k: red, green, blue
     std::array<HalfFloats, 3> w;
@@ -161,12 +171,7 @@ inline HalfInts MakePerspective(const Rules& rules, const PlaneGeometry& g, cons
                                 hn::Mask<HalfFloatTag> affine, PlaneSet& planes)
 {
     constexpr DoubleTag tag;
-    const auto toSamples = [](HalfInts units) HWY_ATTR {
-        return hn::Mul(hn::PromoteTo(DoubleTag(), units), hn::Set(DoubleTag(), 1.0 / kUnit));
-    };
-    const WeightLanes<Doubles> weights =
-        MakeWeights(tag, toSamples(g.abX), toSamples(g.abY), toSamples(g.acX), toSamples(g.acY), toSamples(g.toAnchorX),
-                    toSamples(g.toAnchorY), g.inverseArea);
+    const WeightLanes<Doubles> weights = MakeWeights(g);
     const Doubles one = hn::Set(tag, 1.0);
     std::array<Doubles, 3> q{one, one, one};
     // 1/w in units of the first corner's: only ratios matter, and w itself may be beyond what float32 can invert.

@@ -12,6 +12,8 @@
 #include "core/rasterizers/tiled/gouraud-inl.h"
 #include "core/rasterizers/tiled/kernels.h"
 #include "core/rasterizers/tiled/lanes-inl.h"
+#include "core/rasterizers/tiled/shaders-inl.h"
+#include "core/rasterizers/tiled/subtile-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
@@ -27,15 +29,82 @@ HWY_INLINE std::uint32_t LanesWith(const std::uint32_t* ids, std::uint32_t numbe
     return bits;
 }
 
+/// The planes of a triangle, on their way from memory: they are read when all who are visible have been found.
+template <std::size_t kCount>
+HWY_INLINE const void* FetchVaryings(const Chunk& chunk, std::uint32_t number)
+{
+    constexpr std::size_t kLine = 64;
+    using Planes = VaryingPlanes<kCount>;
+    const Planes* planes = &chunk.varyings<Planes>(number);
+    for (std::size_t at = 0; at < sizeof(Planes); at += kLine)
+        __builtin_prefetch(reinterpret_cast<const std::byte*>(planes) + at);
+    return planes;
+}
+
+HWY_INLINE const void* FetchVaryings(Shading shading, const Chunk& chunk, std::uint32_t number)
+{
+    switch (shading) {
+    case Shading::Texture: return FetchVaryings<kTextureVaryings>(chunk, number);
+    case Shading::Phong: return FetchVaryings<kPhongVaryings>(chunk, number);
+    case Shading::Normals: return FetchVaryings<kNormalVaryings>(chunk, number);
+    case Shading::Uv: return FetchVaryings<kUvVaryings>(chunk, number);
+    default: return nullptr;
+    }
+}
+
 /// The place of a triangle in worker.visible.
-HWY_INLINE std::uint32_t VisiblePlace(std::uint32_t number, Worker& worker)
+HWY_INLINE std::uint32_t VisiblePlace(const FrameJob& job, std::uint32_t number, Worker& worker)
 {
     std::uint32_t& place = worker.visibleOf[number];
     if (place != kNobody)
         return place;
     place = static_cast<std::uint32_t>(worker.visible.size());
-    worker.visible.push_back({worker.triangle(number).source, 0, &worker.chunkOf(number)});
+    const Chunk& chunk = worker.chunkOf(number);
+    const std::uint32_t source = worker.triangle(number).source;
+    const Shading shading = job.rules.shading;
+    const void* varyings = job.interpolates() ? FetchVaryings(shading, chunk, worker.colors(number).varyings) : nullptr;
+    worker.visible.push_back({source, &chunk, varyings, faceUniforms(*job.scene, faceOf(chunk, source), shading)});
     return place;
+}
+
+/// Remembers the last triangle looked up: neighbours tend to belong to the same one.
+struct LastVisible {
+    std::uint32_t number = kNobody;
+    std::uint32_t place = 0;
+};
+
+HWY_INLINE std::uint32_t VisiblePlace(const FrameJob& job, std::uint32_t number, Worker& worker, LastVisible& last)
+{
+    if (number != last.number)
+        last = {number, VisiblePlace(job, number, worker)};
+    return last.place;
+}
+
+/// The shares of a block.
+///
+/// in   its samples on the target
+/// out  behind the last share
+HWY_INLINE BlockShare* CollectBlock(const FrameJob& job, Worker& worker, int block, std::uint32_t remaining,
+                                    LastVisible& last, BlockShare* out)
+{
+    const std::uint32_t* ids = worker.samples.ids.data() + std::size_t(block) * kLanes;
+    const std::uint32_t owner = worker.samples.owner[static_cast<std::size_t>(block)];
+    if (owner == kEmpty) {
+        worker.full = false;
+        return out;
+    }
+    while (remaining != 0) {
+        const std::uint32_t number = owner != kNobody ? owner : ids[std::countr_zero(remaining)];
+        const std::uint32_t lanes = owner != kNobody ? remaining : LanesWith(ids, number) & remaining;
+        remaining &= ~lanes;
+        if (number == kNobody) {
+            worker.full = false;
+            continue;
+        }
+        *out++ = {static_cast<std::uint16_t>(block), static_cast<std::uint16_t>(lanes),
+                  VisiblePlace(job, number, worker, last)};
+    }
+    return out;
 }
 
 /// Finds who is visible where.
@@ -46,32 +115,10 @@ inline void CollectShares(const FrameJob& job, Worker& worker, TileOrigin origin
     worker.full = true;
     const bool whole = origin.x + kTileSide <= job.rules.columns() && origin.y + kTileSide <= job.rules.rows() &&
                        job.grid.pitch == kTileSide;
-    std::uint32_t lastNumber = kNobody; // neighbours tend to belong to the same triangle
-    std::uint32_t lastPlace = 0;
+    LastVisible last;
     BlockShare* out = worker.shares.data();
-    for (int block = 0; block < kTileBlocks; ++block) {
-        std::uint32_t remaining = whole ? 0xffff : LanesOnTarget(job, origin, block);
-        const std::uint32_t* ids = worker.samples.ids.data() + std::size_t(block) * kLanes;
-        const std::uint32_t owner = worker.samples.owner[static_cast<std::size_t>(block)];
-        if (owner == kEmpty) {
-            worker.full = false;
-            continue;
-        }
-        while (remaining != 0) {
-            const std::uint32_t number = owner != kNobody ? owner : ids[std::countr_zero(remaining)];
-            const std::uint32_t lanes = owner != kNobody ? remaining : LanesWith(ids, number) & remaining;
-            remaining &= ~lanes;
-            if (number == kNobody) {
-                worker.full = false;
-                continue;
-            }
-            if (number != lastNumber) {
-                lastNumber = number;
-                lastPlace = VisiblePlace(number, worker);
-            }
-            *out++ = {static_cast<std::uint16_t>(block), static_cast<std::uint16_t>(lanes), lastPlace};
-        }
-    }
+    for (int block = 0; block < kTileBlocks; ++block)
+        out = CollectBlock(job, worker, block, whole ? 0xffff : LanesOnTarget(job, origin, block), last, out);
     worker.shareCount = static_cast<std::size_t>(out - worker.shares.data());
 }
 
@@ -84,14 +131,46 @@ HWY_INLINE void BlendColor(Uints color, const BlockShare& share, std::size_t v, 
     hn::Store(hn::IfThenElse(mask, color, hn::Load(tag, out)), tag, out);
 }
 
-/// Shadings with one colour a face.
-inline void ShadeUniform(const FrameJob& job, Worker& worker)
+/// The samples of a share by a shader; false: it leaves them to the scalar stages.
+template <class Shader>
+HWY_INLINE bool ShadeShare(const Shader& shader, const VisibleTriangle& visible, const BlockShare& share,
+                           TileOrigin origin, TileSamples& samples)
 {
-    for (VisibleTriangle& visible : worker.visible)
-        visible.color = faceUniforms(*job.scene, faceOf(*visible.chunk, visible.source), job.rules.shading).color;
+    constexpr std::size_t kCount = Shader::kVaryings;
+    const auto& planes = *static_cast<const VaryingPlanes<kCount>*>(visible.varyings);
+    if (HWY_UNLIKELY(planes.exact))
+        return false;
+    const int x = origin.x + blockColumn(share.block) * kBlockSide;
+    const int y = origin.y + blockRow(share.block) * kBlockSide;
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        const std::uint32_t bits = std::uint32_t(share.lanes) >> (v * kPerVector);
+        if (kVectors > 1 && (bits & ((1U << kPerVector) - 1)) == 0)
+            continue;
+        const ShaderLanes<kCount> lanes{visible, planes, VaryingsAt(planes, x, y, v), MaskOf(FloatTag(), bits)};
+        if (HWY_UNLIKELY(!shader.Can(lanes)))
+            return false;
+        BlendColor(PackHeld(shader(lanes)), share, v, samples);
+    }
+    return true;
+}
+
+template <class Shader>
+inline void ShadeVaryings(const FrameJob& job, Worker& worker, TileOrigin origin)
+{
+    const Shader shader(job);
+    for (const BlockShare& share : worker.sharesInUse()) {
+        const VisibleTriangle& visible = worker.visible[share.visible];
+        if (HWY_UNLIKELY(!ShadeShare(shader, visible, share, origin, worker.samples)))
+            shadeExactly(job, visible, share, origin, worker.samples);
+    }
+}
+
+/// Shadings with one colour a face.
+inline void ShadeUniform(Worker& worker)
+{
     for (const BlockShare& share : worker.sharesInUse())
         for (std::size_t v = 0; v < kVectors; ++v)
-            BlendColor(hn::Set(UintTag(), worker.visible[share.visible].color), share, v, worker.samples);
+            BlendColor(hn::Set(UintTag(), worker.visible[share.visible].uniforms.color), share, v, worker.samples);
 }
 
 inline void ShadeDepth(const FrameJob& job, Worker& worker)
@@ -104,27 +183,37 @@ inline void ShadeDepth(const FrameJob& job, Worker& worker)
             const std::int32_t* key = worker.samples.key.data() + std::size_t(share.block) * kLanes + v * kPerVector;
             const Floats depth =
                 hn::Mul(hn::BitCast(floatTag, hn::Xor(hn::Load(tag, key), flip)), hn::Set(floatTag, 255.0F));
-            BlendColor(PackHeld(depth, depth, depth), share, v, worker.samples);
+            BlendColor(PackHeld({depth, depth, depth}), share, v, worker.samples);
         }
+}
+
+inline void CountShares(const FrameJob& job, Worker& worker)
+{
+    for (const BlockShare& share : worker.sharesInUse()) {
+        const auto samples = static_cast<unsigned>(std::popcount(share.lanes));
+        worker.pixels.written += samples;
+        worker.pixels.shaded += job.color != nullptr ? samples : 0;
+    }
 }
 
 inline void ShadeTile(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
-    if (job.rules.shading == Shading::Overdraw) {
+    const bool overdraw = job.rules.shading == Shading::Overdraw;
+    if (job.color != nullptr && overdraw)
         for (std::size_t i = 0; i < kTileSamples; ++i)
             worker.samples.color[i] = overdrawColor(worker.samples.coverage[i]);
-        if (!job.counting)
-            return;
-    }
-    if (job.rules.shading == Shading::Gouraud) {
-        ShadeColors(job, worker, origin);
+    worker.resolvedSubtiles = 0;
+    if (job.color != nullptr && job.rules.shading == Shading::Gouraud) {
+        ColorTile(job, worker, origin);
         return;
     }
+    const bool shades = job.color != nullptr && !overdraw;
+    if (!shades && !job.counting)
+        return;
     CollectShares(job, worker, origin);
     if (job.counting)
-        for (const BlockShare& share : worker.sharesInUse())
-            worker.pixels.shaded += static_cast<unsigned>(std::popcount(share.lanes));
-    if (job.rules.shading == Shading::Overdraw)
+        CountShares(job, worker);
+    if (!shades)
         return;
     if (!worker.full)
         worker.samples.color.fill(job.clearColor);
@@ -132,10 +221,13 @@ inline void ShadeTile(const FrameJob& job, Worker& worker, TileOrigin origin)
     case Shading::Depth: ShadeDepth(job, worker); break;
     case Shading::Flat:
     case Shading::RandomFlat:
-    case Shading::TriangleId: ShadeUniform(job, worker); break;
-    default:
-        for (const BlockShare& share : worker.sharesInUse())
-            shadeExactly(job, worker.visible[share.visible], share, origin, worker.samples);
+    case Shading::TriangleId: ShadeUniform(worker); break;
+    case Shading::Texture: ShadeVaryings<TextureShader>(job, worker, origin); break;
+    case Shading::Phong: ShadeVaryings<PhongShader>(job, worker, origin); break;
+    case Shading::Normals: ShadeVaryings<NormalShader>(job, worker, origin); break;
+    case Shading::Uv: ShadeVaryings<UvShader>(job, worker, origin); break;
+    case Shading::Gouraud:
+    case Shading::Overdraw: break;
     }
 }
 

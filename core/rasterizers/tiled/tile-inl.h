@@ -8,6 +8,7 @@
 
 #include "core/rasterizers/tiled/cover-inl.h"
 #include "core/rasterizers/tiled/faces-inl.h"
+#include "core/rasterizers/tiled/resolve-inl.h"
 #include "core/rasterizers/tiled/shade-inl.h"
 #include "core/rasterizers/tiled/tile_output.h"
 #include "core/rasterizers/tiled/vertices-inl.h"
@@ -25,6 +26,19 @@ inline void CollectBlocks(const FrameJob& job, std::size_t tile, Worker& worker)
         for (std::uint32_t block = bin.first; block != kNobody; block = chunk.arena.next(block))
             worker.blocks.push_back(
                 {&chunk.arena.block(block), &chunk, block == bin.last ? bin.used : BinBlock::kCapacity});
+    }
+}
+
+inline void WriteColor(const FrameJob& job, const Worker& worker, TileOrigin origin)
+{
+    switch (job.rules.sampleGrid) {
+    case 1:
+        if (!job.interpolatesColor()) // those are written as they are made
+            copyColor(job, worker.samples, origin);
+        break;
+    case 2: ResolveTile<2>(job, worker, origin); break;
+    case 4: ResolveTile<4>(job, worker, origin); break;
+    default: averageColor(job, worker.samples, origin);
     }
 }
 
@@ -61,6 +75,8 @@ inline void DrawTiles(const FrameJob& job, Worker& worker, int columnBegin, int 
         if (!job.interpolatesColor())
             prefetchTile(job, origin);
         ShadeTile(job, worker, origin);
+        if (job.color != nullptr)
+            WriteColor(job, worker, origin);
         writeTile(job, worker, origin);
     }
     clearUpTo(columnEnd);

@@ -6,8 +6,10 @@
 #include "core/scene.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace rasterlens::tiled
@@ -107,7 +109,7 @@ struct alignas(64) ColorPlanes {
     float x0; ///< the anchor, a sample of the target
     float y0;
     ColorWay way;
-    std::int32_t unused;
+    std::uint32_t varyings; ///< of shadings that have more than colours: the number of their VaryingPlanes, and no more
 };
 static_assert(sizeof(ColorPlanes) == 64);
 
@@ -153,11 +155,24 @@ struct Bin {
     std::uint32_t used = BinBlock::kCapacity; ///< triangles in the last block
 };
 
+/// Likewise 1/w and any kCount varyings, in double: a sample's come out as the scalar stages round them to float32, so
+/// whatever has a threshold (texels, repeats) falls on the same side of it.
+template <std::size_t kCount>
+struct VaryingPlanes {
+    std::array<double, kCount + 1> origin; ///< 1/w, then varyings over w
+    std::array<double, kCount + 1> perX;
+    std::array<double, kCount + 1> perY;
+    std::int32_t x0; ///< the anchor, a sample of the target
+    std::int32_t y0;
+    bool exact; ///< too steep even so
+};
+
 /// A run of consecutive faces, sorted into tiles by one thread.
 struct Chunk {
     std::vector<Bin> bins; ///< one a tile
     std::vector<Piece> pieces;
     BinArena arena;
+    std::uint32_t varyingCount = 0; ///< of VaryingPlanes
     Statistics::Faces faces;
     std::vector<ScreenTriangle> clipped; ///< of one face
 
@@ -178,8 +193,28 @@ struct Chunk {
         return slot;
     }
 
+    /// Planes of the triangle that has the number; those of a frame are all of one type.
+    template <class Planes>
+    [[nodiscard]] Planes& varyings(std::uint32_t number)
+    {
+        while (number / kPerSlab<Planes> >= m_varyings.size())
+            m_varyings.emplace_back().reserve(kSlabBytes);
+        return std::as_const(*this).template varyings<Planes>(number);
+    }
+    template <class Planes>
+    [[nodiscard]] Planes& varyings(std::uint32_t number) const
+    {
+        auto* slab = reinterpret_cast<Planes*>(m_varyings[number / kPerSlab<Planes>].data());
+        return slab[number % kPerSlab<Planes>];
+    }
+
 private:
     void grow(Bin& bin);
+
+    static constexpr std::size_t kSlabBytes = 2U << 20;
+    template <class Planes>
+    static constexpr std::uint32_t kPerSlab = kSlabBytes / sizeof(Planes);
+    std::vector<LargeArray<std::byte>> m_varyings;
 };
 
 /// The samples of a tile while it is drawn, block by block.

@@ -11,32 +11,34 @@ namespace rasterlens::tiled
 namespace
 {
 
-/// The pixels of a tile.
-struct PixelBox {
-    int x0, y0, x1, y1; ///< ends excluded
-};
-
-PixelBox pixelsOf(const FrameJob& job, TileOrigin origin, int tiles = 1)
-{
-    const int grid = job.rules.sampleGrid;
-    const int side = job.grid.pitch / grid;
-    const int x = origin.x / grid;
-    const int y = origin.y / grid;
-    return {x, y, std::min(x + side * tiles, job.rules.width), std::min(y + side, job.rules.height)};
-}
-
-std::size_t pixelIndex(const FrameJob& job, int x, int y)
-{
-    return std::size_t(y) * std::size_t(job.rules.width) + std::size_t(x);
-}
-
 /// With one sample a pixel: the four rows of four blocks side by side, which are 16 pixels each.
-void copySubtileRow(const std::uint32_t* blocks, std::uint32_t* out, std::size_t stride)
+template <class T>
+void copySubtileRow(const T* blocks, T* out, std::size_t stride)
 {
     for (std::size_t y = 0; y < kBlockSide; ++y)
         for (std::size_t block = 0; block < 4; ++block)
             std::memcpy(out + y * stride + block * kBlockSide, blocks + block * kLanes + y * kBlockSide,
                         kBlockSide * sizeof *out);
+}
+
+/// With one sample a pixel: an array of samples into the rows of `pixels`.
+template <class T>
+void copySamples(const FrameJob& job, const T* samples, const PixelBox& box, T* pixels)
+{
+    const int width = box.x1 - box.x0;
+    const int height = box.y1 - box.y0;
+    const auto stride = static_cast<std::size_t>(job.rules.width);
+    for (int y = 0; y < height; y += kBlockSide)
+        for (int x = 0; x < width; x += 4 * kBlockSide) {
+            T* out = pixels + pixelIndex(job, box.x0 + x, box.y0 + y);
+            if (x + 4 * kBlockSide <= width && y + kBlockSide <= height) {
+                copySubtileRow(samples + sampleIndex(x, y), out, stride);
+                continue;
+            }
+            for (int j = 0; j < std::min(kBlockSide, height - y); ++j)
+                for (int i = 0; i < std::min(4 * kBlockSide, width - x); ++i)
+                    out[std::size_t(j) * stride + std::size_t(i)] = samples[sampleIndex(x + i, y + j)];
+        }
 }
 
 /// The mean of a pixel's samples, channel by channel, rounded to nearest; (x, y) is the first of them.
@@ -67,9 +69,9 @@ void forEachPixel(const PixelBox& box, Write&& write)
 }
 
 template <int kGrid>
-void averageColor(const FrameJob& job, const TileSamples& samples, const PixelBox& box, TileOrigin origin)
+void averageColor(const FrameJob& job, const TileSamples& samples, TileOrigin origin)
 {
-    forEachPixel(box, [&](int x, int y) {
+    forEachPixel(pixelsOf(job, origin), [&](int x, int y) {
         job.color[pixelIndex(job, x, y)] = meanColor<kGrid>(samples, x * kGrid - origin.x, y * kGrid - origin.y);
     });
 }
@@ -96,28 +98,44 @@ void writeBlocks(const FrameJob& job, TileOrigin origin, int firstBlock, const s
                 colors[i / kBlockSide * kLanes + j * kBlockSide + i % kBlockSide];
 }
 
+PixelBox pixelsOf(const FrameJob& job, TileOrigin origin, int tiles)
+{
+    const int grid = job.rules.sampleGrid;
+    const int side = job.grid.pitch / grid;
+    const int x = origin.x / grid;
+    const int y = origin.y / grid;
+    return {x, y, std::min(x + side * tiles, job.rules.width), std::min(y + side, job.rules.height)};
+}
+
+void averageColor(const FrameJob& job, const TileSamples& samples, TileOrigin origin)
+{
+    switch (job.rules.sampleGrid) {
+    case 2: averageColor<2>(job, samples, origin); break;
+    case 3: averageColor<3>(job, samples, origin); break;
+    default: averageColor<4>(job, samples, origin);
+    }
+}
+
+void copyColor(const FrameJob& job, const TileSamples& samples, TileOrigin origin)
+{
+    copySamples(job, samples.color.data(), pixelsOf(job, origin), job.color);
+}
+
 void writeTile(const FrameJob& job, const Worker& worker, TileOrigin origin)
 {
     const TileSamples& samples = worker.samples;
     const PixelBox box = pixelsOf(job, origin);
     const int grid = job.rules.sampleGrid;
-    if (grid == 1 && !job.interpolatesColor()) // those are written as they are made
-        for (int block = 0; block < kTileBlocks; block += 4)
-            writeBlocks(job, origin, block, &samples.color[std::size_t(block) * kLanes]);
-    else if (grid == 2)
-        averageColor<2>(job, samples, box, origin);
-    else if (grid == 3)
-        averageColor<3>(job, samples, box, origin);
-    else if (grid == 4)
-        averageColor<4>(job, samples, box, origin);
     // The sample nearest the pixel's centre.
     const auto at = [&](int x, int y) {
         return std::size_t(sampleIndex(x * grid + grid / 2 - origin.x, y * grid + grid / 2 - origin.y));
     };
-    if (job.depth != nullptr)
+    const std::int32_t flip = depthFlip(job.rules.depthCompare);
+    if (job.depth != nullptr && grid == 1 && flip == 0)
+        copySamples(job, samples.key.data(), box, reinterpret_cast<std::int32_t*>(job.depth));
+    else if (job.depth != nullptr)
         forEachPixel(box, [&](int x, int y) {
-            job.depth[pixelIndex(job, x, y)] =
-                std::bit_cast<float>(samples.key[at(x, y)] ^ depthFlip(job.rules.depthCompare));
+            job.depth[pixelIndex(job, x, y)] = std::bit_cast<float>(samples.key[at(x, y)] ^ flip);
         });
     if (job.ids != nullptr)
         forEachPixel(box, [&](int x, int y) {
@@ -137,8 +155,12 @@ void prefetchTile(const FrameJob& job, TileOrigin origin)
     constexpr int kPixelsPerLine = 16;
     const PixelBox box = pixelsOf(job, origin);
     for (int y = box.y0; y < box.y1; ++y)
-        for (int x = box.x0; x < box.x1; x += kPixelsPerLine)
-            __builtin_prefetch(job.color + pixelIndex(job, x, y), 1);
+        for (int x = box.x0; x < box.x1; x += kPixelsPerLine) {
+            if (job.color != nullptr)
+                __builtin_prefetch(job.color + pixelIndex(job, x, y), 1);
+            if (job.depth != nullptr)
+                __builtin_prefetch(job.depth + pixelIndex(job, x, y), 1);
+        }
 }
 
 void clearTiles(const FrameJob& job, TileOrigin origin, int count)
@@ -147,7 +169,8 @@ void clearTiles(const FrameJob& job, TileOrigin origin, int count)
     const auto width = std::size_t(box.x1 - box.x0);
     for (int y = box.y0; y < box.y1; ++y) {
         const std::size_t first = pixelIndex(job, box.x0, y);
-        std::fill_n(job.color + first, width, job.emptyColor);
+        if (job.color != nullptr)
+            std::fill_n(job.color + first, width, job.emptyColor);
         if (job.depth != nullptr)
             std::fill_n(job.depth + first, width, job.rules.depthClear);
         if (job.ids != nullptr)

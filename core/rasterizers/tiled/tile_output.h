@@ -4,7 +4,24 @@
 namespace rasterlens::tiled
 {
 
-/// Writes a tile into the picture and the other arrays that were asked for; several samples a pixel are averaged.
+/// Pixels of the target.
+struct PixelBox {
+    int x0, y0, x1, y1; ///< ends excluded
+};
+
+/// The pixels of tiles side by side.
+[[nodiscard]] PixelBox pixelsOf(const FrameJob& job, TileOrigin origin, int tiles = 1);
+
+[[nodiscard]] inline std::size_t pixelIndex(const FrameJob& job, int x, int y)
+{
+    return std::size_t(y) * std::size_t(job.rules.width) + std::size_t(x);
+}
+
+/// Writes a tile into the picture: with one sample a pixel, and with several by their means.
+void copyColor(const FrameJob& job, const TileSamples& samples, TileOrigin origin);
+void averageColor(const FrameJob& job, const TileSamples& samples, TileOrigin origin);
+
+/// Writes a tile into the other arrays that were asked for.
 void writeTile(const FrameJob& job, const Worker& worker, TileOrigin origin);
 
 /// Writes four blocks side by side into a picture with one sample a pixel.

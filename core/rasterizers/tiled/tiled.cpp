@@ -1,6 +1,7 @@
 #include "core/rasterizers/tiled/tiled.h"
 
 #include "core/camera.h"
+#include "core/framebuffer.h"
 #include "core/pipeline/shading.h"
 #include "core/rasterizers/tiled/context.h"
 #include "core/stopwatch.h"
@@ -18,12 +19,6 @@ constexpr std::size_t kVerticesPerTask = 4096;
 constexpr int kTilesPerTask = 8;
 constexpr std::size_t kFewestFacesPerChunk = 2048;
 constexpr std::size_t kChunksPerThread = 4; ///< so that threads finish about together
-
-int threadCount(const Settings& settings)
-{
-    return settings.threads > 0 ? settings.threads
-                                : std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 256);
-}
 
 /// The frame's context, made or, where a copy of the frame has it too, made anew.
 TiledContext& contextOf(Frame& frame, int threads)
@@ -61,6 +56,7 @@ void clearChunks(TiledContext& context, const FrameJob& job, std::size_t faces, 
     for (Chunk& chunk : context.chunks) {
         chunk.bins.assign(job.grid.count(), {});
         chunk.pieces.clear();
+        chunk.varyingCount = 0;
         chunk.arena.reset();
         chunk.faces = {};
     }
@@ -93,7 +89,11 @@ QImage newPicture(int width, int height)
 void aim(FrameJob& job, Frame& frame, PictureMemory& picture)
 {
     const Rules& rules = job.rules;
-    if (frame.image.size() != QSize(rules.width, rules.height) || frame.image.format() != QImage::Format_RGB32)
+    const bool fits =
+        frame.image.size() == QSize(rules.width, rules.height) && frame.image.format() == QImage::Format_RGB32;
+    if (!job.outputs.picture)
+        frame.image = QImage();
+    else if (!fits)
         frame.image = newPicture(rules.width, rules.height);
     const bool unchanged = picture.image == frame.image.cacheKey() && picture.emptyColor == job.emptyColor &&
                            picture.pitch == job.grid.pitch && picture.blank.size() == job.grid.count();
@@ -101,7 +101,8 @@ void aim(FrameJob& job, Frame& frame, PictureMemory& picture)
         picture.blank.assign(job.grid.count(), 0);
     job.blank = picture.blank.data();
     const std::size_t pixels = std::size_t(rules.width) * std::size_t(rules.height);
-    job.color = reinterpret_cast<std::uint32_t*>(frame.image.bits());
+    if (job.outputs.picture)
+        job.color = reinterpret_cast<std::uint32_t*>(frame.image.bits());
     job.depth = output(frame.depth, job.outputs.depth, pixels);
     job.ids = output(frame.ids, job.outputs.ids, pixels);
     job.coverage = output(frame.coverage, job.outputs.coverage, pixels);
@@ -130,7 +131,7 @@ void add(Statistics::Pixels& sum, const Statistics::Pixels& p)
     sum.depthPassed += p.depthPassed;
     sum.depthFailed += p.depthFailed;
     sum.shaded += p.shaded;
-    sum.written += p.shaded;
+    sum.written += p.written;
 }
 
 Statistics collect(const TiledContext& context)
@@ -208,6 +209,14 @@ std::optional<QString> Tiled::supports(const Settings& settings)
     return std::nullopt;
 }
 
+int Tiled::threads(const Settings& settings)
+{
+    return settings.threads > 0 ? settings.threads
+                                : std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 256);
+}
+
+Simd Tiled::simd(const Settings& settings) { return simdFor(settings.simd); }
+
 void Tiled::draw(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs, Statistics* statistics,
                  const std::stop_token& stop)
 {
@@ -215,13 +224,15 @@ void Tiled::draw(const Scene& scene, const Settings& settings, Frame& frame, Out
     Stopwatch watch;
     StageTimes times;
     const Kernels& kernels = *kernelsFor(settings.simd);
-    const int threads = threadCount(settings);
+    const int threads = Tiled::threads(settings);
     TiledContext& context = contextOf(frame, threads);
     ThreadPool& pool = *context.pool;
 
     FrameJob job;
     job.scene = &scene;
     job.rules = rulesFor(scene, settings);
+    if (!outputs.picture)
+        job.rules.varyingCount = 0; // nothing is shaded
     job.matrices = cameraMatrices(scene, settings);
     const FaceStages stages(scene, job.matrices, job.rules);
     job.stages = &stages;
@@ -233,7 +244,7 @@ void Tiled::draw(const Scene& scene, const Settings& settings, Frame& frame, Out
     job.chunks = &context.chunks;
     aim(job, frame, context.picture);
     const std::size_t vertices = scene.mesh.vertices.size();
-    if (job.interpolatesColor() && (scene.lit || scene.space == SceneSpace::Object))
+    if (job.interpolates() && (scene.lit || scene.space == SceneSpace::Object))
         job.colors = context.colors.reserve(vertices);
     if (job.colors != nullptr || sharesVertices(scene.mesh))
         job.points = context.points.reserve(vertices);

@@ -21,6 +21,10 @@ struct Tiled {
     /// What the rules do not tell: threads and instructions.
     [[nodiscard]] static std::optional<QString> supports(const Settings& settings);
 
+    /// What `auto` stands for on this machine.
+    [[nodiscard]] static int threads(const Settings& settings);
+    [[nodiscard]] static Simd simd(const Settings& settings);
+
     /// Draws one frame.
     ///
     /// in      statistics may be null; counting looks at hidden samples too

@@ -99,7 +99,7 @@ HWY_INLINE void ColorVertices(const FrameJob& job, const float* floats, HalfInts
         hn::Mul(load(kNormal + 2), hn::Set(tag, light.z)));
     const HalfFloats lit =
         hn::Add(hn::Set(tag, kAmbient), hn::Mul(hn::Set(tag, kDiffuse), hn::Max(dot, hn::Zero(tag))));
-    const HalfFloats strength = job.scene->lit ? lit : hn::Set(tag, 1.0F);
+    const HalfFloats strength = job.lightsVertices() ? lit : hn::Set(tag, 1.0F);
     alignas(64) std::array<std::array<float, kDoubles>, 4> color;
     for (std::size_t k = 0; k < 3; ++k)
         hn::Store(hn::Mul(load(kColor + k), strength), tag, color[k].data());

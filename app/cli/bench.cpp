@@ -1,0 +1,288 @@
+#include "app/cli/bench_plot.h"
+#include "app/cli/input.h"
+#include "app/cli/options.h"
+#include "app/cli/output.h"
+#include "app/cli/place_options.h"
+#include "app/cli/settings_options.h"
+#include "app/cli/variant_list.h"
+#include "app/cli/verbs.h"
+#include "core/render.h"
+#include "core/truth/experiment_export.h"
+
+#include <QFileInfo>
+
+#include <cmath>
+#include <cstdio>
+#include <unistd.h>
+
+namespace rasterlens::cli
+{
+namespace
+{
+
+constexpr const char* kDefaultScenes[] = {"builtin:head", "builtin:sphere", "builtin:behind-camera"};
+constexpr int kMaxFrames = 100'000;
+
+Option value(const char* name, const char* valueName, const QString& help)
+{
+    return {QString::fromLatin1(name), Option::Kind::Value, QString::fromLatin1(valueName), help};
+}
+
+QString measureIds()
+{
+    QStringList ids;
+    for (int i = 0; i < kErrorMeasures; ++i)
+        ids << QLatin1String(infoOf(static_cast<ErrorMeasure>(i)).id);
+    return ids.join(QStringLiteral(", "));
+}
+
+Usage usage()
+{
+    const OptionGroup what{
+        QStringLiteral("What is measured:"),
+        {value("--variants", "LIST",
+               QStringLiteral("all (default), frontier (measure all, keep those that no other beats), or ids joined by "
+                              "commas; see --list-variants.")),
+         {QStringLiteral("--list-variants"),
+          Option::Kind::Switch,
+          {},
+          QStringLiteral("Print the id of every variant and what it changes, and end.")},
+         value("--frames", "N",
+               QStringLiteral("Frames a variant that count, 1 to %1; default %2. One more warms up.")
+                   .arg(kMaxFrames)
+                   .arg(ExperimentOptions().frames)),
+         value("--reference", "exact|none", QStringLiteral("Whether errors are measured; default exact.")),
+         value("--error", "MEASURE",
+               QStringLiteral("The error of the plot's axis and of the frontier: %1 (default color). coverage: pixels "
+                              "missing, extra or hit twice; depth: the largest error; color: root mean square over the "
+                              "picture in 8-bit steps.")
+                   .arg(measureIds()))}};
+    const OptionGroup outputs{
+        QStringLiteral("Outputs (- is stdout, and then there is no table):"),
+        {value("--csv", "FILE", QStringLiteral("The rows, a line each.")),
+         value("--json", "FILE", QStringLiteral("The rows, an array of objects.")),
+         value("--plot", "FILE", QStringLiteral("Speed against error, a panel a scene; .svg or .png."))}};
+    QStringList scenes;
+    for (const char* scene : kDefaultScenes)
+        scenes << QLatin1String(scene);
+    return {
+        QStringLiteral("bench"),
+        QStringLiteral("rasterlens-cli bench [SCENE...] [options]"),
+        QStringLiteral("Measures speed against error: every variant of the pipeline on every SCENE. Without SCENE: ") +
+            scenes.join(QStringLiteral(", ")) + QStringLiteral(".\n\n") + sceneHelp(),
+        {},
+        QList<OptionGroup>{what, outputs, {QStringLiteral("Input:"), inputOptions()}} + settingsOptionGroups(),
+        QStringLiteral(
+            "A time is clear + frame into the picture; frames of all variants are interleaved, after a warm-up. "
+            "ns/px is the median over the fragments of the scene (the counter `covered` of edge-equation with one "
+            "sample a pixel; one number a scene). Mtri/s counts submitted faces.\n\n"
+            "Errors are those against the exact picture of the settings given, in rational arithmetic, at the full "
+            "size: correct clipping, top-left rule, perspective, exact depths; vertices snapped to --subpixel-bits, "
+            "or not at all with --number-type float64. Variants change number type, subpixel bits and the like for "
+            "themselves; a variant with several samples a pixel is compared with the truth of as many. Depth and "
+            "colour are compared where both show the same face, colour in 8-bit steps from the exact value (rounding "
+            "alone: "
+            "0.5); PSNR is that of the whole picture against the exact one rounded to 8 bits. Colours need --shading "
+            "gouraud. A PSNR of %1 in JSON and CSV stands for infinity: equal pictures.\n\n"
+            "Variants that the scene, the settings or the machine do not support are left out of `all`.\n\n"
+            "Exit codes: 0 measured; 2 bad arguments, or a variant asked for that is not supported; 3 input that "
+            "cannot be read, or output that cannot be written.")
+            .arg(kInfinitePsnr),
+        true};
+}
+
+struct Request {
+    QStringList scenes;
+    std::vector<const Variant*> variants; ///< empty: all
+    bool frontierOnly = false;
+    ExperimentOptions options;
+    ErrorMeasure measure = ErrorMeasure::Color;
+    QString csv;
+    QString json;
+    QString plot;
+    QByteArray plotFormat;
+
+    [[nodiscard]] bool usesStdout() const { return QStringList{csv, json, plot}.contains(QStringLiteral("-")); }
+};
+
+[[noreturn]] void fail(const QString& text) { failArguments(QStringLiteral("rasterlens-cli bench: ") + text); }
+
+void readVariants(const QString& list, Request& request)
+{
+    request.frontierOnly = list == QLatin1String("frontier");
+    if (!request.frontierOnly && list != QLatin1String("all"))
+        request.variants = variantsOf(list, QStringLiteral("bench"));
+}
+
+ErrorMeasure measureOf(const QString& id)
+{
+    for (int i = 0; i < kErrorMeasures; ++i)
+        if (id == QLatin1String(infoOf(static_cast<ErrorMeasure>(i)).id))
+            return static_cast<ErrorMeasure>(i);
+    fail(QStringLiteral("--error: \"%1\" is not a value of error, which takes: %2").arg(id, measureIds()));
+}
+
+QByteArray plotFormat(const QString& path)
+{
+    const QString suffix = path == QLatin1String("-") ? QStringLiteral("svg") : QFileInfo(path).suffix().toLower();
+    if (suffix != QLatin1String("svg") && suffix != QLatin1String("png"))
+        fail(QStringLiteral("--plot: %1: a name that ends in .svg or .png is expected").arg(path));
+    return suffix.toLatin1();
+}
+
+Request requestOf(const Arguments& arguments)
+{
+    Request request;
+    request.scenes = arguments.operands;
+    if (request.scenes.isEmpty())
+        for (const char* scene : kDefaultScenes)
+            request.scenes << QLatin1String(scene);
+    readVariants(arguments.value(QStringLiteral("--variants")).value_or(QStringLiteral("all")), request);
+    if (const auto frames = wholeOption(arguments, QStringLiteral("--frames"), 1, kMaxFrames))
+        request.options.frames = static_cast<int>(*frames);
+    const QString reference = arguments.value(QStringLiteral("--reference")).value_or(QStringLiteral("exact"));
+    if (reference != QLatin1String("exact") && reference != QLatin1String("none"))
+        fail(
+            QStringLiteral("--reference: \"%1\" is not a value of reference, which takes: exact, none").arg(reference));
+    request.options.reference = reference == QLatin1String("exact");
+    if (request.frontierOnly && !request.options.reference)
+        fail(QStringLiteral("--variants frontier needs --reference exact"));
+    if (const auto measure = arguments.value(QStringLiteral("--error")))
+        request.measure = measureOf(*measure);
+    request.csv = arguments.value(QStringLiteral("--csv")).value_or(QString());
+    request.json = arguments.value(QStringLiteral("--json")).value_or(QString());
+    request.plot = arguments.value(QStringLiteral("--plot")).value_or(QString());
+    if (!request.plot.isEmpty()) {
+        request.plotFormat = plotFormat(request.plot);
+        if (!request.options.reference)
+            fail(QStringLiteral("--plot needs --reference exact"));
+    }
+    QStringList names{request.csv, request.json, request.plot};
+    names.removeAll(QString());
+    checkOutputNames(names);
+    return request;
+}
+
+/// The variants to measure on a scene.
+std::vector<const Variant*> variantsFor(const Request& request, const Input& input)
+{
+    if (request.variants.empty())
+        return supportedVariants(input.scene, input.settings);
+    for (const Variant* variant : request.variants)
+        if (const auto reason = unsupported(input.scene, settingsOf(*variant, input.settings)))
+            fail(QStringLiteral("%1: %2").arg(QLatin1String(variant->id), *reason));
+    return request.variants;
+}
+
+void showProgress(const ExperimentProgress& progress)
+{
+    std::fprintf(stderr, "\r%d of %d frames", progress.done, progress.total);
+    if (progress.done == progress.total)
+        std::fputs("\r\033[K", stderr);
+}
+
+std::vector<ExperimentRow> measure(const Request& request, const Input& input)
+{
+    const bool watched = isatty(STDERR_FILENO) != 0;
+    std::vector<ExperimentRow> rows =
+        runExperiment(input.scene, input.settings, variantsFor(request, input), request.options,
+                      watched ? showProgress : std::function<void(const ExperimentProgress&)>());
+    markFrontier(rows, request.measure);
+    if (request.frontierOnly)
+        std::erase_if(rows, [](const ExperimentRow& row) { return !row.frontier; });
+    return rows;
+}
+
+QString cell(const QString& text, int width) { return text.rightJustified(width) + QLatin1Char(' '); }
+QString cell(double number, int width, int digits = 4) { return cell(QString::number(number, 'g', digits), width); }
+
+QString errorCells(const VariantError& error)
+{
+    const QString none = QStringLiteral("-");
+    QString text;
+    const auto& c = error.coverage;
+    for (const auto member :
+         {&VariantError::Coverage::missing, &VariantError::Coverage::extra, &VariantError::Coverage::hitTwice})
+        text += cell(c ? QString::number(*c.*member) : none, 7);
+    text += error.depth ? cell(error.depth->max, 9, 3) : cell(none, 9);
+    text += error.color ? cell(error.color->max, 8) + cell(error.color->mean, 8) + cell(error.color->psnrDb, 7)
+                        : cell(none, 8) + cell(none, 8) + cell(none, 7);
+    return text;
+}
+
+QString tableOf(std::span<const ExperimentRow> rows, const Input& input, ErrorMeasure measure)
+{
+    QString text = QStringLiteral("%1, %2x%3, %4 faces\n")
+                       .arg(input.scene.id)
+                       .arg(input.settings.size.width())
+                       .arg(input.settings.size.height())
+                       .arg(input.scene.mesh.faceCount());
+    text += QStringLiteral("%1 %2%3%4%5%6%7%8%9")
+                .arg(QStringLiteral("variant"), -28)
+                .arg(cell(QStringLiteral("ms"), 8), cell(QStringLiteral("p10"), 8), cell(QStringLiteral("p90"), 8),
+                     cell(QStringLiteral("ns/px"), 8), cell(QStringLiteral("Mtri/s"), 8),
+                     cell(QStringLiteral("missing"), 7), cell(QStringLiteral("extra"), 7),
+                     cell(QStringLiteral("twice"), 7));
+    text += cell(QStringLiteral("depth max"), 9) + cell(QStringLiteral("col. max"), 8) +
+            cell(QStringLiteral("mean"), 8) + cell(QStringLiteral("PSNR"), 7) + QLatin1Char('\n');
+    for (const ExperimentRow& row : rows)
+        text += QStringLiteral("%1%2")
+                    .arg(row.frontier ? QStringLiteral("*") : QStringLiteral(" "), -1)
+                    .arg(row.variant, -28) +
+                cell(row.ms.median, 8) + cell(row.ms.p10, 8) + cell(row.ms.p90, 8) + cell(row.nsPerCoveredPixel, 8) +
+                cell(row.mtriPerS, 8) + errorCells(row.error) + QLatin1Char('\n');
+    if (rows.begin() != rows.end() && errorOf(rows.front(), measure))
+        text += QStringLiteral("* on the frontier: no other is as fast with a smaller error (%1)\n")
+                    .arg(QLatin1String(infoOf(measure).id));
+    if (const auto advantage = walkingAdvantage(rows))
+        text += QStringLiteral("edge equation / edge walking: %1 (the blog post [002]: at least %2)\n")
+                    .arg(*advantage, 0, 'f', 2)
+                    .arg(kPublishedWalkingAdvantage);
+    return text + QLatin1Char('\n');
+}
+
+QString variantList()
+{
+    QString text;
+    for (const Variant& variant : variants())
+        text += QStringLiteral("%1 %2\n").arg(QLatin1String(variant.id), -28).arg(QLatin1String(variant.changes));
+    return text;
+}
+
+} // namespace
+
+ExitCode runBench(const QStringList& words)
+{
+    if (words.contains(QStringLiteral("--list-variants"))) {
+        printText(variantList());
+        return ExitCode::Fine;
+    }
+    const auto arguments = parseArguments(usage(), words);
+    if (!arguments)
+        return ExitCode::Fine;
+    const Request request = requestOf(*arguments);
+    std::vector<Input> inputs;
+    for (const QString& scene : request.scenes) {
+        inputs.push_back(openInput(scene, *arguments));
+        (void)variantsFor(request, inputs.back()); // what is wrong is said before the first frame
+    }
+
+    std::vector<ExperimentRow> all;
+    for (const Input& input : inputs) {
+        const std::vector<ExperimentRow> rows = measure(request, input);
+        if (!request.usesStdout())
+            printText(tableOf(rows, input, request.measure));
+        all.insert(all.end(), rows.begin(), rows.end());
+    }
+    OutputFiles files;
+    if (!request.csv.isEmpty())
+        files.add(request.csv, experimentCsv(all));
+    if (!request.json.isEmpty())
+        files.add(request.json, experimentJson(all));
+    if (!request.plot.isEmpty())
+        files.add(request.plot, experimentFigure(all, request.measure, request.plotFormat));
+    files.write();
+    return ExitCode::Fine;
+}
+
+} // namespace rasterlens::cli

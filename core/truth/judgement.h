@@ -1,0 +1,46 @@
+#pragma once
+#include "core/scene.h"
+#include "core/truth/coverage_difference.h"
+
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+namespace rasterlens
+{
+
+/// A pixel that is not as it should be.
+struct WrongPixel {
+    int x; ///< of the whole picture
+    int y;
+    PixelVerdict verdict;
+    int face; ///< that should be seen or, where none should, that is seen
+
+    friend bool operator==(const WrongPixel&, const WrongPixel&) = default;
+};
+
+/// What the exact reference says about the picture of some settings.
+struct Judgement {
+    CoverageDifference difference; ///< without its verdicts
+    std::vector<WrongPixel> wrong; ///< row by row from the top
+    double bandPixels = 0;         ///< so close to a true edge everything counts as right
+    int nonFinite = 0;             ///< faces dropped
+};
+
+/// Why settings are not judged: they cannot be drawn, draw no filled triangles, or the truth about so many samples
+/// would not fit the memory. `kMostJudgedSamples` is the limit.
+enum class NotJudged { No, Unsupported, NotFilled, TooManySamples };
+constexpr double kMostJudgedSamples = 1 << 24; ///< the reference keeps 40 bytes of each
+[[nodiscard]] NotJudged notJudged(const Scene& scene, const Settings& settings);
+/// How many samples the reference would have to compute.
+[[nodiscard]] double judgedSamples(const Scene& scene, const Settings& settings);
+
+/// Draws the settings and holds the picture against the truth.
+///
+/// in      settings for which notJudged() is No
+/// out     the window of the scene. Scenes that are `exact` are compared with the unsnapped truth; fixed point may then
+///         differ within legalBandPixels() of an edge
+/// errors  `stop` ends the work early; what is returned then means nothing
+[[nodiscard]] Judgement judge(const Scene& scene, const Settings& settings, const std::stop_token& stop = {});
+
+} // namespace rasterlens

@@ -1,0 +1,181 @@
+// `bench` and `cases` on the command line: outputs, exit codes and messages.
+#include <QDir>
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace
+{
+
+struct Run {
+    int exitCode;
+    QString out;
+    QString err;
+};
+
+Run run(const QStringList& arguments, const QString& folder = QDir::tempPath())
+{
+    QProcess process;
+    process.setWorkingDirectory(folder);
+    process.start(QStringLiteral(RASTERLENS_CLI), arguments);
+    if (!process.waitForFinished(-1) || process.exitStatus() != QProcess::NormalExit)
+        return {-1, {}, process.errorString()};
+    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
+            QString::fromUtf8(process.readAllStandardError())};
+}
+
+const QStringList kQuick{"bench", "builtin:cube", "--size", "64x48", "--frames", "1"};
+
+} // namespace
+
+class TestCliBench : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void allOutputs();
+    void theFrontierIsPartOfAll();
+    void severalScenes();
+    void chosenVariants();
+    void listsVariants();
+    void casesThatPass();
+    void casesThatFail();
+    void listsCases();
+    void refusals_data();
+    void refusals();
+};
+
+void TestCliBench::allOutputs()
+{
+    QTemporaryDir folder;
+    const Run result =
+        run(kQuick + QStringList{"--json", "b.json", "--csv", "b.csv", "--plot", "b.png"}, folder.path());
+    QVERIFY2(result.exitCode == 0, qPrintable(result.err));
+    QVERIFY(result.out.contains(QStringLiteral("edge equation / edge walking: ")));
+    QFile json(folder.filePath(QStringLiteral("b.json")));
+    QVERIFY(json.open(QIODevice::ReadOnly));
+    const QJsonArray rows = QJsonDocument::fromJson(json.readAll()).array();
+    QVERIFY(rows.size() >= 30);
+    QFile csv(folder.filePath(QStringLiteral("b.csv")));
+    QVERIFY(csv.open(QIODevice::ReadOnly));
+    QCOMPARE(csv.readAll().count('\n'), rows.size() + 1);
+    const QImage plot(folder.filePath(QStringLiteral("b.png")));
+    QVERIFY(!plot.isNull());
+    QVERIFY(plot.pixelColor(0, 0) == QColor(Qt::white));
+}
+
+void TestCliBench::theFrontierIsPartOfAll()
+{
+    const Run result = run(kQuick + QStringList{"--variants", "frontier", "--json", "-", "--error", "coverage"});
+    QVERIFY2(result.exitCode == 0, qPrintable(result.err));
+    const QJsonArray rows = QJsonDocument::fromJson(result.out.toUtf8()).array();
+    QVERIFY(!rows.isEmpty() && rows.size() < 30);
+    for (const QJsonValue& row : rows)
+        QVERIFY(row["frontier"].toBool());
+}
+
+void TestCliBench::severalScenes()
+{
+    const Run result = run(kQuick + QStringList{"builtin:triangle", "--variants", "tiled,edge-walking", "--plot", "-"});
+    QVERIFY2(result.exitCode == 0, qPrintable(result.err));
+    QVERIFY(result.out.contains(QStringLiteral("<svg")));
+    QVERIFY(result.out.contains(QStringLiteral("builtin:cube")) &&
+            result.out.contains(QStringLiteral("builtin:triangle")));
+}
+
+void TestCliBench::chosenVariants()
+{
+    const Run result = run(kQuick + QStringList{"--variants", "tiled,edge-equation", "--threads", "2", "--json", "-",
+                                                "--reference", "none"});
+    QVERIFY2(result.exitCode == 0, qPrintable(result.err));
+    const QJsonArray rows = QJsonDocument::fromJson(result.out.toUtf8()).array();
+    QCOMPARE(rows.size(), 2);
+    QCOMPARE(rows[0]["variant"].toString(), QStringLiteral("tiled"));
+    QCOMPARE(rows[0]["threads"].toInt(), 2);
+    QCOMPARE(rows[1]["threads"].toInt(), 1);
+    QVERIFY(rows[0]["error"]["psnr"].isNull());
+}
+
+void TestCliBench::listsVariants()
+{
+    const Run result = run({"bench", "--list-variants"});
+    QCOMPARE(result.exitCode, 0);
+    QVERIFY(result.out.count(QLatin1Char('\n')) >= 30);
+    QVERIFY(result.out.startsWith(QStringLiteral("edge-equation ")));
+}
+
+void TestCliBench::casesThatPass()
+{
+    const Run result = run({"cases", "--filter", "drift_float32"});
+    QCOMPARE(result.exitCode, 0);
+    QVERIFY(result.out.contains(QStringLiteral("176_drift_float32_extra                     + + + +")));
+    QVERIFY(result.out.contains(QRegularExpression(QStringLiteral("tiled +2 pass, 0 fail, 0 not drawn"))));
+}
+
+void TestCliBench::casesThatFail()
+{
+    const QStringList words{"cases", "--filter", "17?_DRIFT*", "--variants", "tiled,edge-equation-float32"};
+    const Run result = run(words);
+    QCOMPARE(result.exitCode, 1);
+    QVERIFY(result.out.contains(QStringLiteral("+ + x")));
+    QVERIFY(result.out.contains(
+        QStringLiteral("175_drift_float32_missing: edge-equation-float32: 10 missing, first at (16382, 0)")));
+    const Run json = run(words + QStringList{"--json", "-"});
+    QCOMPARE(json.exitCode, 1);
+    const QJsonArray matrix = QJsonDocument::fromJson(json.out.toUtf8()).array();
+    QCOMPARE(matrix.size(), 6);
+    QCOMPARE(matrix[0]["variant"].toString(), QStringLiteral("reference"));
+    QVERIFY(matrix[1]["pass"].toBool() && matrix[1]["reason"].toString().isEmpty());
+    QVERIFY(matrix[2]["pass"].isBool() && !matrix[2]["pass"].toBool() && !matrix[2]["reason"].toString().isEmpty());
+}
+
+void TestCliBench::listsCases()
+{
+    const Run all = run({"cases", "--list"});
+    QCOMPARE(all.exitCode, 0);
+    QVERIFY(all.out.count(QLatin1Char('\n')) >= 100);
+    const Run some = run({"cases", "--list", "--filter", "needle"});
+    QCOMPARE(some.out.count(QLatin1Char('\n')), 4);
+}
+
+void TestCliBench::refusals_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<int>("exitCode");
+    QTest::addColumn<QString>("message");
+    const auto row = [](const char* name, const QStringList& arguments, int exitCode, const char* message) {
+        QTest::newRow(name) << (arguments.first() == QLatin1String("cases") ? arguments : kQuick + arguments)
+                            << exitCode << QString::fromLatin1(message);
+    };
+    row("variant", {"--variants", "edge-eqation"}, 2, "did you mean edge-equation?");
+    row("unsupported", {"--variants", "tiled", "--fill", "wireframe"}, 2, "tiled: algorithm tiled needs fill solid");
+    row("frames", {"--frames", "0"}, 2, "--frames");
+    row("reference", {"--reference", "some"}, 2, "exact, none");
+    row("error", {"--error", "speed"}, 2, "coverage, depth, color");
+    row("plot", {"--plot", "b.gif"}, 2, ".svg or .png");
+    row("frontier", {"--variants", "frontier", "--reference", "none"}, 2, "needs --reference exact");
+    row("same name", {"--csv", "a", "--json", "a"}, 2, "two outputs");
+    row("no case", {"cases", "--filter", "no-such-case"}, 2, "no case matches");
+    row("case variant", {"cases", "--variants", "tild"}, 2, "did you mean tiled?");
+    row("case operand", {"cases", "001"}, 2, "one argument too many");
+    row("scene", {"no-such.obj"}, 3, "no-such.obj");
+}
+
+void TestCliBench::refusals()
+{
+    QFETCH(QStringList, arguments);
+    QFETCH(int, exitCode);
+    QFETCH(QString, message);
+    const Run result = run(arguments);
+    QCOMPARE(result.exitCode, exitCode);
+    QVERIFY2(result.err.contains(message), qPrintable(result.err));
+    QVERIFY(result.out.isEmpty());
+}
+
+QTEST_APPLESS_MAIN(TestCliBench)
+#include "test_cli_bench.moc"

@@ -1,0 +1,109 @@
+// The render worker: who draws the first picture, and what follows once nothing moves.
+#include "core/builtin_scenes.h"
+#include "core/camera.h"
+#include "ui/render_worker.h"
+
+#include <QSignalSpy>
+#include <QtTest>
+
+using namespace rasterlens;
+
+class TestMotion : public QObject
+{
+    Q_OBJECT
+
+private:
+    std::shared_ptr<const Scene> m_scene =
+        std::make_shared<const Scene>(*makeBuiltinScene(QStringLiteral("cube")).scene);
+    std::vector<FramePtr> m_frames;
+
+    /// The frames a request brings until it is settled.
+    void draw(RenderWorker& worker, const Settings& settings)
+    {
+        m_frames.clear();
+        const auto connection = connect(&worker, &RenderWorker::frameReady, this,
+                                        [this](const FramePtr& frame) { m_frames.push_back(frame); });
+        worker.request(m_scene, settings);
+        QVERIFY(QTest::qWaitFor([&] { return !worker.busy(); }, 60000));
+        disconnect(connection);
+    }
+    [[nodiscard]] Settings orbited(Settings settings) const
+    {
+        settings.view.yaw += 10;
+        return settings;
+    }
+
+private Q_SLOTS:
+    void cameraMovesAreDrawnFastFirst();
+    void theChosenAlgorithmIsNotReplacedWhereItMatters_data();
+    void theChosenAlgorithmIsNotReplacedWhereItMatters();
+    void canBeSwitchedOff();
+};
+
+void TestMotion::cameraMovesAreDrawnFastFirst()
+{
+    RenderWorker worker;
+    Settings settings = m_scene->defaults;
+    settings.algorithm = Algorithm::EdgeWalking;
+    draw(worker, settings);
+    QCOMPARE(m_frames.size(), 2U); // no move yet
+    QVERIFY(!m_frames[0]->fast && !m_frames[1]->fast);
+
+    draw(worker, orbited(settings));
+    QCOMPARE(m_frames.size(), 3U);
+    QVERIFY(m_frames[0]->fast && !m_frames[0]->counted);
+    QVERIFY(!m_frames[1]->fast && !m_frames[1]->counted);
+    QVERIFY(!m_frames[2]->fast && m_frames[2]->counted);
+    QCOMPARE(m_frames[0]->settings.algorithm, Algorithm::EdgeWalking);
+    QCOMPARE(m_frames[1]->frame.image, m_frames[2]->frame.image);
+    for (int y = 0; y < settings.size.height(); ++y)
+        for (int x = 0; x < settings.size.width(); ++x) {
+            const QRgb fast = m_frames[0]->frame.image.pixel(x, y);
+            const QRgb chosen = m_frames[1]->frame.image.pixel(x, y);
+            QVERIFY(std::abs(qRed(fast) - qRed(chosen)) <= 1 && std::abs(qGreen(fast) - qGreen(chosen)) <= 1 &&
+                    std::abs(qBlue(fast) - qBlue(chosen)) <= 1);
+        }
+}
+
+void TestMotion::theChosenAlgorithmIsNotReplacedWhereItMatters_data()
+{
+    QTest::addColumn<Settings>("settings");
+    Settings settings = m_scene->defaults;
+    Settings mistaken = settings;
+    mistaken.mistakes = {QStringLiteral("all-inclusive")};
+    QTest::newRow("mistake") << mistaken;
+    Settings wireframe = settings;
+    wireframe.fill = Fill::Wireframe;
+    QTest::newRow("wireframe") << wireframe;
+    Settings floats = settings;
+    floats.numberType = NumberType::Float32;
+    QTest::newRow("float32") << floats;
+    Settings painter = settings;
+    painter.visibility = Visibility::Painter;
+    QTest::newRow("painter") << painter;
+    Settings tiled = settings;
+    tiled.algorithm = Algorithm::Tiled;
+    QTest::newRow("tiled already") << tiled;
+}
+
+void TestMotion::theChosenAlgorithmIsNotReplacedWhereItMatters()
+{
+    QFETCH(Settings, settings);
+    RenderWorker worker;
+    draw(worker, settings);
+    draw(worker, orbited(settings));
+    QCOMPARE(m_frames.size(), 2U);
+    QVERIFY(!m_frames[0]->fast && !m_frames[1]->fast);
+}
+
+void TestMotion::canBeSwitchedOff()
+{
+    RenderWorker worker;
+    worker.setFastMotion(false);
+    draw(worker, m_scene->defaults);
+    draw(worker, orbited(m_scene->defaults));
+    QCOMPARE(m_frames.size(), 2U);
+}
+
+QTEST_MAIN(TestMotion)
+#include "test_motion.moc"

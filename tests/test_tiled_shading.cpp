@@ -1,0 +1,154 @@
+// Shading by the tiled algorithm against edge-equation: every shading, texture filter and number of samples, on every
+// instruction set.
+#include "tests/tiled_support.h"
+
+#include <QTest>
+
+#include <array>
+#include <limits>
+
+using namespace rasterlens;
+using namespace rasterlens::test;
+
+namespace
+{
+
+Texture noise(std::mt19937& random, int width, int height)
+{
+    Texture texture{QStringLiteral("noise"), width, height, {}, {}};
+    for (int i = 0; i < width * height; ++i)
+        texture.texels.push_back(0xff000000U | static_cast<std::uint32_t>(random() & 0xffffffU));
+    return texture;
+}
+
+/// Gives every face one of several materials: with textures of all kinds of sizes, without, dull and shiny; and the
+/// vertices normals and coordinates that repeat.
+void dress(Scene& scene, std::mt19937& random)
+{
+    scene.textures = {noise(random, 16, 8), noise(random, 7, 5), noise(random, 1, 3), noise(random, 64, 64)};
+    scene.materials.clear();
+    for (int i = 0; i < 6; ++i) {
+        Material material;
+        material.texture = i < 4 ? i : -1;
+        material.shininess = std::array{1.0F, 32.0F, 1000.0F, 0.5F, 7.25F, 0.0F}[std::size_t(i)];
+        scene.materials.push_back(material);
+    }
+    std::uniform_real_distribution<float> unit(-1, 1);
+    for (MeshVertex& v : scene.mesh.vertices) {
+        v.normal = {unit(random), unit(random), unit(random)}; // not of length 1
+        v.uv = 4.0F * glm::vec2(unit(random), unit(random));
+    }
+    for (std::size_t face = 0; face < scene.mesh.faceCount(); ++face)
+        scene.mesh.faceMaterial.push_back(static_cast<std::uint32_t>(random() % scene.materials.size()));
+}
+
+} // namespace
+
+class TestTiledShading : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void drawsShadingsAlike_data();
+    void drawsShadingsAlike();
+    void findsTexelsOnTheirBorders();
+    void drawsAttributesThatAreNoNumbers();
+};
+
+void TestTiledShading::drawsShadingsAlike_data()
+{
+    QTest::addColumn<Settings>("settings");
+    const SettingsField& shading = *findSettingsField("shading");
+    const SettingsField& filter = *findSettingsField("texture-filter");
+    const SettingsField& samples = *findSettingsField("samples");
+    Settings settings;
+    for (int i = shading.minimum; i <= shading.maximum; ++i)
+        for (int j = filter.minimum; j <= filter.maximum; ++j)
+            for (int k = samples.minimum; k <= samples.maximum; ++k) {
+                shading.set(settings, i);
+                filter.set(settings, j);
+                samples.set(settings, k);
+                const bool textured = settings.shading == Shading::Texture || settings.shading == Shading::Phong;
+                if (j == filter.minimum || textured)
+                    QTest::addRow("%s %s %s", qPrintable(valueId(shading, settings)),
+                                  qPrintable(valueId(filter, settings)), qPrintable(valueId(samples, settings)))
+                        << settings;
+            }
+}
+
+void TestTiledShading::drawsShadingsAlike()
+{
+    QFETCH(Settings, settings);
+    const std::vector<Simd> all = simds();
+    std::mt19937 random(5);
+    const SceneLoad head = makeBuiltinScene("head");
+    QVERIFY(head.scene);
+    for (const bool lit : {false, true})
+        for (const Interpolation interpolation : {Interpolation::Perspective, Interpolation::Affine}) {
+            settings.size = lit ? QSize(90, 70) : QSize(75, 50);
+            settings.culling = lit ? Culling::Back : Culling::None;
+            settings.view.distance = 0.7; // some of it is cut
+            settings.interpolation = interpolation;
+            Scene scene = lit ? *head.scene : soup(random, settings.size, 60);
+            dress(scene, random);
+            const QString d = compareAll(scene, settings, all, {2});
+            QVERIFY2(d.isEmpty(), qPrintable(d));
+        }
+}
+
+/// Two texels a pixel: every centre lies on the border of two texels, and the wrong one would be seen.
+void TestTiledShading::findsTexelsOnTheirBorders()
+{
+    std::mt19937 random(9);
+    const QSize size(96, 64);
+    for (const int side : {64, 48, 7}) {
+        Scene scene = clipScene(size);
+        scene.textures = {noise(random, side, side)};
+        scene.materials[0].texture = 0;
+        addTriangle(scene,
+                    {fromScreen(0, 0, 0.5, 1, size), fromScreen(0, 64, 0.5, 1, size), fromScreen(96, 64, 0.5, 1, size)},
+                    random);
+        addTriangle(scene,
+                    {fromScreen(0, 0, 0.5, 1, size), fromScreen(96, 64, 0.5, 1, size), fromScreen(96, 0, 0.5, 1, size)},
+                    random);
+        for (MeshVertex& v : scene.mesh.vertices) {
+            v.uv = glm::vec2(v.position.x + 1, v.position.y + 1) * glm::vec2(96, 64) / float(side);
+            v.color = {1, 1, 1};
+        }
+        for (const Shading shading : {Shading::Texture, Shading::Uv}) {
+            Settings settings;
+            settings.size = size;
+            settings.shading = shading;
+            const QString d = compareAll(scene, settings, simds(), {1});
+            QVERIFY2(d.isEmpty(), qPrintable(d));
+        }
+    }
+}
+
+void TestTiledShading::drawsAttributesThatAreNoNumbers()
+{
+    constexpr float kInf = std::numeric_limits<float>::infinity();
+    std::mt19937 random(10);
+    const QSize size(80, 60);
+    Scene scene = soup(random, size, 60);
+    dress(scene, random);
+    const std::array odd{0.0F, kInf, -kInf, std::numeric_limits<float>::quiet_NaN(), 1e30F, -1e9F, 1e-42F};
+    const auto some = [&] { return odd[random() % odd.size()]; };
+    for (MeshVertex& v : scene.mesh.vertices) {
+        if (random() % 3 == 0)
+            v.uv = {some(), some()};
+        if (random() % 3 == 0)
+            v.normal = {some(), some(), some()};
+    }
+    for (const Shading shading : {Shading::Texture, Shading::Phong, Shading::Normals, Shading::Uv}) {
+        Settings settings;
+        settings.size = size;
+        settings.culling = Culling::None;
+        settings.shading = shading;
+        const QString d = compareAll(scene, settings, simds(), {1});
+        QVERIFY2(d.isEmpty(), qPrintable(d));
+    }
+}
+
+QTEST_APPLESS_MAIN(TestTiledShading)
+#include "test_tiled_shading.moc"

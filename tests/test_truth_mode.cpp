@@ -1,0 +1,391 @@
+// The window says how right the picture is: referee, comparison, number dial.
+#include "core/builtin_scenes.h"
+#include "ui/compare_bar.h"
+#include "ui/main_window.h"
+#include "ui/number_dial.h"
+#include "ui/pipeline_panel.h"
+#include "ui/referee_bar.h"
+#include "ui/step_mode.h"
+#include "ui/truth_mode.h"
+#include "ui/wipe.h"
+
+#include <QComboBox>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace rasterlens;
+
+namespace
+{
+
+constexpr int kPatienceMs = 30000;
+constexpr auto kSquare = "builtin:square-diagonal";
+
+} // namespace
+
+class TestTruthMode : public QObject
+{
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+    std::unique_ptr<MainWindow> m_window;
+
+    Document& document() { return m_window->document(); }
+    ViewportWidget& viewport() { return m_window->viewport(); }
+    TruthMode& truth() { return m_window->truthMode(); }
+    Referee& referee() { return truth().referee(); }
+    Comparison& comparison() { return truth().comparison(); }
+
+    bool complete()
+    {
+        return QTest::qWaitFor([this] { return m_window->isComplete(); }, kPatienceMs);
+    }
+    bool open(const char* name)
+    {
+        document().open(QLatin1String(name));
+        return complete() && document().scene()->id == QLatin1String(name);
+    }
+    template <class Change>
+    bool change(Change&& change)
+    {
+        Settings next = document().settings();
+        change(next);
+        document().setSettings(next);
+        return complete();
+    }
+    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
+    {
+        QTest::keyClick(&viewport(), key, modifiers);
+    }
+    QRgb shownAt(QPoint pixel)
+    {
+        const QPointF at = viewport().transform().toCanvas(QPointF(pixel) + QPointF(0.25, 0.75));
+        return viewport().grab().toImage().pixel(at.toPoint());
+    }
+    static Frame drawn(const Scene& scene, const Settings& settings)
+    {
+        Frame frame;
+        render(scene, settings, frame);
+        return frame;
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QStandardPaths::setTestModeEnabled(true);
+        QCoreApplication::setOrganizationName(QStringLiteral("RasterLensTest"));
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.filePath(QStringLiteral("config")));
+    }
+
+    void init()
+    {
+        m_window = std::make_unique<MainWindow>(MainWindow::Memory::Forget);
+        m_window->resize(1280, 800);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_window->activateWindow();
+        viewport().setFocus();
+    }
+
+    void cleanup() { m_window.reset(); }
+
+    void refereeFollowsThePicture()
+    {
+        QVERIFY(open(kSquare));
+        QVERIFY(referee().text().isEmpty());
+        key(Qt::Key_V);
+        QVERIFY(referee().isOn());
+        QVERIFY(complete());
+        QCOMPARE(referee().text(), QStringLiteral("none wrong of 64 samples"));
+        QVERIFY(change([](Settings& s) { s.tieRule = TieRule::Exclusive; }));
+        QCOMPARE(referee().text(), QStringLiteral("8 missing of 64 samples"));
+        QVERIFY(change([](Settings& s) { s.tieRule = TieRule::Inclusive; }));
+        QCOMPARE(referee().text(), QStringLiteral("8 hit twice of 64 samples"));
+        QVERIFY(change([](Settings& s) { s.fill = Fill::Wireframe; }));
+        QVERIFY(!referee().judgement());
+        QVERIFY(referee().text().startsWith(QStringLiteral("not checked")));
+        key(Qt::Key_V);
+        QVERIFY(!referee().isOn());
+        QVERIFY(referee().text().isEmpty());
+    }
+
+    void wrongPixelsGlow()
+    {
+        QVERIFY(open(kSquare));
+        QVERIFY(change([](Settings& s) { s.tieRule = TieRule::Inclusive; }));
+        referee().setOn(true);
+        QVERIFY(complete());
+        QCoreApplication::processEvents();
+        const QRgb wrong = shownAt({0, 7});
+        const QRgb right = shownAt({7, 7});
+        const QRgb wrongInPicture = viewport().frame()->frame.image.pixel(0, 7);
+        QCOMPARE(right, viewport().frame()->frame.image.pixel(7, 7));
+        QVERIFY(wrong != wrongInPicture);
+        referee().setOn(false);
+        QCoreApplication::processEvents();
+        QCOMPARE(shownAt({0, 7}), wrongInPicture);
+    }
+
+    /// However far one is away: the picture itself is then smaller than what glows.
+    void wrongPixelsGlowFromAfar()
+    {
+        QVERIFY(open("builtin:slivers"));
+        QVERIFY(change([](Settings& s) { s.numberType = NumberType::Float32; }));
+        referee().setOn(true);
+        QVERIFY(complete());
+        const std::vector<WrongPixel>& wrong = referee().judgement()->wrong;
+        QVERIFY(!wrong.empty());
+        viewport().fit();
+        const double zoom = viewport().transform().zoom;
+        QVERIFY(zoom < kGridFromZoom);
+        const QPoint beside =
+            viewport().transform().toCanvas(QPointF(wrong[0].x + 0.5, wrong[0].y + 0.5)).toPoint() + QPoint(0, 5);
+        const QRgb glowing = viewport().grab().toImage().pixel(beside);
+        viewport().setOverlays({});
+        QVERIFY(viewport().grab().toImage().pixel(beside) != glowing);
+    }
+
+    void nextWrongGoesRound()
+    {
+        QVERIFY(open(kSquare));
+        QVERIFY(change([](Settings& s) { s.tieRule = TieRule::Exclusive; }));
+        referee().setOn(true);
+        QVERIFY(complete());
+        for (int i = 0; i < 17; ++i) {
+            key(Qt::Key_V, Qt::ShiftModifier);
+            QCOMPARE(viewport().selectedPixel(), std::optional(QPoint(7 - i % 8, i % 8)));
+        }
+    }
+
+    /// A change while a check is under way is checked; no verdict belongs to other settings.
+    void latestCheckWins()
+    {
+        QVERIFY(open("builtin:torus-knot"));
+        referee().setOn(true);
+        QVERIFY(referee().isChecking());
+        QVERIFY(!referee().judgement());
+        Settings small = document().settings();
+        small.size = {40, 30};
+        document().setSettings(small);
+        QVERIFY(!referee().judgement());
+        QVERIFY(complete());
+        QCOMPARE(referee().judgement()->difference.pixels, std::uint64_t{1200});
+        document().undo();
+        QVERIFY(referee().isChecking());
+        referee().setOn(false);
+        QVERIFY(!referee().isChecking());
+        QVERIFY(truth().refereeBar().isHidden());
+    }
+
+    void mistakesAreComparedWithTheRightPicture()
+    {
+        QVERIFY(open(kSquare));
+        QVERIFY(change([](Settings& s) {
+            s.mistakes = {QStringLiteral("all-exclusive")};
+            s.size = {64, 64};
+        }));
+        key(Qt::Key_S);
+        QVERIFY(complete());
+        QCOMPARE(comparison().with(), CompareWith::Right);
+        Settings right = document().settings();
+        right.mistakes.clear();
+        QCOMPARE(comparison().wiped()->frame.image, drawn(*document().scene(), right).image);
+        QCOMPARE(comparison().difference()->differing, std::uint64_t{64});
+        QVERIFY(comparison().text().contains(QStringLiteral("64 of 4,096 pixels differ")));
+        QCOMPARE(comparison().settingsText().size(), 1);
+        key(Qt::Key_S);
+        QCOMPARE(comparison().view(), CompareView::Off);
+        QVERIFY(!viewport().overlays().wipe);
+    }
+
+    void wipeShowsAOnTheLeftAndMoves()
+    {
+        QVERIFY(open(kSquare));
+        QVERIFY(change([](Settings& s) { s.shading = Shading::TriangleId; }));
+        comparison().setView(CompareView::Wipe);
+        QVERIFY(complete());
+        const QRgb b = viewport().frame()->frame.image.pixel(2, 0);
+        const QRgb a = comparison().wiped()->frame.image.pixel(2, 0);
+        QVERIFY(a != b);
+        const auto column = [&] {
+            return wipeColumn(*viewport().overlays().wipe, viewport().rect(), viewport().transform(), 8);
+        };
+        const auto dragTo = [&](double x) {
+            const int y = viewport().height() / 2;
+            QTest::mousePress(&viewport(), Qt::LeftButton, {}, QPoint(int(column()), y));
+            QTest::mouseMove(&viewport(), QPoint(int(x), y));
+            QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, QPoint(int(x), y));
+        };
+        const View view = document().settings().view;
+        dragTo(viewport().transform().toCanvas(QPointF(4, 0)).x());
+        QCOMPARE(shownAt({2, 0}), a);
+        dragTo(viewport().transform().toCanvas(QPointF(1, 0)).x());
+        QCOMPARE(shownAt({2, 0}), b);
+        QVERIFY(document().settings().view == view);
+        viewport().zoomAt(QPointF(0, 0), 128); // the line stays within reach
+        QVERIFY(viewport().rect().contains(QPoint(int(column()), 10)));
+    }
+
+    void comparisonFollowsTheCamera()
+    {
+        QVERIFY(open("builtin:cube"));
+        QVERIFY(change([](Settings& s) {
+            s.size = {80, 60};
+            s.interpolation = Interpolation::Affine;
+            s.shading = Shading::Flat;
+        }));
+        comparison().setView(CompareView::Wipe);
+        QVERIFY(complete());
+        for (const double yaw : {20.0, 40.0, 60.0}) {
+            QVERIFY(change([yaw](Settings& s) { s.view.yaw = yaw; }));
+            Settings a = document().defaults();
+            a.size = document().settings().size;
+            a.view = document().settings().view;
+            QVERIFY(comparison().wiped()->settings == a);
+            QCOMPARE(comparison().frame()->settings.view.yaw, yaw);
+            QCOMPARE(*comparison().difference(),
+                     rasterlens::difference(drawn(*document().scene(), a).image,
+                                            drawn(*document().scene(), document().settings()).image));
+        }
+    }
+
+    void blinkShowsBothInTurn()
+    {
+        QVERIFY(open(kSquare));
+        QVERIFY(change([](Settings& s) { s.shading = Shading::TriangleId; }));
+        key(Qt::Key_B);
+        QVERIFY(complete());
+        QSet<QString> tags;
+        QVERIFY(QTest::qWaitFor([&] {
+            tags << viewport().overlays().tag;
+            return tags.contains(QStringLiteral("A")) && tags.contains(QStringLiteral("B"));
+        }));
+        const bool showsA = viewport().overlays().tag == QLatin1String("A");
+        QCOMPARE(viewport().frame()->settings.shading, showsA ? document().defaults().shading : Shading::TriangleId);
+        key(Qt::Key_B);
+        QVERIFY(viewport().overlays().tag.isEmpty());
+        QCOMPARE(viewport().frame()->settings.shading, Shading::TriangleId);
+    }
+
+    void differenceIsAmplified()
+    {
+        QVERIFY(open("builtin:sphere"));
+        QVERIFY(change([](Settings& s) {
+            s.size = {80, 60};
+            s.subpixelBits = 4;
+        }));
+        key(Qt::Key_D);
+        QVERIFY(complete());
+        const QImage a = drawn(*document().scene(), comparison().other(document().settings())).image;
+        const QImage b = drawn(*document().scene(), document().settings()).image;
+        QVERIFY(a != b);
+        QCOMPARE(viewport().frame()->frame.image, heatMap(a, b));
+        QComboBox* box = truth().compareBar().amplificationBox();
+        box->setCurrentIndex(box->findData(16));
+        Q_EMIT box->activated(box->currentIndex());
+        QVERIFY(complete());
+        QCOMPARE(viewport().frame()->frame.image, heatMap(a, b, 16));
+        QVERIFY(heatMap(a, b, 16) != heatMap(a, b));
+    }
+
+    void pinnedSettingsAreKeptAndExchanged()
+    {
+        QVERIFY(open(kSquare));
+        QVERIFY(change([](Settings& s) { s.tieRule = TieRule::Exclusive; }));
+        key(Qt::Key_A);
+        QVERIFY(change([](Settings& s) {
+            s.tieRule = TieRule::TopLeft;
+            s.size = {16, 16};
+        }));
+        key(Qt::Key_S);
+        QVERIFY(complete());
+        QCOMPARE(comparison().with(), CompareWith::Pinned);
+        QCOMPARE(comparison().wiped()->settings.tieRule, TieRule::Exclusive);
+        QCOMPARE(comparison().wiped()->frame.image.size(), QSize(16, 16));
+        QCOMPARE(comparison().difference()->differing, std::uint64_t{16});
+        key(Qt::Key_A, Qt::ShiftModifier);
+        QVERIFY(complete());
+        QCOMPARE(document().settings().tieRule, TieRule::Exclusive);
+        QCOMPARE(comparison().wiped()->settings.tieRule, TieRule::TopLeft);
+        document().undo();
+        QCOMPARE(document().settings().tieRule, TieRule::TopLeft);
+    }
+
+    /// Steps of a picture are not compared; afterwards the comparison goes on. A new scene has nothing of the old one.
+    void comparisonPausesForStepsAndForgetsScenes()
+    {
+        QVERIFY(open(kSquare));
+        QVERIFY(change([](Settings& s) { s.tieRule = TieRule::Exclusive; }));
+        comparison().setView(CompareView::Wipe);
+        QVERIFY(complete());
+        QVERIFY(viewport().overlays().wipe);
+        m_window->stepMode().showStep(QStringLiteral("3"));
+        QVERIFY(complete());
+        QVERIFY(!viewport().overlays().wipe);
+        m_window->stepMode().session().close();
+        QVERIFY(complete());
+        QVERIFY(viewport().overlays().wipe);
+        QVERIFY(open("builtin:cube"));
+        QCOMPARE(comparison().frame()->scene->id, QStringLiteral("builtin:cube"));
+        QCOMPARE(comparison().difference()->differing, std::uint64_t{0});
+    }
+
+    void whatCannotBeDrawnIsSaid()
+    {
+        QVERIFY(open(kSquare));
+        Settings pinned = document().settings();
+        pinned.algorithm = Algorithm::Tiled;
+        pinned.numberType = NumberType::Float32;
+        QVERIFY(unsupported(*document().scene(), pinned));
+        document().setSettings(pinned);
+        comparison().pin();
+        document().undo();
+        comparison().setView(CompareView::Wipe);
+        QVERIFY(complete());
+        QVERIFY(comparison().text().startsWith(QStringLiteral("A cannot be drawn")));
+        QVERIFY(!viewport().overlays().wipe);
+    }
+
+    void dialTurnsTypeAndBits()
+    {
+        QVERIFY(open(kSquare));
+        NumberDial& dial = m_window->pipelinePanel().numberDial();
+        QSet<QString> texts;
+        for (int i = 0; i < static_cast<int>(NumberDial::kStops.size()); ++i) {
+            dial.choose(i);
+            QCOMPARE(dial.stop(), i);
+            const NumberDial::Stop& stop = NumberDial::kStops[static_cast<std::size_t>(i)];
+            QCOMPARE(document().settings().numberType, stop.type);
+            if (stop.type == NumberType::Fixed)
+                QCOMPARE(document().settings().subpixelBits, stop.subpixelBits);
+            texts << dial.unitText() + dial.bitsText();
+        }
+        QCOMPARE(texts.size(), static_cast<int>(NumberDial::kStops.size()));
+        dial.choose(2);
+        QVERIFY(change([](Settings& s) { s.algorithm = Algorithm::Tiled; }));
+        dial.choose(1); // float32, which tiled does not draw
+        QCOMPARE(dial.stop(), 2);
+        QVERIFY(change([](Settings& s) { s.algorithm = Algorithm::EdgeEquation; }));
+        QTest::keyClick(&dial, Qt::Key_Down);
+        QCOMPARE(dial.stop(), 3);
+    }
+
+    void float32FailsWhereTheMenuSays()
+    {
+        for (const QLatin1String name : kFloatFailures) {
+            Q_EMIT m_window->pipelinePanel().floatFailureChosen(QStringLiteral("builtin:") + name);
+            QVERIFY(complete());
+            QCOMPARE(document().settings().numberType, NumberType::Float32);
+            QVERIFY2(referee().judgement() && referee().judgement()->difference.wrong() > 0, name.data());
+            QVERIFY(change([](Settings& s) { s.numberType = NumberType::Fixed; }));
+            QVERIFY2(referee().judgement() && referee().judgement()->difference.wrong() == 0, name.data());
+        }
+    }
+};
+
+QTEST_MAIN(TestTruthMode)
+#include "test_truth_mode.moc"

@@ -1,0 +1,253 @@
+// The panels of the truth that measure: speed against error, and the hard cases.
+#include "core/case_file.h"
+#include "ui/case_browser.h"
+#include "ui/dock.h"
+#include "ui/experiment_model.h"
+#include "ui/experiment_panel.h"
+#include "ui/main_window.h"
+#include "ui/step_mode.h"
+#include "ui/truth_mode.h"
+
+#include <QAbstractItemModelTester>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QLineEdit>
+#include <QListView>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace rasterlens;
+
+namespace
+{
+
+constexpr int kPatienceMs = 60000;
+
+} // namespace
+
+class TestTruthPanels : public QObject
+{
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+    std::unique_ptr<MainWindow> m_window;
+
+    Document& document() { return m_window->document(); }
+    TruthMode& truth() { return m_window->truthMode(); }
+    ExperimentPanel& panel() { return truth().experiment(); }
+    CaseBrowser& browser() { return truth().caseBrowser(); }
+
+    bool complete()
+    {
+        return QTest::qWaitFor([this] { return m_window->isComplete(); }, kPatienceMs);
+    }
+    bool openSmall(const char* name)
+    {
+        document().open(QLatin1String(name));
+        if (!complete())
+            return false;
+        Settings small = document().settings();
+        small.size = {64, 48};
+        document().setSettings(small);
+        return complete();
+    }
+    bool measure()
+    {
+        truth().showPanel(QStringLiteral("experiment"));
+        panel().run(1);
+        return panel().isRunning() && complete() && !panel().isRunning();
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QStandardPaths::setTestModeEnabled(true);
+        QCoreApplication::setOrganizationName(QStringLiteral("RasterLensTest"));
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.filePath(QStringLiteral("config")));
+    }
+
+    void init()
+    {
+        m_window = std::make_unique<MainWindow>(MainWindow::Memory::Forget);
+        m_window->resize(1280, 800);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    }
+
+    void cleanup() { m_window.reset(); }
+
+    void everyVariantIsADotAndARow()
+    {
+        QVERIFY(openSmall("builtin:cube"));
+        QVERIFY(measure());
+        const std::size_t variants = supportedVariants(*document().scene(), document().settings()).size();
+        QVERIFY(variants >= 30);
+        QCOMPARE(panel().rows().size(), variants);
+        QCOMPARE(panel().plot().dotCount(), static_cast<int>(variants));
+        QCOMPARE(panel().table().model()->rowCount(), static_cast<int>(variants));
+        const QAbstractItemModelTester tester(panel().table().model(),
+                                              QAbstractItemModelTester::FailureReportingMode::QtTest);
+        QVERIFY(panel().ratioText().contains(QStringLiteral("1.36")));
+    }
+
+    /// Dots keep to the axes: more error is further right, a longer time higher, more triangles a second higher.
+    void dotsLieWhereTheirNumbersSay()
+    {
+        QVERIFY(openSmall("builtin:tile-square"));
+        QVERIFY(measure());
+        for (int error = 0; error < kErrorMeasures; ++error)
+            for (int speed = 0; speed < 2; ++speed) {
+                panel().errorBox()->setCurrentIndex(error);
+                panel().speedBox()->setCurrentIndex(speed);
+                QCoreApplication::processEvents();
+                const auto number = [&](const ExperimentRow& row) { return speedOf(row, SpeedMeasure(speed)).median; };
+                const auto& rows = panel().rows();
+                for (std::size_t i = 1; i < rows.size(); ++i) {
+                    const auto a = panel().plot().placeOf(static_cast<int>(i - 1));
+                    const auto b = panel().plot().placeOf(static_cast<int>(i));
+                    const auto errorA = errorOf(rows[i - 1], ErrorMeasure(error));
+                    const auto errorB = errorOf(rows[i], ErrorMeasure(error));
+                    QCOMPARE(a.has_value(), errorA.has_value());
+                    if (!a || !b)
+                        continue;
+                    QCOMPARE(a->x() < b->x(), *errorA < *errorB);
+                    QCOMPARE(a->y() > b->y(), number(rows[i - 1]) < number(rows[i]));
+                }
+            }
+    }
+
+    void aClickOnADotLoadsTheVariant()
+    {
+        QVERIFY(openSmall("builtin:cube"));
+        QVERIFY(measure());
+        panel().errorBox()->setCurrentIndex(static_cast<int>(ErrorMeasure::Color));
+        QCoreApplication::processEvents();
+        Settings moved = document().settings();
+        moved.view.yaw = 33;
+        document().setSettings(moved);
+        for (const char* id : {"edge-equation-bits-0", "edge-walking-float32"}) {
+            const auto row = std::ranges::find(panel().rows(), QLatin1String(id), &ExperimentRow::variant);
+            QVERIFY(row != panel().rows().end());
+            const int index = static_cast<int>(row - panel().rows().begin());
+            const QPoint at = panel().plot().placeOf(index)->toPoint();
+            QWidget* target = panel().plot().childAt(at);
+            QVERIFY(target);
+            QTest::mouseClick(target, Qt::LeftButton, {}, target->mapFrom(&panel().plot(), at));
+            QVERIFY(complete());
+            // Another dot may lie on the same spot; what was loaded is one of them.
+            const auto same = std::ranges::any_of(panel().rows(), [&](const ExperimentRow& other) {
+                Settings settings = other.settings;
+                settings.view = document().settings().view;
+                const auto place = panel().plot().placeOf(static_cast<int>(&other - panel().rows().data()));
+                return settings == document().settings() && place && (*place - QPointF(at)).manhattanLength() < 18;
+            });
+            QVERIFY(same);
+            QCOMPARE(document().settings().view.yaw, 33.0);
+        }
+        const auto row = std::ranges::find(panel().rows(), QLatin1String("tiled-2x2"), &ExperimentRow::variant);
+        panel().load(static_cast<int>(row - panel().rows().begin()));
+        QCOMPARE(document().settings().algorithm, Algorithm::Tiled);
+        QCOMPARE(document().settings().samples, Samples::Grid2);
+    }
+
+    void cancelKeepsWhatIsThere()
+    {
+        QVERIFY(openSmall("builtin:torus-knot"));
+        panel().run(1000);
+        QVERIFY(panel().isRunning());
+        QVERIFY(QTest::qWaitFor([this] { return !panel().rows().empty(); }, kPatienceMs));
+        panel().cancel();
+        QVERIFY(QTest::qWaitFor([this] { return !panel().isRunning(); }, kPatienceMs));
+        QVERIFY(!panel().rows().empty());
+        QVERIFY(panel().rows().front().ms.frames < 1000);
+    }
+
+    void exports()
+    {
+        QVERIFY(openSmall("builtin:cube"));
+        QVERIFY(measure());
+        const auto written = [this](const char* name) {
+            const QString path = m_folder.filePath(QLatin1String(name));
+            const auto error = panel().exportTo(path);
+            QFile file(path);
+            return error || !file.open(QIODevice::ReadOnly) ? QByteArray() : file.readAll();
+        };
+        const auto rows = static_cast<qsizetype>(panel().rows().size());
+        QCOMPARE(written("rows.csv").count('\n'), rows + 1);
+        QCOMPARE(QJsonDocument::fromJson(written("rows.json")).array().size(), rows);
+        const QByteArray svg = written("plot.svg");
+        QVERIFY(svg.contains("<svg"));
+        QVERIFY(svg.count("<path") + svg.count("<polyline") + svg.count("<polygon") + svg.count("<circle") > 30);
+        QVERIFY(!svg.contains("<image"));
+        const QImage png = QImage::fromData(written("plot.png"));
+        QVERIFY(png.width() >= 1000);
+        QVERIFY(panel().exportTo(QStringLiteral("/no/such/folder/rows.csv")).has_value());
+    }
+
+    void casesAreJudgedAndFiltered()
+    {
+        truth().showPanel(QStringLiteral("cases"));
+        QVERIFY(browser().model().isBusy());
+        QVERIFY(QTest::qWaitFor([this] { return !browser().model().isBusy(); }, 10 * kPatienceMs));
+        const CaseModel& model = browser().model();
+        QVERIFY(model.rowCount() >= 100);
+        QCOMPARE(model.judged(), model.rowCount());
+        int failing = 0;
+        for (int i = 0; i < model.rowCount(); ++i) {
+            const CaseModel::Case& one = model.at(i);
+            QCOMPARE(one.verdicts.size(), CaseModel::kVariants.size());
+            QVERIFY2(!one.thumbnail.isNull(), qPrintable(one.name));
+            QVERIFY2(!one.note.isEmpty() && !one.expectations.isEmpty(), qPrintable(one.name));
+            failing += one.fails();
+            // Fixed point is right wherever it draws at all, and float32 is not.
+            QVERIFY2(one.verdicts[0].grade != CaseGrade::Fails, qPrintable(one.name + one.verdicts[0].reason));
+        }
+        QVERIFY(failing > 0 && failing < model.rowCount());
+        QCOMPARE(browser().listed(), model.rowCount());
+        browser().failingBox()->setChecked(true);
+        QCOMPARE(browser().listed(), failing);
+        browser().failingBox()->setChecked(false);
+        browser().filterEdit()->setText(QStringLiteral("needle"));
+        QVERIFY(browser().listed() > 0 && browser().listed() < model.rowCount());
+        browser().filterEdit()->setText(QStringLiteral("no such case"));
+        QCOMPARE(browser().listed(), 0);
+        const QAbstractItemModelTester tester(&browser().model(),
+                                              QAbstractItemModelTester::FailureReportingMode::QtTest);
+    }
+
+    void aClickOpensTheCaseInTheLens()
+    {
+        truth().showPanel(QStringLiteral("cases"));
+        browser().filterEdit()->setText(QStringLiteral("cancellation_one_unit_inside"));
+        QCOMPARE(browser().listed(), 1);
+        const QModelIndex only = browser().list().model()->index(0, 0);
+        constexpr std::size_t kFloat32 = 3;
+        const QPoint sign = CaseBrowser::signBox(browser().list().visualRect(only), kFloat32).center();
+        QTest::mouseClick(browser().list().viewport(), Qt::LeftButton, {}, sign);
+        const auto isShown = [this] {
+            return m_window->isSettled() && m_window->stepMode().session().event() && truth().referee().judgement();
+        };
+        QVERIFY(QTest::qWaitFor(isShown, kPatienceMs));
+        QCOMPARE(document().settings().numberType, NumberType::Float32);
+        const WrongPixel& wrong = truth().referee().judgement()->wrong.front();
+        QCOMPARE(m_window->viewport().selectedPixel(), std::optional(QPoint(wrong.x, wrong.y)));
+        QVERIFY(m_window->stepMode().lens().model());
+
+        // A case that is right is opened as well, at a tie.
+        truth().showCase(QStringLiteral("001_edges_four_quarters"), QStringLiteral("edge-walking"));
+        QVERIFY(QTest::qWaitFor([this] { return document().scene()->id.contains(QLatin1String("/001_")); }));
+        QVERIFY(QTest::qWaitFor(isShown, kPatienceMs));
+        QCOMPARE(document().settings().algorithm, Algorithm::EdgeWalking);
+        QCOMPARE(truth().referee().judgement()->difference.wrong(), std::uint64_t{0});
+    }
+};
+
+QTEST_MAIN(TestTruthPanels)
+#include "test_truth_panels.moc"
