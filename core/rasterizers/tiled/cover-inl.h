@@ -220,13 +220,15 @@ HWY_INLINE void CoverSubtiles(const TriangleLanes& lanes, const TileTriangle& t,
 
 /// The columns and rows of blocks that hold the bounds of a triangle.
 struct BlockBounds {
-    explicit BlockBounds(const TileTriangle& t)
-        : column(t.x0 / kBlockSide), row(t.y0 / kBlockSide), columns(t.x1 / kBlockSide - column + 1),
-          rows(t.y1 / kBlockSide - row + 1)
-    {
-    }
     int column, row, columns, rows;
 };
+
+HWY_INLINE BlockBounds BoundsInBlocks(const TileTriangle& t)
+{
+    const int column = t.x0 / kBlockSide;
+    const int row = t.y0 / kBlockSide;
+    return {column, row, t.x1 / kBlockSide - column + 1, t.y1 / kBlockSide - row + 1};
+}
 
 /// blockIndex() of the 4 x 4 blocks from column and row on.
 HWY_INLINE Uints BlocksFrom(int column, int row, std::size_t lane)
@@ -243,38 +245,60 @@ HWY_INLINE Uints BlocksFrom(int column, int row, std::size_t lane)
     return hn::Add(hn::ShiftLeft<4>(subtile), inSubtile);
 }
 
-/// A triangle of at most 4 x 4 blocks: those that it touches, without asking what is in front.
+/// Up to 4 x 4 blocks of a triangle: those that it touches, without asking what is in front.
+///
+/// in   the triangle at the first sample of them
 template <class Policy>
-HWY_INLINE void CoverWindow(const TriangleLanes& lanes, const TileTriangle& t, const BlockBounds& bounds,
-                            const Policy& policy, std::uint32_t number, Worker& worker, TileDepth& tile,
+HWY_INLINE void CoverWindow(const TriangleLanes& lanes, const SampleValues& first, const BlockBounds& window,
+                            const Policy& policy, std::uint32_t number, Worker& worker, const TileDepth& tile,
                             BlockQueue& queue)
 {
     BlockQueue::Group& group = NextGroup(policy, queue, worker);
-    StoreDepths(lanes, t.depthOrigin, group.corners);
-    const std::uint32_t inBounds = SquaresBetween(0, 0, bounds.columns - 1, bounds.rows - 1);
-    const std::uint32_t touched = JudgeSquares<2>(lanes, t.c, group.corners).touched & inBounds;
-    tile.nearestSmall = std::min(tile.nearestSmall, std::max(std::bit_cast<std::int32_t>(t.nearest), 0));
-    WriteBlankBlocks(worker.samples, tile);
+    StoreDepths(lanes, first.depth, group.corners);
+    const std::uint32_t inBounds = SquaresBetween(0, 0, window.columns - 1, window.rows - 1);
+    const std::uint32_t touched = JudgeSquares<2>(lanes, first.edge, group.corners).touched & inBounds;
     if (tile.owners)
         for (std::uint32_t bits = touched; bits != 0; bits &= bits - 1) {
             const int square = std::countr_zero(bits);
-            const int block = blockIndex(bounds.column + square % kBlockSide, bounds.row + square / kBlockSide);
+            const int block = blockIndex(window.column + square % kBlockSide, window.row + square / kBlockSide);
             WriteOwnedBlock(static_cast<std::size_t>(block), worker);
         }
     AppendGroup(lanes, number, touched, queue,
-                [&](std::size_t lane) HWY_ATTR { return BlocksFrom(bounds.column, bounds.row, lane); });
+                [&](std::size_t lane) HWY_ATTR { return BlocksFrom(window.column, window.row, lane); });
+}
+
+/// A triangle that is small in the tile.
+template <class Policy>
+HWY_INLINE void CoverWindows(const TriangleLanes& lanes, const TileTriangle& t, const BlockBounds& bounds,
+                             const Policy& policy, std::uint32_t number, Worker& worker, TileDepth& tile,
+                             BlockQueue& queue)
+{
+    tile.nearestSmall = std::min(tile.nearestSmall, std::max(std::bit_cast<std::int32_t>(t.nearest), 0));
+    WriteBlankBlocks(worker.samples, tile);
+    if (HWY_LIKELY(bounds.columns <= 4 && bounds.rows <= 4)) {
+        CoverWindow(lanes, {t.c, t.depthOrigin}, bounds, policy, number, worker, tile, queue);
+        return;
+    }
+    for (int row = 0; row < bounds.rows; row += 4)
+        for (int column = 0; column < bounds.columns; column += 4) {
+            const BlockBounds window{bounds.column + column, bounds.row + row, std::min(bounds.columns - column, 4),
+                                     std::min(bounds.rows - row, 4)};
+            const SampleValues first = ValuesAt(lanes, t, window.column * kBlockSide, window.row * kBlockSide);
+            CoverWindow(lanes, first, window, policy, number, worker, tile, queue);
+        }
 }
 
 template <class Policy>
 HWY_INLINE void CoverTriangle(const TileTriangle& t, const Policy& policy, std::uint32_t number, Worker& worker,
                               TileDepth& tile, BlockQueue& queue)
 {
+    constexpr int kSmall = 8; // blocks
     const TriangleLanes lanes = SpreadTriangle(t);
-    const BlockBounds bounds(t);
-    if (bounds.columns > kBlockSide || bounds.rows > kBlockSide)
+    const BlockBounds bounds = BoundsInBlocks(t);
+    if (bounds.columns > kSmall || bounds.rows > kSmall)
         CoverSubtiles(lanes, t, policy, number, worker, tile, queue);
     else
-        CoverWindow(lanes, t, bounds, policy, number, worker, tile, queue);
+        CoverWindows(lanes, t, bounds, policy, number, worker, tile, queue);
 }
 
 template <class Policy>
