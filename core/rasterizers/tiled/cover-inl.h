@@ -6,6 +6,7 @@
 #define RASTERLENS_TILED_COVER_INL_H
 #endif
 
+#include "core/rasterizers/tiled/blocks-inl.h"
 #include "core/rasterizers/tiled/exact_path.h"
 #include "core/rasterizers/tiled/kernels.h"
 #include "core/rasterizers/tiled/lanes-inl.h"
@@ -13,254 +14,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
 {
-
-HWY_INLINE hn::Mask<IntTag> NotNegative(Ints v) { return hn::Gt(v, hn::Set(IntTag(), -1)); }
-
-constexpr std::int32_t kKeyOfOne = 0x3f800000; ///< the bits of 1.0F
-
-/// The usual case knows its depth test when it is compiled; every other one reads it from here.
-struct UsualDepth {
-    static constexpr bool kUsual = true; ///< float32, smaller wins, nobody counts
-    UsualDepth(const FrameJob&, TileOrigin) {}
-};
-
-struct AnyDepth {
-    static constexpr bool kUsual = false;
-    AnyDepth(const FrameJob& job, TileOrigin origin)
-        : flip(depthFlip(job.rules.depthCompare)), handicap(depthHandicap(job.rules)), format(job.rules.depthFormat),
-          countsCoverage(job.countsCoverage()), width(job.rules.columns() - origin.x),
-          height(job.rules.rows() - origin.y)
-    {
-    }
-    std::int32_t flip;
-    std::int32_t handicap;
-    DepthFormat format;
-    bool countsCoverage;
-    int width; ///< samples of the tile that belong to the target
-    int height;
-};
-
-/// A triangle spread over the lanes: what changes from the first sample of a block (or first block of a subtile...) to
-/// the others.
-struct TriangleLanes {
-    std::array<std::array<Ints, kVectors>, 3> edge;
-    std::array<WideDoubles, kVectors> depth;
-    std::array<std::int32_t, 3> a;
-    std::array<std::int32_t, 3> b;
-    std::array<std::int32_t, 3> c;
-    double origin; ///< of the depth plane, at the target's first sample: from there on all sums are exact
-    double perX;
-    double perY;
-    TileOrigin tile;
-
-    HWY_INLINE std::int32_t EdgeAt(std::size_t k, int x, int y) const { return c[k] + a[k] * x + b[k] * y; }
-    HWY_INLINE double DepthAt(int x, int y) const { return origin + perX * (tile.x + x) + perY * (tile.y + y); }
-};
-
-HWY_INLINE WideDoubles DepthOffsets(double perX, double perY, std::size_t first)
-{
-    constexpr DoubleTag tag;
-    WideDoubles offsets;
-    for (std::size_t p = 0; p < kParts; ++p) {
-        const std::size_t at = first + p * kDoubles;
-        offsets.part[p] = hn::Add(hn::Mul(hn::Load(tag, kPattern.doubleX.data() + at), hn::Set(tag, perX)),
-                                  hn::Mul(hn::Load(tag, kPattern.doubleY.data() + at), hn::Set(tag, perY)));
-    }
-    return offsets;
-}
-
-HWY_INLINE TriangleLanes SpreadTriangle(const TileTriangle& t, TileOrigin origin)
-{
-    constexpr IntTag tag;
-    TriangleLanes lanes;
-    lanes.a = {t.a[0], t.a[1], -(t.a[0] + t.a[1])};
-    lanes.b = {t.b[0], t.b[1], -(t.b[0] + t.b[1])};
-    lanes.c = t.c;
-    lanes.perX = t.depthPerX;
-    lanes.perY = t.depthPerY;
-    lanes.origin = t.depthOrigin;
-    lanes.tile = origin;
-    for (std::size_t v = 0; v < kVectors; ++v) {
-        const std::size_t at = v * kPerVector;
-        const Ints x = hn::Load(tag, kPattern.x.data() + at);
-        const Ints y = hn::Load(tag, kPattern.y.data() + at);
-        for (std::size_t k = 0; k < 2; ++k)
-            lanes.edge[k][v] = hn::Add(hn::Mul(x, hn::Set(tag, lanes.a[k])), hn::Mul(y, hn::Set(tag, lanes.b[k])));
-        lanes.edge[2][v] = hn::Neg(hn::Add(lanes.edge[0][v], lanes.edge[1][v]));
-        lanes.depth[v] = DepthOffsets(t.depthPerX, t.depthPerY, at);
-    }
-    return lanes;
-}
-
-/// Depths as stored, 0 to 1, as their bits.
-HWY_INLINE Ints KeyOf(const WideDoubles& depth)
-{
-    constexpr IntTag tag;
-    const Ints bits = hn::BitCast(tag, ToFloats(depth));
-    return hn::Min(hn::Max(bits, hn::Zero(tag)), hn::Set(tag, kKeyOfOne));
-}
-
-/// The nearest values a unorm format stores.
-HWY_INLINE WideDoubles RoundToUnorm(const WideDoubles& depth, double steps)
-{
-    constexpr DoubleTag tag;
-    WideDoubles rounded;
-    for (std::size_t p = 0; p < kParts; ++p) {
-        const Doubles held = hn::Min(hn::Max(depth.part[p], hn::Zero(tag)), hn::Set(tag, 1.0));
-        rounded.part[p] = hn::Div(hn::Round(hn::Mul(held, hn::Set(tag, steps))), hn::Set(tag, steps));
-    }
-    return rounded;
-}
-
-HWY_INLINE Ints StoredKey(const WideDoubles& depth, const AnyDepth& policy)
-{
-    constexpr IntTag tag;
-    const Ints key = policy.format == DepthFormat::Unorm24   ? KeyOf(RoundToUnorm(depth, 0xffffff))
-                     : policy.format == DepthFormat::Unorm16 ? KeyOf(RoundToUnorm(depth, 0xffff))
-                                                             : KeyOf(depth);
-    return hn::Xor(key, hn::Set(tag, policy.flip));
-}
-
-/// What is beyond 1 needs no holding: it loses against everything.
-HWY_INLINE Ints StoredKey(const WideDoubles& depth, const UsualDepth&)
-{
-    constexpr IntTag tag;
-    return hn::Max(hn::BitCast(tag, ToFloats(depth)), hn::Zero(tag));
-}
-
-/// Lanes of a block that are samples of the target: only those are counted.
-HWY_INLINE hn::Mask<IntTag> OnTarget(const AnyDepth& policy, std::size_t block, std::size_t lane)
-{
-    constexpr IntTag tag;
-    const int x = blockColumn(static_cast<int>(block)) * kBlockSide;
-    const int y = blockRow(static_cast<int>(block)) * kBlockSide;
-    return hn::And(hn::Lt(hn::Load(tag, kPattern.x.data() + lane), hn::Set(tag, policy.width - x)),
-                   hn::Lt(hn::Load(tag, kPattern.y.data() + lane), hn::Set(tag, policy.height - y)));
-}
-
-template <class Mask>
-HWY_INLINE void CountSamples(const AnyDepth& policy, Mask inside, Mask passed, std::size_t at, Worker& worker)
-{
-    constexpr IntTag tag;
-    std::uint32_t covered = BitsOf(tag, inside);
-    const auto coveredCount = static_cast<unsigned>(std::popcount(covered));
-    const auto passedCount = static_cast<unsigned>(std::popcount(BitsOf(tag, passed)));
-    worker.pixels.tested += kPerVector;
-    worker.pixels.covered += coveredCount;
-    worker.pixels.depthPassed += passedCount;
-    worker.pixels.depthFailed += coveredCount - passedCount;
-    if (!policy.countsCoverage)
-        return;
-    for (; covered != 0; covered &= covered - 1) {
-        std::uint16_t& count = worker.samples.coverage[at + static_cast<std::size_t>(std::countr_zero(covered))];
-        count = static_cast<std::uint16_t>(count + (count != 0xffff));
-    }
-}
-
-/// A triangle at the first samples of 16 squares, 4 x 4 of them.
-struct alignas(64) SquareCorners {
-    std::array<std::array<std::int32_t, kLanes>, 3> edge;
-    std::array<double, kLanes> depth;
-};
-
-/// Blocks whose samples are still to be tested, in the order of the triangles. They are gathered over several
-/// triangles: a loop whose end is foreseen once in a hundred blocks, not once a triangle.
-struct alignas(64) BlockQueue {
-    static constexpr std::size_t kGroups = 8;
-
-    /// Up to 16 blocks of one triangle.
-    struct alignas(64) Group {
-        SquareCorners corners;
-        SquareCorners offsets; ///< from the first sample of a block to the others
-        std::uint32_t number;
-    };
-    std::array<Group, kGroups> groups;
-    /// Block of the tile, group, place in its 16: a byte each from the top. Whole vectors are written at the end.
-    std::array<std::uint32_t, (kGroups + 1) * kLanes> items;
-    std::size_t groupCount = 0;
-    std::size_t itemCount = 0;
-};
-
-/// The samples of one block: all of them are computed and those that win are blended in, without a branch.
-template <class Policy>
-HWY_INLINE void CoverBlock(const BlockQueue::Group& group, std::size_t square, std::size_t block, const Policy& policy,
-                           Worker& worker)
-{
-    constexpr IntTag tag;
-    constexpr UintTag unsignedTag;
-    constexpr DoubleTag wide;
-    const Doubles depth = hn::Set(wide, group.corners.depth[square]);
-    for (std::size_t v = 0; v < kVectors; ++v) {
-        const std::size_t lane = v * kPerVector;
-        const std::size_t at = block * kLanes + lane;
-        const auto edge = [&](std::size_t k) HWY_ATTR {
-            return hn::Add(hn::Set(tag, group.corners.edge[k][square]),
-                           hn::Load(tag, group.offsets.edge[k].data() + lane));
-        };
-        auto inside = NotNegative(hn::Or3(edge(0), edge(1), edge(2)));
-        if constexpr (!Policy::kUsual)
-            inside = hn::And(inside, OnTarget(policy, block, lane));
-        const Ints key = StoredKey(Add(LoadWide(group.offsets.depth.data() + lane), depth), policy);
-        std::int32_t* keys = worker.samples.key.data() + at;
-        std::uint32_t* ids = worker.samples.ids.data() + at;
-        const Ints stored = hn::Load(tag, keys);
-        Ints compared = key;
-        if constexpr (!Policy::kUsual)
-            compared = hn::Sub(key, hn::Set(tag, policy.handicap));
-        const auto passed = hn::And(inside, hn::Lt(compared, stored));
-        hn::Store(hn::IfThenElse(passed, key, stored), tag, keys);
-        hn::Store(hn::IfThenElse(hn::RebindMask(unsignedTag, passed), hn::Set(unsignedTag, group.number),
-                                 hn::Load(unsignedTag, ids)),
-                  unsignedTag, ids);
-        if constexpr (!Policy::kUsual)
-            CountSamples(policy, inside, passed, at, worker);
-    }
-}
-
-/// Tests the blocks of the queue and empties it.
-template <class Policy>
-HWY_INLINE void FlushQueue(const Policy& policy, BlockQueue& queue, Worker& worker)
-{
-    for (std::size_t i = 0; i < queue.itemCount; ++i) {
-        const std::uint32_t item = queue.items[i];
-        CoverBlock(queue.groups[item >> 8 & 0xff], item & 0xff, item >> 16, policy, worker);
-    }
-    queue.itemCount = 0;
-    queue.groupCount = 0;
-}
-
-/// The group that comes next, for its corners to be filled in.
-template <class Policy>
-HWY_INLINE BlockQueue::Group& NextGroup(const Policy& policy, BlockQueue& queue, Worker& worker)
-{
-    if (queue.groupCount == BlockQueue::kGroups)
-        FlushQueue(policy, queue, worker);
-    return queue.groups[queue.groupCount];
-}
-
-/// Appends the next group.
-///
-/// in   the blocks of the tile at the group's 16 places, and which of them are wanted
-template <class BlocksAt>
-HWY_INLINE void AppendGroup(const TriangleLanes& t, std::uint32_t number, std::uint32_t wanted, BlockQueue& queue,
-                            BlocksAt&& blocksAt)
-{
-    constexpr UintTag tag;
-    const auto index = static_cast<std::uint32_t>(queue.groupCount++);
-    BlockQueue::Group& group = queue.groups[index];
-    group.number = number;
-    for (std::size_t v = 0; v < kVectors; ++v) {
-        const std::size_t lane = v * kPerVector;
-        for (std::size_t k = 0; k < 3; ++k)
-            hn::Store(t.edge[k][v], IntTag(), group.offsets.edge[k].data() + lane);
-        Store(t.depth[v], group.offsets.depth.data() + lane);
-        const Uints places = hn::Iota(tag, index << 8 | static_cast<std::uint32_t>(lane));
-        const Uints items = hn::Or(hn::ShiftLeft<16>(blocksAt(lane)), places);
-        const std::uint32_t bits = wanted >> lane & ((1U << kPerVector) - 1);
-        hn::StoreU(hn::Compress(items, MaskOf(tag, bits)), tag, queue.items.data() + queue.itemCount);
-        queue.itemCount += static_cast<std::size_t>(std::popcount(bits));
-    }
-}
 
 /// The state of a tile between its triangles.
 struct TileDepth {
@@ -289,7 +42,7 @@ inline void WriteBlankBlocks(TileSamples& samples, TileDepth& tile)
 }
 
 /// Writes the keys and ids of a block that one triangle has to itself.
-inline void WriteOwnedBlock(std::size_t block, TileOrigin origin, Worker& worker)
+inline void WriteOwnedBlock(std::size_t block, Worker& worker)
 {
     TileSamples& samples = worker.samples;
     const std::uint32_t number = samples.owner[block];
@@ -297,8 +50,8 @@ inline void WriteOwnedBlock(std::size_t block, TileOrigin origin, Worker& worker
         return;
     samples.owner[block] = kNobody;
     const TileTriangle& t = worker.triangle(number);
-    const int x = origin.x + blockColumn(static_cast<int>(block)) * kBlockSide;
-    const int y = origin.y + blockRow(static_cast<int>(block)) * kBlockSide;
+    const int x = blockColumn(static_cast<int>(block)) * kBlockSide - t.anchorX();
+    const int y = blockRow(static_cast<int>(block)) * kBlockSide - t.anchorY();
     const Doubles corner = hn::Set(DoubleTag(), t.depthOrigin + t.depthPerX * x + t.depthPerY * y);
     for (std::size_t v = 0; v < kVectors; ++v) {
         const std::size_t at = block * kLanes + v * kPerVector;
@@ -308,22 +61,23 @@ inline void WriteOwnedBlock(std::size_t block, TileOrigin origin, Worker& worker
     }
 }
 
-inline void WriteOwnedBlocks(TileOrigin origin, Worker& worker, TileDepth& tile)
+inline void WriteOwnedBlocks(Worker& worker, TileDepth& tile)
 {
     WriteBlankBlocks(worker.samples, tile);
     for (std::size_t block = 0; tile.owners && block < kTileBlocks; ++block)
-        WriteOwnedBlock(block, origin, worker);
+        WriteOwnedBlock(block, worker);
     tile.owners = false;
 }
 
-/// Which of the 16 squares of 2^kSideLog2 samples from (x, y) on the triangle touches and covers, a bit each.
+/// Which of 16 squares of 2^kSideLog2 samples the triangle touches and covers, a bit each.
 struct SquareVerdicts {
     std::uint32_t touched = 0;
     std::uint32_t covered = 0;
 };
 
 template <int kSideLog2>
-HWY_INLINE SquareVerdicts JudgeSquares(const TriangleLanes& t, int x, int y, SquareCorners& corners)
+HWY_INLINE SquareVerdicts JudgeSquares(const TriangleLanes& t, const std::array<std::int32_t, 3>& first,
+                                       SquareCorners& corners)
 {
     constexpr IntTag tag;
     constexpr int kLast = (1 << kSideLog2) - 1;
@@ -332,7 +86,7 @@ HWY_INLINE SquareVerdicts JudgeSquares(const TriangleLanes& t, int x, int y, Squ
         std::array<Ints, 3> highest;
         std::array<Ints, 3> lowest;
         for (std::size_t k = 0; k < 3; ++k) {
-            const Ints corner = hn::Add(hn::Set(tag, t.EdgeAt(k, x, y)), hn::ShiftLeft<kSideLog2>(t.edge[k][v]));
+            const Ints corner = hn::Add(hn::Set(tag, first[k]), hn::ShiftLeft<kSideLog2>(t.edge[k][v]));
             hn::Store(corner, tag, corners.edge[k].data() + v * kPerVector);
             highest[k] = hn::Add(corner, hn::Set(tag, kLast * (std::max(t.a[k], 0) + std::max(t.b[k], 0))));
             lowest[k] = hn::Add(corner, hn::Set(tag, kLast * (std::min(t.a[k], 0) + std::min(t.b[k], 0))));
@@ -356,18 +110,25 @@ inline void RefreshFarthest(const TileSamples& samples, TileDepth& tile)
     tile.updates = 0;
 }
 
+/// Depths at the first samples of 16 blocks.
+HWY_INLINE void StoreDepths(const TriangleLanes& t, double first, SquareCorners& corners)
+{
+    constexpr DoubleTag tag;
+    for (std::size_t v = 0; v < kVectors; ++v)
+        Store(Add(Mul(t.depth[v], hn::Set(tag, double(kBlockSide))), hn::Set(tag, first)),
+              corners.depth.data() + v * kPerVector);
+}
+
 /// What is to be done about the blocks of a subtile, a bit each.
 struct BlockWork {
     std::uint32_t cover;       ///< sample by sample
     std::uint32_t writeBefore; ///< of these, those that have an owner
 };
 
-HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, int x, int y, SquareVerdicts verdicts, const AnyDepth&,
+HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, double firstDepth, SquareVerdicts verdicts, const AnyDepth&,
                                   std::size_t, std::uint32_t, TileSamples&, TileDepth&, SquareCorners& corners)
 {
-    for (std::size_t v = 0; v < kVectors; ++v)
-        Store(Add(Mul(t.depth[v], hn::Set(DoubleTag(), double(kBlockSide))), hn::Set(DoubleTag(), t.DepthAt(x, y))),
-              corners.depth.data() + v * kPerVector);
+    StoreDepths(t, firstDepth, corners);
     return {verdicts.touched, 0};
 }
 
@@ -375,7 +136,7 @@ HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, int x, int y, SquareVe
 /// to it without looking at their samples.
 ///
 /// exact  bounds are depths at corner samples, which the plane gives exactly; rounding to float32 keeps order
-HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, int x, int y, SquareVerdicts verdicts, const UsualDepth&,
+HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, double firstDepth, SquareVerdicts verdicts, const UsualDepth&,
                                   std::size_t firstBlock, std::uint32_t number, TileSamples& samples, TileDepth& tile,
                                   SquareCorners& corners)
 {
@@ -383,7 +144,7 @@ HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, int x, int y, SquareVe
     constexpr UintTag unsignedTag;
     constexpr DoubleTag wide;
     const Ints nearestSmall = hn::Set(tag, tile.nearestSmall);
-    const Doubles first = hn::Set(wide, t.DepthAt(x, y));
+    const Doubles first = hn::Set(wide, firstDepth);
     const Doubles toNearest = hn::Set(wide, 3 * (std::min(t.perX, 0.0) + std::min(t.perY, 0.0)));
     const Doubles toFarthest = hn::Set(wide, 3 * (std::max(t.perX, 0.0) + std::max(t.perY, 0.0)));
     BlockWork work{0, 0};
@@ -415,33 +176,42 @@ HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, int x, int y, SquareVe
     return work;
 }
 
+/// Bits of the squares, of 4 x 4, in these columns and rows.
+constexpr std::uint32_t SquaresBetween(int column0, int row0, int column1, int row1)
+{
+    const std::uint32_t columns = (2U << column1) - (1U << column0);
+    const std::uint32_t rows = (16U << row1 * 4) - (1U << row0 * 4);
+    return (columns * 0x1111U) & rows;
+}
+
 /// A triangle that is large in the tile: subtiles first, then their blocks.
 template <class Policy>
-HWY_INLINE void CoverSubtiles(const TriangleLanes& t, const TileTriangle& bounds, const Policy& policy,
+HWY_INLINE void CoverSubtiles(const TriangleLanes& lanes, const TileTriangle& t, const Policy& policy,
                               std::uint32_t number, Worker& worker, TileDepth& tile, BlockQueue& queue)
 {
-    SquareCorners subtileCorners;
-    std::uint32_t subtiles = JudgeSquares<4>(t, 0, 0, subtileCorners).touched;
+    std::uint32_t subtiles = SquaresBetween(t.x0 / 16, t.y0 / 16, t.x1 / 16, t.y1 / 16);
+    if (std::popcount(subtiles) > 4) {
+        SquareCorners corners;
+        subtiles &= JudgeSquares<4>(lanes, ValuesAt(lanes, t, 0, 0).edge, corners).touched;
+    }
     for (; subtiles != 0; subtiles &= subtiles - 1) {
         const int subtile = std::countr_zero(subtiles);
         const int x = subtile % 4 * 16;
         const int y = subtile / 4 * 16;
-        if (x > bounds.x1 || x + 15 < bounds.x0 || y > bounds.y1 || y + 15 < bounds.y0)
-            continue;
         BlockQueue::Group& group = NextGroup(policy, queue, worker);
         const std::size_t firstBlock = static_cast<std::size_t>(subtile) * 16;
-        const SquareVerdicts verdicts = JudgeSquares<2>(t, x, y, group.corners);
+        const SampleValues first = ValuesAt(lanes, t, x, y);
+        const SquareVerdicts verdicts = JudgeSquares<2>(lanes, first.edge, group.corners);
         BlockWork work =
-            DecideBlocks(t, x, y, verdicts, policy, firstBlock, number, worker.samples, tile, group.corners);
+            DecideBlocks(lanes, first.depth, verdicts, policy, firstBlock, number, worker.samples, tile, group.corners);
         if (work.writeBefore != 0) {
             WriteBlankBlocks(worker.samples, tile);
             for (; work.writeBefore != 0; work.writeBefore &= work.writeBefore - 1)
-                WriteOwnedBlock(firstBlock + static_cast<std::size_t>(std::countr_zero(work.writeBefore)), t.tile,
-                                worker);
+                WriteOwnedBlock(firstBlock + static_cast<std::size_t>(std::countr_zero(work.writeBefore)), worker);
         }
         if (work.cover != 0)
-            AppendGroup(t, number, work.cover, queue, [&](std::size_t lane) HWY_ATTR {
-                return hn::Iota(UintTag(), static_cast<std::uint32_t>(firstBlock + lane));
+            AppendGroup(lanes, number, work.cover, queue, [&](std::size_t lane) HWY_ATTR {
+                return PlacesFrom(static_cast<std::uint32_t>(firstBlock), lane);
             });
     }
     if (Policy::kUsual && tile.updates >= kTileBlocks / 4)
@@ -450,13 +220,15 @@ HWY_INLINE void CoverSubtiles(const TriangleLanes& t, const TileTriangle& bounds
 
 /// The columns and rows of blocks that hold the bounds of a triangle.
 struct BlockBounds {
-    explicit BlockBounds(const TileTriangle& t)
-        : column(t.x0 / kBlockSide), row(t.y0 / kBlockSide), columns(t.x1 / kBlockSide - column + 1),
-          rows(t.y1 / kBlockSide - row + 1)
-    {
-    }
     int column, row, columns, rows;
 };
+
+HWY_INLINE BlockBounds BoundsInBlocks(const TileTriangle& t)
+{
+    const int column = t.x0 / kBlockSide;
+    const int row = t.y0 / kBlockSide;
+    return {column, row, t.x1 / kBlockSide - column + 1, t.y1 / kBlockSide - row + 1};
+}
 
 /// blockIndex() of the 4 x 4 blocks from column and row on.
 HWY_INLINE Uints BlocksFrom(int column, int row, std::size_t lane)
@@ -473,41 +245,60 @@ HWY_INLINE Uints BlocksFrom(int column, int row, std::size_t lane)
     return hn::Add(hn::ShiftLeft<4>(subtile), inSubtile);
 }
 
-/// A triangle of at most 4 x 4 blocks: those that it touches, without asking what is in front.
+/// Up to 4 x 4 blocks of a triangle: those that it touches, without asking what is in front.
+///
+/// in   the triangle at the first sample of them
 template <class Policy>
-HWY_INLINE void CoverWindow(const TriangleLanes& t, const BlockBounds& bounds, float nearest, const Policy& policy,
-                            std::uint32_t number, Worker& worker, TileDepth& tile, BlockQueue& queue)
+HWY_INLINE void CoverWindow(const TriangleLanes& lanes, const SampleValues& first, const BlockBounds& window,
+                            const Policy& policy, std::uint32_t number, Worker& worker, const TileDepth& tile,
+                            BlockQueue& queue)
 {
     BlockQueue::Group& group = NextGroup(policy, queue, worker);
-    const int x = bounds.column * kBlockSide;
-    const int y = bounds.row * kBlockSide;
-    for (std::size_t v = 0; v < kVectors; ++v)
-        Store(Add(Mul(t.depth[v], hn::Set(DoubleTag(), double(kBlockSide))), hn::Set(DoubleTag(), t.DepthAt(x, y))),
-              group.corners.depth.data() + v * kPerVector);
-    const std::uint32_t inBounds = (((1U << bounds.columns) - 1) * 0x1111U) & ((1U << bounds.rows * kBlockSide) - 1);
-    const std::uint32_t touched = JudgeSquares<2>(t, x, y, group.corners).touched & inBounds;
-    tile.nearestSmall = std::min(tile.nearestSmall, std::max(std::bit_cast<std::int32_t>(nearest), 0));
-    WriteBlankBlocks(worker.samples, tile);
+    StoreDepths(lanes, first.depth, group.corners);
+    const std::uint32_t inBounds = SquaresBetween(0, 0, window.columns - 1, window.rows - 1);
+    const std::uint32_t touched = JudgeSquares<2>(lanes, first.edge, group.corners).touched & inBounds;
     if (tile.owners)
         for (std::uint32_t bits = touched; bits != 0; bits &= bits - 1) {
             const int square = std::countr_zero(bits);
-            const int block = blockIndex(bounds.column + square % kBlockSide, bounds.row + square / kBlockSide);
-            WriteOwnedBlock(static_cast<std::size_t>(block), t.tile, worker);
+            const int block = blockIndex(window.column + square % kBlockSide, window.row + square / kBlockSide);
+            WriteOwnedBlock(static_cast<std::size_t>(block), worker);
         }
-    AppendGroup(t, number, touched, queue,
-                [&](std::size_t lane) HWY_ATTR { return BlocksFrom(bounds.column, bounds.row, lane); });
+    AppendGroup(lanes, number, touched, queue,
+                [&](std::size_t lane) HWY_ATTR { return BlocksFrom(window.column, window.row, lane); });
+}
+
+/// A triangle that is small in the tile.
+template <class Policy>
+HWY_INLINE void CoverWindows(const TriangleLanes& lanes, const TileTriangle& t, const BlockBounds& bounds,
+                             const Policy& policy, std::uint32_t number, Worker& worker, TileDepth& tile,
+                             BlockQueue& queue)
+{
+    tile.nearestSmall = std::min(tile.nearestSmall, std::max(std::bit_cast<std::int32_t>(t.nearest), 0));
+    WriteBlankBlocks(worker.samples, tile);
+    if (HWY_LIKELY(bounds.columns <= 4 && bounds.rows <= 4)) {
+        CoverWindow(lanes, {t.c, t.depthOrigin}, bounds, policy, number, worker, tile, queue);
+        return;
+    }
+    for (int row = 0; row < bounds.rows; row += 4)
+        for (int column = 0; column < bounds.columns; column += 4) {
+            const BlockBounds window{bounds.column + column, bounds.row + row, std::min(bounds.columns - column, 4),
+                                     std::min(bounds.rows - row, 4)};
+            const SampleValues first = ValuesAt(lanes, t, window.column * kBlockSide, window.row * kBlockSide);
+            CoverWindow(lanes, first, window, policy, number, worker, tile, queue);
+        }
 }
 
 template <class Policy>
-HWY_INLINE void CoverTriangle(const TileTriangle& t, const Policy& policy, TileOrigin origin, std::uint32_t number,
-                              Worker& worker, TileDepth& tile, BlockQueue& queue)
+HWY_INLINE void CoverTriangle(const TileTriangle& t, const Policy& policy, std::uint32_t number, Worker& worker,
+                              TileDepth& tile, BlockQueue& queue)
 {
-    const TriangleLanes lanes = SpreadTriangle(t, origin);
-    const BlockBounds bounds(t);
-    if (bounds.columns > kBlockSide || bounds.rows > kBlockSide)
+    constexpr int kSmall = 8; // blocks
+    const TriangleLanes lanes = SpreadTriangle(t);
+    const BlockBounds bounds = BoundsInBlocks(t);
+    if (bounds.columns > kSmall || bounds.rows > kSmall)
         CoverSubtiles(lanes, t, policy, number, worker, tile, queue);
     else
-        CoverWindow(lanes, bounds, t.nearest, policy, number, worker, tile, queue);
+        CoverWindows(lanes, t, bounds, policy, number, worker, tile, queue);
 }
 
 template <class Policy>
@@ -529,12 +320,12 @@ inline void CoverTileWith(const FrameJob& job, Worker& worker, TileOrigin origin
                 continue;
             if (HWY_UNLIKELY(t.exact())) {
                 FlushQueue(policy, queue, worker);
-                WriteOwnedBlocks(origin, worker, tile);
+                WriteOwnedBlocks(worker, tile);
                 tile.nearestSmall = 0;
                 coverExactly(job, bin.chunk->pieces[t.source & ~kPiece], number, origin, worker);
                 continue;
             }
-            CoverTriangle(t, policy, origin, number, worker, tile, queue);
+            CoverTriangle(t, policy, number, worker, tile, queue);
         }
     }
     FlushQueue(policy, queue, worker);
@@ -571,11 +362,11 @@ inline void CoverTile(const FrameJob& job, Worker& worker, TileOrigin origin)
     if (usual) {
         CoverTileWith<UsualDepth>(job, worker, origin, tile);
     } else {
-        WriteOwnedBlocks(origin, worker, tile);
+        WriteOwnedBlocks(worker, tile);
         CoverTileWith<AnyDepth>(job, worker, origin, tile);
     }
     if (job.depth != nullptr || job.ids != nullptr || rules.shading == Shading::Depth)
-        WriteOwnedBlocks(origin, worker, tile);
+        WriteOwnedBlocks(worker, tile);
 }
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE

@@ -23,8 +23,7 @@ constexpr std::uint32_t kFaceBatch = 64;
 /// Triangles that passed every test and wait for their set-up, corner by corner.
 struct alignas(64) SetupQueue {
     static constexpr std::size_t kCapacity = 2 * kFaceBatch + 16;
-    std::array<std::array<std::int32_t, kCapacity>, 3> x; ///< units
-    std::array<std::array<std::int32_t, kCapacity>, 3> y;
+    std::array<std::array<ScreenXY, kCapacity>, 3> position;
     std::array<std::array<double, kCapacity>, 3> depth;
     std::array<std::uint32_t, kCapacity> source;
     std::size_t count = 0;
@@ -35,8 +34,7 @@ struct alignas(64) SetupQueue {
             std::copy_n(lanes.begin() + std::ptrdiff_t(from), count - from, lanes.begin());
         };
         for (std::size_t k = 0; k < 3; ++k) {
-            move(x[k]);
-            move(y[k]);
+            move(position[k]);
             move(depth[k]);
         }
         move(source);
@@ -46,33 +44,28 @@ struct alignas(64) SetupQueue {
 
 /// Corners of a batch of faces.
 struct alignas(64) FaceBatch {
-    std::array<std::array<std::int32_t, kFaceBatch>, 3> x;
-    std::array<std::array<std::int32_t, kFaceBatch>, 3> y;
-    std::array<std::array<double, kFaceBatch>, 3> depth;
+    std::array<std::array<ScreenXY, kFaceBatch>, 3> position;
+    const std::uint32_t* indices;
+    std::array<ScreenPoint, 3 * kFaceBatch> corners; ///< where the frame keeps none
+
+    HWY_INLINE const ScreenPoint& point(const FrameJob& job, std::size_t face, std::size_t corner) const
+    {
+        const std::size_t at = 3 * face + corner;
+        return job.points != nullptr ? job.points[indices[at]] : corners[at];
+    }
 };
 
 HWY_INLINE void GatherFaces(const FrameJob& job, std::uint32_t first, std::uint32_t count, FaceBatch& batch)
 {
-    const std::uint32_t* indices = job.scene->mesh.indices.data() + 3 * std::size_t(first);
-    const auto put = [&](std::size_t i, std::size_t k, const ScreenPoint& p) {
-        batch.x[k][i] = p.x;
-        batch.y[k][i] = p.y;
-        batch.depth[k][i] = p.depth;
-    };
-    if (job.points != nullptr) {
-        for (std::size_t i = 0; i < count; ++i)
-            for (std::size_t k = 0; k < 3; ++k)
-                put(i, k, job.points[indices[3 * i + k]]);
-    } else {
-        std::array<ScreenPoint, 3 * kFaceBatch> corners;
-        ProcessCorners(job, indices, 3 * std::size_t(count), corners.data());
-        for (std::size_t i = 0; i < count; ++i)
-            for (std::size_t k = 0; k < 3; ++k)
-                put(i, k, corners[3 * i + k]);
-    }
+    batch.indices = job.scene->mesh.indices.data() + 3 * std::size_t(first);
+    if (job.points == nullptr)
+        ProcessCorners(job, batch.indices, 3 * std::size_t(count), batch.corners.data());
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            batch.position[k][i] = batch.point(job, i, k).position;
     for (std::size_t i = count; i < kFaceBatch && i % kDoubles != 0; ++i)
         for (std::size_t k = 0; k < 3; ++k)
-            put(i, k, {0, 0, 0});
+            batch.position[k][i] = {0, 0};
 }
 
 /// What becomes of the faces in the lanes of a vector, a bit each.
@@ -87,12 +80,10 @@ HWY_INLINE FaceVerdicts JudgeFaces(const Rules& rules, const FaceBatch& batch, s
 {
     constexpr HalfIntTag tag;
     constexpr DoubleTag wide;
-    const HalfInts ax = hn::Load(tag, batch.x[0].data() + at);
-    const HalfInts bx = hn::Load(tag, batch.x[1].data() + at);
-    const HalfInts cx = hn::Load(tag, batch.x[2].data() + at);
-    const HalfInts ay = hn::Load(tag, batch.y[0].data() + at);
-    const HalfInts by = hn::Load(tag, batch.y[1].data() + at);
-    const HalfInts cy = hn::Load(tag, batch.y[2].data() + at);
+    HalfInts ax, ay, bx, by, cx, cy;
+    hn::LoadInterleaved2(tag, &batch.position[0][at].x, ax, ay);
+    hn::LoadInterleaved2(tag, &batch.position[1][at].x, bx, by);
+    hn::LoadInterleaved2(tag, &batch.position[2][at].x, cx, cy);
     const HalfInts lowX = Min3(ax, bx, cx);
     const Doubles area = TwiceArea(hn::PromoteTo(wide, hn::Sub(bx, ax)), hn::PromoteTo(wide, hn::Sub(by, ay)),
                                    hn::PromoteTo(wide, hn::Sub(cx, ax)), hn::PromoteTo(wide, hn::Sub(cy, ay)));
@@ -116,8 +107,8 @@ inline void QueueOutsideFace(const FrameJob& job, Chunk& chunk, std::uint32_t fa
         const std::size_t at = queue.count++;
         for (std::size_t k = 0; k < 3; ++k) {
             const ScreenVertex& v = triangle.vertices[k];
-            queue.x[k][at] = static_cast<std::int32_t>(v.position.x * kUnit);
-            queue.y[k][at] = static_cast<std::int32_t>(v.position.y * kUnit);
+            queue.position[k][at] = {static_cast<std::int32_t>(v.position.x * kUnit),
+                                     static_cast<std::int32_t>(v.position.y * kUnit)};
             queue.depth[k][at] = v.depth;
         }
         queue.source[at] = kPiece | static_cast<std::uint32_t>(chunk.pieces.size());
@@ -133,7 +124,7 @@ struct alignas(64) SetupLanes {
     std::array<double, 4 * kDoubles> depth;           ///< source and bounds as 64 bits, depth plane
     ColorPlaneLanes colors;
     // What it takes to move them to other tiles.
-    std::array<std::array<double, kDoubles>, 3> c; ///< at the target's first sample
+    std::array<std::array<double, kDoubles>, 3> c; ///< not held within 32 bits
     std::array<std::int32_t, kDoubles> x0, y0, x1, y1;
     std::array<std::int32_t, kDoubles> column0, row0, column1, row1; ///< of tiles
     std::array<std::int32_t, kDoubles> tile;                         ///< of the first sample
@@ -203,13 +194,11 @@ HWY_INLINE HalfInts StoreBounds(const TileGrid& grid, const SampleLanes& columns
     return hn::Or(low, hn::ShiftLeft<16>(high));
 }
 
-/// Edge values at the first sample of a tile.
-HWY_INLINE HalfInts EdgeAtTile(const EdgeLanes& edge, Doubles originX, Doubles originY)
+/// Edge values at a sample of the target.
+HWY_INLINE Doubles EdgeAt(const EdgeLanes& edge, Doubles x, Doubles y)
 {
     constexpr DoubleTag wide;
-    const Doubles value = hn::Add(
-        edge.c, hn::Add(hn::Mul(hn::PromoteTo(wide, edge.a), originX), hn::Mul(hn::PromoteTo(wide, edge.b), originY)));
-    return hn::DemoteTo(HalfIntTag(), hn::Min(value, hn::Set(wide, double(kFarInside))));
+    return hn::Add(edge.c, hn::Add(hn::Mul(hn::PromoteTo(wide, edge.a), x), hn::Mul(hn::PromoteTo(wide, edge.b), y)));
 }
 
 HWY_INLINE Doubles SourceAndBounds(const SetupQueue& queue, std::size_t at, HalfInts bounds)
@@ -224,6 +213,9 @@ HWY_INLINE Doubles SourceAndBounds(const SetupQueue& queue, std::size_t at, Half
 HWY_INLINE void StageColors(const FrameJob& job, const Chunk& chunk, const SetupQueue& queue, std::size_t at,
                             std::uint32_t lanes, CornerColors& colors)
 {
+    for (std::uint32_t unused = ~lanes & ((1U << kDoubles) - 1); unused != 0; unused &= unused - 1)
+        for (auto& corner : colors.lanes)
+            corner[static_cast<std::size_t>(std::countr_zero(unused))] = glm::vec4(0);
     for (; lanes != 0; lanes &= lanes - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
         const std::uint32_t source = queue.source[at + lane];
@@ -288,8 +280,7 @@ HWY_INLINE void SetUpLanes(const FrameJob& job, Chunk& chunk, const SetupQueue& 
     std::array<CornerLanes, 3> corner;
     const Doubles samplesPerUnit = hn::Set(wide, 1.0 / kUnit);
     for (std::size_t k = 0; k < 3; ++k) {
-        x[k] = hn::LoadU(tag, queue.x[k].data() + at);
-        y[k] = hn::LoadU(tag, queue.y[k].data() + at);
+        hn::LoadInterleaved2(tag, &queue.position[k][at].x, x[k], y[k]);
         corner[k] = {hn::Mul(hn::PromoteTo(wide, x[k]), samplesPerUnit),
                      hn::Mul(hn::PromoteTo(wide, y[k]), samplesPerUnit), hn::LoadU(wide, queue.depth[k].data() + at)};
     }
@@ -315,29 +306,32 @@ HWY_INLINE void SetUpLanes(const FrameJob& job, Chunk& chunk, const SetupQueue& 
     const HalfInts column0 = TilesOf(columns.first, job.grid.pitch);
     const HalfInts row0 = TilesOf(rows.first, job.grid.pitch);
     const HalfInts bounds = StoreBounds(job.grid, columns, rows, column0, row0, out);
-    const Doubles pitch = hn::Set(wide, double(job.grid.pitch));
-    const Doubles originX = hn::Mul(hn::PromoteTo(wide, column0), pitch);
-    const Doubles originY = hn::Mul(hn::PromoteTo(wide, row0), pitch);
+    const HalfInts anchorX = hn::And(columns.first, hn::Set(tag, -kBlockSide));
+    const HalfInts anchorY = hn::And(rows.first, hn::Set(tag, -kBlockSide));
+    const Doubles wideX = hn::PromoteTo(wide, anchorX);
+    const Doubles wideY = hn::PromoteTo(wide, anchorY);
     const Doubles inverseArea = hn::Div(hn::Set(wide, 1.0), area);
     const PlaneLanes plane = MakeDepthPlane(corner[0], corner[1], corner[2], inverseArea, rules);
     const HalfFloats nearest =
         hn::DemoteTo(HalfFloatTag(), hn::Sub(Min3(corner[0].depth, corner[1].depth, corner[2].depth),
                                              hn::Set(wide, DepthSlack(rules.depthFormat))));
     hn::StoreInterleaved4(edges[0].a, edges[1].a, edges[0].b, edges[1].b, tag, out.gradients.data());
-    hn::StoreInterleaved4(EdgeAtTile(edges[0], originX, originY), EdgeAtTile(edges[1], originX, originY),
-                          EdgeAtTile(edges[2], originX, originY), hn::BitCast(tag, nearest), tag, out.constants.data());
-    hn::StoreInterleaved4(SourceAndBounds(queue, at, bounds), plane.origin, plane.perX, plane.perY, wide,
-                          out.depth.data());
+    std::array<HalfInts, 3> c;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Doubles value = EdgeAt(edges[k], wideX, wideY);
+        hn::Store(value, wide, out.c[k].data());
+        c[k] = hn::DemoteTo(tag, hn::Min(value, hn::Set(wide, double(kFarInside))));
+    }
+    hn::StoreInterleaved4(c[0], c[1], c[2], hn::BitCast(tag, nearest), tag, out.constants.data());
+    const Doubles depth = hn::Add(plane.origin, hn::Add(hn::Mul(plane.perX, wideX), hn::Mul(plane.perY, wideY)));
+    hn::StoreInterleaved4(SourceAndBounds(queue, at, bounds), depth, plane.perX, plane.perY, wide, out.depth.data());
     HalfInts steepest = hn::Zero(tag);
     for (std::size_t k = 0; k < 3; ++k) {
-        hn::Store(edges[k].c, wide, out.c[k].data());
         steepest = Max3(steepest, hn::Abs(edges[k].a), hn::Abs(edges[k].b));
     }
     out.exact = BitsOf(tag, hn::Gt(steepest, hn::Set(tag, kLargestGradient))) | ~BitsOf(wide, plane.plane);
 
     if (job.interpolates()) {
-        const HalfInts anchorX = hn::And(columns.first, hn::Set(tag, -kBlockSide));
-        const HalfInts anchorY = hn::And(rows.first, hn::Set(tag, -kBlockSide));
         const auto toCentre = [](HalfInts samples, HalfInts from) HWY_ATTR {
             return hn::Sub(hn::Add(hn::ShiftLeft<8>(samples), hn::Set(HalfIntTag(), kUnit / 2)), from);
         };
@@ -353,14 +347,22 @@ inline void EmitToTile(const FrameJob& job, Chunk& chunk, const SetupLanes& lane
 {
     const int originX = column * job.grid.pitch;
     const int originY = row * job.grid.pitch;
+    const int x0 = std::max(lanes.x0[i] - originX, 0);
+    const int y0 = std::max(lanes.y0[i] - originY, 0);
+    const int x1 = std::min(lanes.x1[i] - originX, job.grid.pitch - 1);
+    const int y1 = std::min(lanes.y1[i] - originY, job.grid.pitch - 1);
+    const auto anchor = [](int sample) { return sample & -kBlockSide; };
+    // From the anchor in the triangle's first tile to the one in this.
+    const int toX = originX + anchor(x0) - anchor(lanes.x0[i]);
+    const int toY = originY + anchor(y0) - anchor(lanes.y0[i]);
     const std::int32_t* gradients = lanes.gradients.data() + 4 * i;
     const double a[3] = {double(gradients[0]), double(gradients[1]), -double(gradients[0]) - gradients[1]};
     const double b[3] = {double(gradients[2]), double(gradients[3]), -double(gradients[2]) - gradients[3]};
     const bool exact = (lanes.exact >> i & 1) != 0;
     std::array<std::int32_t, 3> c{};
     for (std::size_t k = 0; k < 3 && !exact; ++k) {
-        const double value = lanes.c[k][i] + a[k] * originX + b[k] * originY;
-        if (value + (std::max(a[k], 0.0) + std::max(b[k], 0.0)) * (kTileSide - 1) < 0)
+        const double value = lanes.c[k][i] + a[k] * toX + b[k] * toY;
+        if (value + std::max(a[k], 0.0) * (x1 - anchor(x0)) + std::max(b[k], 0.0) * (y1 - anchor(y0)) < 0)
             return;
         c[k] = static_cast<std::int32_t>(std::min(value, double(kFarInside)));
     }
@@ -368,10 +370,11 @@ inline void EmitToTile(const FrameJob& job, Chunk& chunk, const SetupLanes& lane
     lanes.copyTo(i, job, slot);
     TileTriangle& t = *slot.triangle;
     t.c = c;
-    t.x0 = static_cast<std::uint8_t>(std::max(lanes.x0[i] - originX, 0));
-    t.y0 = static_cast<std::uint8_t>(std::max(lanes.y0[i] - originY, 0));
-    t.x1 = static_cast<std::uint8_t>(std::min(lanes.x1[i] - originX, job.grid.pitch - 1));
-    t.y1 = static_cast<std::uint8_t>(std::min(lanes.y1[i] - originY, job.grid.pitch - 1));
+    t.depthOrigin += t.depthPerX * toX + t.depthPerY * toY;
+    t.x0 = static_cast<std::uint8_t>(x0);
+    t.y0 = static_cast<std::uint8_t>(y0);
+    t.x1 = static_cast<std::uint8_t>(x1);
+    t.y1 = static_cast<std::uint8_t>(y1);
     if (exact) {
         t.source = kPiece | static_cast<std::uint32_t>(chunk.pieces.size() - 1);
         t.makeExact();
@@ -414,7 +417,7 @@ HWY_INLINE void DrainQueue(const FrameJob& job, Chunk& chunk, SetupQueue& queue,
     if (all && at < queue.count) {
         for (std::size_t i = queue.count; i < at + kDoubles; ++i)
             for (std::size_t k = 0; k < 3; ++k) {
-                queue.x[k][i] = queue.y[k][i] = 0;
+                queue.position[k][i] = {0, 0};
                 queue.depth[k][i] = 0;
             }
         SetUpAndBin(job, chunk, queue, at, queue.count - at);
@@ -451,15 +454,17 @@ HWY_INLINE void SortFaces(const FrameJob& job, Chunk& chunk, const FaceBatch& ba
         const std::size_t i = at + lane;
         const auto face = static_cast<std::uint32_t>(firstFace + i);
         if ((outside >> lane & 1) != 0) {
-            const auto code = [&](std::size_t k) { return batch.x[k][i] == kOutside ? batch.y[k][i] : 0; };
+            const auto code = [&](std::size_t k) {
+                const ScreenXY& p = batch.position[k][i];
+                return p.x == kOutside ? p.y : 0;
+            };
             QueueOutsideFace(job, chunk, face, {code(0), code(1), code(2)}, queue, makeRoom);
             continue;
         }
         const std::size_t slot = queue.count++;
         for (std::size_t k = 0; k < 3; ++k) {
-            queue.x[k][slot] = batch.x[k][i];
-            queue.y[k][slot] = batch.y[k][i];
-            queue.depth[k][slot] = batch.depth[k][i];
+            queue.position[k][slot] = batch.position[k][i];
+            queue.depth[k][slot] = batch.point(job, i, k).depth;
         }
         queue.source[slot] = face;
     }

@@ -10,6 +10,7 @@
 #include "core/rasterizers/tiled/exact_path.h"
 #include "core/rasterizers/tiled/kernels.h"
 #include "core/rasterizers/tiled/lanes-inl.h"
+#include "core/rasterizers/tiled/tile_output.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
@@ -68,6 +69,7 @@ HWY_INLINE Uints ColorAt(const ColorPlanes& planes, Floats x, Floats y)
 struct ColorBlock {
     std::array<Uints, kVectors> ids;
     std::array<Uints, kVectors> color;
+    std::array<Floats, kVectors> x, y; ///< samples of the target
 
     HWY_INLINE void store(std::uint32_t* to) const
     {
@@ -93,8 +95,7 @@ struct ColorBlock {
 HWY_INLINE void ColorLanes(const FrameJob& job, Worker& worker, TileOrigin origin, std::size_t block,
                            std::uint32_t number, std::uint32_t lanes, ColorBlock& samples)
 {
-    constexpr FloatTag tag;
-    constexpr UintTag unsignedTag;
+    constexpr UintTag tag;
     const ColorPlanes& planes = worker.colors(number);
     if (HWY_UNLIKELY(planes.way == ColorWay::Exact)) {
         std::uint32_t* memory = worker.samples.color.data() + block * kLanes;
@@ -104,29 +105,40 @@ HWY_INLINE void ColorLanes(const FrameJob& job, Worker& worker, TileOrigin origi
         samples.load(memory);
         return;
     }
-    const auto x = static_cast<float>(origin.x + blockColumn(static_cast<int>(block)) * kBlockSide);
-    const auto y = static_cast<float>(origin.y + blockRow(static_cast<int>(block)) * kBlockSide);
     for (std::size_t v = 0; v < kVectors; ++v) {
-        const Uints color =
-            ColorAt(planes, hn::Add(hn::Load(tag, kPattern.floatX.data() + v * kPerVector), hn::Set(tag, x)),
-                    hn::Add(hn::Load(tag, kPattern.floatY.data() + v * kPerVector), hn::Set(tag, y)));
-        const auto mine = hn::Eq(samples.ids[v], hn::Set(unsignedTag, number));
-        samples.color[v] = hn::IfThenElse(mine, color, samples.color[v]);
+        const auto mine = hn::Eq(samples.ids[v], hn::Set(tag, number));
+        samples.color[v] = hn::IfThenElse(mine, ColorAt(planes, samples.x[v], samples.y[v]), samples.color[v]);
     }
 }
 
-/// Colours a block; what nobody won is background.
-HWY_INLINE void ColorWholeBlock(const FrameJob& job, Worker& worker, TileOrigin origin, std::size_t block)
+HWY_INLINE ColorBlock LoadColorBlock(const FrameJob& job, const TileSamples& samples, TileOrigin origin,
+                                     std::size_t block)
 {
     constexpr UintTag tag;
-    TileSamples& samples = worker.samples;
-    ColorBlock shaded;
+    constexpr FloatTag floatTag;
+    const auto x = static_cast<float>(origin.x + blockColumn(static_cast<int>(block)) * kBlockSide);
+    const auto y = static_cast<float>(origin.y + blockRow(static_cast<int>(block)) * kBlockSide);
+    const std::uint32_t owner = samples.owner[block];
+    ColorBlock loaded;
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        const std::size_t lane = v * kPerVector;
+        loaded.x[v] = hn::Add(hn::Load(floatTag, kPattern.floatX.data() + lane), hn::Set(floatTag, x));
+        loaded.y[v] = hn::Add(hn::Load(floatTag, kPattern.floatY.data() + lane), hn::Set(floatTag, y));
+        loaded.color[v] = hn::Set(tag, job.clearColor);
+        loaded.ids[v] =
+            owner != kNobody ? hn::Set(tag, owner) : hn::Load(tag, samples.ids.data() + block * kLanes + lane);
+    }
+    return loaded;
+}
+
+/// Colours a block; what nobody won is background.
+HWY_INLINE void ColorWholeBlock(const FrameJob& job, Worker& worker, TileOrigin origin, std::size_t block,
+                                std::uint32_t* out)
+{
+    const TileSamples& samples = worker.samples;
+    ColorBlock shaded = LoadColorBlock(job, samples, origin, block);
     const std::uint32_t owner = samples.owner[block];
     const std::uint32_t* ids = samples.ids.data() + block * kLanes;
-    for (std::size_t v = 0; v < kVectors; ++v) {
-        shaded.color[v] = hn::Set(tag, job.clearColor);
-        shaded.ids[v] = owner != kNobody ? hn::Set(tag, owner) : hn::Load(tag, ids + v * kPerVector);
-    }
     std::uint32_t remaining = owner == kEmpty ? 0 : 0xffff & ~shaded.lanesOf(kNobody);
     if (job.counting) {
         remaining &= LanesOnTarget(job, origin, static_cast<int>(block));
@@ -139,7 +151,7 @@ HWY_INLINE void ColorWholeBlock(const FrameJob& job, Worker& worker, TileOrigin 
         ColorLanes(job, worker, origin, block, number, lanes & remaining, shaded);
         remaining &= ~lanes;
     }
-    shaded.store(samples.color.data() + block * kLanes);
+    shaded.store(out);
 }
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE

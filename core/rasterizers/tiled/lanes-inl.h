@@ -37,8 +37,9 @@ using HalfInts = hn::Vec<HalfIntTag>;
 constexpr std::size_t kDoubles = hn::MaxLanes(DoubleTag());
 constexpr std::size_t kParts = kPerVector / kDoubles; ///< vectors of double for one of float
 
-/// Column and row of each lane in its block.
+/// Number of each lane, its column and row in its block.
 struct alignas(64) LanePattern {
+    std::array<std::uint32_t, kLanes> place{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
     std::array<std::int32_t, kLanes> x{0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
     std::array<std::int32_t, kLanes> y{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
     std::array<float, kLanes> floatX{0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
@@ -47,6 +48,13 @@ struct alignas(64) LanePattern {
     std::array<double, kLanes> doubleY{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
 };
 inline constexpr LanePattern kPattern;
+
+/// first, first + 1, ... from a lane on. (hn::Iota() goes through memory number by number.)
+HWY_INLINE Uints PlacesFrom(std::uint32_t first, std::size_t lane)
+{
+    constexpr UintTag tag;
+    return hn::Add(hn::Load(tag, kPattern.place.data() + lane), hn::Set(tag, first));
+}
 
 /// As many doubles as a vector of floats has lanes.
 struct WideDoubles {
@@ -118,9 +126,13 @@ HWY_INLINE Ints ToInts(const WideDoubles& wide)
 template <class Tag, class Mask>
 HWY_INLINE std::uint32_t BitsOf(Tag tag, Mask mask)
 {
+    // As many bytes as are written are read: compilers then see through the memory.
+    using Bits = std::conditional_t<(hn::MaxLanes(Tag()) > 8), std::uint16_t, std::uint8_t>;
     alignas(8) std::array<std::uint8_t, 8> bytes{};
     hn::StoreMaskBits(tag, mask, bytes.data());
-    return bytes[0] | std::uint32_t(bytes[1]) << 8;
+    Bits bits;
+    std::memcpy(&bits, bytes.data(), sizeof bits);
+    return bits;
 }
 
 /// The mask of the lowest bits.

@@ -15,7 +15,7 @@ namespace rasterlens::tiled::HWY_NAMESPACE
 
 /// Colour and w of clip space of the corners of triangles, one lane after the other.
 struct alignas(64) CornerColors {
-    std::array<std::array<glm::vec4, kDoubles>, 3> lanes{};
+    std::array<std::array<glm::vec4, kDoubles>, 3> lanes;
 };
 
 HWY_INLINE void StagePieceColors(const ScreenTriangle& triangle, std::size_t lane, CornerColors& colors)

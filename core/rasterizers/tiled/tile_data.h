@@ -41,10 +41,15 @@ constexpr int kTileSamples = kTileSide * kTileSide;
 /// Units of a sample: 1/256, the grid of the edge functions.
 constexpr int kUnit = 256;
 
-/// A vertex on the screen in units, y down, or outside the view volume.
-struct ScreenPoint {
+/// A position on the screen in units, y down, or outside the view volume.
+struct ScreenXY {
     std::int32_t x; ///< kOutside: not to be drawn as it is
     std::int32_t y; ///< or the planes it is outside of (ClipPlanes), kNotFinite
+};
+
+/// A vertex on the screen.
+struct ScreenPoint {
+    ScreenXY position;
     double depth;
 };
 static_assert(sizeof(ScreenPoint) == 16);
@@ -67,14 +72,18 @@ struct alignas(64) TileTriangle {
     std::array<std::int32_t, 2> a; ///< AB, BC; CA's are minus their sum
     std::array<std::int32_t, 2> b;
 
-    std::array<std::int32_t, 3> c; ///< edge values >> 8 with the tie threshold taken off, at the tile's first sample
+    std::array<std::int32_t, 3> c; ///< edge values >> 8 with the tie threshold taken off, at the anchor
     float nearest;                 ///< no sample is nearer than this
 
     std::uint32_t source;        ///< a face, or kPiece + the place of a piece of the chunk
     std::uint8_t x0, y0, x1, y1; ///< bounds in samples of the tile, both ends included
-    double depthOrigin;          ///< DepthPlane
+    double depthOrigin;          ///< DepthPlane, at the anchor
     double depthPerX;
     double depthPerY;
+
+    /// The first sample of the first block, in the tile: from there on all sums of depth are exact.
+    [[nodiscard]] int anchorX() const { return x0 & -kBlockSide; }
+    [[nodiscard]] int anchorY() const { return y0 & -kBlockSide; }
 
     /// Triangles beyond the numbers of the fast path are pieces, to be drawn sample by sample.
     [[nodiscard]] bool exact() const { return x1 < x0; }

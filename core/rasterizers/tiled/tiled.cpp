@@ -17,7 +17,7 @@ using namespace tiled;
 
 constexpr std::size_t kVerticesPerTask = 4096;
 constexpr int kTilesPerTask = 8;
-constexpr std::size_t kFewestFacesPerChunk = 2048;
+constexpr std::size_t kFewestFacesPerChunk = 1024;
 constexpr std::size_t kChunksPerThread = 4; ///< so that threads finish about together
 
 /// The frame's context, made or, where a copy of the frame has it too, made anew.

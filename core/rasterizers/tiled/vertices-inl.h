@@ -141,11 +141,11 @@ HWY_INLINE HalfFloats ProcessVertexLanes(const FrameJob& job, const float* float
     hn::Store(rules.clipZ == ClipZ::Gl ? hn::Div(hn::Add(w, z), hn::Mul(hn::Set(wide, 2.0), w)) : hn::Div(z, w), wide,
               depth.data());
     for (std::size_t i = 0; i < count; ++i)
-        out[i] = {x[i], y[i], depth[i]};
+        out[i] = {{x[i], y[i]}, depth[i]};
     std::uint32_t outside = ~BitsOf(tag, inside) & ((1U << count) - 1);
     for (; outside != 0; outside &= outside - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(outside));
-        out[lane] = {kOutside, planesOutside(job, vertexOf(lane)), 0};
+        out[lane] = {{kOutside, planesOutside(job, vertexOf(lane))}, 0};
     }
     return clip.w;
 }
