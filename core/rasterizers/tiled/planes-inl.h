@@ -128,7 +128,7 @@ HWY_INLINE ColorLanes3 LoadColors(const CornerColors& colors)
 HWY_INLINE hn::Mask<HalfFloatTag> ColorsAreAffine(const Rules& rules, const ColorLanes3& colors, HalfFloats steepness)
 {
     constexpr HalfFloatTag tag;
-    constexpr float kSteps = 0.25F; // of 255
+    constexpr float kSteps = 0.5F; // of 255
     constexpr float kEnough = 1 << 10;
     const auto plain = hn::And(hn::Ge(colors.lowest, hn::Zero(tag)), hn::Le(colors.highest, hn::Set(tag, 1.0F)));
     const auto precise = hn::And(plain, hn::Lt(steepness, hn::Set(tag, kEnough)));
