@@ -12,7 +12,7 @@ namespace rasterlens::tiled
 
 /// Takes a face with vertices outside through the scalar stages.
 ///
-/// in   the corners' ScreenPoint::y where x is kOutside, else 0
+/// in   the corners' ScreenXY::y where x is kOutside, else 0
 /// out  the triangles to draw, in chunk.clipped; its fate is counted
 void processOutsideFace(const FrameJob& job, Chunk& chunk, std::uint32_t face, std::array<std::int32_t, 3> codes);
 
