@@ -1,20 +1,18 @@
 // The panels about one pixel or one face show what core computes, and edit what they say they edit.
 #include "core/builtin_scenes.h"
-#include "core/case_file.h"
 #include "core/mistakes.h"
 #include "core/observe/race.h"
 #include "core/observe/step_text.h"
 #include "core/observe/why.h"
+#include "tests/window_fixture.h"
 #include "ui/cards.h"
 #include "ui/clip_theatre.h"
 #include "ui/curves_panel.h"
-#include "ui/main_window.h"
 #include "ui/mistake_badge.h"
 #include "ui/mistakes_section.h"
 #include "ui/pipeline_panel.h"
 #include "ui/pixel_card.h"
 #include "ui/race_panel.h"
-#include "ui/step_mode.h"
 #include "ui/vertex_handles.h"
 #include "ui/vertex_panel.h"
 
@@ -23,23 +21,18 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QMenu>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QSpinBox>
-#include <QStandardPaths>
-#include <QTemporaryDir>
 #include <QToolButton>
-#include <QtTest>
 
 #include <set>
 
 using namespace rasterlens;
+using namespace rasterlens::test;
 
 namespace
 {
-
-constexpr int kPatienceMs = 30000;
 
 /// One corner beyond the right side, one above the top: 3 -> 4 -> 5 corners.
 constexpr auto kTwoCuts = "size 32 32\ntri -0.5 -0.5 0 1 1 0 0   2 -0.5 0 1 0 1 0   -0.5 2 0 1 0 0 1\n";
@@ -51,63 +44,21 @@ QString plain(QString text)
 
 } // namespace
 
-class TestCards : public QObject
+class TestCards : public WindowFixture
 {
     Q_OBJECT
 
 private:
-    QTemporaryDir m_folder;
-    std::unique_ptr<MainWindow> m_window;
-
-    Document& document() { return m_window->document(); }
     Cards& cards() { return m_window->cards(); }
 
-    bool settle()
-    {
-        return QTest::qWaitFor([this] { return m_window->isComplete(); }, kPatienceMs);
-    }
-    bool open(const QString& name)
-    {
-        document().open(name);
-        return settle() && document().scene()->id == name;
-    }
-    bool openText(const char* caseText)
-    {
-        document().setScene(std::make_shared<const Scene>(*parseCase(caseText, QStringLiteral("text.case")).scene));
-        return settle();
-    }
     bool select(QPoint pixel)
     {
-        m_window->viewport().selectPixel(pixel);
-        return settle();
+        viewport().selectPixel(pixel);
+        return complete();
     }
-    bool show(const char* panel) { return cards().show(QLatin1String(panel)) && settle(); }
-    QImage picture() { return m_window->viewport().frame()->frame.image.copy(); }
+    bool show(const char* panel) { return cards().show(QLatin1String(panel)) && complete(); }
 
 private Q_SLOTS:
-    void initTestCase()
-    {
-        QStandardPaths::setTestModeEnabled(true);
-        QCoreApplication::setOrganizationName(QStringLiteral("RasterLensTest"));
-        QSettings::setDefaultFormat(QSettings::IniFormat);
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.filePath(QStringLiteral("config")));
-    }
-    void init()
-    {
-        m_window = std::make_unique<MainWindow>(MainWindow::Memory::Forget);
-        m_window->resize(1280, 800);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-        m_window->activateWindow();
-        m_window->viewport().setFocus();
-    }
-    void cleanup()
-    {
-        if (m_window)
-            m_window->setLanguage(LanguageKind::English);
-        m_window.reset();
-    }
-
     void pixelCardEqualsWhy();
     void pixelCardFollowsTheSettings();
     void pixelCardFollowsLanguageAndTheme();
@@ -137,7 +88,7 @@ void TestCards::pixelCardEqualsWhy()
     QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
     for (const QPoint pixel : {QPoint(3, 4), QPoint(0, 0), QPoint(7, 7), QPoint(6, 1)}) {
         QVERIFY(select(pixel));
-        const WhyReport report = why(*document().scene(), document().settings(), pixel.x(), pixel.y());
+        const WhyReport report = why(*document().scene(), settings(), pixel.x(), pixel.y());
         const PixelCard& card = cards().pixelCard();
         QVERIFY(card.report());
         QVERIFY(toJson(*card.report()) == toJson(report));
@@ -166,10 +117,10 @@ void TestCards::pixelCardFollowsTheSettings()
     QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
     QVERIFY(select({3, 4}));
     QCOMPARE(cards().pixelCard().report()->faces[0].verdict, WhyVerdict::LostTie);
-    Settings next = document().settings();
+    Settings next = settings();
     next.tieRule = TieRule::Inclusive;
     document().setSettings(next);
-    QVERIFY(settle());
+    QVERIFY(complete());
     QVERIFY(cards().pixelCard().report()->faces[0].verdict > WhyVerdict::LostTie);
 }
 
@@ -180,10 +131,10 @@ void TestCards::pixelCardFollowsLanguageAndTheme()
     const QString english = cards().pixelCard().rows()[0].verdict;
     m_window->setLook({ThemeKind::Dark, false});
     m_window->setLanguage(LanguageKind::Chinese);
-    QVERIFY(QTest::qWaitFor([&] { return cards().pixelCard().rows()[0].verdict != english; }, kPatienceMs));
+    QVERIFY(waitFor([&] { return cards().pixelCard().rows()[0].verdict != english; }));
     m_window->setLook({ThemeKind::Light, false});
     m_window->setLanguage(LanguageKind::English);
-    QVERIFY(QTest::qWaitFor([&] { return cards().pixelCard().rows()[0].verdict == english; }, kPatienceMs));
+    QVERIFY(waitFor([&] { return cards().pixelCard().rows()[0].verdict == english; }));
 }
 
 void TestCards::pixelCardRowsAskForTheirStep()
@@ -197,7 +148,7 @@ void TestCards::pixelCardRowsAskForTheirStep()
     QCOMPARE(asked.size(), 1);
     QCOMPARE(asked[0][0].toUInt(), cards().pixelCard().rows()[1].face);
     QCOMPARE(asked[0][1].toPoint(), QPoint(3, 4));
-    QVERIFY(settle());
+    QVERIFY(complete());
     const StepSession& session = m_window->stepMode().session();
     QVERIFY(session.isOpen());
     QVERIFY(session.event());
@@ -212,7 +163,7 @@ void TestCards::thePanelsFollowTheFaceOfTheStep()
     QVERIFY(cards().show(QStringLiteral("vertices")));
     StepSession& session = m_window->stepMode().session();
     session.open();
-    QVERIFY(settle());
+    QVERIFY(complete());
     std::set<int> faces;
     for (std::size_t position = 1; position <= session.size(); ++position) {
         session.moveTo(position);
@@ -230,8 +181,8 @@ void TestCards::pixelCardIsEmptyWithoutAPixel()
     QVERIFY(!cards().pixelCard().report());
     QVERIFY(select({1, 1}));
     QVERIFY(cards().pixelCard().report());
-    m_window->viewport().selectPixel(std::nullopt);
-    QVERIFY(settle());
+    viewport().selectPixel(std::nullopt);
+    QVERIFY(complete());
     QVERIFY(!cards().pixelCard().report());
     QVERIFY(cards().pixelCard().asText().isEmpty());
 }
@@ -244,13 +195,13 @@ void TestCards::mistakesChangeSettingsAndPicture()
     for (const Mistake& mistake : mistakes()) {
         const QString id = QLatin1String(mistake.id);
         section.box(id)->setChecked(true);
-        QCOMPARE(document().settings().mistakes, QStringList{id});
+        QCOMPARE(settings().mistakes, QStringList{id});
         QVERIFY(section.heading().contains(QLatin1String(mistake.number)));
         section.box(id)->setChecked(false);
-        QVERIFY(document().settings().mistakes.isEmpty());
+        QVERIFY(settings().mistakes.isEmpty());
     }
     section.box(QStringLiteral("all-exclusive"))->setChecked(true);
-    QVERIFY(settle());
+    QVERIFY(complete());
     QVERIFY(picture() != right);
     QVERIFY(m_window->mistakeBadge().isVisible());
     QCOMPARE(m_window->mistakeBadge().lines().size(), 1);
@@ -258,13 +209,13 @@ void TestCards::mistakesChangeSettingsAndPicture()
              qPrintable(m_window->mistakeBadge().lines()[0]));
     section.box(QStringLiteral("all-exclusive"))->setChecked(false);
     section.box(QStringLiteral("all-inclusive"))->setChecked(true);
-    QVERIFY(settle());
+    QVERIFY(complete());
     QVERIFY2(m_window->mistakeBadge().lines()[0].endsWith(QStringLiteral("hit twice 8")),
              qPrintable(m_window->mistakeBadge().lines()[0]));
     document().undo();
     document().undo();
     document().undo();
-    QVERIFY(settle());
+    QVERIFY(complete());
     QVERIFY(!section.box(QStringLiteral("all-inclusive"))->isChecked());
     QCOMPARE(picture(), right);
     QVERIFY(!m_window->mistakeBadge().isVisible());
@@ -273,10 +224,10 @@ void TestCards::mistakesChangeSettingsAndPicture()
 void TestCards::mistakeOpensItsScene()
 {
     document().openMistake(QStringLiteral("any-vertex-inside"));
-    QVERIFY(settle());
+    QVERIFY(complete());
     const Mistake& mistake = *findMistake(QStringLiteral("any-vertex-inside"));
     QCOMPARE(document().scene()->id, QStringLiteral("builtin:") + QLatin1String(mistake.scene));
-    QVERIFY(document().settings() == mistakeDemo(mistake).mistaken);
+    QVERIFY(settings() == mistakeDemo(mistake).mistaken);
     QVERIFY(m_window->mistakeBadge().isVisible());
 }
 
@@ -285,9 +236,9 @@ void TestCards::keyUnfoldsTheMistakes()
     QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
     MistakesSection& section = m_window->pipelinePanel().mistakes();
     QVERIFY(!section.isOpen());
-    QTest::keyClick(&m_window->viewport(), Qt::Key_M);
+    QTest::keyClick(&viewport(), Qt::Key_M);
     QVERIFY(section.isOpen());
-    QTest::keyClick(&m_window->viewport(), Qt::Key_M);
+    QTest::keyClick(&viewport(), Qt::Key_M);
     QVERIFY(!section.isOpen());
 }
 
@@ -312,8 +263,8 @@ void TestCards::vertexCellsEqualTheTable()
     QVERIFY(open(QStringLiteral("builtin:tile-square")));
     QVERIFY(show("vertices"));
     cards().selection().setFace(1);
-    QVERIFY(settle());
-    const auto table = vertexTable(*document().scene(), document().settings(), 1);
+    QVERIFY(complete());
+    const auto table = vertexTable(*document().scene(), settings(), 1);
     const VertexTableModel& model = cards().vertexPanel().model();
     const auto cell = [&](int row, int column) { return plain(model.index(row, column).data().toString()); };
     for (int i = 0; i < 3; ++i) {
@@ -341,13 +292,13 @@ void TestCards::vertexEditsAreUndone()
     QVERIFY(!model.setData(cell, QStringLiteral("1 2")));
     QVERIFY(document().scene() == original);
     QVERIFY(model.setData(cell, QStringLiteral("0 0.5 0 1")));
-    QVERIFY(settle());
+    QVERIFY(complete());
     const std::uint32_t vertex = original->mesh.indices[0];
     QVERIFY(document().scene()->mesh.vertices[vertex].position == glm::vec4(0, 0.5F, 0, 1));
     QVERIFY(document().isDirty());
     QVERIFY(picture() != before);
     document().undo();
-    QVERIFY(settle());
+    QVERIFY(complete());
     QVERIFY(document().scene() == original);
     QCOMPARE(picture(), before);
     document().redo();
@@ -374,10 +325,10 @@ void TestCards::handlesSnapToTheSubpixelGrid()
         VertexHandles& handles = cards().vertexHandles();
         const auto from = handles.screenOf(vertex);
         QVERIFY(from);
-        const double w = vertexTable(*document().scene(), document().settings(), 0)[1].clip.w;
+        const double w = vertexTable(*document().scene(), settings(), 0)[1].clip.w;
         handles.moveVertex(vertex, *from + QPointF(1.3001, -0.7003));
-        QVERIFY(settle());
-        const VertexRow moved = vertexTable(*document().scene(), document().settings(), 0)[1];
+        QVERIFY(complete());
+        const VertexRow moved = vertexTable(*document().scene(), settings(), 0)[1];
         const glm::dvec2 target = glm::round(glm::dvec2(from->x() + 1.3001, from->y() - 0.7003) * 256.0) / 256.0;
         QCOMPARE(moved.snapped.x, target.x);
         QCOMPARE(moved.snapped.y, target.y);
@@ -391,14 +342,14 @@ void TestCards::draggingOnTheCanvasIsOneUndoStep()
     QVERIFY(show("vertices"));
     const auto original = document().scene();
     const std::uint32_t vertex = original->mesh.indices[0];
-    ViewportWidget& canvas = m_window->viewport();
+    ViewportWidget& canvas = viewport();
     const auto at = [&](QPointF pixels) { return canvas.transform().toCanvas(pixels).toPoint(); };
     const QPointF from = *cards().vertexHandles().screenOf(vertex);
     QTest::mousePress(&canvas, Qt::LeftButton, {}, at(from));
     for (int i = 1; i <= 4; ++i)
         QTest::mouseMove(&canvas, at(from + QPointF(0.5, 0.5) * i));
     QTest::mouseRelease(&canvas, Qt::LeftButton, {}, at(from + QPointF(2, 2)));
-    QVERIFY(settle());
+    QVERIFY(complete());
     const QPointF to = *cards().vertexHandles().screenOf(vertex);
     QVERIFY(std::hypot(to.x() - from.x() - 2, to.y() - from.y() - 2) < 0.1);
     QVERIFY(document().scene() != original);
@@ -450,10 +401,10 @@ void TestCards::clipTheatreShowsTheRegions()
 {
     QVERIFY(openText(kTwoCuts));
     QVERIFY(show("clip"));
-    Settings next = document().settings();
+    Settings next = settings();
     next.clipping = Clipping::CohenSutherland;
     document().setSettings(next);
-    QVERIFY(settle());
+    QVERIFY(complete());
     ClipTheatre& theatre = cards().clipTheatre();
     QVERIFY(theatre.story()->regions);
     const QString text = theatre.cuts().join(QLatin1Char('\n'));
@@ -483,7 +434,7 @@ void TestCards::curvesTakeTheEdge()
 {
     QVERIFY(open(QStringLiteral("builtin:four-z")));
     QVERIFY(show("curves"));
-    const auto corners = vertexTable(*document().scene(), document().settings(), 0);
+    const auto corners = vertexTable(*document().scene(), settings(), 0);
     const CurvesPanel& curves = cards().curvesPanel();
     for (int edge = 0; edge < 3; ++edge) {
         curves.edgeBox()->setCurrentIndex(edge);
@@ -498,7 +449,7 @@ void TestCards::raceCountsInLockstep()
     QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
     QVERIFY(show("race"));
     RacePanel& panel = cards().racePanel();
-    const AlgorithmRace race = raceAlgorithms(*document().scene(), document().settings(), 0);
+    const AlgorithmRace race = raceAlgorithms(*document().scene(), settings(), 0);
     QVERIFY(panel.race());
     QVERIFY(!panel.isPlaying());
     QCOMPARE(panel.tick(), panel.ticks());
@@ -513,7 +464,7 @@ void TestCards::raceCountsInLockstep()
     }
     panel.setPlaying(true);
     QCOMPARE(panel.tick(), std::size_t(0));
-    QVERIFY(QTest::qWaitFor([&] { return panel.tick() > 0; }, kPatienceMs));
+    QVERIFY(waitFor([&] { return panel.tick() > 0; }));
     panel.setPlaying(false);
 }
 
@@ -526,7 +477,7 @@ void TestCards::panelsAreHiddenAtFirstAndInTheMenu()
         QCOMPARE(dock->isVisible(), name == QLatin1String("why"));
         QVERIFY(!dock->toggleViewAction()->text().isEmpty());
         QVERIFY(cards().show(name));
-        QVERIFY(settle());
+        QVERIFY(complete());
         QVERIFY(dock->isVisible());
     }
     m_window->resetLayout();

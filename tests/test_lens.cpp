@@ -1,30 +1,23 @@
 // The step mode in the window: every key of the transport, the lens's numbers and what the canvas shows.
-#include "core/case_file.h"
 #include "core/observe/step_text.h"
+#include "tests/window_fixture.h"
 #include "ui/lens_overlay.h"
-#include "ui/main_window.h"
 #include "ui/scrubber.h"
 #include "ui/stage_strip.h"
 #include "ui/step_listing.h"
-#include "ui/step_mode.h"
 #include "ui/transport_dock.h"
 
 #include <QImageReader>
 #include <QMenu>
-#include <QSettings>
 #include <QSignalSpy>
-#include <QStandardPaths>
-#include <QTemporaryDir>
-#include <QtTest>
 
 #include <cmath>
 
 using namespace rasterlens;
+using namespace rasterlens::test;
 
 namespace
 {
-
-constexpr int kPatienceMs = 60000;
 
 /// Two faces behind each other, and one across the near plane.
 constexpr auto kStops = R"(size 16 16
@@ -40,69 +33,33 @@ std::array<EdgeSign, 3> signsOf(const EdgeValues& values)
 
 } // namespace
 
-class TestLens : public QObject
+class TestLens : public WindowFixture
 {
     Q_OBJECT
 
 private:
-    QTemporaryDir m_folder;
-    std::unique_ptr<MainWindow> m_window;
-
     StepMode& mode() { return m_window->stepMode(); }
     StepSession& session() { return mode().session(); }
     const StepLog& log() { return *session().log(); }
-    ViewportWidget& viewport() { return m_window->viewport(); }
 
-    bool settle()
-    {
-        return QTest::qWaitFor([this] { return m_window->isSettled(); }, kPatienceMs);
-    }
     bool record()
     {
         session().open();
         return settle() && session().log();
     }
-    bool open(const QString& name)
-    {
-        m_window->document().open(name);
-        return settle() && m_window->document().scene()->id == name;
-    }
-    bool openText(const char* caseText)
-    {
-        const auto parsed = parseCase(caseText, QStringLiteral("text.case"));
-        if (!parsed.scene)
-            return false;
-        m_window->document().setScene(std::make_shared<const Scene>(*parsed.scene));
-        return settle();
-    }
-    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
-    {
-        QTest::keyClick(&viewport(), key, modifiers);
-    }
     void setAlgorithm(Algorithm algorithm)
     {
-        Settings next = m_window->document().settings();
+        Settings next = settings();
         next.algorithm = algorithm;
-        m_window->document().setSettings(next);
+        document().setSettings(next);
     }
 
 private Q_SLOTS:
-    void initTestCase()
-    {
-        QStandardPaths::setTestModeEnabled(true);
-        QCoreApplication::setOrganizationName(QStringLiteral("RasterLensTest"));
-        QSettings::setDefaultFormat(QSettings::IniFormat);
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.filePath(QStringLiteral("config")));
-    }
     void init()
     {
-        m_window = std::make_unique<MainWindow>(MainWindow::Memory::Forget);
-        m_window->resize(1280, 800);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        openWindow();
         QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
     }
-    void cleanup() { m_window.reset(); }
 
     void offUntilOpened();
     void startsPaused();
@@ -200,19 +157,19 @@ void TestLens::playsAndLoops()
     session().setSpeed(kFastestSteps);
     key(Qt::Key_Space);
     QVERIFY(session().isPlaying());
-    QVERIFY(QTest::qWaitFor([this] { return session().position() > 0; }, kPatienceMs));
+    QVERIFY(waitFor([this] { return session().position() > 0; }));
     key(Qt::Key_Space);
     QVERIFY(!session().isPlaying());
 
     session().moveTo(log().size() - 1);
     session().setPlaying(true);
-    QVERIFY(QTest::qWaitFor([this] { return !session().isPlaying(); }, kPatienceMs));
+    QVERIFY(waitFor([this] { return !session().isPlaying(); }));
     QCOMPARE(session().position(), log().size());
 
     session().setLooping(true);
     session().moveTo(log().size() - 1);
     session().setPlaying(true);
-    QVERIFY(QTest::qWaitFor([this] { return session().position() < log().size() - 1; }, kPatienceMs));
+    QVERIFY(waitFor([this] { return session().position() < log().size() - 1; }));
     QVERIFY(session().isPlaying());
     key(Qt::Key_Right);
     QVERIFY(!session().isPlaying());
@@ -233,9 +190,9 @@ void TestLens::arrowsNudgeOutsideOfStepMode()
 void TestLens::cellsEqualExactValues()
 {
     for (const NumberType type : {NumberType::Fixed, NumberType::Float64}) {
-        Settings next = m_window->document().settings();
+        Settings next = settings();
         next.numberType = type;
-        m_window->document().setSettings(next);
+        document().setSettings(next);
         QVERIFY(settle());
         QVERIFY(record());
         const auto at = log().find(0, StepDirection::Forward, [](const StepEvent& event) {
@@ -372,9 +329,9 @@ void TestLens::runUntilEachStop()
 
     // Without clipping the corner with w = 0 is divided by it.
     QVERIFY(openText("size 16 16\ntri -0.8 -0.8 0 1 1 0 0   0.8 -0.3 0 0 0 1 0   0 0.8 0 1 0 0 1\n"));
-    Settings next = m_window->document().settings();
+    Settings next = settings();
     next.clipping = Clipping::None;
-    m_window->document().setSettings(next);
+    document().setSettings(next);
     QVERIFY(settle());
     QVERIFY(record());
     expect({StepStop::Kind::NonFinite});
@@ -456,9 +413,9 @@ void TestLens::walkingShowsSpans()
 void TestLens::bresenhamShowsItsLine()
 {
     QVERIFY(openText("size 16 16\ntri -0.8 -0.8 0 1 1 0 0   0.8 -0.3 0 1 0 1 0   0 0.8 0 1 0 0 1\n"));
-    Settings next = m_window->document().settings();
+    Settings next = settings();
     next.fill = Fill::Wireframe;
-    m_window->document().setSettings(next);
+    document().setSettings(next);
     QVERIFY(settle());
     QVERIFY(record());
     const auto decisions = log().eventsOf(StepKind::LineDecision);
@@ -491,7 +448,7 @@ void TestLens::changesRecordAnew()
     QVERIFY(session().log() != former);
     QCOMPARE(changed.count(), 1);
     QCOMPARE(session().position(), std::size_t(50));
-    QVERIFY(session().log()->settings() == m_window->document().settings());
+    QVERIFY(session().log()->settings() == settings());
 }
 
 void TestLens::otherSceneDropsTheRecord()
@@ -501,7 +458,7 @@ void TestLens::otherSceneDropsTheRecord()
     QVERIFY(open(QStringLiteral("builtin:triangle")));
     QVERIFY(session().log());
     QCOMPARE(session().position(), std::size_t(0));
-    QCOMPARE(viewport().frame()->scene, m_window->document().scene());
+    QCOMPARE(viewport().frame()->scene, document().scene());
 }
 
 void TestLens::scopeLimitsTheRecord()
@@ -540,7 +497,7 @@ void TestLens::recordingNeverBlocks()
     ticks.start();
     session().open();
     QVERIFY(session().isRecording()); // open() came back before the work was done
-    QVERIFY(QTest::qWaitFor([this] { return !session().isRecording(); }, kPatienceMs));
+    QVERIFY(waitFor([this] { return !session().isRecording(); }));
     QVERIFY2(turns > 3, qPrintable(QString::number(turns)));
     QVERIFY(session().log());
 
@@ -584,7 +541,7 @@ void TestLens::exportsDrawingsAndRuns()
     const std::size_t before = session().position();
     const auto errorOf = [&](const QString& folder, RunExport::Run run) {
         QSignalSpy finished(&mode().exportRun(folder, run), &RunExport::finished);
-        return finished.wait() ? finished.front().front().toString() : QStringLiteral("never finished");
+        return finished.wait(kPatienceMs) ? finished.front().front().toString() : QStringLiteral("never finished");
     };
     QCOMPARE(errorOf(m_folder.path(), {8, 12, 16}), QString());
     QCOMPARE(session().position(), before);

@@ -1,7 +1,7 @@
 // The window says how right the picture is: referee, comparison, number dial.
 #include "core/builtin_scenes.h"
+#include "tests/window_fixture.h"
 #include "ui/compare_bar.h"
-#include "ui/main_window.h"
 #include "ui/number_dial.h"
 #include "ui/pipeline_panel.h"
 #include "ui/referee_bar.h"
@@ -10,56 +10,26 @@
 #include "ui/wipe.h"
 
 #include <QComboBox>
-#include <QSettings>
-#include <QStandardPaths>
-#include <QTemporaryDir>
-#include <QtTest>
 
 using namespace rasterlens;
+using namespace rasterlens::test;
 
 namespace
 {
 
-constexpr int kPatienceMs = 30000;
 constexpr auto kSquare = "builtin:square-diagonal";
 
 } // namespace
 
-class TestTruthMode : public QObject
+class TestTruthMode : public WindowFixture
 {
     Q_OBJECT
 
 private:
-    QTemporaryDir m_folder;
-    std::unique_ptr<MainWindow> m_window;
-
-    Document& document() { return m_window->document(); }
-    ViewportWidget& viewport() { return m_window->viewport(); }
     TruthMode& truth() { return m_window->truthMode(); }
     Referee& referee() { return truth().referee(); }
     Comparison& comparison() { return truth().comparison(); }
 
-    bool complete()
-    {
-        return QTest::qWaitFor([this] { return m_window->isComplete(); }, kPatienceMs);
-    }
-    bool open(const char* name)
-    {
-        document().open(QLatin1String(name));
-        return complete() && document().scene()->id == QLatin1String(name);
-    }
-    template <class Change>
-    bool change(Change&& change)
-    {
-        Settings next = document().settings();
-        change(next);
-        document().setSettings(next);
-        return complete();
-    }
-    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
-    {
-        QTest::keyClick(&viewport(), key, modifiers);
-    }
     QRgb shownAt(QPoint pixel)
     {
         const QPointF at = viewport().transform().toCanvas(QPointF(pixel) + QPointF(0.25, 0.75));
@@ -73,26 +43,6 @@ private:
     }
 
 private Q_SLOTS:
-    void initTestCase()
-    {
-        QStandardPaths::setTestModeEnabled(true);
-        QCoreApplication::setOrganizationName(QStringLiteral("RasterLensTest"));
-        QSettings::setDefaultFormat(QSettings::IniFormat);
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.filePath(QStringLiteral("config")));
-    }
-
-    void init()
-    {
-        m_window = std::make_unique<MainWindow>(MainWindow::Memory::Forget);
-        m_window->resize(1280, 800);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-        m_window->activateWindow();
-        viewport().setFocus();
-    }
-
-    void cleanup() { m_window.reset(); }
-
     void refereeFollowsThePicture()
     {
         QVERIFY(open(kSquare));
@@ -260,7 +210,7 @@ private Q_SLOTS:
         key(Qt::Key_B);
         QVERIFY(complete());
         QSet<QString> tags;
-        QVERIFY(QTest::qWaitFor([&] {
+        QVERIFY(waitFor([&] {
             tags << viewport().overlays().tag;
             return tags.contains(QStringLiteral("A")) && tags.contains(QStringLiteral("B"));
         }));

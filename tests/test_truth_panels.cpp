@@ -1,10 +1,10 @@
 // The panels of the truth that measure: speed against error, and the hard cases.
 #include "core/case_file.h"
+#include "tests/window_fixture.h"
 #include "ui/case_browser.h"
 #include "ui/dock.h"
 #include "ui/experiment_model.h"
 #include "ui/experiment_panel.h"
-#include "ui/main_window.h"
 #include "ui/step_mode.h"
 #include "ui/truth_mode.h"
 
@@ -15,48 +15,21 @@
 #include <QJsonDocument>
 #include <QLineEdit>
 #include <QListView>
-#include <QSettings>
-#include <QStandardPaths>
 #include <QTableView>
-#include <QTemporaryDir>
-#include <QtTest>
 
 using namespace rasterlens;
+using namespace rasterlens::test;
 
-namespace
-{
-
-constexpr int kPatienceMs = 60000;
-
-} // namespace
-
-class TestTruthPanels : public QObject
+class TestTruthPanels : public WindowFixture
 {
     Q_OBJECT
 
 private:
-    QTemporaryDir m_folder;
-    std::unique_ptr<MainWindow> m_window;
-
-    Document& document() { return m_window->document(); }
     TruthMode& truth() { return m_window->truthMode(); }
     ExperimentPanel& panel() { return truth().experiment(); }
     CaseBrowser& browser() { return truth().caseBrowser(); }
 
-    bool complete()
-    {
-        return QTest::qWaitFor([this] { return m_window->isComplete(); }, kPatienceMs);
-    }
-    bool openSmall(const char* name)
-    {
-        document().open(QLatin1String(name));
-        if (!complete())
-            return false;
-        Settings small = document().settings();
-        small.size = {64, 48};
-        document().setSettings(small);
-        return complete();
-    }
+    bool openSmall(const char* name) { return WindowFixture::openSmall(QLatin1String(name), {64, 48}); }
     bool measure()
     {
         truth().showPanel(QStringLiteral("experiment"));
@@ -65,24 +38,6 @@ private:
     }
 
 private Q_SLOTS:
-    void initTestCase()
-    {
-        QStandardPaths::setTestModeEnabled(true);
-        QCoreApplication::setOrganizationName(QStringLiteral("RasterLensTest"));
-        QSettings::setDefaultFormat(QSettings::IniFormat);
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.filePath(QStringLiteral("config")));
-    }
-
-    void init()
-    {
-        m_window = std::make_unique<MainWindow>(MainWindow::Memory::Forget);
-        m_window->resize(1280, 800);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-    }
-
-    void cleanup() { m_window.reset(); }
-
     void everyVariantIsADotAndARow()
     {
         QVERIFY(openSmall("builtin:cube"));
@@ -162,9 +117,9 @@ private Q_SLOTS:
         QVERIFY(openSmall("builtin:torus-knot"));
         panel().run(1000);
         QVERIFY(panel().isRunning());
-        QVERIFY(QTest::qWaitFor([this] { return !panel().rows().empty(); }, kPatienceMs));
+        QVERIFY(waitFor([this] { return !panel().rows().empty(); }));
         panel().cancel();
-        QVERIFY(QTest::qWaitFor([this] { return !panel().isRunning(); }, kPatienceMs));
+        QVERIFY(waitFor([this] { return !panel().isRunning(); }));
         QVERIFY(!panel().rows().empty());
         QVERIFY(panel().rows().front().ms.frames < 1000);
     }
@@ -195,7 +150,7 @@ private Q_SLOTS:
     {
         truth().showPanel(QStringLiteral("cases"));
         QVERIFY(browser().model().isBusy());
-        QVERIFY(QTest::qWaitFor([this] { return !browser().model().isBusy(); }, 10 * kPatienceMs));
+        QVERIFY(waitFor([this] { return !browser().model().isBusy(); }));
         const CaseModel& model = browser().model();
         QVERIFY(model.rowCount() >= 100);
         QCOMPARE(model.judged(), model.rowCount());
@@ -234,7 +189,7 @@ private Q_SLOTS:
         const auto isShown = [this] {
             return m_window->isSettled() && m_window->stepMode().session().event() && truth().referee().judgement();
         };
-        QVERIFY(QTest::qWaitFor(isShown, kPatienceMs));
+        QVERIFY(waitFor(isShown));
         QCOMPARE(document().settings().numberType, NumberType::Float32);
         const WrongPixel& wrong = truth().referee().judgement()->wrong.front();
         QCOMPARE(m_window->viewport().selectedPixel(), std::optional(QPoint(wrong.x, wrong.y)));
@@ -242,8 +197,8 @@ private Q_SLOTS:
 
         // A case that is right is opened as well, at a tie.
         truth().showCase(QStringLiteral("001_edges_four_quarters"), QStringLiteral("edge-walking"));
-        QVERIFY(QTest::qWaitFor([this] { return document().scene()->id.contains(QLatin1String("/001_")); }));
-        QVERIFY(QTest::qWaitFor(isShown, kPatienceMs));
+        QVERIFY(waitFor([this] { return document().scene()->id.contains(QLatin1String("/001_")); }));
+        QVERIFY(waitFor(isShown));
         QCOMPARE(document().settings().algorithm, Algorithm::EdgeWalking);
         QCOMPARE(truth().referee().judgement()->difference.wrong(), std::uint64_t{0});
     }

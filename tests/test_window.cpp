@@ -1,9 +1,8 @@
 #include "core/builtin_scenes.h"
-#include "core/case_file.h"
+#include "tests/window_fixture.h"
 #include "ui/applicability.h"
 #include "ui/dock.h"
 #include "ui/help_overlay.h"
-#include "ui/main_window.h"
 #include "ui/pipeline_panel.h"
 #include "ui/stage_strip.h"
 #include "ui/statistics_panel.h"
@@ -16,244 +15,24 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QSpinBox>
-#include <QStandardPaths>
-#include <QTemporaryDir>
-#include <QtTest>
 
 using namespace rasterlens;
+using namespace rasterlens::test;
 
-namespace
-{
-
-constexpr int kPatienceMs = 30000;
-
-/// A triangle in front of the near half of the view volume, one across the right border and one behind the eye.
-constexpr auto kClipped = R"(size 32 32
-tri -0.8 -0.8 -0.5 1 1 0 0   0.2 -0.8 -0.5 1 0 1 0   -0.8 0.8 -0.5 1 0 0 1
-tri 0.3 -0.5 0.4 1 1 1 0   3 0 0.4 1 0 1 1   0.3 0.6 0.4 1 1 0 1
-tri 0 0 0 1 1 1 1   0.5 0.9 0.1 0.5 1 1 1   0.1 0.5 0.2 -0.4 1 1 1
-)";
-
-} // namespace
-
-class TestWindow : public QObject
+class TestWindow : public WindowFixture
 {
     Q_OBJECT
 
 private:
-    QTemporaryDir m_folder;
-    std::unique_ptr<MainWindow> m_window;
-
-    Document& document() { return m_window->document(); }
-    const Settings& settings() { return document().settings(); }
-    ViewportWidget& viewport() { return m_window->viewport(); }
-
-    bool settle()
-    {
-        return QTest::qWaitFor([this] { return m_window->isSettled(); }, kPatienceMs);
-    }
-
-    bool open(const QString& name)
-    {
-        document().open(name);
-        return settle() && document().scene()->id == name;
-    }
-
-    /// The same in a picture small enough for many tests.
-    bool openSmall(const QString& name)
-    {
-        if (!open(name))
-            return false;
-        Settings small = settings();
-        small.size = small.size.scaled(QSize(320, 240).boundedTo(small.size), Qt::KeepAspectRatio);
-        document().setSettings(small);
-        return settle();
-    }
-
-    bool openText(const char* caseText)
-    {
-        document().setScene(std::make_shared<const Scene>(*parseCase(caseText, QStringLiteral("text.case")).scene));
-        return settle();
-    }
-
     void speak(LanguageKind language)
     {
         m_window->setLanguage(language);
         QCoreApplication::processEvents();
     }
 
-    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
-    {
-        QTest::keyClick(&viewport(), key, modifiers);
-    }
-
-    void choose(const QString& field, int value)
-    {
-        QWidget* editor = m_window->pipelinePanel().editor(field);
-        if (auto* combo = qobject_cast<QComboBox*>(editor))
-            combo->setCurrentIndex(value);
-        else if (auto* spin = qobject_cast<QSpinBox*>(editor))
-            spin->setValue(value);
-        else if (auto* check = qobject_cast<QCheckBox*>(editor))
-            check->setChecked(value != 0);
-    }
-
-    QImage picture() { return viewport().frame()->frame.image.copy(); }
-
 private Q_SLOTS:
-    void initTestCase()
-    {
-        QStandardPaths::setTestModeEnabled(true);
-        QCoreApplication::setOrganizationName(QStringLiteral("RasterLensTest"));
-        QSettings::setDefaultFormat(QSettings::IniFormat);
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.filePath(QStringLiteral("config")));
-    }
-
-    void init()
-    {
-        m_window = std::make_unique<MainWindow>(MainWindow::Memory::Forget);
-        m_window->resize(1280, 800);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-        m_window->activateWindow();
-        viewport().setFocus();
-    }
-
-    void cleanup()
-    {
-        if (m_window)
-            m_window->setLanguage(LanguageKind::English);
-        m_window.reset();
-    }
-
-    void everySwitchChangesItsField_data()
-    {
-        QTest::addColumn<QString>("id");
-        for (const SettingsField& field : settingsFields())
-            QTest::newRow(field.id) << QString::fromLatin1(field.id);
-    }
-
-    void everySwitchChangesItsField()
-    {
-        QFETCH(QString, id);
-        const SettingsField& field = *findSettingsField(id);
-        QVERIFY(openSmall(QStringLiteral("builtin:cube")));
-        const int before = field.get(settings());
-        const int panelCount = m_window->pipelinePanel().changedCount();
-        for (int value = field.minimum; value <= std::min(field.maximum, field.minimum + 9); ++value) {
-            choose(id, value);
-            QCOMPARE(field.get(settings()), value);
-        }
-        choose(id, before == field.maximum ? field.minimum : before + 1);
-        QVERIFY(field.get(settings()) != before);
-        QCOMPARE(m_window->pipelinePanel().changedCount(), panelCount + 1);
-        while (document().canUndo() && field.get(settings()) != before)
-            document().undo();
-        QCOMPARE(field.get(settings()), before);
-        QCOMPARE(m_window->pipelinePanel().changedCount(), panelCount);
-        QVERIFY(settle());
-    }
-
-    void everySwitchShows_data()
-    {
-        QTest::addColumn<QString>("scene");
-        QTest::addColumn<QStringList>("before");
-        QTest::addColumn<QString>("field");
-        QTest::addColumn<QString>("value");
-        const auto row = [](const char* scene, const QStringList& before, const char* field, const char* value) {
-            QTest::newRow(qPrintable(QStringLiteral("%1 %2").arg(QLatin1String(field), QLatin1String(value))))
-                << QString::fromLatin1(scene) << before << QString::fromLatin1(field) << QString::fromLatin1(value);
-        };
-        row("clipped", {}, "clipping", "any-vertex-inside");
-        row("clipped", {}, "clipping", "guard-band");
-        row("clipped", {}, "clip-z", "d3d");
-        row("builtin:cube", {"shading=depth"}, "reversed-z", "true");
-        row("builtin:cube", {}, "subpixel-bits", "0");
-        row("builtin:slivers", {}, "number-type", "float32");
-        row("builtin:cube", {}, "culling", "none");
-        row("builtin:cube", {}, "culling", "front");
-        row("builtin:cube", {}, "winding", "cw");
-        row("builtin:behind-camera", {"culling=back", "clipping=none"}, "cull-space", "clip");
-        row("builtin:cube", {}, "fill", "wireframe");
-        row("builtin:cube", {}, "fill", "points");
-        row("builtin:square-diagonal", {}, "algorithm", "edge-walking");
-        row("builtin:slivers", {"number-type=float32"}, "stepping", "direct");
-        row("builtin:square-diagonal", {}, "tie-rule", "inclusive");
-        row("builtin:square-diagonal", {}, "tie-rule", "exclusive");
-        row("builtin:torus-knot", {"fill=wireframe"}, "line", "dda");
-        row("builtin:triangle", {}, "samples", "2x2");
-        row("builtin:piercing", {}, "visibility", "painter");
-        row("builtin:piercing", {}, "visibility", "submission-order");
-        row("builtin:piercing", {}, "depth-test", "greater");
-        row("builtin:z-fighting", {}, "depth-format", "unorm16");
-        row("builtin:head", {}, "depth-order", "after-shading");
-        row("builtin:tile-square", {}, "interpolation", "affine");
-        row("builtin:cube", {}, "shading", "normals");
-        row("builtin:tile-square", {"shading=texture"}, "texture-filter", "bilinear");
-    }
-
-    /// Each switch, used in the panel, changes the picture or the counters of a scene that is about it. Not so the
-    /// attribute path, which reaches the same values by other sums, nor threads and vector instructions.
-    void everySwitchShows()
-    {
-        QFETCH(QString, scene);
-        QFETCH(QStringList, before);
-        QFETCH(QString, field);
-        QFETCH(QString, value);
-        QVERIFY(scene == QLatin1String("clipped") ? openText(kClipped) : openSmall(scene));
-        Settings prepared = settings();
-        for (const QString& assignment : before) {
-            const QStringList parts = assignment.split(QLatin1Char('='));
-            const auto error = setFromText(*findSettingsField(parts[0]), parts[1], prepared);
-            QVERIFY2(!error, error ? qPrintable(*error) : "");
-        }
-        document().setSettings(prepared);
-        QVERIFY(settle());
-        QVERIFY2(m_window->message().isEmpty(), qPrintable(m_window->message()));
-        QVERIFY2(!whyWithoutEffect(*findSettingsField(field), settings()), "the switch is greyed out");
-        const QImage pictureBefore = picture();
-        const Statistics statisticsBefore = viewport().frame()->statistics;
-
-        Settings target = settings();
-        QVERIFY(!setFromText(*findSettingsField(field), value, target));
-        choose(field, findSettingsField(field)->get(target));
-        QVERIFY(settings() == target);
-        QVERIFY(settle());
-        QVERIFY2(m_window->message().isEmpty(), qPrintable(m_window->message()));
-        QVERIFY2(picture() != pictureBefore || !(viewport().frame()->statistics == statisticsBefore),
-                 "neither the picture nor a counter changed");
-    }
-
-    void keysStepTheFields_data()
-    {
-        QTest::addColumn<Qt::Key>("keyOfField");
-        QTest::addColumn<QString>("id");
-        QTest::newRow("W") << Qt::Key_W << QStringLiteral("fill");
-        QTest::newRow("E") << Qt::Key_E << QStringLiteral("algorithm");
-        QTest::newRow("C") << Qt::Key_C << QStringLiteral("culling");
-        QTest::newRow("X") << Qt::Key_X << QStringLiteral("clipping");
-        QTest::newRow("T") << Qt::Key_T << QStringLiteral("depth-test");
-        QTest::newRow("P") << Qt::Key_P << QStringLiteral("interpolation");
-        QTest::newRow("N") << Qt::Key_N << QStringLiteral("number-type");
-    }
-
-    void keysStepTheFields()
-    {
-        QFETCH(Qt::Key, keyOfField);
-        QFETCH(QString, id);
-        QVERIFY(openSmall(QStringLiteral("builtin:cube")));
-        const SettingsField& field = *findSettingsField(id);
-        const int first = field.get(settings());
-        key(keyOfField);
-        QVERIFY(field.get(settings()) != first);
-        for (int i = 0; i < 20 && field.get(settings()) != first; ++i)
-            key(keyOfField);
-        QCOMPARE(field.get(settings()), first);
-    }
-
     void zoomKeepsThePixelUnderTheCursor()
     {
         QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
@@ -418,7 +197,7 @@ private Q_SLOTS:
     {
         QFile file(m_folder.filePath(QStringLiteral("dropped.case")));
         QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(kClipped);
+        file.write("size 8 8\ntri 0 0 0 1 1 0 0   1 0 0 1 0 1 0   0 1 0 1 0 0 1\n");
         file.close();
         QMimeData data;
         data.setUrls({QUrl::fromLocalFile(file.fileName())});
