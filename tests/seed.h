@@ -1,6 +1,8 @@
 #pragma once
 #include <QtGlobal>
 
+#include <algorithm>
+
 namespace rasterlens::test
 {
 
@@ -13,5 +15,9 @@ inline unsigned seedOfRun()
     qInfo("RASTERLENS_SEED=%u", seed);
     return seed;
 }
+
+/// How many of `all` random cases this build draws: under the sanitizers, which are ten times slower, a fifth. The
+/// kinds of cases stay: what is repeated to meet rarer numbers is repeated less.
+constexpr int casesOfBuild(int all) { return RASTERLENS_SANITIZED ? std::max(1, all / 5) : all; }
 
 } // namespace rasterlens::test

@@ -320,7 +320,7 @@ void TestCoverage::algorithmsAgreeOnSoups()
 {
     Random random = seededRandom();
     const SettingsField* shading = findSettingsField(QStringLiteral("shading"));
-    for (int round = 0; round < 60; ++round) {
+    for (int round = 0; round < casesOfBuild(60); ++round) {
         const Scene scene = round % 2 == 0 ? wildSoup(random, 40) : sceneOf(randomSoup(random, 40), random);
         Settings settings = plainSettings({integer(random, 1, 90), integer(random, 1, 90)});
         settings.subpixelBits = integer(random, 0, 8);

@@ -81,15 +81,15 @@ void TestTiledShading::drawsShadingsAlike()
     QFETCH(Settings, settings);
     const std::vector<Simd> all = simds();
     std::mt19937 random(5);
-    const SceneLoad head = makeBuiltinScene("head");
-    QVERIFY(head.scene);
+    const SceneLoad sphere = makeBuiltinScene("sphere");
+    QVERIFY(sphere.scene);
     for (const bool lit : {false, true})
         for (const Interpolation interpolation : {Interpolation::Perspective, Interpolation::Affine}) {
-            settings.size = lit ? QSize(90, 70) : QSize(75, 50);
+            settings.size = lit ? QSize(70, 40) : QSize(50, 70);
             settings.culling = lit ? Culling::Back : Culling::None;
             settings.view.distance = 0.7; // some of it is cut
             settings.interpolation = interpolation;
-            Scene scene = lit ? *head.scene : soup(random, settings.size, 60);
+            Scene scene = lit ? *sphere.scene : soup(random, settings.size, 40);
             dress(scene, random);
             const QString d = compareAll(scene, settings, all, {2});
             QVERIFY2(d.isEmpty(), qPrintable(d));

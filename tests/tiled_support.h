@@ -8,9 +8,9 @@
 #include <bit>
 #include <cmath>
 #include <cstdlib>
-#include <initializer_list>
 #include <optional>
 #include <random>
+#include <vector>
 
 namespace rasterlens::test
 {
@@ -80,51 +80,66 @@ inline QString difference(const Frame& expected, const Frame& actual)
     return step > 1 ? QStringLiteral("colours by %1").arg(step) : QString();
 }
 
+struct Way {
+    Simd simd;
+    int threads;
+};
+
+/// The first instruction set with every number of threads, the others with one of them in turn.
+inline std::vector<Way> waysOf(const std::vector<Simd>& among, const std::vector<int>& threadCounts)
+{
+    std::vector<Way> ways;
+    for (std::size_t i = 0; i < among.size(); ++i)
+        for (std::size_t k = 0; k < threadCounts.size(); ++k)
+            if (i == 0 || k == i % threadCounts.size())
+                ways.push_back({among[i], threadCounts[k]});
+    return ways;
+}
+
 /// Compares with edge-equation: every instruction set, several threads, with and without the other outputs (which
 /// take different ways through the kernel).
 inline QString compareAll(const Scene& scene, Settings settings, const std::vector<Simd>& among,
-                          std::initializer_list<int> threadCounts = {1, 2, 5})
+                          const std::vector<int>& threadCounts = {1, 2, 5})
 {
     settings.algorithm = Algorithm::EdgeEquation;
     Frame expected;
     const Statistics expectedCounts = renderCounted(scene, settings, expected, kAll);
     settings.algorithm = Algorithm::Tiled;
     std::optional<QImage> first;
-    for (const Simd simd : among)
-        for (const int threads : threadCounts) {
-            settings.simd = simd;
-            settings.threads = threads;
-            const auto tell = [&](const QString& what) {
-                return QStringLiteral("simd %1, %2 threads: %3")
-                    .arg(valueId(*findSettingsField("simd"), settings))
-                    .arg(threads)
-                    .arg(what);
-            };
-            Frame all;
-            const Statistics counts = renderCounted(scene, settings, all, kAll);
-            if (const QString d = difference(expected, all); !d.isEmpty())
-                return tell(d);
-            if (!(counts.faces == expectedCounts.faces))
-                return tell("counts of faces");
-            if (counts.pixels.covered != expectedCounts.pixels.covered ||
-                counts.pixels.depthPassed != expectedCounts.pixels.depthPassed ||
-                counts.pixels.depthFailed != expectedCounts.pixels.depthFailed || counts.pixels.coveredTwice != 0)
-                return tell("counts of samples");
-            if (first && *first != all.image)
-                return tell("colours differ from those of another instruction set");
-            first = all.image;
-            Frame usual;
-            render(scene, settings, usual, {.depth = true, .ids = true});
-            usual.coverage = all.coverage;
-            if (const QString d = difference(expected, usual); !d.isEmpty())
-                return tell("uncounted: " + d);
-            if (usual.image != all.image)
-                return tell("counting changes colours");
-            Frame depth;
-            render(scene, settings, depth, {.depth = true, .picture = false});
-            if (!depth.image.isNull() || !sameBits(expected.depth, depth.depth))
-                return tell("depth alone");
-        }
+    for (const Way& way : waysOf(among, threadCounts)) {
+        settings.simd = way.simd;
+        settings.threads = way.threads;
+        const auto tell = [&](const QString& what) {
+            return QStringLiteral("simd %1, %2 threads: %3")
+                .arg(valueId(*findSettingsField("simd"), settings))
+                .arg(way.threads)
+                .arg(what);
+        };
+        Frame all;
+        const Statistics counts = renderCounted(scene, settings, all, kAll);
+        if (const QString d = difference(expected, all); !d.isEmpty())
+            return tell(d);
+        if (!(counts.faces == expectedCounts.faces))
+            return tell("counts of faces");
+        if (counts.pixels.covered != expectedCounts.pixels.covered ||
+            counts.pixels.depthPassed != expectedCounts.pixels.depthPassed ||
+            counts.pixels.depthFailed != expectedCounts.pixels.depthFailed || counts.pixels.coveredTwice != 0)
+            return tell("counts of samples");
+        if (first && *first != all.image)
+            return tell("colours differ from those of another instruction set");
+        first = all.image;
+        Frame usual;
+        render(scene, settings, usual, {.depth = true, .ids = true});
+        usual.coverage = all.coverage;
+        if (const QString d = difference(expected, usual); !d.isEmpty())
+            return tell("uncounted: " + d);
+        if (usual.image != all.image)
+            return tell("counting changes colours");
+        Frame depth;
+        render(scene, settings, depth, {.depth = true, .picture = false});
+        if (!depth.image.isNull() || !sameBits(expected.depth, depth.depth))
+            return tell("depth alone");
+    }
     return {};
 }
 
