@@ -101,13 +101,18 @@ enum class ColorWay : std::int32_t {
     Exact        ///< too steep for float32: sample by sample
 };
 
-/// Colours of a triangle, times 255, as planes over the target: the second cache line of its record.
+/// Colours of a triangle as planes over the target, the second cache line of its record: 1/w relative to a corner, then
+/// the channels.
+///
+/// units  Affine: 2^-24 of a step of 255, modulo 2^32, with what rounding takes added to the origin. So sums are exact
+/// in
+///        any order, and may leave the range where nobody looks. Perspective: steps, as the bits of float32.
 struct alignas(64) ColorPlanes {
-    std::array<float, 4> origin; ///< at the anchor: 1/w relative to a corner, then the channels
-    std::array<float, 4> perX;
-    std::array<float, 4> perY;
-    float x0; ///< the anchor, a sample of the target
-    float y0;
+    std::array<std::int32_t, 4> origin; ///< at the anchor
+    std::array<std::int32_t, 4> perX;
+    std::array<std::int32_t, 4> perY;
+    std::int32_t x0; ///< the anchor, a sample of the target
+    std::int32_t y0;
     ColorWay way;
     std::uint32_t varyings; ///< of shadings that have more than colours: the number of their VaryingPlanes, and no more
 };
