@@ -91,8 +91,8 @@ struct ChannelPairs {
 HWY_INLINE Uints ColorOf(const ChannelPairs& pairs)
 {
     constexpr UintTag tag;
-    const Uints redBlue = hn::And(hn::ShiftRight<8>(hn::BitCast(tag, pairs.redBlue)), hn::Set(tag, 0x00ff00ffU));
-    return hn::OrAnd(redBlue, hn::BitCast(tag, pairs.alphaGreen), hn::Set(tag, 0xff00ff00U));
+    return hn::OrAnd(UpperBytes(hn::BitCast(tag, pairs.redBlue)), hn::BitCast(tag, pairs.alphaGreen),
+                     hn::Set(tag, 0xff00ff00U));
 }
 
 /// What a triangle's channels change by from lane to lane, in the units of its planes.

@@ -32,9 +32,8 @@ HWY_INLINE Uints AffineMeans(const ColorSquares& squares, std::size_t v)
     Uints redBlueSum = hn::Set(unsignedTag, 0x00080008U);
     Uints alphaGreenSum = redBlueSum;
     for (std::size_t s = 0; s < kLanes; ++s) {
-        const auto steps = [&](Ints first, std::int32_t offset) HWY_ATTR {
-            const Uints sum = hn::BitCast(UintTag(), hn::Add(first, hn::Set(IntTag(), offset)));
-            return hn::And(hn::ShiftRight<8>(sum), halves);
+        const auto steps = [](Ints first, std::int32_t offset) HWY_ATTR {
+            return UpperBytes(hn::BitCast(UintTag(), hn::Add(first, hn::Set(IntTag(), offset))));
         };
         redBlueSum = hn::Add(redBlueSum, steps(redBlue, squares.offsets.redBlue[s]));
         alphaGreenSum = hn::Add(alphaGreenSum, steps(alphaGreen, squares.offsets.alphaGreen[s]));

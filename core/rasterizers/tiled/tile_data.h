@@ -5,7 +5,9 @@
 #include "core/rules.h"
 #include "core/scene.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -153,11 +155,18 @@ private:
     std::vector<std::uint32_t> m_next; ///< apart from the blocks: a walk along a list touches few lines
 };
 
+/// Depths compare like their bits from 0 on, and what is nearer than 0 counts as 0.
+[[nodiscard]] constexpr std::int32_t depthKey(float depth) { return std::max(std::bit_cast<std::int32_t>(depth), 0); }
+
 struct Bin {
     BinBlock* lastBlock = nullptr;
     std::uint32_t first = kNobody;
     std::uint32_t last = kNobody;
     std::uint32_t used = BinBlock::kCapacity; ///< triangles in the last block
+    /// Bounds with the usual depth test: no triangle of the bin is nearer than the one, and none farther than the other
+    /// is seen.
+    std::int32_t nearest = std::numeric_limits<std::int32_t>::max();
+    std::int32_t farthest = std::numeric_limits<std::int32_t>::max();
 };
 
 /// Likewise 1/w and any kCount varyings, in double: a sample's come out as the scalar stages round them to float32, so
@@ -181,14 +190,25 @@ struct Chunk {
     Statistics::Faces faces;
     std::vector<ScreenTriangle> clipped; ///< of one face
 
-    /// Room for one more triangle of a tile.
+    /// Forgets the triangles of a tile: something is in front of them all.
+    void clear(Bin& bin)
+    {
+        if (bin.first == kNobody)
+            return;
+        arena.next(bin.first) = kNobody;
+        bin.last = bin.first;
+        bin.lastBlock = &arena.block(bin.first);
+        bin.used = 0;
+    }
+
+    /// Room for one more triangle of a tile, no nearer than `nearest`.
     struct Slot {
         TileTriangle* triangle;
         ColorPlanes* colors;
     };
-    Slot append(std::size_t tile)
+    Slot append(Bin& bin, std::int32_t nearest)
     {
-        Bin& bin = bins[tile];
+        bin.nearest = std::min(bin.nearest, nearest);
         if (bin.used == BinBlock::kCapacity)
             grow(bin);
         const Slot slot{&bin.lastBlock->triangles[bin.used], &bin.lastBlock->colors[bin.used]};
