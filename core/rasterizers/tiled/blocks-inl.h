@@ -19,25 +19,26 @@ HWY_INLINE hn::Mask<IntTag> NotNegative(Ints v) { return hn::Gt(v, hn::Set(IntTa
 
 constexpr std::int32_t kKeyOfOne = 0x3f800000; ///< the bits of 1.0F
 
-/// The usual case knows its depth test when it is compiled; every other one reads it from here.
-struct UsualDepth {
-    static constexpr bool kUsual = true; ///< float32, smaller wins, nobody counts
-    static constexpr bool kColors = false;
-    UsualDepth(const FrameJob&, TileOrigin) {}
+/// What a sample keeps of the triangle that won it, beside its depth.
+enum class Keeps {
+    Number, ///< who it is
+    Color,  ///< the interpolated colour: that is less work than to remember who and to come back for it
+    Nothing ///< where only depth is asked for
 };
 
-/// Samples are given their interpolated colour at once: that is less work than to remember whose they are.
-struct ColoredDepth {
-    static constexpr bool kUsual = true;
-    static constexpr bool kColors = true;
-    ColoredDepth(const FrameJob& j, TileOrigin o) : job(j), origin(o) {}
+/// The usual case knows its depth test when it is compiled; every other one reads it from here.
+template <Keeps kKeep>
+struct UsualDepth {
+    static constexpr bool kUsual = true; ///< float32, smaller wins, nobody counts
+    static constexpr Keeps kKeeps = kKeep;
+    UsualDepth(const FrameJob& j, TileOrigin o) : job(j), origin(o) {}
     const FrameJob& job;
     TileOrigin origin;
 };
 
 struct AnyDepth {
     static constexpr bool kUsual = false;
-    static constexpr bool kColors = false;
+    static constexpr Keeps kKeeps = Keeps::Number;
     AnyDepth(const FrameJob& job, TileOrigin origin)
         : flip(depthFlip(job.rules.depthCompare)), handicap(depthHandicap(job.rules)), format(job.rules.depthFormat),
           countsCoverage(job.countsCoverage()), width(job.rules.columns() - origin.x),
@@ -103,7 +104,7 @@ HWY_INLINE TriangleLanes SpreadTriangle(const TileTriangle& t, const ColorPlanes
     TriangleLanes lanes;
     lanes.number = number;
     lanes.planes = &planes;
-    if constexpr (Policy::kColors)
+    if constexpr (Policy::kKeeps == Keeps::Color)
         lanes.colors = SpreadColors(planes);
     lanes.a = {t.a[0], t.a[1], -(t.a[0] + t.a[1])};
     lanes.b = {t.b[0], t.b[1], -(t.b[0] + t.b[1])};
@@ -248,7 +249,7 @@ HWY_INLINE void CoverBlock(const BlockQueue::Group& group, std::size_t square, s
         const auto passed = hn::And(inside, hn::Lt(compared, stored));
         hn::Store(hn::IfThenElse(passed, key, stored), tag, keys);
         const auto won = hn::RebindMask(unsignedTag, passed);
-        if constexpr (Policy::kColors) {
+        if constexpr (Policy::kKeeps == Keeps::Color) {
             std::uint32_t* colors = worker.samples.color.data() + at;
             if (HWY_UNLIKELY(group.colors.planes->way == ColorWay::Exact)) {
                 ColorExactly(policy.job, policy.origin, group.number, block, BitsOf(tag, passed) << lane, worker);
@@ -256,7 +257,7 @@ HWY_INLINE void CoverBlock(const BlockQueue::Group& group, std::size_t square, s
             }
             hn::Store(hn::IfThenElse(won, group.colors.color(square, lane), hn::Load(unsignedTag, colors)), unsignedTag,
                       colors);
-        } else {
+        } else if constexpr (Policy::kKeeps == Keeps::Number) {
             std::uint32_t* ids = worker.samples.ids.data() + at;
             hn::Store(hn::IfThenElse(won, hn::Set(unsignedTag, group.number), hn::Load(unsignedTag, ids)), unsignedTag,
                       ids);

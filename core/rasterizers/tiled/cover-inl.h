@@ -37,9 +37,9 @@ inline void WriteBlankBlocks(const Policy& policy, TileSamples& samples, TileDep
         samples.owner[block] = kNobody;
         for (std::size_t at = block * kLanes; at < (block + 1) * kLanes; at += kPerVector) {
             hn::Store(hn::Set(IntTag(), samples.clearKey), IntTag(), samples.key.data() + at);
-            if constexpr (Policy::kColors)
+            if constexpr (Policy::kKeeps == Keeps::Color)
                 hn::Store(hn::Set(UintTag(), policy.job.clearColor), UintTag(), samples.color.data() + at);
-            else
+            if constexpr (Policy::kKeeps == Keeps::Number)
                 hn::Store(hn::Set(UintTag(), kNobody), UintTag(), samples.ids.data() + at);
         }
     }
@@ -65,36 +65,65 @@ inline void ColorSamples(const FrameJob& job, TileOrigin origin, std::uint32_t n
     }
 }
 
-/// Writes the keys, and the ids or colours, of a block that one triangle has to itself.
-template <class Policy>
-inline void WriteOwnedBlock(const Policy& policy, std::size_t block, Worker& worker)
+/// The keys of blocks of a subtile, a bit each, that one triangle has to itself.
+///
+/// in   the first block of the subtile
+inline void WriteOwnedKeys(Worker& worker, std::size_t first, std::uint32_t number, std::uint32_t blocks)
 {
-    TileSamples& samples = worker.samples;
-    const std::uint32_t number = samples.owner[block];
-    if (number == kNobody)
-        return;
-    samples.owner[block] = kNobody;
     const TileTriangle& t = worker.triangle(number);
-    const int x = blockColumn(static_cast<int>(block)) * kBlockSide - t.anchorX();
-    const int y = blockRow(static_cast<int>(block)) * kBlockSide - t.anchorY();
+    const int x = blockColumn(static_cast<int>(first)) * kBlockSide - t.anchorX();
+    const int y = blockRow(static_cast<int>(first)) * kBlockSide - t.anchorY();
     const Doubles corner = hn::Set(DoubleTag(), t.depthOrigin + t.depthPerX * x + t.depthPerY * y);
+    alignas(64) std::array<double, kLanes> corners;
+    std::array<WideDoubles, kVectors> offsets;
     for (std::size_t v = 0; v < kVectors; ++v) {
-        const std::size_t at = block * kLanes + v * kPerVector;
-        const WideDoubles offsets = DepthOffsets(t.depthPerX, t.depthPerY, v * kPerVector);
-        hn::Store(KeyOf(Add(offsets, corner)), IntTag(), samples.key.data() + at);
-        if constexpr (!Policy::kColors)
-            hn::Store(hn::Set(UintTag(), number), UintTag(), samples.ids.data() + at);
+        offsets[v] = DepthOffsets(t.depthPerX, t.depthPerY, v * kPerVector);
+        Store(Add(Mul(offsets[v], hn::Set(DoubleTag(), double(kBlockSide))), corner), corners.data() + v * kPerVector);
     }
-    if constexpr (Policy::kColors)
-        ColorSamples(policy.job, policy.origin, number, block, 0xffff, worker);
+    for (; blocks != 0; blocks &= blocks - 1) {
+        const auto square = static_cast<std::size_t>(std::countr_zero(blocks));
+        std::int32_t* keys = worker.samples.key.data() + (first + square) * kLanes;
+        for (std::size_t v = 0; v < kVectors; ++v)
+            hn::Store(KeyOf(Add(offsets[v], hn::Set(DoubleTag(), corners[square]))), IntTag(), keys + v * kPerVector);
+    }
+}
+
+/// What blocks of a subtile keep beside their keys.
+template <class Policy>
+inline void WriteOwnedRest(const Policy& policy, Worker& worker, std::size_t first, std::uint32_t number,
+                           std::uint32_t blocks)
+{
+    for (; blocks != 0; blocks &= blocks - 1) {
+        const std::size_t block = first + static_cast<std::size_t>(std::countr_zero(blocks));
+        if constexpr (Policy::kKeeps == Keeps::Color)
+            ColorSamples(policy.job, policy.origin, number, block, 0xffff, worker);
+        if constexpr (Policy::kKeeps == Keeps::Number)
+            std::fill_n(worker.samples.ids.data() + block * kLanes, kLanes, number);
+    }
+}
+
+/// Writes the samples of blocks of a subtile, a bit each, if a triangle has them to itself.
+template <class Policy>
+inline void WriteOwnedBlocks(const Policy& policy, Worker& worker, std::size_t first, std::uint32_t blocks)
+{
+    std::uint32_t* owners = worker.samples.owner.data() + first;
+    for (std::uint32_t left = blocks & ~LanesWith(owners, kNobody); left != 0;) {
+        const std::uint32_t number = owners[std::countr_zero(left)];
+        const std::uint32_t owned = left & LanesWith(owners, number);
+        WriteOwnedKeys(worker, first, number, owned);
+        WriteOwnedRest(policy, worker, first, number, owned);
+        for (std::uint32_t bits = owned; bits != 0; bits &= bits - 1)
+            owners[std::countr_zero(bits)] = kNobody;
+        left &= ~owned;
+    }
 }
 
 template <class Policy>
 inline void WriteOwnedBlocks(const Policy& policy, Worker& worker, TileDepth& tile)
 {
     WriteBlankBlocks(policy, worker.samples, tile);
-    for (std::size_t block = 0; tile.owners && block < kTileBlocks; ++block)
-        WriteOwnedBlock(policy, block, worker);
+    for (std::size_t first = 0; tile.owners && first < kTileBlocks; first += kLanes)
+        WriteOwnedBlocks(policy, worker, first, 0xffff);
     tile.owners = false;
 }
 
@@ -217,7 +246,7 @@ constexpr std::uint32_t SquaresBetween(int column0, int row0, int column1, int r
 template <class Policy>
 HWY_INLINE void FillColors(const TriangleLanes& lanes, int x, int y, const Policy& policy, BlockQueue::Group& group)
 {
-    if constexpr (Policy::kColors)
+    if constexpr (Policy::kKeeps == Keeps::Color)
         group.colors.fill(*lanes.planes, lanes.colors, policy.origin.x + x - lanes.planes->x0,
                           policy.origin.y + y - lanes.planes->y0);
 }
@@ -244,9 +273,7 @@ HWY_INLINE void CoverSubtiles(const TriangleLanes& lanes, const TileTriangle& t,
             DecideBlocks(lanes, first.depth, verdicts, policy, firstBlock, worker.samples, tile, group.corners);
         if (work.writeBefore != 0) {
             WriteBlankBlocks(policy, worker.samples, tile);
-            for (; work.writeBefore != 0; work.writeBefore &= work.writeBefore - 1)
-                WriteOwnedBlock(policy, firstBlock + static_cast<std::size_t>(std::countr_zero(work.writeBefore)),
-                                worker);
+            WriteOwnedBlocks(policy, worker, firstBlock, work.writeBefore);
         }
         if (work.cover != 0) {
             FillColors(lanes, x, y, policy, group);
@@ -300,8 +327,9 @@ HWY_INLINE void CoverWindow(const TriangleLanes& lanes, const SampleValues& firs
     if (tile.owners)
         for (std::uint32_t bits = touched; bits != 0; bits &= bits - 1) {
             const int square = std::countr_zero(bits);
-            const int block = blockIndex(window.column + square % kBlockSide, window.row + square / kBlockSide);
-            WriteOwnedBlock(policy, static_cast<std::size_t>(block), worker);
+            const auto block = static_cast<std::size_t>(
+                blockIndex(window.column + square % kBlockSide, window.row + square / kBlockSide));
+            WriteOwnedBlocks(policy, worker, block & ~std::size_t(kLanes - 1), 1U << block % kLanes);
         }
     FillColors(lanes, window.column * kBlockSide, window.row * kBlockSide, policy, group);
     AppendGroup(lanes, touched, queue,
@@ -347,7 +375,7 @@ inline void CoverExactly(const FrameJob& job, const Piece& piece, const Policy&,
                          TileOrigin origin, Worker& worker)
 {
     TileSamples& samples = worker.samples;
-    if constexpr (!Policy::kColors) {
+    if constexpr (Policy::kKeeps != Keeps::Color) {
         coverExactly(job, piece, number, origin, worker);
     } else {
         samples.ids.fill(kNobody);
@@ -361,10 +389,11 @@ inline void CoverExactly(const FrameJob& job, const Piece& piece, const Policy&,
 }
 
 template <class Policy>
-inline void CoverTileWith(const FrameJob& job, Worker& worker, TileOrigin origin, TileDepth& tile)
+inline void CoverWith(const Policy& policy, const FrameJob& job, Worker& worker, TileOrigin origin, TileDepth& tile)
 {
     constexpr std::size_t kAhead = 8; // triangles
-    const Policy policy(job, origin);
+    if constexpr (!Policy::kUsual)
+        WriteOwnedBlocks(policy, worker, tile);
     BlockQueue queue;
     for (std::size_t block = 0; block < worker.blocks.size(); ++block) {
         const TileBlock& bin = worker.blocks[block];
@@ -374,7 +403,7 @@ inline void CoverTileWith(const FrameJob& job, Worker& worker, TileOrigin origin
         for (std::uint32_t i = 0; i < bin.count; ++i) {
             const TileTriangle& t = bin.bin->triangles[i];
             __builtin_prefetch(&t + kAhead);
-            if constexpr (Policy::kColors)
+            if constexpr (Policy::kKeeps == Keeps::Color)
                 __builtin_prefetch(&bin.bin->colors[i] + kAhead);
             const std::uint32_t number = static_cast<std::uint32_t>(block) * BinBlock::kCapacity + i;
             if (Policy::kUsual && std::bit_cast<std::int32_t>(t.nearest) >= tile.farthest)
@@ -390,6 +419,8 @@ inline void CoverTileWith(const FrameJob& job, Worker& worker, TileOrigin origin
         }
     }
     FlushQueue(policy, queue, worker);
+    if (job.depth != nullptr || job.ids != nullptr || job.rules.shading == Shading::Depth)
+        WriteOwnedBlocks(policy, worker, tile);
 }
 
 /// Blocks outside the target are behind everything: they take no time and keep no tile from being full.
@@ -418,21 +449,14 @@ inline void CoverTile(const FrameJob& job, Worker& worker, TileOrigin origin)
     if (job.countsCoverage())
         samples.coverage.fill(0);
     TileDepth tile{clear, clear};
-    if (job.colorsAtOnce()) {
-        CoverTileWith<ColoredDepth>(job, worker, origin, tile);
-        if (job.depth != nullptr)
-            WriteOwnedBlocks(ColoredDepth(job, origin), worker, tile);
-        return;
-    }
-    const UsualDepth withIds(job, origin);
-    if (job.usualDepth()) {
-        CoverTileWith<UsualDepth>(job, worker, origin, tile);
-    } else {
-        WriteOwnedBlocks(withIds, worker, tile);
-        CoverTileWith<AnyDepth>(job, worker, origin, tile);
-    }
-    if (job.depth != nullptr || job.ids != nullptr || rules.shading == Shading::Depth)
-        WriteOwnedBlocks(withIds, worker, tile);
+    if (job.colorsAtOnce())
+        CoverWith(UsualDepth<Keeps::Color>(job, origin), job, worker, origin, tile);
+    else if (job.depthOnly())
+        CoverWith(UsualDepth<Keeps::Nothing>(job, origin), job, worker, origin, tile);
+    else if (job.usualDepth())
+        CoverWith(UsualDepth<Keeps::Number>(job, origin), job, worker, origin, tile);
+    else
+        CoverWith(AnyDepth(job, origin), job, worker, origin, tile);
 }
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE

@@ -50,6 +50,7 @@ struct FrameJob {
         return rules.depthTested && rules.depthCompare == DepthCompare::Less &&
                rules.depthFormat == DepthFormat::Float32 && !countsCoverage();
     }
+    [[nodiscard]] bool depthOnly() const { return usualDepth() && color == nullptr && ids == nullptr; }
     /// Whether nobody needs to know whose a sample is, but for its interpolated colour.
     [[nodiscard]] bool colorsAtOnce() const
     {
