@@ -385,6 +385,26 @@ private Q_SLOTS:
             QVERIFY2(referee().judgement() && referee().judgement()->difference.wrong() == 0, name.data());
         }
     }
+
+    /// A check that takes its time says how far it is; to send the referee off ends it.
+    void longChecksTellHowFarTheyAre()
+    {
+        document().open(QStringLiteral("stress:medium"));
+        QVERIFY(complete());
+        QStringList texts;
+        connect(&referee(), &Referee::changed, &referee(), [&] { texts << referee().text(); });
+        referee().setOn(true);
+        const auto tellsShare = [&] {
+            return std::ranges::any_of(texts, [](const QString& t) { return t.contains(QLatin1Char('%')); });
+        };
+        QVERIFY(QTest::qWaitFor(tellsShare, kPatienceMs));
+        QVERIFY(referee().isChecking());
+        referee().setOn(false);
+        QVERIFY(!referee().isChecking());
+        QVERIFY(referee().text().isEmpty());
+        QVERIFY(complete());
+        QVERIFY(!referee().judgement());
+    }
 };
 
 QTEST_MAIN(TestTruthMode)
