@@ -247,6 +247,38 @@ private Q_SLOTS:
         QCOMPARE(document().settings().algorithm, Algorithm::EdgeWalking);
         QCOMPARE(truth().referee().judgement()->difference.wrong(), std::uint64_t{0});
     }
+
+    /// Docked below the canvas, which keeps room at the smallest window of a class room; nothing lies above it.
+    void panelsAreDockedBelowTheCanvas_data()
+    {
+        QTest::addColumn<QString>("panel");
+        QTest::addColumn<QSize>("size");
+        for (const char* panel : {"cases", "experiment"})
+            for (const QSize size : {QSize(1024, 768), QSize(1280, 800)})
+                QTest::addRow("%s %d", panel, size.width()) << QString::fromLatin1(panel) << size;
+    }
+    void panelsAreDockedBelowTheCanvas()
+    {
+        QFETCH(QString, panel);
+        QFETCH(QSize, size);
+        m_window->resize(size);
+        truth().showPanel(panel);
+        QCoreApplication::processEvents();
+        QCOMPARE(m_window->size(), size);
+        const Dock* dock = truth().docks()[static_cast<std::size_t>(TruthMode::panelNames().indexOf(panel))];
+        QVERIFY(!dock->isFloating());
+        QCOMPARE(m_window->dockWidgetArea(const_cast<Dock*>(dock)), Qt::BottomDockWidgetArea);
+        const auto inWindow = [this](const QWidget& widget) {
+            return QRect(widget.mapTo(m_window.get(), QPoint(0, 0)), widget.size());
+        };
+        const ViewportWidget& canvas = m_window->viewport();
+        QVERIFY(!inWindow(*dock).intersects(inWindow(canvas)));
+        QVERIFY(m_window->rect().contains(inWindow(*dock)));
+        QVERIFY2(canvas.height() >= 200 && dock->height() >= 200,
+                 qPrintable(QStringLiteral("%1, %2").arg(canvas.height()).arg(dock->height())));
+        m_window->resetLayout();
+        QVERIFY(!dock->isVisible());
+    }
 };
 
 QTEST_MAIN(TestTruthPanels)

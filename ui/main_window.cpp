@@ -44,7 +44,7 @@ constexpr int kCardGap = 7;
 constexpr int kPipelineWidth = 298;
 constexpr int kStatisticsWidth = 272;
 constexpr int kActivityDelayMs = 150;
-constexpr int kLayoutVersion = 2;
+constexpr int kLayoutVersion = 3;
 
 QToolButton* canvasLink(QAction* action)
 {
