@@ -20,6 +20,7 @@ Dock::Dock(const QString& id, QWidget* panel, QWidget* parent) : QDockWidget(par
     m_titleRow->setSpacing(2);
     m_title = new QLabel;
     m_title->setObjectName(QStringLiteral("title"));
+    m_title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long one does not widen the window
     m_titleRow->addWidget(m_title, 1);
     m_close = insertLink(1);
     m_close->setText(QStringLiteral("\u00d7"));
