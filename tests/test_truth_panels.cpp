@@ -204,10 +204,10 @@ private Q_SLOTS:
             const CaseModel::Case& one = model.at(i);
             QCOMPARE(one.verdicts.size(), CaseModel::kVariants.size());
             QVERIFY2(!one.thumbnail.isNull(), qPrintable(one.name));
-            QVERIFY2(!one.note.isEmpty() && !one.expectations.isEmpty(), qPrintable(one.name));
+            QVERIFY2(!one.note.isEmpty() && !one.expectations.empty(), qPrintable(one.name));
             failing += one.fails();
             // Fixed point is right wherever it draws at all, and float32 is not.
-            QVERIFY2(one.verdicts[0].grade != CaseGrade::Fails, qPrintable(one.name + one.verdicts[0].reason));
+            QVERIFY2(one.verdicts[0].grade != CaseGrade::Fails, qPrintable(one.name + textOf(one.verdicts[0].reasons)));
         }
         QVERIFY(failing > 0 && failing < model.rowCount());
         QCOMPARE(browser().listed(), model.rowCount());
@@ -278,6 +278,37 @@ private Q_SLOTS:
                  qPrintable(QStringLiteral("%1, %2").arg(canvas.height()).arg(dock->height())));
         m_window->resetLayout();
         QVERIFY(!dock->isVisible());
+    }
+
+    /// What the program says about cases follows the language: notes, what must hold, verdicts.
+    void casesSpeakTheLanguageInUse()
+    {
+        QVERIFY(openSmall("builtin:cube"));
+        truth().showPanel(QStringLiteral("cases"));
+        const CaseModel& model = browser().model();
+        QVERIFY(QTest::qWaitFor([&] { return !model.isBusy(); }, 10 * kPatienceMs));
+        const auto texts = [&] {
+            QStringList all;
+            for (int i = 0; i < model.rowCount(); ++i) {
+                const CaseModel::Case& one = model.at(i);
+                all << one.noteText().split(QLatin1Char('\n')) << one.expectationsText().split(QLatin1Char('\n'));
+                for (std::size_t v = 0; v < one.verdicts.size(); ++v)
+                    if (one.verdicts[v].grade != CaseGrade::Unsupported && !one.verdicts[v].reasons.empty())
+                        all << one.reasonText(v);
+            }
+            return all;
+        };
+        const QStringList english = texts();
+        m_window->setLanguage(LanguageKind::Chinese);
+        const QStringList chinese = texts();
+        m_window->setLanguage(LanguageKind::English);
+        QCOMPARE(texts(), english);
+        QCOMPARE(chinese.size(), english.size());
+        const auto isHan = [](QChar c) { return c.script() == QChar::Script_Han; };
+        for (qsizetype i = 0; i < english.size(); ++i) {
+            QVERIFY2(std::ranges::none_of(english[i], isHan), qPrintable(english[i]));
+            QVERIFY2(std::ranges::any_of(chinese[i], isHan), qPrintable(english[i]));
+        }
     }
 };
 
