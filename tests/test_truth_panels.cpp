@@ -239,6 +239,9 @@ private Q_SLOTS:
         const WrongPixel& wrong = truth().referee().judgement()->wrong.front();
         QCOMPARE(m_window->viewport().selectedPixel(), std::optional(QPoint(wrong.x, wrong.y)));
         QVERIFY(m_window->stepMode().lens().model());
+        QVERIFY(QTest::qWaitFor([this] { return m_window->viewport().transform().zoom >= 16; }));
+        const QPointF shown = m_window->viewport().transform().toCanvas(QPointF(wrong.x + 0.5, wrong.y + 0.5));
+        QVERIFY(m_window->viewport().rect().contains(shown.toPoint()));
 
         // A case that is right is opened as well, at a tie.
         truth().showCase(QStringLiteral("001_edges_four_quarters"), QStringLiteral("edge-walking"));

@@ -189,8 +189,12 @@ void TruthMode::openLens()
         return;
     }
     const WrongPixel& wrong = judgement->wrong.front();
-    m_viewport.selectPixel(QPoint(wrong.x, wrong.y));
-    Q_EMIT faceWanted(static_cast<quint32>(wrong.face), {wrong.x, wrong.y});
+    const QPoint pixel(wrong.x, wrong.y);
+    // The window still has to fit the new scene, which would take the eye away again.
+    QMetaObject::invokeMethod(
+        &m_viewport, [this, pixel] { m_viewport.goToPixel(pixel); }, Qt::QueuedConnection);
+    m_viewport.selectPixel(pixel);
+    Q_EMIT faceWanted(static_cast<quint32>(wrong.face), pixel);
 }
 
 void TruthMode::retranslate()
