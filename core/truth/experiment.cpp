@@ -181,7 +181,7 @@ private:
 
 constexpr std::array<ErrorMeasureInfo, kErrorMeasures> kMeasures{{
     {"coverage", QT_TRANSLATE_NOOP("Experiment", "wrong pixels: missing, extra or hit twice")},
-    {"depth", QT_TRANSLATE_NOOP("Experiment", "largest depth error")},
+    {"depth", QT_TRANSLATE_NOOP("Experiment", "largest depth error, range 0 to 1")},
     {"color", QT_TRANSLATE_NOOP("Experiment", "colour error, root mean square, 8-bit steps")},
 }};
 

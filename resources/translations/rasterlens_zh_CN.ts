@@ -350,8 +350,8 @@
         <translation>错误像素：缺失、多余或重复覆盖</translation>
     </message>
     <message>
-        <source>largest depth error</source>
-        <translation>最大深度误差</translation>
+        <source>largest depth error, range 0 to 1</source>
+        <translation>最大深度误差（范围 0 到 1）</translation>
     </message>
     <message>
         <source>colour error, root mean square, 8-bit steps</source>
