@@ -44,13 +44,25 @@ struct FrameJob {
     {
         return counting || outputs.coverage || rules.shading == Shading::Overdraw;
     }
+    /// The depth test almost everybody asks for, and nobody counts what is covered.
+    [[nodiscard]] bool usualDepth() const
+    {
+        return rules.depthTested && rules.depthCompare == DepthCompare::Less &&
+               rules.depthFormat == DepthFormat::Float32 && !countsCoverage();
+    }
+    [[nodiscard]] bool depthOnly() const { return usualDepth() && color == nullptr && ids == nullptr; }
+    /// Whether nobody needs to know whose a sample is, but for its interpolated colour.
+    [[nodiscard]] bool colorsAtOnce() const
+    {
+        return usualDepth() && color != nullptr && ids == nullptr && interpolatesColor();
+    }
 };
 
 /// A triangle of the tile that won samples.
 struct VisibleTriangle {
     std::uint32_t source;
     const Chunk* chunk;
-    const void* varyings; ///< VaryingPlanes of shadings that have them
+    const void* varyings; ///< VaryingPlanes of shadings that have them; ColorPlanes of interpolated colours
     FaceUniforms uniforms;
 };
 

@@ -48,14 +48,14 @@ struct alignas(64) ColorPlaneLanes {
     std::array<float, 4 * kDoubles> origin;
     std::array<float, 4 * kDoubles> perX;
     std::array<float, 4 * kDoubles> perY;
-    std::array<float, 4 * kDoubles> rest; ///< anchor and ColorWay
+    std::array<std::int32_t, 4 * kDoubles> rest; ///< anchor and ColorWay
 
     HWY_INLINE void copyTo(std::size_t lane, ColorPlanes& to) const
     {
         std::memcpy(&to.origin, origin.data() + 4 * lane, sizeof to.origin);
         std::memcpy(&to.perX, perX.data() + 4 * lane, sizeof to.perX);
         std::memcpy(&to.perY, perY.data() + 4 * lane, sizeof to.perY);
-        std::memcpy(&to.x0, rest.data() + 4 * lane, 4 * sizeof(float));
+        std::memcpy(&to.x0, rest.data() + 4 * lane, 4 * sizeof(std::int32_t));
     }
 };
 
@@ -146,20 +146,30 @@ struct PlaneSet {
     std::array<HalfFloats, 4> origin, perX, perY;
 };
 
+/// Planes as ColorPlanes has them for ColorWay::Affine, as bits.
 HWY_INLINE PlaneSet AffinePlanes(const WeightLanes<HalfFloats>& weights, const ColorLanes3& colors)
 {
     constexpr HalfFloatTag tag;
-    const HalfFloats scale = hn::Set(tag, 255.0F);
+    // Rounding to the nearest step, and what is lost on the average where 24 bits of fraction become 8, twice.
+    constexpr double kRounding = 0x1p23 + 0x1p16;
+    const auto fixed = [](HalfFloats steps, double more) HWY_ATTR {
+        // Above 2^52 a double counts in ones: its lowest 32 bits are the number modulo 2^32.
+        const Doubles sum = hn::Add(hn::PromoteTo(DoubleTag(), steps), hn::Set(DoubleTag(), 0x1.8p52 + more));
+        const auto bits = hn::BitCast(hn::RebindToUnsigned<DoubleTag>(), sum);
+        return hn::BitCast(HalfFloatTag(), hn::TruncateTo(hn::RebindToUnsigned<HalfIntTag>(), bits));
+    };
+    const HalfFloats scale = hn::Set(tag, 255.0F * 0x1p24F);
     PlaneSet planes;
-    planes.origin[0] = hn::Set(tag, 1.0F);
-    planes.perX[0] = planes.perY[0] = hn::Zero(tag);
+    planes.origin[0] = planes.perX[0] = planes.perY[0] = hn::Zero(tag);
     for (std::size_t i = 0; i < 3; ++i) {
         const HalfFloats a = hn::Mul(colors.channel[0][i], scale);
         const HalfFloats ab = hn::Mul(hn::Sub(colors.channel[1][i], colors.channel[0][i]), scale);
         const HalfFloats ac = hn::Mul(hn::Sub(colors.channel[2][i], colors.channel[0][i]), scale);
-        planes.origin[i + 1] = hn::Add(a, hn::Add(hn::Mul(ab, weights.bAtAnchor), hn::Mul(ac, weights.cAtAnchor)));
-        planes.perX[i + 1] = hn::Add(hn::Mul(ab, weights.bPerX), hn::Mul(ac, weights.cPerX));
-        planes.perY[i + 1] = hn::Add(hn::Mul(ab, weights.bPerY), hn::Mul(ac, weights.cPerY));
+        const auto combine = [&](HalfFloats b, HalfFloats c)
+                                 HWY_ATTR { return hn::Add(hn::Mul(ab, b), hn::Mul(ac, c)); };
+        planes.origin[i + 1] = fixed(hn::Add(a, combine(weights.bAtAnchor, weights.cAtAnchor)), kRounding);
+        planes.perX[i + 1] = fixed(combine(weights.bPerX, weights.cPerX), 0);
+        planes.perY[i + 1] = fixed(combine(weights.bPerY, weights.cPerY), 0);
     }
     return planes;
 }
@@ -233,8 +243,7 @@ HWY_INLINE void MakeColorPlanes(const Rules& rules, const PlaneGeometry& g, cons
     store(planes.origin, out.origin);
     store(planes.perX, out.perX);
     store(planes.perY, out.perY);
-    hn::StoreInterleaved4(hn::ConvertTo(tag, anchorX), hn::ConvertTo(tag, anchorY), hn::BitCast(tag, way),
-                          hn::Zero(tag), tag, out.rest.data());
+    hn::StoreInterleaved4(anchorX, anchorY, way, hn::Zero(HalfIntTag()), HalfIntTag(), out.rest.data());
 }
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE
