@@ -313,6 +313,20 @@ private Q_SLOTS:
             QVERIFY2(std::ranges::any_of(chinese[i], isHan), qPrintable(english[i]));
         }
     }
+
+    void panelsShareOnePlaceAsTabs()
+    {
+        m_window->resize(1024, 768);
+        for (const QString& panel : TruthMode::panelNames() + TruthMode::panelNames())
+            truth().showPanel(panel);
+        QCoreApplication::processEvents();
+        const std::vector<Dock*>& docks = truth().docks();
+        QVERIFY(m_window->tabifiedDockWidgets(docks[0]).contains(docks[1]));
+        // The one asked for last is in the window, the other beyond it.
+        QVERIFY(!m_window->rect().intersects(docks[0]->geometry()));
+        QVERIFY(m_window->rect().contains(docks[1]->geometry()));
+        QVERIFY(m_window->viewport().height() >= 180);
+    }
 };
 
 QTEST_MAIN(TestTruthPanels)
