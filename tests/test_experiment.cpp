@@ -1,4 +1,5 @@
 // Speed against error: what the variants are, what is measured of them, and who is on the frontier.
+#include "core/truth/exact_reference.h"
 #include "core/truth/experiment.h"
 #include "core/truth/experiment_export.h"
 #include "tests/support.h"

@@ -20,6 +20,7 @@ private Q_SLOTS:
     void stops();
     void bitsHoldTheLargestEdgeValue();
     void bitsOfFloats();
+    void largePicturesAreJudgedInBands();
 };
 
 namespace
@@ -70,11 +71,6 @@ void TestJudgement::saysWhatItDoesNotJudge()
     settings.algorithm = Algorithm::Tiled;
     settings.numberType = NumberType::Float32;
     QCOMPARE(notJudged(scene, settings), NotJudged::Unsupported);
-    settings = scene.defaults;
-    settings.size = {kMaxViewport, 1024};
-    QCOMPARE(notJudged(scene, settings), NotJudged::No);
-    settings.samples = Samples::Grid2;
-    QCOMPARE(notJudged(scene, settings), NotJudged::TooManySamples);
 }
 
 void TestJudgement::letsSnappingPassWhereTheTruthDoesNotSnap()
@@ -146,6 +142,29 @@ void TestJudgement::bitsOfFloats()
     settings.numberType = NumberType::Float64;
     QCOMPARE(numberBudget(settings).unitLog2, -42);
     QVERIFY(numberBudget(settings).left() < 0);
+}
+
+/// More samples than one band holds: every wrong pixel of every band is found once, and the share done grows.
+void TestJudgement::largePicturesAreJudgedInBands()
+{
+    const Scene scene = square();
+    Settings settings = scene.defaults;
+    settings.size = {1024, 1024};
+    settings.samples = Samples::Grid3;
+    settings.tieRule = TieRule::Exclusive;
+    QVERIFY(bandsOf(exactOptions(scene, settings)).size() > 1);
+    std::vector<double> shares;
+    const Judgement judgement = judge(scene, settings, {}, [&](double share) { shares.push_back(share); });
+    // The diagonal runs through the middle sample of each pixel.
+    QCOMPARE(judgement.difference.missing, std::uint64_t{1024});
+    QCOMPARE(judgement.difference.pixels, std::uint64_t{1024} * 1024);
+    QCOMPARE(judgement.wrong.size(), std::size_t{1024});
+    for (std::size_t i = 0; i < judgement.wrong.size(); ++i) {
+        QCOMPARE(judgement.wrong[i].y, static_cast<int>(i));
+        QCOMPARE(judgement.wrong[i].x, 1023 - static_cast<int>(i));
+    }
+    QVERIFY(std::ranges::is_sorted(shares));
+    QVERIFY(shares.front() == 0 && shares.back() >= 0.5 && shares.back() <= 1);
 }
 
 QTEST_APPLESS_MAIN(TestJudgement)

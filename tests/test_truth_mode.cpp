@@ -10,6 +10,7 @@
 #include "ui/wipe.h"
 
 #include <QComboBox>
+#include <QLabel>
 
 using namespace rasterlens;
 using namespace rasterlens::test;
@@ -146,7 +147,7 @@ private Q_SLOTS:
         QCOMPARE(comparison().wiped()->frame.image, drawn(*document().scene(), right).image);
         QCOMPARE(comparison().difference()->differing, std::uint64_t{64});
         QVERIFY(comparison().text().contains(QStringLiteral("64 of 4,096 pixels differ")));
-        QCOMPARE(comparison().settingsText().size(), 1);
+        QCOMPARE(comparison().settingsDifferences().size(), std::size_t{1});
         key(Qt::Key_S);
         QCOMPARE(comparison().view(), CompareView::Off);
         QVERIFY(!viewport().overlays().wipe);
@@ -334,6 +335,51 @@ private Q_SLOTS:
             QVERIFY(change([](Settings& s) { s.numberType = NumberType::Fixed; }));
             QVERIFY2(referee().judgement() && referee().judgement()->difference.wrong() == 0, name.data());
         }
+    }
+
+    /// A check that takes its time says how far it is; to send the referee off ends it.
+    void longChecksTellHowFarTheyAre()
+    {
+        document().open(QStringLiteral("stress:medium"));
+        QVERIFY(complete());
+        QStringList texts;
+        connect(&referee(), &Referee::changed, &referee(), [&] { texts << referee().text(); });
+        referee().setOn(true);
+        const auto tellsShare = [&] {
+            return std::ranges::any_of(texts, [](const QString& t) { return t.contains(QLatin1Char('%')); });
+        };
+        QVERIFY(QTest::qWaitFor(tellsShare, kPatienceMs));
+        QVERIFY(referee().isChecking());
+        referee().setOn(false);
+        QVERIFY(!referee().isChecking());
+        QVERIFY(referee().text().isEmpty());
+        QVERIFY(complete());
+        QVERIFY(!referee().judgement());
+    }
+
+    /// The status bar shows a pixel of both pictures, and what lies between them.
+    void readoutNamesBothPictures()
+    {
+        QVERIFY(open(kSquare));
+        QVERIFY(change([](Settings& s) { s.tieRule = TieRule::Exclusive; }));
+        viewport().selectPixel(QPoint(7, 0));
+        const auto text = [this] { return m_window->findChild<QLabel*>(QStringLiteral("readout"))->text(); };
+        QVERIFY(!text().contains(QStringLiteral("B ")));
+        key(Qt::Key_S);
+        QVERIFY(complete());
+        const auto colors = comparison().at({7, 0});
+        QVERIFY(colors && colors->a != colors->b);
+        const QColor a(colors->a);
+        const QColor b(colors->b);
+        QVERIFY(text().contains(QStringLiteral("A %1 %2 %3").arg(a.red()).arg(a.green()).arg(a.blue())));
+        QVERIFY(text().contains(QStringLiteral("B %1 %2 %3").arg(b.red()).arg(b.green()).arg(b.blue())));
+        QVERIFY(!comparison().at({8, 0}));
+        const auto differences = comparison().settingsDifferences();
+        QCOMPARE(differences.size(), std::size_t{1});
+        QVERIFY(differences[0].a != differences[0].b);
+        key(Qt::Key_S);
+        QVERIFY(!comparison().at({7, 0}));
+        QVERIFY(!text().contains(QStringLiteral("B ")));
     }
 };
 

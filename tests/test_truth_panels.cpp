@@ -159,10 +159,10 @@ private Q_SLOTS:
             const CaseModel::Case& one = model.at(i);
             QCOMPARE(one.verdicts.size(), CaseModel::kVariants.size());
             QVERIFY2(!one.thumbnail.isNull(), qPrintable(one.name));
-            QVERIFY2(!one.note.isEmpty() && !one.expectations.isEmpty(), qPrintable(one.name));
+            QVERIFY2(!one.note.isEmpty() && !one.expectations.empty(), qPrintable(one.name));
             failing += one.fails();
             // Fixed point is right wherever it draws at all, and float32 is not.
-            QVERIFY2(one.verdicts[0].grade != CaseGrade::Fails, qPrintable(one.name + one.verdicts[0].reason));
+            QVERIFY2(one.verdicts[0].grade != CaseGrade::Fails, qPrintable(one.name + textOf(one.verdicts[0].reasons)));
         }
         QVERIFY(failing > 0 && failing < model.rowCount());
         QCOMPARE(browser().listed(), model.rowCount());
@@ -194,6 +194,9 @@ private Q_SLOTS:
         const WrongPixel& wrong = truth().referee().judgement()->wrong.front();
         QCOMPARE(m_window->viewport().selectedPixel(), std::optional(QPoint(wrong.x, wrong.y)));
         QVERIFY(m_window->stepMode().lens().model());
+        QVERIFY(QTest::qWaitFor([this] { return m_window->viewport().transform().zoom >= 16; }));
+        const QPointF shown = m_window->viewport().transform().toCanvas(QPointF(wrong.x + 0.5, wrong.y + 0.5));
+        QVERIFY(m_window->viewport().rect().contains(shown.toPoint()));
 
         // A case that is right is opened as well, at a tie.
         truth().showCase(QStringLiteral("001_edges_four_quarters"), QStringLiteral("edge-walking"));
@@ -201,6 +204,83 @@ private Q_SLOTS:
         QVERIFY(waitFor(isShown));
         QCOMPARE(document().settings().algorithm, Algorithm::EdgeWalking);
         QCOMPARE(truth().referee().judgement()->difference.wrong(), std::uint64_t{0});
+    }
+
+    /// Docked below the canvas, which keeps room at the smallest window of a class room; nothing lies above it.
+    void panelsAreDockedBelowTheCanvas_data()
+    {
+        QTest::addColumn<QString>("panel");
+        QTest::addColumn<QSize>("size");
+        for (const char* panel : {"cases", "experiment"})
+            for (const QSize size : {QSize(1024, 768), QSize(1280, 800)})
+                QTest::addRow("%s %d", panel, size.width()) << QString::fromLatin1(panel) << size;
+    }
+    void panelsAreDockedBelowTheCanvas()
+    {
+        QFETCH(QString, panel);
+        QFETCH(QSize, size);
+        m_window->resize(size);
+        truth().showPanel(panel);
+        QCoreApplication::processEvents();
+        QCOMPARE(m_window->size(), size);
+        const Dock* dock = truth().docks()[static_cast<std::size_t>(TruthMode::panelNames().indexOf(panel))];
+        QVERIFY(!dock->isFloating());
+        QCOMPARE(m_window->dockWidgetArea(const_cast<Dock*>(dock)), Qt::BottomDockWidgetArea);
+        const auto inWindow = [this](const QWidget& widget) {
+            return QRect(widget.mapTo(m_window.get(), QPoint(0, 0)), widget.size());
+        };
+        const ViewportWidget& canvas = m_window->viewport();
+        QVERIFY(!inWindow(*dock).intersects(inWindow(canvas)));
+        QVERIFY(m_window->rect().contains(inWindow(*dock)));
+        QVERIFY2(canvas.height() >= 200 && dock->height() >= 200,
+                 qPrintable(QStringLiteral("%1, %2").arg(canvas.height()).arg(dock->height())));
+        m_window->resetLayout();
+        QVERIFY(!dock->isVisible());
+    }
+
+    /// What the program says about cases follows the language: notes, what must hold, verdicts.
+    void casesSpeakTheLanguageInUse()
+    {
+        QVERIFY(openSmall("builtin:cube"));
+        truth().showPanel(QStringLiteral("cases"));
+        const CaseModel& model = browser().model();
+        QVERIFY(QTest::qWaitFor([&] { return !model.isBusy(); }, 10 * kPatienceMs));
+        const auto texts = [&] {
+            QStringList all;
+            for (int i = 0; i < model.rowCount(); ++i) {
+                const CaseModel::Case& one = model.at(i);
+                all << one.noteText().split(QLatin1Char('\n')) << one.expectationsText().split(QLatin1Char('\n'));
+                for (std::size_t v = 0; v < one.verdicts.size(); ++v)
+                    if (one.verdicts[v].grade != CaseGrade::Unsupported && !one.verdicts[v].reasons.empty())
+                        all << one.reasonText(v);
+            }
+            return all;
+        };
+        const QStringList english = texts();
+        m_window->setLanguage(LanguageKind::Chinese);
+        const QStringList chinese = texts();
+        m_window->setLanguage(LanguageKind::English);
+        QCOMPARE(texts(), english);
+        QCOMPARE(chinese.size(), english.size());
+        const auto isHan = [](QChar c) { return c.script() == QChar::Script_Han; };
+        for (qsizetype i = 0; i < english.size(); ++i) {
+            QVERIFY2(std::ranges::none_of(english[i], isHan), qPrintable(english[i]));
+            QVERIFY2(std::ranges::any_of(chinese[i], isHan), qPrintable(english[i]));
+        }
+    }
+
+    void panelsShareOnePlaceAsTabs()
+    {
+        m_window->resize(1024, 768);
+        for (const QString& panel : TruthMode::panelNames() + TruthMode::panelNames())
+            truth().showPanel(panel);
+        QCoreApplication::processEvents();
+        const std::vector<Dock*>& docks = truth().docks();
+        QVERIFY(m_window->tabifiedDockWidgets(docks[0]).contains(docks[1]));
+        // The one asked for last is in the window, the other beyond it.
+        QVERIFY(!m_window->rect().intersects(docks[0]->geometry()));
+        QVERIFY(m_window->rect().contains(docks[1]->geometry()));
+        QVERIFY(m_window->viewport().height() >= 180);
     }
 };
 

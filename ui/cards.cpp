@@ -251,7 +251,8 @@ void Cards::retranslate()
     m_clipDock->setTitle(tr("Clip theatre"));
     m_curvesDock->setTitle(tr("Curves"));
     m_raceDock->setTitle(tr("Algorithm race"));
-    m_copy->setText(tr("Copy as text"));
+    m_copy->setText(tr("Copy"));
+    m_copy->setToolTip(tr("Copy as text"));
 }
 
 } // namespace rasterlens

@@ -72,8 +72,8 @@ protected:
         if (m_failing && !one.fails())
             return false;
         return std::ranges::all_of(m_words, [&](const QString& word) {
-            return one.name.contains(word, Qt::CaseInsensitive) || one.note.contains(word, Qt::CaseInsensitive) ||
-                   one.expectations.contains(word, Qt::CaseInsensitive);
+            const QString all = one.name + one.note + one.noteText() + one.expectationsText();
+            return all.contains(word, Qt::CaseInsensitive);
         });
     }
 
@@ -269,8 +269,8 @@ QString CaseBrowser::reasonText(const CaseModel::Case& one) const
         text +=
             QStringLiteral("<p><b>%1 %2</b> %3")
                 .arg(gradeGlyph(verdict.grade), CaseModel::variantSign(i), CaseModel::variantTitle(i).toHtmlEscaped());
-        if (!verdict.reason.isEmpty())
-            text += QStringLiteral("<br/>") + verdict.reason.toHtmlEscaped();
+        if (!verdict.reasons.empty())
+            text += QStringLiteral("<br/>") + one.reasonText(i).toHtmlEscaped();
         text += QStringLiteral("</p>");
     }
     return text;
@@ -285,9 +285,12 @@ void CaseBrowser::describe(const QModelIndex& listed)
         return;
     }
     const CaseModel::Case& one = m_model->at(m_filtered->mapToSource(listed).row());
-    m_detail->setText(QStringLiteral("<p><b>%1</b></p><p>%2</p><p>%3</p><pre>%4</pre>%5")
-                          .arg(one.name.toHtmlEscaped(), one.note.toHtmlEscaped(), tr("What must hold:"),
-                               one.expectations.toHtmlEscaped(), reasonText(one)));
+    const auto lines = [](const QString& text) {
+        return text.toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br/>"));
+    };
+    m_detail->setText(QStringLiteral("<p><b>%1</b></p><p>%2</p><p><b>%3</b><br/>%4</p>%5")
+                          .arg(one.name.toHtmlEscaped(), lines(one.noteText()), tr("What must hold:"),
+                               lines(one.expectationsText()), reasonText(one)));
 }
 
 void CaseBrowser::syncState()

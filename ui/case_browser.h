@@ -31,7 +31,7 @@ public:
     /// Where the sign of a variant is in a cell of the list, for clicks.
     [[nodiscard]] static QRect signBox(const QRect& cell, std::size_t variant);
 
-    QSize sizeHint() const override { return {1000, 420}; }
+    QSize sizeHint() const override { return {1000, 300}; }
 
 Q_SIGNALS:
     void caseChosen(const QString& name, const QString& variant);

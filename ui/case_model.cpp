@@ -15,6 +15,8 @@ namespace
 
 constexpr int kThumbnail = 72;
 
+QString translated(const char* text) { return *text ? QCoreApplication::translate("HardCase", text) : QString(); }
+
 /// The part worth looking at, small pictures with whole pixels.
 QImage thumbnailOf(const Scene& scene)
 {
@@ -37,17 +39,14 @@ CaseModel::Case judgedCase(const QString& name, const std::stop_token& stop)
         return one;
     const Scene& scene = *load.scene;
     one.note = scene.note;
-    QStringList lines;
-    for (const auto& [key, value] : scene.expectations)
-        lines << QStringLiteral("%1 %2").arg(key, value);
-    one.expectations = lines.join(QLatin1Char('\n'));
+    one.expectations = scene.expectations;
     one.thumbnail = thumbnailOf(scene);
     const ExactFrame truth = caseTruth(scene, scene.defaults.samples);
     for (const char* id : CaseModel::kVariants) {
         if (stop.stop_requested())
             break;
         CaseVerdict verdict = judgeCase(scene, truth, changedBy(*findVariant(QString::fromLatin1(id)), scene.defaults));
-        one.verdicts.push_back({verdict.grade, verdict.reason});
+        one.verdicts.push_back({verdict.grade, std::move(verdict.reasons)});
     }
     return one;
 }
@@ -57,6 +56,26 @@ CaseModel::Case judgedCase(const QString& name, const std::stop_token& stop)
 bool CaseModel::Case::fails() const
 {
     return std::ranges::any_of(verdicts, [](const Verdict& verdict) { return verdict.grade == CaseGrade::Fails; });
+}
+
+QString CaseModel::Case::noteText() const { return caseNoteText(note); }
+
+QString CaseModel::Case::expectationsText() const
+{
+    QStringList lines;
+    for (const auto& [key, value] : expectations)
+        lines << wordsOf(key, value, translated);
+    return lines.join(QLatin1Char('\n'));
+}
+
+QString CaseModel::Case::reasonText(std::size_t variant) const { return textOf(verdicts[variant].reasons, translated); }
+
+QString caseNoteText(const QString& note)
+{
+    QStringList lines;
+    for (const QString& line : note.split(QLatin1Char('\n')))
+        lines << translated(line.toUtf8().constData());
+    return lines.join(QLatin1Char('\n'));
 }
 
 CaseModel::CaseModel(QObject* parent) : QAbstractListModel(parent)

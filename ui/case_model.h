@@ -8,10 +8,14 @@
 
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace rasterlens
 {
+
+/// The note of a case of the catalogue in the language in use, line by line; others come back as they are.
+[[nodiscard]] QString caseNoteText(const QString& note);
 
 /// The hard cases with thumbnails and what came of each variant, drawn and judged one after the other on a background
 /// thread.
@@ -25,15 +29,20 @@ public:
                                           "edge-equation-float64"};
     struct Verdict {
         CaseGrade grade;
-        QString reason;
+        std::vector<CaseReason> reasons;
     };
     struct Case {
         QString name;
-        QString note;                  ///< what must hold
-        QString expectations;          ///< the `expect` lines, one a line
+        QString note; ///< what must hold, line by line
+        std::vector<std::pair<QString, QString>> expectations;
         QImage thumbnail;              ///< of the part worth looking at
         std::vector<Verdict> verdicts; ///< one a variant; empty until it has been judged
         [[nodiscard]] bool fails() const;
+
+        /// What must hold and what came of a variant, in the language in use.
+        [[nodiscard]] QString noteText() const;
+        [[nodiscard]] QString expectationsText() const;
+        [[nodiscard]] QString reasonText(std::size_t variant) const;
     };
 
     explicit CaseModel(QObject* parent = nullptr);

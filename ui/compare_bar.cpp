@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <ranges>
 
 namespace rasterlens
 {
@@ -65,7 +66,7 @@ CompareBar::CompareBar(Document& document, Comparison& comparison, QWidget* pare
     column->setContentsMargins(12, 2, 8, 4);
     column->setSpacing(2);
     auto* row = new QHBoxLayout;
-    row->setSpacing(4);
+    row->setSpacing(0);
     m_title->setObjectName(QStringLiteral("groupHeading"));
     m_with->setObjectName(QStringLiteral("compareWith"));
     m_with->addItems({QString(), QString(), QString()});
@@ -73,7 +74,9 @@ CompareBar::CompareBar(Document& document, Comparison& comparison, QWidget* pare
     for (int factor = 1; factor <= Comparison::kMostAmplification; factor *= 2)
         m_amplification->addItem(QStringLiteral("\u00d7%1").arg(factor), factor);
     row->addWidget(m_title);
+    row->addSpacing(6);
     row->addWidget(m_with, 1);
+    row->addSpacing(4);
     for (QToolButton* button : {m_pin, m_swap})
         row->addWidget(button);
     row->addSpacing(4);
@@ -88,7 +91,7 @@ CompareBar::CompareBar(Document& document, Comparison& comparison, QWidget* pare
     m_text->setWordWrap(true);
     column->addWidget(m_text);
     m_settings->setObjectName(QStringLiteral("muted"));
-    m_settings->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_settings->setWordWrap(true);
     column->addWidget(m_settings);
 
     connect(m_with, &QComboBox::activated, this,
@@ -144,11 +147,28 @@ void CompareBar::sync()
     m_legend->setVisible(view == CompareView::Difference);
     m_legend->setAmplification(m_comparison.amplification());
     m_text->setText(m_comparison.text());
-    const QStringList lines = m_comparison.settingsText();
-    m_settings->setText(lines.isEmpty() ? tr("A and B have the same settings: change one, or pin A and go on")
-                                        : QStringLiteral("A | B   ") + lines.join(QStringLiteral(" \u00b7 ")));
+    constexpr std::size_t kRoom = 3;
+    m_settings->setText(settingsText(kRoom));
+    m_settings->setToolTip(settingsText(settingsFields().size()));
     m_settings->setVisible(!m_brief);
-    m_settings->setToolTip(lines.join(QLatin1Char('\n')));
+}
+
+/// What A and B are, in words: the settings in which they differ. Those beyond the room are in the tool-tip.
+QString CompareBar::settingsText(std::size_t most) const
+{
+    const auto differences = m_comparison.settingsDifferences();
+    if (differences.empty())
+        return tr("A and B have the same settings: change one, or pin A and go on");
+    QStringList a;
+    QStringList b;
+    for (const auto& difference : differences | std::views::take(most)) {
+        a << tr("%1: %2").arg(difference.title, difference.a).toHtmlEscaped();
+        b << tr("%1: %2").arg(difference.title, difference.b).toHtmlEscaped();
+    }
+    if (differences.size() > most)
+        b << tr("%1 more").arg(differences.size() - most);
+    const QString dot = QStringLiteral(" \u00b7 ");
+    return QStringLiteral("<b>A</b>&nbsp; %1<br/><b>B</b>&nbsp; %2").arg(a.join(dot), b.join(dot));
 }
 
 void CompareBar::retranslate()

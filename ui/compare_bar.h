@@ -33,6 +33,7 @@ private:
     QToolButton* addViewButton(CompareView view);
     void sync();
     void retranslate();
+    [[nodiscard]] QString settingsText(std::size_t most) const;
 
     Comparison& m_comparison;
     bool m_brief = false;

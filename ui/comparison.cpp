@@ -252,19 +252,25 @@ QString Comparison::text() const
         .arg(m_difference->psnrDb, 0, 'f', 1);
 }
 
-QStringList Comparison::settingsText() const
+std::optional<ComparedPixel> Comparison::at(QPoint pixel) const
+{
+    if (!m_pair.a || !m_pair.a->frame.image.rect().contains(pixel))
+        return std::nullopt;
+    return ComparedPixel{m_pair.a->frame.image.pixel(pixel), m_pair.b->frame.image.pixel(pixel)};
+}
+
+std::vector<Comparison::SettingsDifference> Comparison::settingsDifferences() const
 {
     const Settings& b = m_document.settings();
     const Settings a = other(b);
-    QStringList lines;
+    std::vector<SettingsDifference> differences;
     if (a.mistakes != b.mistakes)
-        lines << QStringLiteral("%1: %2 | %3").arg(tr("Mistakes"), mistakesText(a), mistakesText(b));
+        differences.push_back({tr("Mistakes"), mistakesText(a), mistakesText(b)});
     for (const SettingsField& field : settingsFields())
         if (field.get(a) != field.get(b))
-            lines << QStringLiteral("%1: %2 | %3")
-                         .arg(QCoreApplication::translate("Settings", field.title), valueTitle(field, a),
-                              valueTitle(field, b));
-    return lines;
+            differences.push_back(
+                {QCoreApplication::translate("Settings", field.title), valueTitle(field, a), valueTitle(field, b)});
+    return differences;
 }
 
 } // namespace rasterlens

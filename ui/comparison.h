@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace rasterlens
 {
@@ -21,6 +22,12 @@ enum class CompareWith {
 };
 
 enum class CompareView { Off, Wipe, Blink, Difference };
+
+/// The colours of one pixel in both pictures.
+struct ComparedPixel {
+    QRgb a;
+    QRgb b;
+};
 
 /// Compares the present picture with that of other settings of the same scene, seen from the same place: A is drawn on
 /// a background thread whenever the present picture is a new one, the latest wins.
@@ -63,8 +70,16 @@ public:
     [[nodiscard]] const std::optional<Difference>& difference() const { return m_difference; }
     /// `1,234 of 40,000 pixels differ ..`, or why there is nothing to compare.
     [[nodiscard]] QString text() const;
-    /// In which settings A and B differ: `Number type: Fixed point | Float, 32 bit`.
-    [[nodiscard]] QStringList settingsText() const;
+    /// Nothing while there is no pair of pictures.
+    [[nodiscard]] std::optional<ComparedPixel> at(QPoint pixel) const;
+
+    /// One setting in which A and B differ, in the language in use.
+    struct SettingsDifference {
+        QString title;
+        QString a;
+        QString b;
+    };
+    [[nodiscard]] std::vector<SettingsDifference> settingsDifferences() const;
 
 Q_SIGNALS:
     void changed();      ///< anything but the picture to be shown

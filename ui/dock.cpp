@@ -20,7 +20,11 @@ Dock::Dock(const QString& id, QWidget* panel, QWidget* parent) : QDockWidget(par
     m_titleRow->setSpacing(2);
     m_title = new QLabel;
     m_title->setObjectName(QStringLiteral("title"));
+    m_title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long one does not widen the window
     m_titleRow->addWidget(m_title, 1);
+    m_close = insertLink(1);
+    m_close->setText(QStringLiteral("\u00d7"));
+    connect(m_close, &QToolButton::clicked, this, &QDockWidget::close);
     setTitleBarWidget(title);
 
     auto* body = new QFrame;
@@ -35,14 +39,18 @@ void Dock::setTitle(const QString& title)
 {
     setWindowTitle(title);
     m_title->setText(title);
+    m_close->setToolTip(tr("Close this panel; the menu View opens it again"));
+    m_close->setAccessibleName(m_close->toolTip());
 }
 
-QToolButton* Dock::addLink()
+QToolButton* Dock::addLink() { return insertLink(m_titleRow->indexOf(m_close)); }
+
+QToolButton* Dock::insertLink(int index)
 {
     auto* link = new QToolButton;
     link->setObjectName(QStringLiteral("link"));
     link->setCursor(Qt::PointingHandCursor);
-    m_titleRow->addWidget(link);
+    m_titleRow->insertWidget(index, link);
     return link;
 }
 

@@ -9,7 +9,7 @@ namespace rasterlens
 {
 
 /// A dock that looks like a card: a bold title with links at its right, and the panel below. Drag the title to move it,
-/// double-click it to float it.
+/// double-click it to float it, close it with the cross.
 class Dock : public QDockWidget
 {
     Q_OBJECT
@@ -18,11 +18,15 @@ public:
     Dock(const QString& id, QWidget* panel, QWidget* parent);
 
     void setTitle(const QString& title);
+    /// A link between title and cross.
     QToolButton* addLink();
 
 private:
+    QToolButton* insertLink(int index);
+
     QLabel* m_title = nullptr;
     QHBoxLayout* m_titleRow = nullptr;
+    QToolButton* m_close = nullptr;
 };
 
 } // namespace rasterlens

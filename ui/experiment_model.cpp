@@ -19,6 +19,14 @@ QString number(double value)
     return value >= kWhole && value < 1e6 ? QString::number(value, 'f', 0) : QString::number(value, 'g', 3);
 }
 
+/// What the mark of the algorithm leaves to be said: `Subpixel bits: 4`.
+QString shortTitleOf(const ExperimentRow& row)
+{
+    const QString title = ExperimentModel::titleOf(row);
+    const QString changes = title.section(QStringLiteral("; "), 1);
+    return changes.isEmpty() ? title : changes;
+}
+
 } // namespace
 
 void ExperimentModel::setRows(const std::vector<ExperimentRow>& rows, ErrorMeasure error, SpeedMeasure speed)
@@ -43,6 +51,27 @@ QString ExperimentModel::titleOf(const ExperimentRow& row)
     return variant ? rasterlens::titleOf(*variant, translated) : row.variant;
 }
 
+QString ExperimentModel::describe(const ExperimentRow& row)
+{
+    QString text = QStringLiteral("<p style='white-space: pre'><b>%1</b>").arg(titleOf(row));
+    for (int i = 0; i < kErrorMeasures; ++i) {
+        const auto measure = static_cast<ErrorMeasure>(i);
+        if (const auto error = errorOf(row, measure))
+            text += QStringLiteral("\n%1: %2").arg(errorTitle(measure)).arg(*error, 0, 'g', 3);
+    }
+    if (row.ms.frames == 0)
+        return text + QStringLiteral("</p>");
+    for (const SpeedMeasure measure : {SpeedMeasure::NsPerCoveredPixel, SpeedMeasure::MtriPerS}) {
+        const rasterlens::Speed speed = speedOf(row, measure);
+        text += QStringLiteral("\n%1: %2 (%3 \u2026 %4)")
+                    .arg(speedTitle(measure))
+                    .arg(speed.median, 0, 'g', 3)
+                    .arg(speed.low, 0, 'g', 3)
+                    .arg(speed.high, 0, 'g', 3);
+    }
+    return text + QStringLiteral("</p>");
+}
+
 int ExperimentModel::rowCount(const QModelIndex& parent) const
 {
     return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
@@ -53,13 +82,8 @@ int ExperimentModel::columnCount(const QModelIndex& parent) const { return paren
 QString ExperimentModel::textAt(const ExperimentRow& row, int column) const
 {
     switch (column) {
-    case Name: return titleOf(row);
-    case Speed: {
-        if (row.ms.frames == 0)
-            return QStringLiteral("\u2026");
-        const rasterlens::Speed speed = speedOf(row, m_speed);
-        return QStringLiteral("%1  (%2\u2013%3)").arg(number(speed.median), number(speed.low), number(speed.high));
-    }
+    case Name: return shortTitleOf(row);
+    case Speed: return row.ms.frames > 0 ? number(speedOf(row, m_speed).median) : QStringLiteral("\u2026");
     case Error: {
         const auto error = errorOf(row, m_error);
         return error ? number(*error) : QStringLiteral("\u2013");
@@ -76,7 +100,7 @@ QVariant ExperimentModel::sortKey(const ExperimentRow& row, int column) const
     case Speed: return row.ms.frames > 0 ? speedOf(row, m_speed).median : kLast;
     case Error: return errorOf(row, m_error).value_or(kLast);
     case Frontier: return row.frontier ? 0 : 1;
-    default: return textAt(row, column);
+    default: return titleOf(row);
     }
 }
 
@@ -86,9 +110,10 @@ QVariant ExperimentModel::data(const QModelIndex& index, int role) const
     switch (role) {
     case Qt::DisplayRole: return textAt(row, index.column());
     case SortRole: return sortKey(row, index.column());
+    case Qt::DecorationRole: return index.column() == Name ? algorithmMark(row.settings.algorithm) : QVariant();
     case Qt::TextAlignmentRole:
         return QVariant::fromValue((index.column() == Name ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-    case Qt::ToolTipRole: return titleOf(row);
+    case Qt::ToolTipRole: return describe(row);
     case Qt::FontRole: return row.frontier ? textFont(0, true) : QVariant();
     default: return {};
     }
@@ -103,14 +128,14 @@ QVariant ExperimentModel::headerData(int section, Qt::Orientation orientation, i
     if (role == Qt::ToolTipRole && section == Error)
         return errorTitle(m_error);
     if (role == Qt::ToolTipRole && section == Speed)
-        return tr("Median, tenth and ninetieth percentile");
+        return tr("%1: median; a row's tool-tip adds the tenth and ninetieth percentile").arg(speedTitle(m_speed));
     if (role == Qt::TextAlignmentRole)
         return QVariant::fromValue((section == Name ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     if (role != Qt::DisplayRole)
         return {};
     switch (section) {
     case Name: return tr("Variant");
-    case Speed: return m_speed == SpeedMeasure::NsPerCoveredPixel ? tr("ns per pixel") : tr("Mtri/s");
+    case Speed: return m_speed == SpeedMeasure::NsPerCoveredPixel ? tr("ns/px") : tr("Mtri/s");
     case Error: return tr("Error");
     case Frontier: return QStringLiteral("\u2605");
     default: return {};

@@ -23,6 +23,8 @@ public:
 
     /// `Edge walking \u00b7 Float, 32 bit`, in the language in use.
     [[nodiscard]] static QString titleOf(const ExperimentRow& row);
+    /// All errors and speeds with their spread, as rich text.
+    [[nodiscard]] static QString describe(const ExperimentRow& row);
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;

@@ -47,14 +47,11 @@ std::optional<QString> saveText(const QByteArray& text, const QString& path)
 
 ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent) : QWidget(parent), m_document(document)
 {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(12, 2, 12, 8);
-    column->setSpacing(4);
-    column->addWidget(buildHead());
-    m_note = new QLabel;
-    m_note->setObjectName(QStringLiteral("muted"));
-    m_note->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    column->addWidget(m_note);
+    // Below a canvas height is what there is least of: controls, plot and table lie side by side.
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(12, 2, 12, 8);
+    row->setSpacing(10);
+    row->addWidget(buildControls());
     auto* parts = new QSplitter(Qt::Horizontal);
     parts->setChildrenCollapsible(false);
     m_plot = new ExperimentPlot;
@@ -72,6 +69,7 @@ ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent) : QWidget(
     m_table->setShowGrid(false);
     m_table->setAlternatingRowColors(true);
     m_table->setWordWrap(false);
+    m_table->setIconSize(algorithmMark(Algorithm::Tiled).deviceIndependentSize().toSize());
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -81,12 +79,12 @@ ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent) : QWidget(
     m_table->sortByColumn(ExperimentModel::Speed, Qt::AscendingOrder);
     parts->addWidget(m_table);
     parts->setSizes({480, 520});
-    column->addWidget(parts, 1);
+    row->addWidget(parts, 1);
 
     connect(m_plot, &ExperimentPlot::rowClicked, this, &ExperimentPanel::load);
     connect(m_plot, &ExperimentPlot::rowHovered, this, [this](int row, QPoint at) {
         if (row >= 0)
-            QToolTip::showText(at, describe(m_rows[static_cast<std::size_t>(row)]), m_plot);
+            QToolTip::showText(at, ExperimentModel::describe(m_rows[static_cast<std::size_t>(row)]), m_plot);
         else
             QToolTip::hideText();
     });
@@ -101,22 +99,16 @@ ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent) : QWidget(
 
 ExperimentPanel::~ExperimentPanel() = default;
 
-QWidget* ExperimentPanel::buildHead()
+QWidget* ExperimentPanel::buildControls()
 {
-    auto* head = new QWidget;
-    auto* row = new QHBoxLayout(head);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(8);
     m_run = new QPushButton;
     connect(m_run, &QPushButton::clicked, this, [this] { m_running ? cancel() : run(m_frames->value()); });
     m_frames = new PanelSpin;
     m_frames->setRange(1, 1000);
     m_frames->setValue(ExperimentOptions().frames);
-    m_framesLabel = new QLabel;
     m_progress = new QProgressBar;
     m_progress->setTextVisible(false);
     m_progress->setFixedHeight(8);
-    m_progress->setMinimumWidth(60);
     m_errorBox = new PanelCombo;
     for (int i = 0; i < kErrorMeasures; ++i)
         m_errorBox->addItem(QString());
@@ -136,19 +128,38 @@ QWidget* ExperimentPanel::buildHead()
     for (const char* suffix : {"csv", "json", "svg", "png"})
         connect(m_exportMenu->addAction(QString::fromLatin1(suffix).toUpper()), &QAction::triggered, this,
                 [this, suffix] { chooseFile(QString::fromLatin1(suffix)); });
-    for (QWidget* control : std::initializer_list<QWidget*>{m_run, m_frames, m_errorBox, m_speedBox})
-        control->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
     QSizePolicy keepsItsPlace = m_progress->sizePolicy();
     keepsItsPlace.setRetainSizeWhenHidden(true);
     m_progress->setSizePolicy(keepsItsPlace);
-    row->addWidget(m_run);
-    row->addWidget(m_frames);
-    row->addWidget(m_framesLabel);
-    row->addWidget(m_progress, 1);
-    row->addWidget(m_errorBox);
-    row->addWidget(m_speedBox);
-    row->addWidget(m_export);
-    return head;
+    m_note = new QLabel;
+    m_note->setObjectName(QStringLiteral("muted"));
+    m_note->setWordWrap(true);
+    m_note->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_note->setAlignment(Qt::AlignTop);
+    return arrangedControls();
+}
+
+QWidget* ExperimentPanel::arrangedControls()
+{
+    const auto rowOf = [](std::initializer_list<QWidget*> widgets) {
+        auto* row = new QHBoxLayout;
+        row->setSpacing(8);
+        for (QWidget* widget : widgets)
+            row->addWidget(widget);
+        row->addStretch(1);
+        return row;
+    };
+    auto* controls = new QWidget;
+    auto* column = new QVBoxLayout(controls);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(6);
+    column->addLayout(rowOf({m_run, m_frames}));
+    column->addWidget(m_progress);
+    column->addWidget(m_note, 1);
+    column->addLayout(rowOf({m_errorBox, m_speedBox}));
+    column->addLayout(rowOf({m_export}));
+    controls->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+    return controls;
 }
 
 void ExperimentPanel::run(int frames)
@@ -218,7 +229,6 @@ void ExperimentPanel::show()
     m_model->setRows(m_rows, error, speed);
     m_plot->setRows(m_rows, error, speed);
     m_note->setText(ratioText());
-    m_note->setToolTip(m_note->text());
 }
 
 void ExperimentPanel::syncState()
@@ -246,25 +256,6 @@ QString ExperimentPanel::ratioText() const
     return tr("%1 \u00b7 edge equation takes %2 times as long as edge walking here, 1.36 times in [002]")
         .arg(scene)
         .arg(*advantage, 0, 'f', 2);
-}
-
-QString ExperimentPanel::describe(const ExperimentRow& row) const
-{
-    QString text = QStringLiteral("<p style='white-space: pre'><b>%1</b>").arg(ExperimentModel::titleOf(row));
-    for (int i = 0; i < kErrorMeasures; ++i) {
-        const auto measure = static_cast<ErrorMeasure>(i);
-        if (const auto error = errorOf(row, measure))
-            text += QStringLiteral("\n%1: %2").arg(errorTitle(measure)).arg(*error, 0, 'g', 3);
-    }
-    for (const SpeedMeasure measure : {SpeedMeasure::NsPerCoveredPixel, SpeedMeasure::MtriPerS}) {
-        const Speed speed = speedOf(row, measure);
-        text += QStringLiteral("\n%1: %2 (%3 \u2026 %4)")
-                    .arg(speedTitle(measure))
-                    .arg(speed.median, 0, 'g', 3)
-                    .arg(speed.low, 0, 'g', 3)
-                    .arg(speed.high, 0, 'g', 3);
-    }
-    return text + QStringLiteral("</p>");
 }
 
 void ExperimentPanel::choose(int row)
@@ -322,7 +313,7 @@ void ExperimentPanel::chooseFile(const QString& suffix)
 
 void ExperimentPanel::retranslate()
 {
-    m_framesLabel->setText(tr("frames each"));
+    m_frames->setSuffix(QLatin1Char(' ') + tr("frames each"));
     m_frames->setToolTip(tr("Frames of each variant that count; one more warms up"));
     m_frames->setAccessibleName(m_frames->toolTip());
     const QSignalBlocker blockedError(m_errorBox);

@@ -55,7 +55,7 @@ public:
     /// errors  a sentence in the language in use
     [[nodiscard]] std::optional<QString> exportTo(const QString& path);
 
-    QSize sizeHint() const override { return {1000, 420}; }
+    QSize sizeHint() const override { return {1000, 300}; }
 
 Q_SIGNALS:
     void finished();
@@ -66,14 +66,14 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    QWidget* buildHead();
+    QWidget* buildControls();
+    [[nodiscard]] QWidget* arrangedControls();
     void take(quint64 serial, std::vector<ExperimentRow> rows, int done, int total, bool last);
     void show();
     void choose(int row);
     void chooseFile(const QString& suffix);
     void syncState();
     void retranslate();
-    [[nodiscard]] QString describe(const ExperimentRow& row) const;
 
     Document& m_document;
     std::vector<ExperimentRow> m_rows;
@@ -82,7 +82,6 @@ private:
     quint64 m_serial = 0;
     QPushButton* m_run = nullptr;
     QSpinBox* m_frames = nullptr;
-    QLabel* m_framesLabel = nullptr;
     QProgressBar* m_progress = nullptr;
     QComboBox* m_errorBox = nullptr;
     QComboBox* m_speedBox = nullptr;

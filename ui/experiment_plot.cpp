@@ -3,11 +3,12 @@
 #include "ui/inks.h"
 #include "ui/theme.h"
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <QEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPicture>
+#include <QPixmap>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -80,6 +81,12 @@ QString titleOfAlgorithm(Algorithm algorithm)
     return QCoreApplication::translate("Settings", field->choices[static_cast<std::size_t>(algorithm)].title);
 }
 
+std::array<QColor, kAlgorithms.size()> algorithmColors(const QPalette& palette)
+{
+    const Inks inks = inksFor(palette);
+    return {inks.plus, inks.minus, inks.third};
+}
+
 } // namespace
 
 Speed speedOf(const ExperimentRow& row, SpeedMeasure measure)
@@ -89,6 +96,23 @@ Speed speedOf(const ExperimentRow& row, SpeedMeasure measure)
     if (measure == SpeedMeasure::NsPerCoveredPixel)
         return {row.nsPerCoveredPixel, row.nsPerCoveredPixel * low, row.nsPerCoveredPixel * high};
     return {row.mtriPerS, row.mtriPerS / high, row.mtriPerS / low};
+}
+
+QPixmap algorithmMark(Algorithm algorithm)
+{
+    constexpr int kSharper = 3;
+    constexpr int kSide = static_cast<int>(kDotSize) + 4;
+    const auto i = static_cast<std::size_t>(std::ranges::find(kAlgorithms, algorithm) - kAlgorithms.begin());
+    QPixmap mark(kSide * kSharper, kSide * kSharper);
+    mark.setDevicePixelRatio(kSharper);
+    mark.fill(Qt::transparent);
+    QCPPainter painter(&mark);
+    painter.setAntialiasing(true);
+    const QColor color = algorithmColors(QApplication::palette())[i];
+    const QCPScatterStyle style(kShapes[i], QPen(color), QBrush(color), kDotSize);
+    style.applyTo(&painter, style.pen());
+    style.drawShape(&painter, QPointF(kSide, kSide) / 2);
+    return mark;
 }
 
 QString speedTitle(SpeedMeasure measure)
@@ -132,6 +156,8 @@ ExperimentPlot::ExperimentPlot(QWidget* parent) : QWidget(parent), m_plot(new QC
     m_plot->plotLayout()->insertRow(0);
     m_plot->plotLayout()->addElement(0, 0, m_plot->legend);
     m_plot->plotLayout()->setRowStretchFactor(0, 0.001);
+    m_plot->legend->setColumnSpacing(4);
+    m_plot->legend->setIconTextPadding(3);
     m_plot->legend->setMargins(QMargins(2, 1, 2, 5));
     m_plot->installEventFilter(this);
     m_plot->setMouseTracking(true);
@@ -217,7 +243,7 @@ void ExperimentPlot::draw()
     setRanges();
     m_plot->xAxis->setLabel(errorTitle(m_error));
     m_plot->yAxis->setLabel(speedTitle(m_speed));
-    m_frontier->setName(QCoreApplication::translate("Experiment", "no other is better in both"));
+    m_frontier->setName(QCoreApplication::translate("Experiment", "frontier"));
     qSharedPointerCast<ErrorTicker>(m_plot->xAxis->ticker())
         ->setZero(m_hasZero ? std::optional(m_zeroPlace) : std::nullopt);
     setChosen(m_chosen);
@@ -293,8 +319,7 @@ void ExperimentPlot::applyColors()
 {
     const QColor text = palette().color(QPalette::Text);
     const QColor muted = palette().color(QPalette::PlaceholderText);
-    const Inks inks = inksFor(palette());
-    const std::array<QColor, 3> colors{inks.plus, inks.minus, inks.third};
+    const std::array colors = algorithmColors(palette());
     m_plot->setBackground(QBrush(palette().color(QPalette::Base)));
     for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis}) {
         axis->setBasePen(QPen(muted));
@@ -320,11 +345,11 @@ void ExperimentPlot::applyColors()
     }
     m_frontier->setPen(QPen(muted, 1.5, Qt::DashLine));
     m_ring->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(text, 2), Qt::NoBrush, kDotSize + 7));
-    m_plot->legend->setFont(textFont(-1));
+    m_plot->legend->setFont(textFont(-1.5));
     m_plot->legend->setTextColor(text);
     m_plot->legend->setBrush(Qt::NoBrush);
     m_plot->legend->setBorderPen(Qt::NoPen);
-    m_plot->legend->setIconSize(18, QFontMetrics(textFont(-1)).height());
+    m_plot->legend->setIconSize(16, QFontMetrics(textFont(-1)).height());
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 

@@ -17,6 +17,9 @@ namespace rasterlens
 /// The y axis of the plot.
 enum class SpeedMeasure { NsPerCoveredPixel, MtriPerS };
 
+/// The mark of the algorithm's dots.
+[[nodiscard]] QPixmap algorithmMark(Algorithm algorithm);
+
 /// Error against speed, both on logarithmic axes: a dot a variant, bars from the tenth to the ninetieth percentile, and
 /// the Pareto frontier as steps. Errors of zero have a place of their own at the left border.
 class ExperimentPlot : public QWidget

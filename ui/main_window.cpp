@@ -11,6 +11,7 @@
 #include "ui/mistakes_section.h"
 #include "ui/navigation.h"
 #include "ui/pipeline_panel.h"
+#include "ui/readout_bar.h"
 #include "ui/stage_strip.h"
 #include "ui/statistics_panel.h"
 #include "ui/step_listing.h"
@@ -44,7 +45,7 @@ constexpr int kCardGap = 7;
 constexpr int kPipelineWidth = 298;
 constexpr int kStatisticsWidth = 272;
 constexpr int kActivityDelayMs = 150;
-constexpr int kLayoutVersion = 2;
+constexpr int kLayoutVersion = 3;
 
 QToolButton* canvasLink(QAction* action)
 {
@@ -176,13 +177,9 @@ QWidget* MainWindow::buildCanvas()
 
 void MainWindow::buildStatusBar()
 {
-    m_readoutSwatch = new QLabel;
-    m_readoutSwatch->setFixedSize(18, 14);
-    m_readout = new QLabel;
-    m_readout->setObjectName(QStringLiteral("readout"));
+    m_readout = new ReadoutBar;
     m_activity = new QLabel;
     m_activity->setObjectName(QStringLiteral("muted"));
-    statusBar()->addWidget(m_readoutSwatch);
     statusBar()->addWidget(m_readout, 1);
     statusBar()->addPermanentWidget(m_activity);
     statusBar()->setSizeGripEnabled(false);
@@ -262,6 +259,7 @@ void MainWindow::connectParts()
     connect(m_stepMode.get(), &StepMode::frameChanged, this, &MainWindow::showFrame);
     connect(m_truth.get(), &TruthMode::faceWanted, m_stepMode.get(), &StepMode::showFace);
     connect(m_truth.get(), &TruthMode::stepWanted, m_stepMode.get(), &StepMode::showStep);
+    connect(&m_truth->comparison(), &Comparison::changed, this, &MainWindow::syncReadout);
     connect(m_truth.get(), &TruthMode::message, m_message,
             [this](const QString& text) { m_message->show(MessageKind::Info, text); });
     connect(m_truth.get(), &TruthMode::failed, m_message,
@@ -394,25 +392,7 @@ void MainWindow::syncReadout()
 {
     syncCanvasHeader();
     const auto at = m_viewport->hoveredPixel() ? m_viewport->hoveredPixel() : m_viewport->selectedPixel();
-    const auto pixel = at ? m_viewport->readout(*at) : std::nullopt;
-    m_readoutSwatch->setVisible(pixel.has_value());
-    if (!pixel) {
-        m_readout->clear();
-        return;
-    }
-    const QColor color(pixel->color);
-    m_readoutSwatch->setStyleSheet(QStringLiteral("background: %1; border: 1px solid gray;").arg(color.name()));
-    QStringList parts{tr("pixel (%1, %2)").arg(pixel->pixel.x()).arg(pixel->pixel.y()),
-                      QStringLiteral("%1 %2 %3").arg(color.red()).arg(color.green()).arg(color.blue()),
-                      color.name().toUpper()};
-    constexpr int kBackground = -1;
-    const int face = pixel->face.value_or(kBackground);
-    if (face != kBackground)
-        parts << tr("face %1").arg(face)
-              << tr("depth %1").arg(static_cast<double>(pixel->depth.value_or(1.0F)), 0, 'f', 6);
-    else if (pixel->face.has_value())
-        parts << tr("background");
-    m_readout->setText(parts.join(QStringLiteral("    ")));
+    m_readout->show(at ? m_viewport->readout(*at) : std::nullopt, at ? m_truth->comparison().at(*at) : std::nullopt);
 }
 
 void MainWindow::syncTitle()

@@ -26,6 +26,7 @@ class MessageBar;
 class MistakeBadge;
 class MistakesMenu;
 class PipelinePanel;
+class ReadoutBar;
 class StageStrip;
 class StatisticsPanel;
 class StepMode;
@@ -169,8 +170,7 @@ private:
     QToolButton* m_goToButton = nullptr;
     QLineEdit* m_goToEdit = nullptr;
     QLabel* m_caption = nullptr;
-    QLabel* m_readoutSwatch = nullptr;
-    QLabel* m_readout = nullptr;
+    ReadoutBar* m_readout = nullptr;
     QLabel* m_activity = nullptr;
     QTimer m_activityDelay;
 

@@ -2,6 +2,7 @@
 
 #include "core/builtin_scenes.h"
 #include "core/render.h"
+#include "ui/case_model.h"
 #include "ui/field_row.h"
 #include "ui/mistakes_section.h"
 #include "ui/number_dial.h"
@@ -293,7 +294,7 @@ void PipelinePanel::syncScene()
                             QStringLiteral("builtin:") + QLatin1String(builtin.name));
     int index = m_sceneBox->findData(scene.id);
     QString title = scene.title.isEmpty() ? QFileInfo(scene.id).fileName() : scene.title;
-    QString note = scene.note;
+    QString note = caseNoteText(scene.note);
     if (index < 0 && !scene.id.isEmpty()) {
         m_sceneBox->insertItem(0, title, scene.id);
         m_sceneBox->insertSeparator(1);

@@ -316,9 +316,9 @@ void PixelCard::rebuild()
         for (std::size_t i = 0; i < std::min(m_rows.size(), kMostRows); ++i)
             column->addWidget(makeRow(i));
         if (m_rows.size() > kMostRows)
-            column->addWidget(wrapped(tr("and %n more faces; Copy as text has them all", nullptr,
-                                         static_cast<int>(m_rows.size() - kMostRows)),
-                                      "muted"));
+            column->addWidget(wrapped(
+                tr("and %n more faces; Copy has them all", nullptr, static_cast<int>(m_rows.size() - kMostRows)),
+                "muted"));
         if (m_rows.empty()) {
             auto* nothing = wrapped(tr("No face comes near this pixel."), "muted");
             nothing->setContentsMargins(8, 0, 8, 0);

@@ -2,11 +2,20 @@
 
 #include "ui/numbers.h"
 
+#include <QElapsedTimer>
+
 #include <algorithm>
+#include <new>
 #include <utility>
 
 namespace rasterlens
 {
+namespace
+{
+
+constexpr int kProgressMs = 100;
+
+} // namespace
 
 Referee::Referee(Document& document, QObject* parent) : QObject(parent), m_document(document)
 {
@@ -27,6 +36,8 @@ void Referee::setOn(bool on)
 void Referee::check()
 {
     m_judgement.reset();
+    m_failure.clear();
+    m_percent = 0;
     const quint64 serial = ++m_asked;
     if (!m_on || notJudged(*m_document.scene(), m_document.settings()) != NotJudged::No) {
         m_delivered = serial;
@@ -35,39 +46,61 @@ void Referee::check()
         Q_EMIT changed();
         return;
     }
-    m_task.post(
-        [this, serial, scene = m_document.scene(), settings = m_document.settings()](std::stop_token stop) {
-            auto judgement = std::make_shared<const Judgement>(judge(*scene, settings, stop));
-            if (stop.stop_requested())
-                return;
-            QMetaObject::invokeMethod(
-                this,
-                [this, serial, judgement = std::move(judgement)] {
-                    if (serial != m_asked)
-                        return;
-                    m_delivered = serial;
-                    m_judgement = judgement;
-                    Q_EMIT changed();
-                },
-                Qt::QueuedConnection);
-        },
-        LatestTask::Running::Interrupt);
+    m_task.post([this, serial, scene = m_document.scene(),
+                 settings = m_document.settings()](std::stop_token stop) { run(serial, *scene, settings, stop); },
+                LatestTask::Running::Interrupt);
     Q_EMIT changed();
+}
+
+/// Runs on the thread of the window what belongs to the latest check.
+template <class Deliver>
+void Referee::post(quint64 serial, Deliver deliver)
+{
+    QMetaObject::invokeMethod(
+        this,
+        [this, serial, deliver = std::move(deliver)] {
+            if (serial != m_asked)
+                return;
+            deliver();
+            Q_EMIT changed();
+        },
+        Qt::QueuedConnection);
+}
+
+/// On the background thread.
+void Referee::run(quint64 serial, const Scene& scene, const Settings& settings, const std::stop_token& stop)
+{
+    QElapsedTimer clock;
+    clock.start();
+    const auto progress = [&](double share) {
+        if (clock.elapsed() < kProgressMs)
+            return;
+        clock.restart();
+        post(serial, [this, percent = static_cast<int>(100 * share)] { m_percent = percent; });
+    };
+    try {
+        auto judgement = std::make_shared<const Judgement>(judge(scene, settings, stop, progress));
+        if (!stop.stop_requested())
+            post(serial, [this, serial, judgement = std::move(judgement)] {
+                m_delivered = serial;
+                m_judgement = judgement;
+            });
+    } catch (const std::bad_alloc&) {
+        post(serial, [this, serial] {
+            m_delivered = serial;
+            m_failure = tr("not checked: there is not enough memory for another picture of this size");
+        });
+    }
 }
 
 QString Referee::whyNot() const
 {
-    const Scene& scene = *m_document.scene();
-    switch (notJudged(scene, m_document.settings())) {
+    switch (notJudged(*m_document.scene(), m_document.settings())) {
     case NotJudged::No: break;
     case NotJudged::Unsupported: return tr("not checked: these settings cannot be drawn");
     case NotJudged::NotFilled: return tr("not checked: only filled triangles have a true coverage");
-    case NotJudged::TooManySamples:
-        return tr("not checked: %1 samples, and memory is set aside for %2. Choose a smaller picture.")
-            .arg(grouped(static_cast<std::uint64_t>(judgedSamples(scene, m_document.settings()))),
-                 grouped(static_cast<std::uint64_t>(kMostJudgedSamples)));
     }
-    return {};
+    return m_failure;
 }
 
 QString Referee::text() const
@@ -75,7 +108,7 @@ QString Referee::text() const
     if (!m_on)
         return {};
     if (isChecking())
-        return tr("checking \u2026");
+        return m_percent > 0 ? tr("checking \u2026 %1 %").arg(m_percent) : tr("checking \u2026");
     if (!m_judgement)
         return whyNot();
     const CoverageDifference& difference = m_judgement->difference;

@@ -38,11 +38,16 @@ Q_SIGNALS:
 
 private:
     void check();
+    void run(quint64 serial, const Scene& scene, const Settings& settings, const std::stop_token& stop);
+    template <class Deliver>
+    void post(quint64 serial, Deliver deliver);
     [[nodiscard]] QString whyNot() const;
 
     Document& m_document;
     bool m_on = false;
     std::shared_ptr<const Judgement> m_judgement;
+    QString m_failure;
+    int m_percent = 0;
     quint64 m_asked = 0;
     quint64 m_delivered = 0;
     LatestTask m_task; ///< last: its thread uses the members above

@@ -53,8 +53,11 @@ RefereeBar::RefereeBar(Referee& referee, QWidget* parent)
     m_title->setObjectName(QStringLiteral("groupHeading"));
     m_text->setTextFormat(Qt::RichText);
     m_text->setWordWrap(true);
+    constexpr QMargins kOnALineWithButtons(0, 3, 0, 0);
+    m_title->setContentsMargins(kOnALineWithButtons);
+    m_text->setContentsMargins(kOnALineWithButtons);
     row->addWidget(m_title, 0, Qt::AlignTop);
-    row->addWidget(m_text, 1);
+    row->addWidget(m_text, 1, Qt::AlignTop);
     row->addWidget(m_next, 0, Qt::AlignTop);
     row->addWidget(m_close, 0, Qt::AlignTop);
     m_detail->setObjectName(QStringLiteral("muted"));

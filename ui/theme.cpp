@@ -111,6 +111,9 @@ QTableView::item { padding: 1px 6px; }
 QHeaderView, QTableCornerButton::section { background: @card; border: none; }
 QHeaderView::section { background: @card; color: @muted; border: none; padding: 2px 8px; }
 QHeaderView::section:horizontal { color: @text; font-weight: bold; }
+QHeaderView::up-arrow, QHeaderView::down-arrow { width: 8px; height: 8px; }
+QHeaderView::up-arrow { image: url(:/rasterlens/icons/chevron-up-@kind.png); }
+QHeaderView::down-arrow { image: url(:/rasterlens/icons/chevron-@kind.png); }
 QScrollBar:horizontal { background: transparent; height: 9px; margin: 0; }
 QScrollBar::handle:horizontal { background: @border; border-radius: 4px; min-width: 24px; }
 QScrollBar::handle:horizontal:hover { background: @muted; }

@@ -47,8 +47,7 @@ void TruthMode::place(QDockWidget* neighbour)
     for (Dock* dock : m_docks) {
         m_window.addDockWidget(Qt::BottomDockWidgetArea, dock);
         m_window.tabifyDockWidget(neighbour, dock);
-        dock->hide(); // or floating would show it
-        dock->setFloating(true);
+        dock->hide();
         connect(dock->toggleViewAction(), &QAction::triggered, dock, [this, dock](bool on) {
             if (on)
                 open(*dock);
@@ -56,18 +55,16 @@ void TruthMode::place(QDockWidget* neighbour)
     }
 }
 
-/// These panels need more room than there is below the canvas: they float until somebody docks them.
+/// The first time with a third of the window's height, from then on as it was left.
 void TruthMode::open(Dock& dock)
 {
+    constexpr double kShare = 0.34;
     dock.show();
-    if (dock.isFloating() && !m_placed.contains(&dock)) {
-        const QSize room = m_window.size() - QSize(60, 170);
-        const QSize size = dock.widget()->sizeHint().boundedTo(room).expandedTo(dock.minimumSizeHint());
-        const QPoint corner((m_window.width() - size.width()) / 2, m_window.height() - size.height() - 30);
-        dock.setGeometry(QRect(m_window.mapToGlobal(corner), size));
-        m_placed << &dock;
-    }
     dock.raise();
+    const int height = qRound(m_window.height() * kShare);
+    if (!m_opened.contains(&dock) && !dock.isFloating() && dock.height() < height)
+        m_window.resizeDocks({&dock}, {height}, Qt::Vertical);
+    m_opened << &dock;
 }
 
 QStringList TruthMode::panelNames() { return {QStringLiteral("cases"), QStringLiteral("experiment")}; }
@@ -77,8 +74,7 @@ bool TruthMode::showPanel(const QString& name)
     const qsizetype index = panelNames().indexOf(name);
     if (index < 0)
         return false;
-    Dock* dock = m_docks[static_cast<std::size_t>(index)];
-    open(*dock);
+    open(*m_docks[static_cast<std::size_t>(index)]);
     return true;
 }
 
@@ -193,8 +189,12 @@ void TruthMode::openLens()
         return;
     }
     const WrongPixel& wrong = judgement->wrong.front();
-    m_viewport.selectPixel(QPoint(wrong.x, wrong.y));
-    Q_EMIT faceWanted(static_cast<quint32>(wrong.face), {wrong.x, wrong.y});
+    const QPoint pixel(wrong.x, wrong.y);
+    // The window still has to fit the new scene, which would take the eye away again.
+    QMetaObject::invokeMethod(
+        &m_viewport, [this, pixel] { m_viewport.goToPixel(pixel); }, Qt::QueuedConnection);
+    m_viewport.selectPixel(pixel);
+    Q_EMIT faceWanted(static_cast<quint32>(wrong.face), pixel);
 }
 
 void TruthMode::retranslate()

@@ -43,7 +43,7 @@ public:
     [[nodiscard]] CaseBrowser& caseBrowser() { return *m_cases; }
     [[nodiscard]] ExperimentPanel& experiment() { return *m_experiment; }
 
-    /// Puts the panels as tabs beside a neighbour where they are docked; they are hidden.
+    /// Puts the panels as tabs beside a neighbour at the bottom; they are hidden.
     void place(QDockWidget* neighbour);
     [[nodiscard]] const std::vector<Dock*>& docks() const { return m_docks; }
     /// Opens a panel by the short name of the command line.
@@ -103,7 +103,7 @@ private:
     CaseBrowser* m_cases;
     ExperimentPanel* m_experiment;
     std::vector<Dock*> m_docks;
-    QSet<const Dock*> m_placed; ///< have been opened before
+    QSet<const Dock*> m_opened; ///< before
     QMenu* m_menu;
     std::vector<TranslatedAction> m_texts;
     QAction* m_refereeAction = nullptr;

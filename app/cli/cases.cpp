@@ -159,10 +159,10 @@ QString reasonsOf(const std::vector<Row>& rows)
         for (const Entry& entry : row.entries) {
             if (entry.verdict.grade != CaseGrade::Fails && entry.verdict.grade != CaseGrade::PassesWithin)
                 continue;
-            qsizetype at = reasons.indexOf(entry.verdict.reason);
+            qsizetype at = reasons.indexOf(textOf(entry.verdict.reasons));
             if (at < 0) {
                 at = reasons.size();
-                reasons << entry.verdict.reason;
+                reasons << textOf(entry.verdict.reasons);
                 variants << QStringList();
             }
             variants[at] << entry.variant;
@@ -200,7 +200,7 @@ QByteArray jsonOf(const std::vector<Row>& rows)
                                      {"pass", verdict.grade == CaseGrade::Unsupported
                                                   ? QJsonValue()
                                                   : QJsonValue(verdict.grade != CaseGrade::Fails)},
-                                     {"reason", verdict.reason}});
+                                     {"reason", textOf(verdict.reasons)}});
     return QJsonDocument(array).toJson();
 }
 

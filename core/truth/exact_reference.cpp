@@ -3,7 +3,7 @@
 #include "core/camera.h"
 #include "core/pipeline/vertex_stage.h"
 #include "core/truth/edge_distance.h"
-#include "core/truth/exact_geometry.h"
+#include "core/truth/exact_face.h"
 
 #include <QRect>
 
@@ -21,36 +21,6 @@ using namespace exact;
 
 namespace
 {
-
-/// One triangle to interpolate over: three weights that are >= 0 inside and as the perspective-correct ones to each
-/// other.
-struct Piece {
-    std::array<Linear, 3> weights;
-    Linear depthNumerator;
-    Integer depthDenominator; // > 0
-    std::array<glm::dvec3, 3> colors;
-    std::int32_t face;
-};
-
-Piece makePiece(const std::array<ScreenCorner, 3>& t, const Integer& det, const ExactOptions& options,
-                std::int64_t unit, std::int32_t face)
-{
-    const Integer sign = det.sign();
-    Piece piece{};
-    piece.face = face;
-    piece.depthDenominator = det * sign;
-    for (std::size_t i = 0; i < 3; ++i) {
-        piece.weights[i] = determinantWith(t[(i + 1) % 3], t[(i + 2) % 3], unit) * sign;
-        piece.depthNumerator = piece.depthNumerator + piece.weights[i] * t[i].z;
-        piece.weights[i] = piece.weights[i] * t[i].scale;
-        piece.colors[i] = t[i].color;
-    }
-    if (options.clipZ == ClipZ::Gl) {
-        piece.depthNumerator.origin += piece.depthDenominator;
-        piece.depthDenominator *= 2;
-    }
-    return piece;
-}
 
 /// Depth and colour along one row of a piece. Every weight is a sum of two terms >= 0, so none cancels.
 class RowValues
@@ -103,44 +73,68 @@ private:
     double m_depthStep = 0;
 };
 
+/// The pieces whose depths are stored, made anew when an exact comparison asks for one: kept, they would take a
+/// kilobyte a face.
+class Pieces
+{
+public:
+    Pieces(std::span<const ClipTriangle> triangles, const FaceSetup& setup) : m_triangles(triangles), m_setup(setup) {}
+
+    [[nodiscard]] const Piece& at(PieceIndex index)
+    {
+        if (index.triangle != m_triangle) {
+            m_fan = m_setup.fanOf(m_setup.outlineOf(m_triangles[static_cast<std::size_t>(index.triangle)]));
+            m_triangle = index.triangle;
+        }
+        return m_fan[static_cast<std::size_t>(index.piece)];
+    }
+
+private:
+    std::span<const ClipTriangle> m_triangles;
+    const FaceSetup& m_setup;
+    std::vector<Piece> m_fan; ///< of the triangle asked for last: neighbouring samples ask for the same
+    std::int32_t m_triangle = -1;
+};
+
+/// A fragment on its way to the depth test.
+struct Candidate {
+    const Piece& piece;
+    PieceIndex index;
+    int column;
+    int row;
+    double depth;
+};
+
 /// The depth buffer: a double in front, the piece it came from behind it for the exact comparison.
 class DepthBuffer
 {
 public:
-    DepthBuffer(const ExactOptions& options, ExactFrame& frame)
-        : m_compare(options.depthCompare), m_clear(options.depthClear > 0 ? 1 : 0), m_owners(frame.cover.size(), -1),
-          m_frame(frame)
+    DepthBuffer(const ExactOptions& options, ExactFrame& frame, Pieces pieces)
+        : m_compare(options.depthCompare), m_clear(options.depthClear > 0 ? 1 : 0), m_owners(frame.cover.size()),
+          m_frame(frame), m_pieces(std::move(pieces))
     {
         if (options.depthFormat != DepthFormat::Float32)
             m_codeMax = options.depthFormat == DepthFormat::Unorm16 ? 0xffff : 0xffffff;
         std::fill(frame.depth.begin(), frame.depth.end(), m_clear);
     }
 
-    int addPiece(Piece piece)
-    {
-        m_pieces.push_back(std::move(piece));
-        return static_cast<int>(m_pieces.size()) - 1;
-    }
-    void dropLastPiece() { m_pieces.pop_back(); }
-    [[nodiscard]] const Piece& piece(int index) const { return m_pieces[static_cast<std::size_t>(index)]; }
-
     /// Compares and, when the fragment passes, stores.
-    bool test(std::size_t sample, int pieceIndex, int column, int row, double depth)
+    bool test(std::size_t sample, const Candidate& candidate)
     {
-        const double value = m_codeMax > 0 ? code(pieceIndex, column, row, depth) / m_codeMax : depth;
-        if (!passes(sample, pieceIndex, column, row, value))
+        const double value = m_codeMax > 0 ? code(candidate) / m_codeMax : candidate.depth;
+        if (!passes(sample, candidate, value))
             return false;
         m_frame.depth[sample] = value;
-        m_owners[sample] = pieceIndex;
+        m_owners[sample] = candidate.index;
         return true;
     }
 
 private:
-    bool passes(std::size_t sample, int pieceIndex, int column, int row, double value) const
+    bool passes(std::size_t sample, const Candidate& candidate, double value)
     {
         if (m_compare == DepthCompare::Always)
             return true;
-        const int order = compare(sample, pieceIndex, column, row, value);
+        const int order = compare(sample, candidate, value);
         switch (m_compare) {
         case DepthCompare::Less: return order < 0;
         case DepthCompare::LessEqual: return order <= 0;
@@ -152,40 +146,39 @@ private:
     }
 
     /// The sign of new - stored.
-    int compare(std::size_t sample, int pieceIndex, int column, int row, double value) const
+    int compare(std::size_t sample, const Candidate& candidate, double value)
     {
         constexpr double kFilter = 1e-14;
         const double difference = value - m_frame.depth[sample];
         if (m_codeMax > 0 || std::abs(difference) > kFilter)
             return (difference > 0) - (difference < 0);
-        const int owner = m_owners[sample];
-        const Piece& mine = piece(pieceIndex);
-        const Integer numerator = mine.depthNumerator.at(column, row);
-        if (owner < 0)
+        const Piece& mine = candidate.piece;
+        const Integer numerator = mine.depthNumerator.at(candidate.column, candidate.row);
+        if (m_owners[sample].triangle < 0)
             return numerator.compare(mine.depthDenominator * m_clear);
-        const Piece& stored = piece(owner);
+        const Piece& stored = m_pieces.at(m_owners[sample]);
         return Integer(numerator * stored.depthDenominator)
-            .compare(Integer(stored.depthNumerator.at(column, row) * mine.depthDenominator));
+            .compare(Integer(stored.depthNumerator.at(candidate.column, candidate.row) * mine.depthDenominator));
     }
 
     /// The nearest unorm code, half to even.
-    double code(int pieceIndex, int column, int row, double depth) const
+    [[nodiscard]] double code(const Candidate& candidate) const
     {
         constexpr double kFilter = 1e-6;
-        const double above = depth * m_codeMax - std::floor(depth * m_codeMax);
-        if (std::abs(above - 0.5) > kFilter)
-            return std::round(depth * m_codeMax);
-        const Piece& p = piece(pieceIndex);
-        const Integer numerator = p.depthNumerator.at(column, row) * m_codeMax;
-        return static_cast<double>(static_cast<std::int64_t>(roundHalfToEven(numerator, p.depthDenominator)));
+        const double scaledDepth = candidate.depth * m_codeMax;
+        if (std::abs(scaledDepth - std::floor(scaledDepth) - 0.5) > kFilter)
+            return std::round(scaledDepth);
+        const Integer numerator = candidate.piece.depthNumerator.at(candidate.column, candidate.row) * m_codeMax;
+        return static_cast<double>(
+            static_cast<std::int64_t>(roundHalfToEven(numerator, candidate.piece.depthDenominator)));
     }
 
     DepthCompare m_compare;
     int m_clear;
     int m_codeMax = 0; // 0: exact depths
-    std::vector<int> m_owners;
-    std::vector<Piece> m_pieces;
+    std::vector<PieceIndex> m_owners;
     ExactFrame& m_frame;
+    Pieces m_pieces;
 };
 
 /// Samples of the window, as columns and rows of the whole viewport.
@@ -198,202 +191,121 @@ struct SampleWindow {
 class Painter
 {
 public:
-    Painter(const ExactOptions& options, ExactFrame& frame)
-        : m_options(options), m_frame(frame), m_depth(options, frame)
+    Painter(std::span<const ClipTriangle> triangles, const ExactOptions& options, ExactFrame& frame)
+        : m_triangles(triangles), m_options(options), m_setup(options), m_frame(frame),
+          m_depth(options, frame, Pieces(triangles, m_setup))
     {
-        const int bits = options.snap ? options.subpixelBits : 0;
-        m_lattice = {options.size, options.sampleGrid, std::int64_t{1} << bits};
         const PixelRect& w = frame.window;
         const int n = options.sampleGrid;
         m_window = {{w.x * n, (w.x + w.width) * n}, {w.y * n, (w.y + w.height) * n}};
     }
 
-    void draw(const ClipTriangle& triangle)
+    void draw(std::size_t triangle)
     {
-        const std::array<Corner, 3> corners = integerCorners(triangle);
+        const Outline outline = m_setup.outlineOf(m_triangles[triangle]);
+        m_frame.maxClipVertices = std::max(m_frame.maxClipVertices, outline.clippedCorners);
+        for (std::size_t i = 0; i < outline.trueEdges.size(); ++i)
+            lowerEdgeDistance(m_frame, outline.trueEdges[i], outline.trueEdges[(i + 1) % outline.trueEdges.size()]);
+        switch (outline.fate) {
+        case Outline::Fate::Outside: ++m_frame.outside; return;
+        case Outline::Fate::Degenerate: ++m_frame.degenerate; return;
+        case Outline::Fate::Culled: ++m_frame.culled; return;
+        case Outline::Fate::Drawn: break;
+        }
+        m_triangle = static_cast<std::int32_t>(triangle);
         if (m_options.snap)
-            drawSnapped(triangle, corners);
+            drawSnapped(outline);
         else
-            drawUnsnapped(triangle, corners);
+            drawUnsnapped(outline);
     }
 
 private:
-    /// Counts and refuses what culling or a zero area removes. The sign is that of the area on the screen, y down.
-    bool refused(int areaSign)
-    {
-        if (areaSign == 0) {
-            ++m_frame.degenerate;
-            return true;
-        }
-        m_frame.culled += culls(areaSign);
-        return culls(areaSign);
-    }
+    /// Columns of one row.
+    struct Span {
+        int row;
+        Columns columns;
+    };
 
-    [[nodiscard]] bool culls(int areaSign) const
+    void drawUnsnapped(const Outline& outline)
     {
-        const bool counterClockwise = areaSign < 0;
-        const bool front = counterClockwise == (m_options.winding == Winding::CounterClockwise);
-        return m_options.culling == (front ? Culling::Front : Culling::Back);
-    }
-
-    static bool hasArea(const std::vector<ScreenCorner>& polygon)
-    {
-        for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-            if (determinant({polygon[0], polygon[i], polygon[i + 1]}).sign() != 0)
-                return true;
-        return false;
-    }
-
-    void drawUnsnapped(const ClipTriangle& triangle, const std::array<Corner, 3>& corners)
-    {
-        std::array<ScreenCorner, 3> screen;
-        for (std::size_t i = 0; i < 3; ++i)
-            screen[i] = toScreen(corners[i], triangle, m_lattice);
-        const Integer det = determinant(screen);
-        if (refused(det.sign()))
-            return;
-        if (m_options.edgeDistance)
-            noteEdges(screenPolygon(clipExactly(corners, m_options.clipZ), triangle));
-        Piece piece = makePiece(screen, det, m_options, m_lattice.unit, static_cast<std::int32_t>(triangle.face));
+        const std::vector<Piece> fan = m_setup.fanOf(outline);
+        const Piece& piece = fan.front();
         const Linear nearSide = piece.depthNumerator;
         Linear farSide = nearSide * Integer(-1);
         farSide.origin += piece.depthDenominator;
 
-        const int index = m_depth.addPiece(std::move(piece));
-        bool owns = false;
-        const Columns rows = rowsOf(screen);
+        const Columns rows = rowsOf(outline.corners);
         for (int row = rows.begin; row < rows.end; ++row) {
             Columns columns = m_window.columns;
-            for (const Linear& weight : m_depth.piece(index).weights)
+            for (const Linear& weight : piece.weights)
                 if (!columns.empty())
                     keepPositive(weight, row, columns);
             if (!columns.empty())
                 keepPositive(nearSide, row, columns);
             if (!columns.empty())
                 keepPositive(farSide, row, columns);
-            owns |= drawColumns(index, row, columns);
+            drawColumns(fan, 0, {row, columns});
         }
-        if (!owns)
-            m_depth.dropLastPiece();
     }
 
     /// Rows the face may touch; all of them when it reaches behind the eye.
-    [[nodiscard]] Columns rowsOf(const std::array<ScreenCorner, 3>& screen) const
+    [[nodiscard]] Columns rowsOf(const std::vector<ScreenCorner>& corners) const
     {
         Columns rows{m_window.rows.end, m_window.rows.begin};
-        for (const ScreenCorner& corner : screen) {
+        for (const ScreenCorner& corner : corners) {
             if (corner.w.sign() <= 0)
                 return m_window.rows;
-            const Integer row = floorDivide(corner.y, corner.w * (2 * m_lattice.unit));
+            const Integer row = floorDivide(corner.y, corner.w * (2 * m_setup.lattice().unit));
             rows.begin = std::min(rows.begin, clampedTo(m_window.rows, Integer(row - 1)));
             rows.end = std::max(rows.end, clampedTo(m_window.rows, Integer(row + 1)));
         }
         return rows;
     }
 
-    void drawSnapped(const ClipTriangle& triangle, const std::array<Corner, 3>& corners)
+    void drawSnapped(const Outline& outline)
     {
-        const std::vector<Corner> clipped = clipExactly(corners, m_options.clipZ);
-        if (clipped.empty()) {
-            ++m_frame.outside;
+        const std::vector<Span> spans = spansOf(outline);
+        if (spans.empty()) // most faces of a fine mesh: no plane equations for nothing
             return;
-        }
-        m_frame.maxClipVertices = std::max(m_frame.maxClipVertices, static_cast<int>(clipped.size()));
-        std::vector<ScreenCorner> screen = screenPolygon(clipped, triangle);
-        // only (0, 0, 0, 0) is inside all planes with w = 0: the face is seen edge-on
-        const auto atEye = [](const ScreenCorner& corner) { return corner.w.sign() == 0; };
-        if (std::any_of(screen.begin(), screen.end(), atEye)) {
-            ++m_frame.degenerate;
-            return;
-        }
-        const std::vector<ScreenCorner> unsnapped = screen;
-        std::vector<Snapped> polygon;
-        for (ScreenCorner& corner : screen)
-            polygon.push_back(snap(corner, m_lattice));
-        const std::int64_t area = doubledArea(polygon);
-        const int sign = (area > 0) - (area < 0);
-        // a face whose area vanishes on snapping still has true edges
-        if (m_options.edgeDistance && (sign != 0 ? !culls(sign) : hasArea(unsnapped)))
-            noteEdges(unsnapped);
-        if (refused(sign))
-            return;
-        if (isFolded(polygon, sign)) {
-            const std::vector<std::size_t> hull = hullCorners(polygon, sign);
-            screen = picked(screen, hull);
-            polygon = picked(polygon, hull);
-        }
-        drawPolygon(screen, polygon, sign, static_cast<std::int32_t>(triangle.face));
+        const std::vector<Piece> fan = m_setup.fanOf(outline);
+        for (const Span& span : spans)
+            drawFan(fan, span);
     }
 
-    template <class Value>
-    static std::vector<Value> picked(const std::vector<Value>& values, const std::vector<std::size_t>& indices)
+    [[nodiscard]] std::vector<Span> spansOf(const Outline& outline) const
     {
-        std::vector<Value> result;
-        for (const std::size_t i : indices)
-            result.push_back(values[i]);
-        return result;
-    }
-
-    [[nodiscard]] std::vector<ScreenCorner> screenPolygon(const std::vector<Corner>& clipped,
-                                                          const ClipTriangle& triangle) const
-    {
-        std::vector<ScreenCorner> screen;
-        for (const Corner& corner : clipped)
-            screen.push_back(toScreen(corner, triangle, m_lattice));
-        return screen;
-    }
-
-    void noteEdges(const std::vector<ScreenCorner>& polygon)
-    {
-        const auto pixels = [this](const ScreenCorner& corner) {
-            const Integer denominator = corner.w * m_lattice.unitsPerPixel();
-            return glm::dvec2(ratio(corner.x, denominator), ratio(corner.y, denominator));
-        };
-        for (std::size_t i = 0; i < polygon.size(); ++i)
-            lowerEdgeDistance(m_frame, pixels(polygon[i]), pixels(polygon[(i + 1) % polygon.size()]));
-    }
-
-    void drawPolygon(const std::vector<ScreenCorner>& screen, const std::vector<Snapped>& polygon, int sign,
-                     std::int32_t face)
-    {
-        std::vector<int> fan;
-        for (std::size_t i = 1; i + 1 < screen.size(); ++i) {
-            const std::array<ScreenCorner, 3> corners{screen[0], screen[i], screen[i + 1]};
-            const Integer det = determinant(corners);
-            if (det.sign() == sign)
-                fan.push_back(m_depth.addPiece(makePiece(corners, det, m_options, m_lattice.unit, face)));
-        }
+        const Lattice& lattice = m_setup.lattice();
         const auto byY = [](const Snapped& a, const Snapped& b) { return a.y < b.y; };
-        const auto [top, bottom] = std::minmax_element(polygon.begin(), polygon.end(), byY);
-        const int firstRow = std::max(m_window.rows.begin, static_cast<int>(top->y / (2 * m_lattice.unit)) - 1);
-        const int endRow = std::min(m_window.rows.end, static_cast<int>(bottom->y / (2 * m_lattice.unit)) + 1);
-        bool owns = false;
+        const auto [top, bottom] = std::minmax_element(outline.polygon.begin(), outline.polygon.end(), byY);
+        const int firstRow = std::max(m_window.rows.begin, static_cast<int>(top->y / (2 * lattice.unit)) - 1);
+        const int endRow = std::min(m_window.rows.end, static_cast<int>(bottom->y / (2 * lattice.unit)) + 1);
+        std::vector<Span> spans;
         for (int row = firstRow; row < endRow; ++row)
-            for (const Columns& columns : windingColumns(polygon, sign, row, m_window.columns, m_lattice))
-                owns |= drawFan(fan, row, columns);
-        for (std::size_t i = 0; i < fan.size() && !owns; ++i)
-            m_depth.dropLastPiece();
+            for (const Columns& columns : windingColumns(outline.polygon, outline.sign, row, m_window.columns, lattice))
+                spans.push_back({row, columns});
+        return spans;
     }
 
-    /// Hands every sample of the columns to the first triangle of the fan that holds it.
-    bool drawFan(const std::vector<int>& fan, int row, Columns columns)
+    /// Hands every sample of the span to the first triangle of the fan that holds it.
+    void drawFan(const std::vector<Piece>& fan, Span span)
     {
-        if (fan.size() == 1)
-            return drawColumns(fan.front(), row, columns);
-        bool owns = false;
-        std::vector<Columns> open{columns};
-        for (const int index : fan) {
+        if (fan.size() == 1) {
+            drawColumns(fan, 0, span);
+            return;
+        }
+        std::vector<Columns> open{span.columns};
+        for (std::size_t piece = 0; piece < fan.size(); ++piece) {
             std::vector<Columns> left;
             for (const Columns& gap : open) {
                 Columns held = gap;
-                for (const Linear& weight : m_depth.piece(index).weights)
+                for (const Linear& weight : fan[piece].weights)
                     if (!held.empty())
-                        keepPositive(weight, row, held);
+                        keepPositive(weight, span.row, held);
                 if (held.empty()) {
                     left.push_back(gap);
                     continue;
                 }
-                owns |= drawColumns(index, row, held);
+                drawColumns(fan, piece, {span.row, held});
                 if (gap.begin < held.begin)
                     left.push_back({gap.begin, held.begin});
                 if (held.end < gap.end)
@@ -402,36 +314,34 @@ private:
             open = std::move(left);
         }
         assert(open.empty());
-        return owns;
     }
 
-    /// out: whether any sample passed the depth test
-    bool drawColumns(int pieceIndex, int row, Columns columns)
+    void drawColumns(const std::vector<Piece>& fan, std::size_t index, Span span)
     {
-        if (columns.empty())
-            return false;
-        const Piece& piece = m_depth.piece(pieceIndex);
-        const RowValues values(piece, row, columns);
-        bool owns = false;
+        if (span.columns.empty())
+            return;
+        const Piece& piece = fan[index];
+        const RowValues values(piece, span.row, span.columns);
         const std::size_t rowStart =
-            static_cast<std::size_t>(row - m_window.rows.begin) * static_cast<std::size_t>(m_frame.width);
-        for (int column = columns.begin; column < columns.end; ++column) {
+            static_cast<std::size_t>(span.row - m_window.rows.begin) * static_cast<std::size_t>(m_frame.width);
+        for (int column = span.columns.begin; column < span.columns.end; ++column) {
             const std::size_t sample = rowStart + static_cast<std::size_t>(column - m_window.columns.begin);
             ++m_frame.cover[sample];
-            if (!m_depth.test(sample, pieceIndex, column, row, values.depth(column)))
+            const PieceIndex from{m_triangle, static_cast<std::int32_t>(index)};
+            if (!m_depth.test(sample, {piece, from, column, span.row, values.depth(column)}))
                 continue;
             m_frame.id[sample] = piece.face;
             m_frame.color[sample] = values.color(column);
-            owns = true;
         }
-        return owns;
     }
 
+    std::span<const ClipTriangle> m_triangles;
     const ExactOptions& m_options;
+    FaceSetup m_setup;
     ExactFrame& m_frame;
     DepthBuffer m_depth;
-    Lattice m_lattice{};
     SampleWindow m_window{};
+    std::int32_t m_triangle = -1; ///< being drawn
 };
 
 bool isFinite(const ClipTriangle& triangle)
@@ -452,10 +362,15 @@ std::optional<PixelRect> visiblePart(const PixelRect& window, QSize size)
     return PixelRect{visible.x(), visible.y(), visible.width(), visible.height()};
 }
 
+PixelRect windowOf(const ExactOptions& options)
+{
+    return options.window.value_or(PixelRect{0, 0, options.size.width(), options.size.height()});
+}
+
 ExactFrame emptyFrame(const ExactOptions& options)
 {
     ExactFrame frame;
-    frame.window = options.window.value_or(PixelRect{0, 0, options.size.width(), options.size.height()});
+    frame.window = windowOf(options);
     frame.sampleGrid = options.sampleGrid;
     frame.depthTested = options.depthTested;
     frame.width = frame.window.width * options.sampleGrid;
@@ -490,19 +405,32 @@ glm::dvec3 ExactFrame::pixelColor(int x, int y, glm::vec3 background) const
     return sum / static_cast<double>(sampleGrid * sampleGrid);
 }
 
-ExactFrame exactReference(std::span<const ClipTriangle> triangles, const ExactOptions& options, std::stop_token stop)
+ExactFrame exactReference(std::span<const ClipTriangle> triangles, const ExactOptions& options, std::stop_token stop,
+                          const ExactProgress& progress)
 {
+    constexpr std::size_t kFacesBetweenReports = 1024;
     ExactFrame frame = emptyFrame(options);
-    Painter painter(options, frame);
-    for (const ClipTriangle& triangle : triangles) {
-        if (stop.stop_requested())
-            break;
-        if (isFinite(triangle))
-            painter.draw(triangle);
+    Painter painter(triangles, options, frame);
+    for (std::size_t i = 0; i < triangles.size() && !stop.stop_requested(); ++i) {
+        if (progress && i % kFacesBetweenReports == 0)
+            progress(static_cast<double>(i) / static_cast<double>(triangles.size()));
+        if (isFinite(triangles[i]))
+            painter.draw(i);
         else
             ++frame.nonFinite;
     }
     return frame;
+}
+
+std::vector<PixelRect> bandsOf(const ExactOptions& options)
+{
+    const PixelRect window = windowOf(options);
+    const std::int64_t samplesPerRow = std::int64_t{window.width} * options.sampleGrid * options.sampleGrid;
+    const int rows = static_cast<int>(std::max<std::int64_t>(1, kSamplesPerBand / samplesPerRow));
+    std::vector<PixelRect> bands;
+    for (int y = 0; y < window.height; y += rows)
+        bands.push_back({window.x, window.y + y, window.width, std::min(rows, window.height - y)});
+    return bands;
 }
 
 ExactOptions exactOptions(const Scene& scene, const Settings& settings)

@@ -1,5 +1,6 @@
 #include "core/truth/expectations.h"
 
+#include <QCoreApplication>
 #include <QStringList>
 
 #include <algorithm>
@@ -99,6 +100,7 @@ bool equals(Numbers found, const Numbers& wanted, double tolerance = 0)
 /// How one key is read: how many numbers follow, which of them name a place, and what is found there.
 struct Key {
     const char* name;
+    const char* words;
     std::size_t numbers;
     double tolerance;
     std::optional<Numbers> (*find)(const Outcome&, const Numbers& wanted);
@@ -126,53 +128,61 @@ std::optional<Numbers> ifKnown(const std::optional<T>& value, const Numbers& wan
 }
 
 const Key kKeys[] = {
-    {"covered", 1, 0,
+    {"covered", QT_TRANSLATE_NOOP("HardCase", "%1 pixels are covered"), 1, 0,
      [](const Outcome& o, const Numbers&) -> std::optional<Numbers> { return one(countCovered(o, 1)); }},
-    {"watertight", 1, 0,
+    {"watertight", QT_TRANSLATE_NOOP("HardCase", "every pixel is covered exactly once"), 1, 0,
      [](const Outcome& o, const Numbers&) -> std::optional<Numbers> {
          return one(countCovered(o, 1) == o.cover.size() && countCovered(o, 2) == 0);
      }},
-    {"holes", 1, 0, [](const Outcome& o, const Numbers&) -> std::optional<Numbers> { return one(countHoles(o)); }},
-    {"hit_twice", 1, 0,
+    {"holes", QT_TRANSLATE_NOOP("HardCase", "%1 holes"), 1, 0,
+     [](const Outcome& o, const Numbers&) -> std::optional<Numbers> { return one(countHoles(o)); }},
+    {"hit_twice", QT_TRANSLATE_NOOP("HardCase", "%1 pixels are covered by two faces or more"), 1, 0,
      [](const Outcome& o, const Numbers&) -> std::optional<Numbers> { return one(countCovered(o, 2)); }},
-    {"max_count", 1, 0,
+    {"max_count", QT_TRANSLATE_NOOP("HardCase", "no pixel is covered by more than %1 faces"), 1, 0,
      [](const Outcome& o, const Numbers&) -> std::optional<Numbers> {
          return one(o.cover.empty() ? 0 : *std::max_element(o.cover.begin(), o.cover.end()));
      }},
-    {"covers", 3, 0,
+    {"covers", QT_TRANSLATE_NOOP("HardCase", "%3 faces cover pixel (%1, %2)"), 3, 0,
      [](const Outcome& o, const Numbers& wanted) {
          return atPixel(o, wanted, [&](std::size_t i) { return one(o.cover[i]); });
      }},
-    {"winner", 2, 0,
+    {"winner", QT_TRANSLATE_NOOP("HardCase", "face %1 is seen in %2 pixels"), 2, 0,
      [](const Outcome& o, const Numbers& wanted) -> std::optional<Numbers> {
          return one(std::count(o.id.begin(), o.id.end(), static_cast<std::int32_t>(wanted[0])));
      }},
-    {"pixel", 3, 0,
+    {"pixel", QT_TRANSLATE_NOOP("HardCase", "face %3 is seen at (%1, %2)"), 3, 0,
      [](const Outcome& o, const Numbers& wanted) {
          return atPixel(o, wanted, [&](std::size_t i) { return one(o.id[i]); });
      }},
-    {"front_wins", 1, 0,
+    {"front_wins", QT_TRANSLATE_NOOP("HardCase", "in %1 strips only the front is seen"), 1, 0,
      [](const Outcome& o, const Numbers&) -> std::optional<Numbers> { return one(countFrontWins(o)); }},
-    {"depth", 3, 0x1p-22,
+    {"depth", QT_TRANSLATE_NOOP("HardCase", "the depth at (%1, %2) is %3"), 3, 0x1p-22,
      [](const Outcome& o, const Numbers& wanted) {
          return atPixel(o, wanted, [&](std::size_t i) { return one(o.depth[i]); });
      }},
-    {"color", 5, 1.01,
+    {"color", QT_TRANSLATE_NOOP("HardCase", "the colour at (%1, %2) is %3 %4 %5"), 5, 1.01,
      [](const Outcome& o, const Numbers& wanted) {
          return atPixel(o, wanted, [&](std::size_t i) -> Numbers {
              return {o.color[i].r, o.color[i].g, o.color[i].b};
          });
      }},
-    {"nonfinite", 1, 0, [](const Outcome& o, const Numbers& wanted) { return ifKnown(o.nonFinite, wanted); }},
-    {"clip_vertices", 1, 0, [](const Outcome& o, const Numbers& wanted) { return ifKnown(o.clipVertices, wanted); }},
+    {"nonfinite", QT_TRANSLATE_NOOP("HardCase", "%1 faces are dropped for a position that is no number"), 1, 0,
+     [](const Outcome& o, const Numbers& wanted) { return ifKnown(o.nonFinite, wanted); }},
+    {"clip_vertices", QT_TRANSLATE_NOOP("HardCase", "clipping makes %1 corners of a face"), 1, 0,
+     [](const Outcome& o, const Numbers& wanted) { return ifKnown(o.clipVertices, wanted); }},
 };
+
+const Key* findKey(const QString& name)
+{
+    const auto* key = std::ranges::find_if(kKeys, [&](const Key& k) { return name == QLatin1String(k.name); });
+    return key == std::end(kKeys) ? nullptr : key;
+}
 
 Expectation check(const QString& name, const QString& value, const Outcome& outcome)
 {
     Expectation result{name, value, false, {}};
-    const auto key =
-        std::find_if(std::begin(kKeys), std::end(kKeys), [&](const Key& k) { return name == QLatin1String(k.name); });
-    if (key == std::end(kKeys)) {
+    const Key* key = findKey(name);
+    if (!key) {
         result.found = QStringLiteral("not a key");
         return result;
     }
@@ -232,6 +242,24 @@ Outcome outcomeOf(const Frame& frame, const Scene& scene, const Statistics* stat
         }
     }
     return o;
+}
+
+QString wordsOf(const QString& key, const QString& value, QString (*translate)(const char*))
+{
+    const auto translated = [translate](const char* text) {
+        return translate ? translate(text) : QString::fromUtf8(text);
+    };
+    const Key* found = findKey(key);
+    const QStringList numbers = value.simplified().split(QLatin1Char(' '));
+    if (!found || static_cast<std::size_t>(numbers.size()) != found->numbers)
+        return QStringLiteral("%1 %2").arg(key, value);
+    if (key == QLatin1String("pixel") && numbers[2] == QLatin1String("-1"))
+        return translated(QT_TRANSLATE_NOOP("HardCase", "no face is seen at (%1, %2)")).arg(numbers[0], numbers[1]);
+    QString words = translated(found->words);
+    // watertight has a value, and no place for it
+    for (qsizetype i = 0; i < numbers.size() && words.contains(QLatin1Char('%')); ++i)
+        words = words.arg(numbers[i]);
+    return words;
 }
 
 std::vector<Expectation> checkExpectations(const std::vector<std::pair<QString, QString>>& lines,

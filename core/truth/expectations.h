@@ -36,6 +36,10 @@ struct Expectation {
     QString found; ///< the value that was found, or what is wrong with the line
 };
 
+/// An `expect` line in words: `face 0 is seen in 16 pixels`; English without `translate`, which is handed texts of the
+/// context "HardCase". A line of the wrong form comes back as it is.
+[[nodiscard]] QString wordsOf(const QString& key, const QString& value, QString (*translate)(const char*) = nullptr);
+
 /// Evaluates `expect` lines. Pixels are counted within the case's window; x and y are those of the viewport.
 ///
 /// | key | value | holds when |

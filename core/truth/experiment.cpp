@@ -44,17 +44,6 @@ VariantError errorFigures(const CoverageDifference& difference, const Settings& 
     return error;
 }
 
-/// Windows of whole pixel rows, from the top, that make up the picture.
-std::vector<PixelRect> bandsOf(const PixelRect& window, int grid)
-{
-    const std::int64_t samplesPerRow = std::int64_t{window.width} * grid * grid;
-    const int rows = static_cast<int>(std::max<std::int64_t>(1, kSamplesPerBand / samplesPerRow));
-    std::vector<PixelRect> bands;
-    for (int y = 0; y < window.height; y += rows)
-        bands.push_back({window.x, window.y + y, window.width, std::min(rows, window.height - y)});
-    return bands;
-}
-
 /// The variants that are measured, their frames and times.
 class Experiment
 {
@@ -70,7 +59,7 @@ public:
         m_total = static_cast<int>(m_rows.size()) * (options.frames + kWarmUpFrames);
         if (options.reference)
             for (const ExperimentRow& row : m_rows)
-                m_total += static_cast<int>(bandsOf(window(), sampleGrid(row.settings.samples)).size());
+                m_total += static_cast<int>(bandsOf(exactOptions(m_scene, row.settings)).size());
     }
 
     std::vector<ExperimentRow> run()
@@ -98,12 +87,6 @@ private:
         m_rows.push_back(std::move(row));
     }
 
-    [[nodiscard]] PixelRect window() const
-    {
-        return exactOptions(m_scene, m_base)
-            .window.value_or(PixelRect{0, 0, m_base.size.width(), m_base.size.height()});
-    }
-
     /// Variants share frames, hence memory; but threads live in them.
     Frame& frameOf(const ExperimentRow& row) { return m_frames[{row.settings.algorithm, row.threads}]; }
 
@@ -122,10 +105,12 @@ private:
         const std::vector<ClipTriangle> triangles = exactTriangles(m_scene, wanted);
         ExactOptions exact = exactOptions(m_scene, wanted);
         std::vector<CoverageDifference> sums(members.size());
-        const std::vector<PixelRect> bands = bandsOf(window(), grid);
+        const std::vector<PixelRect> bands = bandsOf(exact);
         for (std::size_t band = 0; band < bands.size() && !m_stop.stop_requested(); ++band) {
             exact.window = bands[band];
-            const ExactFrame truth = exactReference(triangles, exact);
+            const ExactFrame truth = exactReference(triangles, exact, m_stop);
+            if (m_stop.stop_requested())
+                return;
             for (std::size_t k = 0; k < members.size(); ++k) {
                 ExperimentRow& row = m_rows[members[k]];
                 Frame& frame = frameOf(row);
@@ -196,7 +181,7 @@ private:
 
 constexpr std::array<ErrorMeasureInfo, kErrorMeasures> kMeasures{{
     {"coverage", QT_TRANSLATE_NOOP("Experiment", "wrong pixels: missing, extra or hit twice")},
-    {"depth", QT_TRANSLATE_NOOP("Experiment", "largest depth error")},
+    {"depth", QT_TRANSLATE_NOOP("Experiment", "largest depth error, range 0 to 1")},
     {"color", QT_TRANSLATE_NOOP("Experiment", "colour error, root mean square, 8-bit steps")},
 }};
 

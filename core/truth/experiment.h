@@ -81,14 +81,12 @@ struct ExperimentProgress {
 /// exact   ns per covered pixel divides by one number a scene: the `covered` counter of the base with edge-equation and
 ///         one sample a pixel (fragments before the depth test); Mtri/s counts the submitted faces
 /// cost    frames + 1 frames a variant, and one exact picture a sample grid (exact_reference.h), in horizontal bands
-///         of at most kSamplesPerBand
+///         (bandsOf)
 /// errors  none; `stop` returns early with what has been measured
 [[nodiscard]] std::vector<ExperimentRow>
 runExperiment(const Scene& scene, const Settings& base, std::span<const Variant* const> variants,
               const ExperimentOptions& options = {},
               const std::function<void(const ExperimentProgress&)>& progress = {}, std::stop_token stop = {});
-
-constexpr std::int64_t kSamplesPerBand = std::int64_t{1} << 23; ///< about 350 MB of truth
 
 /// The x axis of the plot.
 enum class ErrorMeasure {

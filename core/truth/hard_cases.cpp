@@ -3,6 +3,7 @@
 #include "core/observe/statistics.h"
 #include "core/truth/expectations.h"
 
+#include <QCoreApplication>
 #include <QDir>
 
 #include <algorithm>
@@ -15,34 +16,39 @@ namespace
 
 constexpr const char* kFolder = ":/rasterlens/cases";
 
-QString counted(std::uint64_t count, const char* what)
+using Reasons = std::vector<CaseReason>;
+
+void addCount(Reasons& reasons, std::uint64_t count, const char* text)
 {
-    return count > 0 ? QStringLiteral("%1 %2").arg(count).arg(QLatin1String(what)) : QString();
+    if (count > 0)
+        reasons.push_back({text, {QString::number(count)}});
 }
 
-/// `, first at (x, y)` for the first pixel that has the property.
+/// Adds the place of the first pixel that has the property.
 template <class Has>
-QString firstAt(const CoverageDifference& difference, Has&& has)
+void addFirst(Reasons& reasons, const CoverageDifference& difference, Has&& has)
 {
     const auto width = static_cast<std::size_t>(difference.window.width);
     for (std::size_t i = 0; i < difference.verdicts.size(); ++i)
-        if (has(i))
-            return QStringLiteral(", first at (%1, %2)")
-                .arg(difference.window.x + static_cast<int>(i % width))
-                .arg(difference.window.y + static_cast<int>(i / width));
-    return {};
+        if (has(i)) {
+            reasons.push_back({QT_TRANSLATE_NOOP("HardCase", "first at (%1, %2)"),
+                               {QString::number(difference.window.x + static_cast<int>(i % width)),
+                                QString::number(difference.window.y + static_cast<int>(i / width))}});
+            return;
+        }
 }
 
-QString coverageReason(const CoverageDifference& d)
+Reasons coverageReasons(const CoverageDifference& d)
 {
-    QStringList parts{counted(d.missing, "missing"), counted(d.extra, "extra"), counted(d.hitTwice, "hit too often"),
-                      counted(d.hitLess, "hit too seldom")};
-    parts.removeAll(QString());
-    if (parts.isEmpty())
-        return {};
-    return parts.join(QStringLiteral(", ")) + firstAt(d, [&](std::size_t i) {
-               return d.verdicts[i] != PixelVerdict::Right && d.verdicts[i] != PixelVerdict::OtherFace;
-           });
+    Reasons reasons;
+    addCount(reasons, d.missing, QT_TRANSLATE_NOOP("HardCase", "%1 missing"));
+    addCount(reasons, d.extra, QT_TRANSLATE_NOOP("HardCase", "%1 extra"));
+    addCount(reasons, d.hitTwice, QT_TRANSLATE_NOOP("HardCase", "%1 hit too often"));
+    addCount(reasons, d.hitLess, QT_TRANSLATE_NOOP("HardCase", "%1 hit too seldom"));
+    addFirst(reasons, d, [&](std::size_t i) {
+        return d.verdicts[i] != PixelVerdict::Right && d.verdicts[i] != PixelVerdict::OtherFace;
+    });
+    return reasons;
 }
 
 double depthTolerance(DepthFormat format)
@@ -56,7 +62,7 @@ double depthTolerance(DepthFormat format)
 }
 
 /// Another face than the right one, where there is but one or at a depth that is not the right one either.
-QString otherFaceReason(const CoverageDifference& d, const Frame& frame, const ExactFrame& truth, double tolerance)
+Reasons otherFaceReasons(const CoverageDifference& d, const Frame& frame, const ExactFrame& truth, double tolerance)
 {
     const PixelRect& window = d.window;
     const auto differs = [&](std::size_t i) {
@@ -73,32 +79,41 @@ QString otherFaceReason(const CoverageDifference& d, const Frame& frame, const E
     std::uint64_t count = 0;
     for (std::size_t i = 0; i < d.verdicts.size(); ++i)
         count += differs(i);
-    return count > 0 ? counted(count, "show another face") + firstAt(d, differs) : QString();
+    Reasons reasons;
+    addCount(reasons, count, QT_TRANSLATE_NOOP("HardCase", "%1 show another face"));
+    addFirst(reasons, d, differs);
+    return reasons;
 }
 
-QString expectReason(const Scene& scene, const Outcome& outcome)
+Reasons expectReasons(const Scene& scene, const Outcome& outcome)
 {
     for (const Expectation& line : checkExpectations(scene.expectations, outcome))
         if (!line.holds)
-            return QStringLiteral("expect %1 %2: found %3").arg(line.key, line.value, line.found);
+            return {{QT_TRANSLATE_NOOP("HardCase", "expect %1 %2: found %3"), {line.key, line.value, line.found}}};
     return {};
 }
 
-QString valueReason(const CoverageDifference& d, double tolerance)
+Reasons valueReasons(const CoverageDifference& d, double tolerance)
 {
     if (d.depthMax > tolerance)
-        return QStringLiteral("a depth is %1 off").arg(d.depthMax, 0, 'g', 3);
+        return {{QT_TRANSLATE_NOOP("HardCase", "a depth is %1 off"), {QString::number(d.depthMax, 'g', 3)}}};
     if (d.colorMax > kCaseColorTolerance)
-        return QStringLiteral("a colour is %1 steps off").arg(d.colorMax, 0, 'g', 4);
+        return {{QT_TRANSLATE_NOOP("HardCase", "a colour is %1 steps off"), {QString::number(d.colorMax, 'g', 4)}}};
     return {};
 }
 
 /// What is not exact about a picture that is right.
-QString toleranceReason(const CoverageDifference& d)
+Reasons toleranceReasons(const CoverageDifference& d)
 {
+    Reasons reasons;
     if (d.tolerated > 0)
-        return counted(d.tolerated, "differ, all closer to a true edge than snapping may move it");
-    return counted(d.otherFace, "show another face, closer to the right one than depths are told apart");
+        addCount(reasons, d.tolerated,
+                 QT_TRANSLATE_NOOP("HardCase", "%1 differ, all closer to a true edge than snapping may move it"));
+    else
+        addCount(
+            reasons, d.otherFace,
+            QT_TRANSLATE_NOOP("HardCase", "%1 show another face, closer to the right one than depths are told apart"));
+    return reasons;
 }
 
 } // namespace
@@ -125,30 +140,45 @@ ExactFrame caseTruth(const Scene& scene, Samples samples)
 
 CaseVerdict judgeCase(const Scene& scene, const ExactFrame& truth, const Settings& settings)
 {
-    if (auto reason = unsupported(scene, settings))
-        return {CaseGrade::Unsupported, *reason, {}};
+    if (const auto reason = unsupported(scene, settings))
+        return {CaseGrade::Unsupported, {{"%1", {*reason}}}, {}};
     Frame frame;
     const Statistics statistics = renderCounted(scene, settings, frame, {.depth = true, .ids = true, .coverage = true});
     const double band = scene.exact ? legalBandPixels(settings.size) : 0;
     CoverageDifference difference = coverageDifference(frame, truth, scene.background, band);
     const double tolerance = std::max(depthTolerance(settings.depthFormat), depthTolerance(scene.defaults.depthFormat));
-    QString reason = coverageReason(difference);
-    if (reason.isEmpty())
-        reason = otherFaceReason(difference, frame, truth, tolerance);
-    if (reason.isEmpty() && !scene.exact && difference.otherFace == 0 && settings.samples == scene.defaults.samples)
-        reason = expectReason(scene, outcomeOf(frame, scene, &statistics));
-    if (reason.isEmpty() && !scene.exact)
-        reason = valueReason(difference, tolerance);
-    if (!reason.isEmpty())
-        return {CaseGrade::Fails, std::move(reason), std::move(difference)};
-    reason = toleranceReason(difference);
-    return {reason.isEmpty() ? CaseGrade::Passes : CaseGrade::PassesWithin, std::move(reason), std::move(difference)};
+    Reasons reasons = coverageReasons(difference);
+    if (reasons.empty())
+        reasons = otherFaceReasons(difference, frame, truth, tolerance);
+    if (reasons.empty() && !scene.exact && difference.otherFace == 0 && settings.samples == scene.defaults.samples)
+        reasons = expectReasons(scene, outcomeOf(frame, scene, &statistics));
+    if (reasons.empty() && !scene.exact)
+        reasons = valueReasons(difference, tolerance);
+    if (!reasons.empty())
+        return {CaseGrade::Fails, std::move(reasons), std::move(difference)};
+    reasons = toleranceReasons(difference);
+    return {reasons.empty() ? CaseGrade::Passes : CaseGrade::PassesWithin, std::move(reasons), std::move(difference)};
 }
 
 CaseVerdict judgeReference(const Scene& scene, const ExactFrame& truth)
 {
-    const QString reason = expectReason(scene, outcomeOf(truth, scene.background));
-    return {reason.isEmpty() ? CaseGrade::Passes : CaseGrade::Fails, reason, {}};
+    Reasons reasons = expectReasons(scene, outcomeOf(truth, scene.background));
+    return {reasons.empty() ? CaseGrade::Passes : CaseGrade::Fails, std::move(reasons), {}};
+}
+
+QString textOf(const std::vector<CaseReason>& reasons, Translate translate)
+{
+    const auto translated = [translate](const char* text) {
+        return translate ? translate(text) : QString::fromUtf8(text);
+    };
+    QStringList parts;
+    for (const CaseReason& reason : reasons) {
+        QString part = translated(reason.text);
+        for (const QString& argument : reason.arguments)
+            part = part.arg(argument);
+        parts << part;
+    }
+    return parts.join(translated(QT_TRANSLATE_NOOP("HardCase", ", ")));
 }
 
 } // namespace rasterlens

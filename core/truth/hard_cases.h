@@ -19,25 +19,36 @@ enum class CaseGrade {
     Unsupported, ///< these settings cannot draw it
 };
 
+/// Finds a text in another language; texts of this part of the program are of the context "HardCase".
+using Translate = QString (*)(const char* text);
+
+/// One part of why a case is not exactly right: a text with %1, %2 .. and what stands in their place.
+struct CaseReason {
+    const char* text;
+    QStringList arguments;
+};
+
 /// Whether settings draw a case right, or why not.
 struct CaseVerdict {
     CaseGrade grade = CaseGrade::Passes;
-    QString reason;                ///< `3 extra, first at (12, 7)`; empty when it passes exactly
-    CoverageDifference difference; ///< against the truth
+    std::vector<CaseReason> reasons; ///< empty when it passes exactly
+    CoverageDifference difference;   ///< against the truth
 };
+
+/// `3 extra, first at (12, 7)`, in English without `translate`.
+[[nodiscard]] QString textOf(const std::vector<CaseReason>& reasons, Translate translate = nullptr);
 
 /// Draws a case and compares.
 ///
 /// in      the scene of a case; settings: those of the case as a variant changes them (changedBy()); the caseTruth()
-/// for
-///         as many samples
+///         for as many samples
 /// out     fails when, in this order: a pixel is missing, extra, hit too often or too seldom; another face is seen; an
 ///         `expect` line does not hold; a depth is further off than kCaseDepthTolerance or a code of the format; a
 ///         colour than kCaseColorTolerance. Where several faces cover a pixel and the wrong one is seen, but at a depth
 ///         that is right to that tolerance, the depth buffer could not tell: the case passes within it
-/// covers  with other samples than the case asks for, its `expect` lines are not asked. Cases marked `exact` are the
-/// reference's own. Others snap: they pass within snapping where all that differs
-///         lies within legalBandPixels() of a true edge; `expect` lines, depths and colours are not asked of them
+/// covers  with other samples than the case asks for, its `expect` lines are not asked. Cases marked `exact` are
+///         the reference's own. Others snap: they pass within snapping where all that differs lies within
+///         legalBandPixels() of a true edge; `expect` lines, depths and colours are not asked of them
 [[nodiscard]] CaseVerdict judgeCase(const Scene& scene, const ExactFrame& truth, const Settings& settings);
 
 /// The same for the reference itself: its `expect` lines.

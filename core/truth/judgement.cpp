@@ -5,10 +5,9 @@ namespace rasterlens
 namespace
 {
 
-std::vector<WrongPixel> wrongPixels(const CoverageDifference& difference, const Frame& frame, const ExactFrame& truth)
+void addWrongPixels(std::vector<WrongPixel>& wrong, const CoverageDifference& difference, const Frame& frame,
+                    const ExactFrame& truth)
 {
-    std::vector<WrongPixel> wrong;
-    wrong.reserve(difference.wrong());
     std::size_t i = 0;
     for (int y = 0; y < difference.window.height; ++y)
         for (int x = 0; x < difference.window.width; ++x, ++i)
@@ -21,28 +20,19 @@ std::vector<WrongPixel> wrongPixels(const CoverageDifference& difference, const 
                                   static_cast<std::size_t>(pixel.x)];
                 wrong.push_back(pixel);
             }
-    return wrong;
 }
 
 } // namespace
-
-double judgedSamples(const Scene& scene, const Settings& settings)
-{
-    const double grid = sampleGrid(settings.samples);
-    const QSize size = scene.window ? QSize(scene.window->width, scene.window->height) : settings.size;
-    return double(size.width()) * double(size.height()) * grid * grid;
-}
 
 NotJudged notJudged(const Scene& scene, const Settings& settings)
 {
     if (unsupported(scene, settings))
         return NotJudged::Unsupported;
-    if (settings.fill != Fill::Solid)
-        return NotJudged::NotFilled;
-    return judgedSamples(scene, settings) > kMostJudgedSamples ? NotJudged::TooManySamples : NotJudged::No;
+    return settings.fill == Fill::Solid ? NotJudged::No : NotJudged::NotFilled;
 }
 
-Judgement judge(const Scene& scene, const Settings& settings, const std::stop_token& stop)
+Judgement judge(const Scene& scene, const Settings& settings, const std::stop_token& stop,
+                const ExactProgress& progress)
 {
     Judgement judgement;
     ExactOptions options = exactOptions(scene, settings);
@@ -52,12 +42,22 @@ Judgement judge(const Scene& scene, const Settings& settings, const std::stop_to
 
     Frame frame;
     render(scene, settings, frame, {.depth = true, .ids = true, .coverage = true}, stop);
-    const ExactFrame truth = exactReference(exactTriangles(scene, settings), options, stop);
-    if (stop.stop_requested())
-        return judgement;
-    judgement.nonFinite = truth.nonFinite;
-    judgement.difference = coverageDifference(frame, truth, scene.background, judgement.bandPixels);
-    judgement.wrong = wrongPixels(judgement.difference, frame, truth);
+    const std::vector<ClipTriangle> triangles = exactTriangles(scene, settings);
+    const std::vector<PixelRect> bands = bandsOf(options);
+    for (std::size_t band = 0; band < bands.size(); ++band) {
+        const auto tell = [&](double share) {
+            if (progress)
+                progress((static_cast<double>(band) + share) / static_cast<double>(bands.size()));
+        };
+        options.window = bands[band];
+        const ExactFrame truth = exactReference(triangles, options, stop, tell);
+        if (stop.stop_requested())
+            return judgement;
+        const CoverageDifference part = coverageDifference(frame, truth, scene.background, judgement.bandPixels);
+        addWrongPixels(judgement.wrong, part, frame, truth);
+        judgement.nonFinite = truth.nonFinite;
+        judgement.difference = band == 0 ? part : joined(judgement.difference, part);
+    }
     judgement.difference.verdicts = {};
     return judgement;
 }

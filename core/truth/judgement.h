@@ -2,7 +2,6 @@
 #include "core/scene.h"
 #include "core/truth/coverage_difference.h"
 
-#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -27,20 +26,19 @@ struct Judgement {
     int nonFinite = 0;             ///< faces dropped
 };
 
-/// Why settings are not judged: they cannot be drawn, draw no filled triangles, or the truth about so many samples
-/// would not fit the memory. `kMostJudgedSamples` is the limit.
-enum class NotJudged { No, Unsupported, NotFilled, TooManySamples };
-constexpr double kMostJudgedSamples = 1 << 24; ///< the reference keeps 40 bytes of each
+/// Why settings are not judged: they cannot be drawn, or draw no filled triangles.
+enum class NotJudged { No, Unsupported, NotFilled };
 [[nodiscard]] NotJudged notJudged(const Scene& scene, const Settings& settings);
-/// How many samples the reference would have to compute.
-[[nodiscard]] double judgedSamples(const Scene& scene, const Settings& settings);
 
 /// Draws the settings and holds the picture against the truth.
 ///
 /// in      settings for which notJudged() is No
 /// out     the window of the scene. Scenes that are `exact` are compared with the unsnapped truth; fixed point may then
 ///         differ within legalBandPixels() of an edge
+/// cost    a few doubles a sample, some 20 us a face (exact_reference.h). The truth is computed in bands of rows, so
+///         its memory does not grow with the picture
 /// errors  `stop` ends the work early; what is returned then means nothing
-[[nodiscard]] Judgement judge(const Scene& scene, const Settings& settings, const std::stop_token& stop = {});
+[[nodiscard]] Judgement judge(const Scene& scene, const Settings& settings, const std::stop_token& stop = {},
+                              const ExactProgress& progress = {});
 
 } // namespace rasterlens

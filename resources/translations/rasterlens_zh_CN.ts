@@ -350,8 +350,8 @@
         <translation>错误像素：缺失、多余或重复覆盖</translation>
     </message>
     <message>
-        <source>largest depth error</source>
-        <translation>最大深度误差</translation>
+        <source>largest depth error, range 0 to 1</source>
+        <translation>最大深度误差（范围 0 到 1）</translation>
     </message>
     <message>
         <source>colour error, root mean square, 8-bit steps</source>
@@ -366,8 +366,955 @@
         <translation>每秒百万三角形</translation>
     </message>
     <message>
-        <source>no other is better in both</source>
-        <translation>没有别的变体两方面都更好</translation>
+        <source>frontier</source>
+        <translation>前沿</translation>
+    </message>
+</context>
+<context>
+    <name>HardCase</name>
+    <message>
+        <source>%1 pixels are covered</source>
+        <translation>共覆盖 %1 个像素</translation>
+    </message>
+    <message>
+        <source>every pixel is covered exactly once</source>
+        <translation>每个像素恰好被覆盖一次</translation>
+    </message>
+    <message>
+        <source>%1 holes</source>
+        <translation>空洞 %1 个</translation>
+    </message>
+    <message>
+        <source>%1 pixels are covered by two faces or more</source>
+        <translation>被两个或更多面覆盖的像素：%1 个</translation>
+    </message>
+    <message>
+        <source>no pixel is covered by more than %1 faces</source>
+        <translation>任何像素最多被 %1 个面覆盖</translation>
+    </message>
+    <message>
+        <source>%3 faces cover pixel (%1, %2)</source>
+        <translation>像素 (%1, %2) 被 %3 个面覆盖</translation>
+    </message>
+    <message>
+        <source>face %1 is seen in %2 pixels</source>
+        <translation>面 %1 出现在 %2 个像素中</translation>
+    </message>
+    <message>
+        <source>face %3 is seen at (%1, %2)</source>
+        <translation>在 (%1, %2) 看到面 %3</translation>
+    </message>
+    <message>
+        <source>in %1 strips only the front is seen</source>
+        <translation>有 %1 条带只看到前面的平面</translation>
+    </message>
+    <message>
+        <source>the depth at (%1, %2) is %3</source>
+        <translation>(%1, %2) 处的深度为 %3</translation>
+    </message>
+    <message>
+        <source>the colour at (%1, %2) is %3 %4 %5</source>
+        <translation>(%1, %2) 处的颜色为 %3 %4 %5</translation>
+    </message>
+    <message>
+        <source>%1 faces are dropped for a position that is no number</source>
+        <translation>有 %1 个面因坐标不是有限数而被丢弃</translation>
+    </message>
+    <message>
+        <source>clipping makes %1 corners of a face</source>
+        <translation>裁剪后一个面有 %1 个角</translation>
+    </message>
+    <message>
+        <source>no face is seen at (%1, %2)</source>
+        <translation>在 (%1, %2) 看不到任何面</translation>
+    </message>
+    <message>
+        <source>first at (%1, %2)</source>
+        <translation>首个在 (%1, %2)</translation>
+    </message>
+    <message>
+        <source>%1 missing</source>
+        <translation>缺失 %1</translation>
+    </message>
+    <message>
+        <source>%1 extra</source>
+        <translation>多余 %1</translation>
+    </message>
+    <message>
+        <source>%1 hit too often</source>
+        <translation>命中过多 %1</translation>
+    </message>
+    <message>
+        <source>%1 hit too seldom</source>
+        <translation>命中过少 %1</translation>
+    </message>
+    <message>
+        <source>%1 show another face</source>
+        <translation>%1 个像素显示了别的面</translation>
+    </message>
+    <message>
+        <source>expect %1 %2: found %3</source>
+        <translation>要求 %1 %2，实为 %3</translation>
+    </message>
+    <message>
+        <source>a depth is %1 off</source>
+        <translation>有一处深度相差 %1</translation>
+    </message>
+    <message>
+        <source>a colour is %1 steps off</source>
+        <translation>有一处颜色相差 %1 级</translation>
+    </message>
+    <message>
+        <source>%1 differ, all closer to a true edge than snapping may move it</source>
+        <translation>%1 个像素不同，但都离真实的边很近，没有超出对齐可能造成的移动</translation>
+    </message>
+    <message>
+        <source>%1 show another face, closer to the right one than depths are told apart</source>
+        <translation>%1 个像素显示了别的面，但其深度与正确的面近得无法分辨</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>，</translation>
+    </message>
+    <message>
+        <source>Four triangles meet on the centre pixel of 9 x 9 and share the diagonals through 17 centres: every pixel exactly once.</source>
+        <translation>四个三角形相交于 9 x 9 的中心像素，公共对角线穿过 17 个像素中心：每个像素恰好一次。</translation>
+    </message>
+    <message>
+        <source>A centre on an edge belongs to the face right of it or below it (top-left rule), whoever is drawn first.</source>
+        <translation>落在边上的中心属于边右侧或下方的面（左上规则），与绘制先后无关。</translation>
+    </message>
+    <message>
+        <source>Horizontal edges run through the centres of rows 1, 3, 5: the row belongs to the strip below (top edge).</source>
+        <translation>水平边穿过第 1、3、5 行的中心：该行属于下方的条带（上边）。</translation>
+    </message>
+    <message>
+        <source>Vertical edges run through the centres of columns 1, 3, 5: the column belongs to the strip on the right (left edge).</source>
+        <translation>竖直边穿过第 1、3、5 列的中心：该列属于右侧的条带（左边）。</translation>
+    </message>
+    <message>
+        <source>An edge of slope 1:2 runs through 8 pixel centres of 16 x 16: each belongs to one side only.</source>
+        <translation>斜率 1:2 的边穿过 16 x 16 的 8 个像素中心：每个中心只属于一侧。</translation>
+    </message>
+    <message>
+        <source>An edge of slope 1:4 runs through 4 pixel centres of 16 x 16: each belongs to one side only.</source>
+        <translation>斜率 1:4 的边穿过 16 x 16 的 4 个像素中心：每个中心只属于一侧。</translation>
+    </message>
+    <message>
+        <source>An edge of slope -1:2 runs through 8 pixel centres of 16 x 16: each belongs to one side only.</source>
+        <translation>斜率 -1:2 的边穿过 16 x 16 的 8 个像素中心：每个中心只属于一侧。</translation>
+    </message>
+    <message>
+        <source>An edge of slope 3:4 runs through 4 pixel centres of 16 x 16: each belongs to one side only.</source>
+        <translation>斜率 3:4 的边穿过 16 x 16 的 4 个像素中心：每个中心只属于一侧。</translation>
+    </message>
+    <message>
+        <source>An edge of slope -1:8 runs through 2 pixel centres of 16 x 16: each belongs to one side only.</source>
+        <translation>斜率 -1:8 的边穿过 16 x 16 的 2 个像素中心：每个中心只属于一侧。</translation>
+    </message>
+    <message>
+        <source>A net of quads with every corner on a pixel centre and alternating diagonals: each pixel inside once.</source>
+        <translation>由四边形组成的网格，每个角都在像素中心，对角线交替：内部每个像素恰好一次。</translation>
+    </message>
+    <message>
+        <source>A triangle strip whose faces wind both ways, all edges through centres: winding must not decide who owns an edge.</source>
+        <translation>三角形带，各面环绕方向不一，所有边都穿过中心：边归谁不得由环绕方向决定。</translation>
+    </message>
+    <message>
+        <source>The shared edge lies 1/256 px below a row of centres: the row belongs to the upper face.</source>
+        <translation>公共边在一行中心下方 1/256 像素：该行属于上面的面。</translation>
+    </message>
+    <message>
+        <source>The shared edge lies 1/256 px left of a column of centres: the column belongs to the right face.</source>
+        <translation>公共边在一列中心左侧 1/256 像素：该列属于右面的面。</translation>
+    </message>
+    <message>
+        <source>The same face with its corners in all six orders: each covers the same pixels.</source>
+        <translation>同一个面，三个角的六种排列：每次覆盖相同的像素。</translation>
+    </message>
+    <message>
+        <source>Nine faces round a hub on a pixel centre: the hub pixel and all others exactly once.</source>
+        <translation>九个面围绕位于像素中心的轴点：轴点像素和其他像素都恰好一次。</translation>
+    </message>
+    <message>
+        <source>Many edges meet in one point; a rule that looks at one edge at a time must still add up to one.</source>
+        <translation>许多边相交于一点；每次只看一条边的规则合起来仍必须恰好为一次。</translation>
+    </message>
+    <message>
+        <source>A fan whose hub lies on a pixel corner: every pixel exactly once.</source>
+        <translation>轴点在像素角上的扇形：每个像素恰好一次。</translation>
+    </message>
+    <message>
+        <source>Every other face of a fan winds the other way: every pixel exactly once.</source>
+        <translation>扇形中每隔一个面环绕方向相反：每个像素恰好一次。</translation>
+    </message>
+    <message>
+        <source>A fan of narrow faces round a hub 1/256 px right of and above a centre: every pixel exactly once.</source>
+        <translation>窄面组成的扇形，轴点在某中心右上方 1/256 像素：每个像素恰好一次。</translation>
+    </message>
+    <message>
+        <source>96 slivers meet in one point of a 32 x 32 viewport: every pixel exactly once.</source>
+        <translation>96 个细长三角形在 32 x 32 视口中相交于一点：每个像素恰好一次。</translation>
+    </message>
+    <message>
+        <source>A fan whose hub lies on the left border of the viewport at the height of a centre.</source>
+        <translation>轴点在视口左边界上、与某像素中心同高的扇形。</translation>
+    </message>
+    <message>
+        <source>A 24-gon as a fan from one of its corners: covered pixels once, no hole.</source>
+        <translation>从一个角出发的扇形组成的正二十四边形：覆盖的像素各一次，没有空洞。</translation>
+    </message>
+    <message>
+        <source>A sliver 1/256 px wide just right of a column of centres covers nothing.</source>
+        <translation>紧挨一列中心右侧、宽 1/256 像素的细条什么也不覆盖。</translation>
+    </message>
+    <message>
+        <source>Too thin to hold a centre inside; only a centre on a left or top edge counts.</source>
+        <translation>太细，内部容不下中心；只有落在左边或上边上的中心才算。</translation>
+    </message>
+    <message>
+        <source>A sliver 1/256 px wide whose left edge is on the centres covers the column.</source>
+        <translation>宽 1/256 像素、左边落在中心上的细条覆盖这一列。</translation>
+    </message>
+    <message>
+        <source>A sliver 1/256 px wide whose right edge is on the centres covers nothing: a right edge does not own its points.</source>
+        <translation>宽 1/256 像素、右边落在中心上的细条什么也不覆盖：右边不拥有其上的点。</translation>
+    </message>
+    <message>
+        <source>A sliver 2/256 px wide round the centres covers the column.</source>
+        <translation>宽 2/256 像素、夹住中心的细条覆盖这一列。</translation>
+    </message>
+    <message>
+        <source>A sliver 1/256 px high whose upper edge is on the centres covers the row (top edge).</source>
+        <translation>高 1/256 像素、上边落在中心上的细条覆盖这一行（上边）。</translation>
+    </message>
+    <message>
+        <source>A sliver 1/256 px high whose lower edge is on the centres covers nothing.</source>
+        <translation>高 1/256 像素、下边落在中心上的细条什么也不覆盖。</translation>
+    </message>
+    <message>
+        <source>64 slivers of 1/256 px side by side across a column of centres, and a quad on either side: watertight.</source>
+        <translation>64 个宽 1/256 像素的细条并排跨过一列中心，两侧各一个四边形：严丝合缝。</translation>
+    </message>
+    <message>
+        <source>Two slivers on either side of the diagonal through the centres: only the one that has it as its left edge is drawn.</source>
+        <translation>穿过中心的对角线两侧各一个细条：只画以它为左边的那个。</translation>
+    </message>
+    <message>
+        <source>A face 16 px long and 2/256 px wide at its far end, tip on a centre.</source>
+        <translation>长 16 像素、远端宽 2/256 像素的面，尖端在像素中心。</translation>
+    </message>
+    <message>
+        <source>A needle 4096 px long and 1/2 px wide at its foot, seen through a window near its foot: one pixel a row.</source>
+        <translation>长 4096 像素、底宽 1/2 像素的针，从底部附近的窗口看：每行一个像素。</translation>
+    </message>
+    <message>
+        <source>Long edges need the most bits: the error of a rounded slope grows with the distance.</source>
+        <translation>长边需要的位数最多：斜率舍入的误差随距离增大。</translation>
+    </message>
+    <message>
+        <source>A needle 16384 px long and 1/256 px wide with a centre on its left edge every 64 px.</source>
+        <translation>长 16384 像素、宽 1/256 像素的针，左边上每 64 像素有一个中心。</translation>
+    </message>
+    <message>
+        <source>Two needles point at one pixel centre from above and from below: the tip belongs to neither, since what lies right of it belongs to neither.</source>
+        <translation>两根针从上下指向同一个像素中心：尖端不属于任何一根，因为它右侧不属于任何一根。</translation>
+    </message>
+    <message>
+        <source>Sixteen needles from the rim to one pixel centre: their common tip is hit once, by the needle on its right.</source>
+        <translation>十六根针从边缘指向同一个像素中心：公共尖端只命中一次，归其右侧的针。</translation>
+    </message>
+    <message>
+        <source>Four faces round the screen centre reach out to 1e9: every pixel exactly once.</source>
+        <translation>围绕屏幕中心的四个面伸展到 1e9：每个像素恰好一次。</translation>
+    </message>
+    <message>
+        <source>Far corners must be cut before anything is rounded to a fixed grid.</source>
+        <translation>远处的角必须先裁剪，再对齐到固定网格。</translation>
+    </message>
+    <message>
+        <source>Four faces round the screen centre reach out to 1e20: every pixel exactly once.</source>
+        <translation>围绕屏幕中心的四个面伸展到 1e20：每个像素恰好一次。</translation>
+    </message>
+    <message>
+        <source>Four faces round the screen centre reach out to 3e38: every pixel exactly once.</source>
+        <translation>围绕屏幕中心的四个面伸展到 3e38：每个像素恰好一次。</translation>
+    </message>
+    <message>
+        <source>One edge of slope 1:2 through the viewport, its ends at 1e9, must not move: 1 px is 1e-8 of its length.</source>
+        <translation>斜率 1:2 的边穿过视口，两端在 1e9，不得移动：1 像素只是其长度的 1e-8。</translation>
+    </message>
+    <message>
+        <source>All three corners are near the largest float32: the viewport is covered once.</source>
+        <translation>三个角都接近最大的 float32：视口被覆盖一次。</translation>
+    </message>
+    <message>
+        <source>A corner at 1e-30, one at 1 and one at 1e30 in clip space with w alike: their screen positions are ordinary.</source>
+        <translation>裁剪空间中三个角分别在 1e-30、1 和 1e30，w 也相应：屏幕位置是普通的。</translation>
+    </message>
+    <message>
+        <source>Corners with w = 1e30 and coordinates of that size: an ordinary face.</source>
+        <translation>w = 1e30、坐标同样大小的角：一个普通的面。</translation>
+    </message>
+    <message>
+        <source>Two faces share an edge that leaves the viewport at both ends at 1e6: no pixel twice, none missed.</source>
+        <translation>两个面的公共边两端都伸出视口到 1e6：像素不重复也不遗漏。</translation>
+    </message>
+    <message>
+        <source>Three collinear corners, the line runs through centres: nothing is drawn.</source>
+        <translation>三个角共线，直线穿过中心：什么也不画。</translation>
+    </message>
+    <message>
+        <source>Facing and coverage are those of the snapped corners; no area, no pixels.</source>
+        <translation>朝向和覆盖由对齐后的角决定；没有面积就没有像素。</translation>
+    </message>
+    <message>
+        <source>Faces of one or two distinct points draw nothing.</source>
+        <translation>只有一个或两个不同点的面什么也不画。</translation>
+    </message>
+    <message>
+        <source>A face smaller than a snapping step round a pixel centre vanishes on snapping.</source>
+        <translation>像素中心周围小于一个对齐步长的面，对齐后消失。</translation>
+    </message>
+    <message>
+        <source>A face 7 px long and 1/1024 px high round a row of centres vanishes on snapping.</source>
+        <translation>一行中心周围长 7 像素、高 1/1024 像素的面，对齐后消失。</translation>
+    </message>
+    <message>
+        <source>The same kind of face without snapping: it covers the centres it holds.</source>
+        <translation>同样的面不做对齐：覆盖它包含的中心。</translation>
+    </message>
+    <message>
+        <source>Three corners exactly on one line snap to a triangle that holds two centres: what is drawn is the snapped face.</source>
+        <translation>恰好共线的三个角对齐成了包含两个中心的三角形：画的是对齐后的面。</translation>
+    </message>
+    <message>
+        <source>A degenerate face across the viewport with its ends at 1e9 draws nothing.</source>
+        <translation>横穿视口、两端在 1e9 的退化面什么也不画。</translation>
+    </message>
+    <message>
+        <source>NaN in x, y, z or w of one corner drops the face, the good face between them stays.</source>
+        <translation>某个角的 x、y、z 或 w 为 NaN 时丢弃该面，夹在中间的正常面保留。</translation>
+    </message>
+    <message>
+        <source>A comparison with NaN is false either way; such a face is dropped and counted.</source>
+        <translation>与 NaN 的比较总为假；这样的面被丢弃并计数。</translation>
+    </message>
+    <message>
+        <source>Inf and -Inf in x, y, z or w drop the face.</source>
+        <translation>x、y、z 或 w 为 Inf 或 -Inf 时丢弃该面。</translation>
+    </message>
+    <message>
+        <source>Infinity times zero is NaN; such a face is dropped and counted.</source>
+        <translation>无穷乘以零是 NaN；这样的面被丢弃并计数。</translation>
+    </message>
+    <message>
+        <source>A face of nothing but NaN, one of nothing but Inf, and a good one.</source>
+        <translation>一个面全是 NaN，一个全是 Inf，一个正常。</translation>
+    </message>
+    <message>
+        <source>w = Inf does not put a corner on the screen centre: the face is dropped.</source>
+        <translation>w = Inf 并不会把角放到屏幕中心：该面被丢弃。</translation>
+    </message>
+    <message>
+        <source>Corners at the largest float32 in all four coordinates are finite: the face is ordinary.</source>
+        <translation>四个坐标都是最大的 float32 的角仍是有限的：这个面是普通的。</translation>
+    </message>
+    <message>
+        <source>Finite, but any sum of two coordinates overflows in float32.</source>
+        <translation>有限，但任意两个坐标之和在 float32 中溢出。</translation>
+    </message>
+    <message>
+        <source>Clip coordinates of a few times 2^-149, the smallest float32: an ordinary face.</source>
+        <translation>裁剪坐标只有最小 float32（2^-149）的几倍：一个普通的面。</translation>
+    </message>
+    <message>
+        <source>Scaling x, y, z and w together changes nothing, however small they get.</source>
+        <translation>同时缩放 x、y、z、w 不改变任何东西，无论多小。</translation>
+    </message>
+    <message>
+        <source>w is denormal and so are x and y; flushing to zero would make w = 0.</source>
+        <translation>w、x、y 都是非规格化数；若冲刷为零，就会得到 w = 0。</translation>
+    </message>
+    <message>
+        <source>One corner is 2^-149 right of the screen centre: it snaps to it.</source>
+        <translation>一个角在屏幕中心右侧 2^-149：对齐到屏幕中心。</translation>
+    </message>
+    <message>
+        <source>-0 behaves like 0 in every coordinate.</source>
+        <translation>任何坐标中的 -0 都等同于 0。</translation>
+    </message>
+    <message>
+        <source>The sign of a zero means nothing.</source>
+        <translation>零的符号没有意义。</translation>
+    </message>
+    <message>
+        <source>w = -0 is w = 0: the corner is at infinity, the face is clipped.</source>
+        <translation>w = -0 就是 w = 0：角在无穷远，面被裁剪。</translation>
+    </message>
+    <message>
+        <source>The corner in the middle of the long edge lies exactly on it: no crack, no overlap.</source>
+        <translation>长边中间的角恰好在边上：没有裂缝，也没有重叠。</translation>
+    </message>
+    <message>
+        <source>A corner on a neighbour&apos;s edge is only safe if the grid can hold it exactly on the edge.</source>
+        <translation>邻面边上的角只有在网格能让它恰好落在边上时才安全。</translation>
+    </message>
+    <message>
+        <source>The corner lies 1/256 px right of the long edge: the crack is real and swallows the two centres in it.</source>
+        <translation>角在长边右侧 1/256 像素：裂缝真实存在，吞掉其中两个中心。</translation>
+    </message>
+    <message>
+        <source>The corner lies 2/256 px left of the long edge: the one centre in the overlap is covered twice.</source>
+        <translation>角在长边左侧 2/256 像素：重叠处的一个中心被覆盖两次。</translation>
+    </message>
+    <message>
+        <source>The corner of the crack, with the long edge split there: every pixel once.</source>
+        <translation>裂缝处的角，长边也在那里断开：每个像素一次。</translation>
+    </message>
+    <message>
+        <source>Corners exactly on x = -w and x = w: no cut, the borders belong to the picture.</source>
+        <translation>角恰好在 x = -w 和 x = w 上：不切割，边界属于画面。</translation>
+    </message>
+    <message>
+        <source>The planes of the clip volume belong to it: on a plane is inside.</source>
+        <translation>裁剪体的平面属于裁剪体：在平面上即在内部。</translation>
+    </message>
+    <message>
+        <source>All corners on the near plane z = -w: inside, depth exactly 0.</source>
+        <translation>所有角都在近平面 z = -w 上：在内部，深度恰为 0。</translation>
+    </message>
+    <message>
+        <source>All corners on the far plane z = w: inside, but depth 1 is not less than the cleared 1.</source>
+        <translation>所有角都在远平面 z = w 上：在内部，但深度 1 不小于清除值 1。</translation>
+    </message>
+    <message>
+        <source>All corners on the far plane: with lequal depth 1 passes against the cleared 1.</source>
+        <translation>所有角都在远平面上：用 lequal 时深度 1 能通过与清除值 1 的比较。</translation>
+    </message>
+    <message>
+        <source>An edge on the near plane, the third corner behind it: only the edge is left, nothing is drawn.</source>
+        <translation>一条边在近平面上，第三个角在其后：只剩下这条边，什么也不画。</translation>
+    </message>
+    <message>
+        <source>One corner on the near plane, one before and one behind it: three corners are left.</source>
+        <translation>一个角在近平面上，一个在前，一个在后：剩下三个角。</translation>
+    </message>
+    <message>
+        <source>A corner in the corner of the volume (w, w, w).</source>
+        <translation>一个角位于裁剪体的角 (w, w, w)。</translation>
+    </message>
+    <message>
+        <source>A face one float32 step beyond x = -w at w = 1: cut, no column lost.</source>
+        <translation>在 w = 1 处超出 x = -w 一个 float32 步长的面：被切割，不丢任何一列。</translation>
+    </message>
+    <message>
+        <source>A cut close to a corner gives a very short edge.</source>
+        <translation>靠近角的切割会产生极短的边。</translation>
+    </message>
+    <message>
+        <source>A corner at infinity above: the face is a strip that leaves the screen at the top.</source>
+        <translation>一个角在上方无穷远：面成为一条从屏幕顶部伸出的带子。</translation>
+    </message>
+    <message>
+        <source>w &gt; 0 is what is in front of the eye; dividing by any other w mirrors or explodes.</source>
+        <translation>w &gt; 0 才在眼睛前方；除以其他 w 会镜像或爆炸。</translation>
+    </message>
+    <message>
+        <source>Two corners at infinity: a wedge that opens to the right.</source>
+        <translation>两个角在无穷远：向右张开的楔形。</translation>
+    </message>
+    <message>
+        <source>All corners at infinity: nothing is inside w &gt; 0.</source>
+        <translation>所有角都在无穷远：没有任何部分在 w &gt; 0 内。</translation>
+    </message>
+    <message>
+        <source>A corner at (0, 0, 0, 0): the face is seen edge-on and draws nothing.</source>
+        <translation>一个角在 (0, 0, 0, 0)：面正好侧对眼睛，什么也不画。</translation>
+    </message>
+    <message>
+        <source>Two faces share an edge to a corner at infinity: no pixel twice, none missed.</source>
+        <translation>两个面的公共边通向无穷远的角：像素不重复也不遗漏。</translation>
+    </message>
+    <message>
+        <source>One corner behind the eye: the face goes on beyond the other two, not between.</source>
+        <translation>一个角在眼睛后面：面在另两个角之外延伸，而不是在它们之间。</translation>
+    </message>
+    <message>
+        <source>Two corners behind the eye.</source>
+        <translation>两个角在眼睛后面。</translation>
+    </message>
+    <message>
+        <source>All corners behind the eye: nothing, though the divide would give an ordinary face.</source>
+        <translation>所有角都在眼睛后面：什么也没有，尽管做除法会得到一个普通的面。</translation>
+    </message>
+    <message>
+        <source>A corner with w = -1e-30: just behind the eye.</source>
+        <translation>一个角的 w = -1e-30：刚好在眼睛后面。</translation>
+    </message>
+    <message>
+        <source>Two faces across w = 0, one front and one back: culling after clipping keeps the front one.</source>
+        <translation>两个面跨过 w = 0，一正一反：裁剪后再剔除会保留正面。</translation>
+    </message>
+    <message>
+        <source>Every corner is outside, none beyond the same plane; the viewport is covered.</source>
+        <translation>每个角都在外面，但不在同一平面之外；视口被覆盖。</translation>
+    </message>
+    <message>
+        <source>Testing corners is not enough: a face may cross the view with all corners outside.</source>
+        <translation>只检查角是不够的：所有角都在外面的面也可能穿过视野。</translation>
+    </message>
+    <message>
+        <source>Corners outside two planes each, the face passes the viewport corner without touching it: clipped to nothing.</source>
+        <translation>每个角都在两个平面之外，面从视口角旁经过而不相碰：裁剪后什么也不剩。</translation>
+    </message>
+    <message>
+        <source>The same, but the face cuts the corner of the viewport.</source>
+        <translation>同上，但面切过视口的角。</translation>
+    </message>
+    <message>
+        <source>Six faces, each beyond one plane of the volume: nothing.</source>
+        <translation>六个面，各在裁剪体的一个平面之外：什么也没有。</translation>
+    </message>
+    <message>
+        <source>The plane of the face runs through the eye: edge-on, nothing.</source>
+        <translation>面所在的平面穿过眼睛：正好侧对，什么也没有。</translation>
+    </message>
+    <message>
+        <source>A face seen edge-on has no area on the screen, one nearly so has very little.</source>
+        <translation>正好侧对的面在屏幕上没有面积，近乎侧对的面积极小。</translation>
+    </message>
+    <message>
+        <source>A face through the eye with a corner behind it: still edge-on.</source>
+        <translation>穿过眼睛且有一个角在其后的面：仍是侧对。</translation>
+    </message>
+    <message>
+        <source>The floor 1e-6 below the eye, from the near plane to w = 1000: one row of pixels at most.</source>
+        <translation>眼睛下方 1e-6 的地面，从近平面到 w = 1000：最多一行像素。</translation>
+    </message>
+    <message>
+        <source>Corners with w of 1e-6 and 1e-7: large coordinates after the divide.</source>
+        <translation>w 为 1e-6 和 1e-7 的角：除法之后坐标很大。</translation>
+    </message>
+    <message>
+        <source>Sixteen strips of two planes at z and z(1 + 2^-k), k = 2..17; near 0.1, far 100, z 50, float32: so many strips show the front plane.</source>
+        <translation>十六条带，每条两个平面在 z 和 z(1 + 2^-k)，k = 2..17；近 0.1，远 100，z 50，float32：有这么多条带显示前面的平面。</translation>
+    </message>
+    <message>
+        <source>z/w crowds towards the far plane; the format of the depth buffer decides what stays apart.</source>
+        <translation>z/w 向远平面聚集；深度缓冲的格式决定还能分辨什么。</translation>
+    </message>
+    <message>
+        <source>Sixteen strips of two planes at z and z(1 + 2^-k), k = 2..17; near 0.1, far 100, z 50, unorm24: so many strips show the front plane.</source>
+        <translation>十六条带，每条两个平面在 z 和 z(1 + 2^-k)，k = 2..17；近 0.1，远 100，z 50，unorm24：有这么多条带显示前面的平面。</translation>
+    </message>
+    <message>
+        <source>Sixteen strips of two planes at z and z(1 + 2^-k), k = 2..17; near 0.1, far 100, z 50, unorm16: so many strips show the front plane.</source>
+        <translation>十六条带，每条两个平面在 z 和 z(1 + 2^-k)，k = 2..17；近 0.1，远 100，z 50，unorm16：有这么多条带显示前面的平面。</translation>
+    </message>
+    <message>
+        <source>Sixteen strips of two planes at z and z(1 + 2^-k), k = 2..17; near 0.1, far 10000, z 1000, float32: so many strips show the front plane.</source>
+        <translation>十六条带，每条两个平面在 z 和 z(1 + 2^-k)，k = 2..17；近 0.1，远 10000，z 1000，float32：有这么多条带显示前面的平面。</translation>
+    </message>
+    <message>
+        <source>Sixteen strips of two planes at z and z(1 + 2^-k), k = 2..17; near 0.1, far 10000, z 1000, unorm24: so many strips show the front plane.</source>
+        <translation>十六条带，每条两个平面在 z 和 z(1 + 2^-k)，k = 2..17；近 0.1，远 10000，z 1000，unorm24：有这么多条带显示前面的平面。</translation>
+    </message>
+    <message>
+        <source>Sixteen strips of two planes at z and z(1 + 2^-k), k = 2..17; near 0.1, far 10000, z 1000, unorm16: so many strips show the front plane.</source>
+        <translation>十六条带，每条两个平面在 z 和 z(1 + 2^-k)，k = 2..17；近 0.1，远 10000，z 1000，unorm16：有这么多条带显示前面的平面。</translation>
+    </message>
+    <message>
+        <source>Sixteen strips of two planes at z and z(1 + 2^-k), k = 2..17; near 1e-05, far 1e+06, z 1, float32: so many strips show the front plane.</source>
+        <translation>十六条带，每条两个平面在 z 和 z(1 + 2^-k)，k = 2..17；近 1e-05，远 1e+06，z 1，float32：有这么多条带显示前面的平面。</translation>
+    </message>
+    <message>
+        <source>Sixteen strips of two planes at z and z(1 + 2^-k), k = 2..17; near 1e-05, far 1e+06, z 1, unorm24: so many strips show the front plane.</source>
+        <translation>十六条带，每条两个平面在 z 和 z(1 + 2^-k)，k = 2..17；近 1e-05，远 1e+06，z 1，unorm24：有这么多条带显示前面的平面。</translation>
+    </message>
+    <message>
+        <source>Sixteen strips of two planes at z and z(1 + 2^-k), k = 2..17; near 1e-05, far 1e+06, z 1, unorm16: so many strips show the front plane.</source>
+        <translation>十六条带，每条两个平面在 z 和 z(1 + 2^-k)，k = 2..17；近 1e-05，远 1e+06，z 1，unorm16：有这么多条带显示前面的平面。</translation>
+    </message>
+    <message>
+        <source>Sixteen strips of two planes at z and z(1 + 2^-k), k = 2..17; reversed z in the 0..w range keeps float32 apart.</source>
+        <translation>十六条带，每条两个平面在 z 和 z(1 + 2^-k)，k = 2..17；0..w 范围的反向 z 让 float32 仍能分辨。</translation>
+    </message>
+    <message>
+        <source>Sixteen strips of two planes at z and z(1 + 2^-k), k = 2..17; reversed z in the -w..w range.</source>
+        <translation>十六条带，每条两个平面在 z 和 z(1 + 2^-k)，k = 2..17；-w..w 范围的反向 z。</translation>
+    </message>
+    <message>
+        <source>Sixteen strips of two planes at z and z(1 + 2^-k), k = 2..17; far / near = 1e11: what clip space in float32 still tells apart.</source>
+        <translation>十六条带，每条两个平面在 z 和 z(1 + 2^-k)，k = 2..17；远 / 近 = 1e11：float32 的裁剪空间还能分辨多少。</translation>
+    </message>
+    <message>
+        <source>Sixteen strips of two planes at z and z(1 + 2^-k), k = 2..17; far / near = 1e11, reversed in 0..w: the exact depths stay apart.</source>
+        <translation>十六条带，每条两个平面在 z 和 z(1 + 2^-k)，k = 2..17；远 / 近 = 1e11，0..w 反向：精确深度仍能分辨。</translation>
+    </message>
+    <message>
+        <source>Four planes within one step of unorm16, drawn from far to near: the first three take one code and the first of them stays, the fourth takes the next code and wins.</source>
+        <translation>四个平面相差在 unorm16 的一个步长之内，由远到近绘制：前三个取同一编码，其中第一个保留，第四个取下一个编码而获胜。</translation>
+    </message>
+    <message>
+        <source>Four planes within one step of unorm24, drawn from far to near: the first three take one code and the first of them stays, the fourth takes the next code and wins.</source>
+        <translation>四个平面相差在 unorm24 的一个步长之内，由远到近绘制：前三个取同一编码，其中第一个保留，第四个取下一个编码而获胜。</translation>
+    </message>
+    <message>
+        <source>The same face twice: with less the first one stays.</source>
+        <translation>同一个面画两次：用 less 时保留第一个。</translation>
+    </message>
+    <message>
+        <source>Equal depths are decided by the test and the order alone; interpolation must not add noise.</source>
+        <translation>深度相等时只由比较方式和顺序决定；插值不得带来噪声。</translation>
+    </message>
+    <message>
+        <source>The same face twice: with lequal the second one wins every pixel.</source>
+        <translation>同一个面画两次：用 lequal 时第二个赢得所有像素。</translation>
+    </message>
+    <message>
+        <source>A slanted quad twice with either diagonal; all corners exactly in one plane: less must keep the first pair.</source>
+        <translation>倾斜的四边形用两条对角线各画一次，所有角恰好共面：less 必须保留第一对。</translation>
+    </message>
+    <message>
+        <source>A small face in the plane of a large one, drawn after it with lequal: it shows everywhere it covers.</source>
+        <translation>大面所在平面内的小面，随后用 lequal 绘制：覆盖之处处处可见。</translation>
+    </message>
+    <message>
+        <source>Two quads cross along a column of centres, where their depths are equal: less keeps the first there.</source>
+        <translation>两个四边形沿一列中心相交，那里深度相等：less 保留第一个。</translation>
+    </message>
+    <message>
+        <source>Where two faces cross, the winner changes along a line that no corner knows.</source>
+        <translation>两个面相交处，胜者沿一条任何角都不知道的线改变。</translation>
+    </message>
+    <message>
+        <source>Three faces that overlap in a ring: each is in front of the next and behind the one before.</source>
+        <translation>三个面循环重叠：每个都在下一个之前、上一个之后。</translation>
+    </message>
+    <message>
+        <source>A wall pierces a floor seen in perspective: the line where they meet is that of exact depths.</source>
+        <translation>透视中墙穿过地面：交线由精确深度决定。</translation>
+    </message>
+    <message>
+        <source>Two planes one float32 step of clip z apart, the nearer drawn last: exact depths let it win everywhere.</source>
+        <translation>两个平面的裁剪 z 相差一个 float32 步长，近的后画：精确深度让它处处获胜。</translation>
+    </message>
+    <message>
+        <source>Two planes 2^-149 of clip z apart at z = 0: no finite format after the divide keeps them apart, exact depths do.</source>
+        <translation>两个平面在 z = 0 处的裁剪 z 相差 2^-149：除法之后没有任何有限格式能分辨，精确深度可以。</translation>
+    </message>
+    <message>
+        <source>With greater the buffer starts at 0 and the farther face wins.</source>
+        <translation>用 greater 时缓冲从 0 开始，较远的面获胜。</translation>
+    </message>
+    <message>
+        <source>Without a depth test the last face wins, near or far.</source>
+        <translation>没有深度测试时最后画的面获胜，无论远近。</translation>
+    </message>
+    <message>
+        <source>Depth 0 in front of a face, and depth 1 against the cleared buffer.</source>
+        <translation>深度 0 在一个面之前，深度 1 对比清除后的缓冲。</translation>
+    </message>
+    <message>
+        <source>A floor from w = 1 to w = 10, red runs from 0 at its near edge to 1 at its far one: colours are those of the true perspective.</source>
+        <translation>从 w = 1 到 w = 10 的地面，红色从近边的 0 变到远边的 1：颜色符合真实透视。</translation>
+    </message>
+    <message>
+        <source>Colours are linear in space, not on the screen: interpolate c/w and 1/w.</source>
+        <translation>颜色在空间中是线性的，在屏幕上不是：应插值 c/w 和 1/w。</translation>
+    </message>
+    <message>
+        <source>A floor from w = 1 to w = 100, red runs from 0 at its near edge to 1 at its far one: colours are those of the true perspective.</source>
+        <translation>从 w = 1 到 w = 100 的地面，红色从近边的 0 变到远边的 1：颜色符合真实透视。</translation>
+    </message>
+    <message>
+        <source>A floor from w = 1 to w = 1000, red runs from 0 at its near edge to 1 at its far one: colours are those of the true perspective.</source>
+        <translation>从 w = 1 到 w = 1000 的地面，红色从近边的 0 变到远边的 1：颜色符合真实透视。</translation>
+    </message>
+    <message>
+        <source>A floor from w = 1 to w = 10000, red runs from 0 at its near edge to 1 at its far one: colours are those of the true perspective.</source>
+        <translation>从 w = 1 到 w = 10000 的地面，红色从近边的 0 变到远边的 1：颜色符合真实透视。</translation>
+    </message>
+    <message>
+        <source>A constant colour over w from 1 to 10000 stays what it is in every pixel.</source>
+        <translation>w 从 1 到 10000，常数颜色在每个像素中保持不变。</translation>
+    </message>
+    <message>
+        <source>Three corners with w = 1, 4 and 64: red, green and blue mix with the weights of the true perspective.</source>
+        <translation>三个角的 w 为 1、4 和 64：红绿蓝按真实透视的权重混合。</translation>
+    </message>
+    <message>
+        <source>A floor that goes on behind the eye: colours in front are not pulled by the corner behind.</source>
+        <translation>延伸到眼睛后面的地面：前方的颜色不受后面的角影响。</translation>
+    </message>
+    <message>
+        <source>With equal w the perspective-correct colour is the affine one.</source>
+        <translation>w 相等时，透视校正的颜色就是仿射插值的颜色。</translation>
+    </message>
+    <message>
+        <source>At one pixel of a 4096 viewport the edge value is one unit of 1/65536 px^2 on the inside: covered. float32 cannot tell.</source>
+        <translation>在 4096 视口的某个像素，边函数值在内侧只有一个单位（1/65536 像素²）：被覆盖。float32 分辨不出。</translation>
+    </message>
+    <message>
+        <source>The difference of two products of 24-bit numbers needs more bits than float32 or a careless float64 has.</source>
+        <translation>两个 24 位数乘积之差所需的位数，超过 float32 或随意使用的 float64。</translation>
+    </message>
+    <message>
+        <source>At one pixel of a 4096 viewport the edge value is one unit of 1/65536 px^2 on the outside: not covered.</source>
+        <translation>在 4096 视口的某个像素，边函数值在外侧只有一个单位（1/65536 像素²）：不被覆盖。</translation>
+    </message>
+    <message>
+        <source>At one pixel of a 4096 viewport the edge value is exactly 0 far from its ends; the left edge owns its points.</source>
+        <translation>在 4096 视口的某个像素，远离端点处的边函数值恰为 0；左边拥有其上的点。</translation>
+    </message>
+    <message>
+        <source>A face of 8 x 8 px at the far end of 16384 px: its edges need the low bits of large coordinates.</source>
+        <translation>16384 像素远端的 8 x 8 像素的面：它的边需要大坐标的低位。</translation>
+    </message>
+    <message>
+        <source>An edge that falls by 3 px over 16384: adding its slope step by step in float32 leaves it.</source>
+        <translation>在 16384 像素上下降 3 像素的边：用 float32 逐步累加斜率会偏离它。</translation>
+    </message>
+    <message>
+        <source>Errors of a running sum grow with the number of steps.</source>
+        <translation>累加的误差随步数增大。</translation>
+    </message>
+    <message>
+        <source>An edge that moves 5 px to the right over 16384 rows.</source>
+        <translation>在 16384 行中右移 5 像素的边。</translation>
+    </message>
+    <message>
+        <source>Red runs from 0 to 1 over 10000 px: the last pixels tell how far a running sum has drifted.</source>
+        <translation>红色在 10000 像素内从 0 变到 1：最后的像素显示累加漂移了多少。</translation>
+    </message>
+    <message>
+        <source>Depth runs from 0 to 1 over 16384 px: depth is linear on the screen to the last pixel.</source>
+        <translation>深度在 16384 像素内从 0 变到 1：直到最后一个像素都在屏幕上线性。</translation>
+    </message>
+    <message>
+        <source>A face that every plane of the volume cuts: nine corners are left.</source>
+        <translation>被裁剪体每个平面切到的面：剩下九个角。</translation>
+    </message>
+    <message>
+        <source>Every plane may add a corner: three and six make nine.</source>
+        <translation>每个平面最多增加一个角：三加六得九。</translation>
+    </message>
+    <message>
+        <source>Nine corners with the near plane at z = 0.</source>
+        <translation>近平面在 z = 0 时的九个角。</translation>
+    </message>
+    <message>
+        <source>Eight corners are left.</source>
+        <translation>剩下八个角。</translation>
+    </message>
+    <message>
+        <source>A net larger than the viewport, w from 1 to 4 at random: cut by the side planes, still watertight.</source>
+        <translation>大于视口的网格，w 在 1 到 4 之间随机：被侧面平面切割，仍严丝合缝。</translation>
+    </message>
+    <message>
+        <source>Both faces of a shared edge must compute the same new corner where a plane cuts it.</source>
+        <translation>平面切过公共边时，两侧的面必须算出同一个新角。</translation>
+    </message>
+    <message>
+        <source>The same with every other cell wound the other way: still watertight.</source>
+        <translation>同上，每隔一格环绕方向相反：仍严丝合缝。</translation>
+    </message>
+    <message>
+        <source>A net that reaches 40 times the viewport.</source>
+        <translation>伸展到视口 40 倍的网格。</translation>
+    </message>
+    <message>
+        <source>A net that dips through the near plane: where it is left no pixel is hit twice.</source>
+        <translation>穿过近平面的网格：剩余部分没有像素被重复命中。</translation>
+    </message>
+    <message>
+        <source>A net that dips through the far plane: where it is left no pixel is hit twice.</source>
+        <translation>穿过远平面的网格：剩余部分没有像素被重复命中。</translation>
+    </message>
+    <message>
+        <source>A ground net from behind the eye to the distance: below the horizon no pixel is missed or hit twice.</source>
+        <translation>从眼睛后面延伸到远方的地面网格：地平线以下没有像素遗漏或重复。</translation>
+    </message>
+    <message>
+        <source>Two faces share the diagonal of a 1 x 1 viewport: every pixel exactly once.</source>
+        <translation>两个面共用 1 x 1 视口的对角线：每个像素恰好一次。</translation>
+    </message>
+    <message>
+        <source>Loops over blocks and tiles must end where the viewport ends.</source>
+        <translation>按块和瓦片的循环必须在视口边界处结束。</translation>
+    </message>
+    <message>
+        <source>Two faces share the diagonal of a 1 x 16384 viewport: every pixel exactly once.</source>
+        <translation>两个面共用 1 x 16384 视口的对角线：每个像素恰好一次。</translation>
+    </message>
+    <message>
+        <source>Two faces share the diagonal of a 3 x 5 viewport: every pixel exactly once.</source>
+        <translation>两个面共用 3 x 5 视口的对角线：每个像素恰好一次。</translation>
+    </message>
+    <message>
+        <source>Two faces share the diagonal of a 2 x 2 viewport: every pixel exactly once.</source>
+        <translation>两个面共用 2 x 2 视口的对角线：每个像素恰好一次。</translation>
+    </message>
+    <message>
+        <source>Two faces share the diagonal of a 17 x 13 viewport: every pixel exactly once.</source>
+        <translation>两个面共用 17 x 13 视口的对角线：每个像素恰好一次。</translation>
+    </message>
+    <message>
+        <source>Two faces share the diagonal of a 255 x 1 viewport: every pixel exactly once.</source>
+        <translation>两个面共用 255 x 1 视口的对角线：每个像素恰好一次。</translation>
+    </message>
+    <message>
+        <source>Two faces share the diagonal of a 127 x 63 viewport: every pixel exactly once.</source>
+        <translation>两个面共用 127 x 63 视口的对角线：每个像素恰好一次。</translation>
+    </message>
+    <message>
+        <source>Two faces share the diagonal of a 1 x 257 viewport: every pixel exactly once.</source>
+        <translation>两个面共用 1 x 257 视口的对角线：每个像素恰好一次。</translation>
+    </message>
+    <message>
+        <source>Two faces share the diagonal of a 16384 x 2 viewport: every pixel exactly once.</source>
+        <translation>两个面共用 16384 x 2 视口的对角线：每个像素恰好一次。</translation>
+    </message>
+    <message>
+        <source>Culling front faces keeps the clockwise one.</source>
+        <translation>剔除正面后留下顺时针的面。</translation>
+    </message>
+    <message>
+        <source>Facing is the sign of the snapped area after clipping.</source>
+        <translation>朝向是裁剪并对齐后面积的符号。</translation>
+    </message>
+    <message>
+        <source>A thin front face turns its back on snapping: culled by its snapped area.</source>
+        <translation>细薄的正面对齐后翻成了背面：按对齐后的面积剔除。</translation>
+    </message>
+    <message>
+        <source>A closed box drawn without culling: every pixel inside is covered by a front and a back face.</source>
+        <translation>不剔除地画封闭盒子：内部每个像素被一个正面和一个背面覆盖。</translation>
+    </message>
+    <message>
+        <source>The same box with back faces culled: every pixel inside exactly once.</source>
+        <translation>同一个盒子剔除背面：内部每个像素恰好一次。</translation>
+    </message>
+    <message>
+        <source>Corners halfway between two steps of 1/1 px round to the even one.</source>
+        <translation>位于两个 1/1 像素步长正中的角舍入到偶数步。</translation>
+    </message>
+    <message>
+        <source>Rounding half to even has no drift to either side.</source>
+        <translation>半数取偶的舍入不会偏向任何一侧。</translation>
+    </message>
+    <message>
+        <source>Corners halfway between two steps of 1/2 px round to the even one.</source>
+        <translation>位于两个 1/2 像素步长正中的角舍入到偶数步。</translation>
+    </message>
+    <message>
+        <source>Corners halfway between two steps of 1/4 px round to the even one.</source>
+        <translation>位于两个 1/4 像素步长正中的角舍入到偶数步。</translation>
+    </message>
+    <message>
+        <source>Corners halfway between two steps of 1/8 px round to the even one.</source>
+        <translation>位于两个 1/8 像素步长正中的角舍入到偶数步。</translation>
+    </message>
+    <message>
+        <source>Corners halfway between two steps of 1/32 px round to the even one.</source>
+        <translation>位于两个 1/32 像素步长正中的角舍入到偶数步。</translation>
+    </message>
+    <message>
+        <source>A net snapped to whole pixels: all its edges run along pixel corners, still watertight.</source>
+        <translation>对齐到整像素的网格：所有边都沿像素角走，仍严丝合缝。</translation>
+    </message>
+    <message>
+        <source>Edges 1/512 px beside the centres: one rounds onto them, the other a step further.</source>
+        <translation>边在中心旁 1/512 像素：一条舍入到中心上，另一条再远一步。</translation>
+    </message>
+    <message>
+        <source>Corners at thirds of a pixel, not snapped: the truth of the unsnapped face.</source>
+        <translation>角在三分之一像素处，不对齐：未对齐的面的真值。</translation>
+    </message>
+    <message>
+        <source>The truth without a grid; other renderers snap as usual.</source>
+        <translation>不用网格的真值；其他渲染方式照常对齐。</translation>
+    </message>
+    <message>
+        <source>A face whose snapped and unsnapped coverage differ; this is the unsnapped one.</source>
+        <translation>对齐与不对齐覆盖不同的面；这里是不对齐的。</translation>
+    </message>
+    <message>
+        <source>The same face snapped: its edges lie on the centres again.</source>
+        <translation>同一个面对齐后：边又落在中心上。</translation>
+    </message>
+    <message>
+        <source>The grid moves edges by up to 1/512 px.</source>
+        <translation>网格使边最多移动 1/512 像素。</translation>
+    </message>
+    <message>
+        <source>A face cut by the near plane, not snapped: the cut runs where z = -w exactly.</source>
+        <translation>被近平面切割且不对齐的面：切口恰好在 z = -w 处。</translation>
+    </message>
+    <message>
+        <source>4 samples a pixel: corners snap to pixels, not samples; border pixels mix face and background.</source>
+        <translation>每像素 4 个样本：角按像素而不是按样本对齐；边界像素混合面与背景。</translation>
+    </message>
+    <message>
+        <source>Samples lie at (i + 1/2) / N of a pixel.</source>
+        <translation>样本位于像素的 (i + 1/2) / N 处。</translation>
+    </message>
+    <message>
+        <source>9 samples a pixel: corners snap to pixels, not samples; border pixels mix face and background.</source>
+        <translation>每像素 9 个样本：角按像素而不是按样本对齐；边界像素混合面与背景。</translation>
+    </message>
+    <message>
+        <source>16 samples a pixel: corners snap to pixels, not samples; border pixels mix face and background.</source>
+        <translation>每像素 16 个样本：角按像素而不是按样本对齐；边界像素混合面与背景。</translation>
+    </message>
+    <message>
+        <source>Two faces of one colour share a diagonal under 16 samples a pixel: no seam in the colour.</source>
+        <translation>同色的两个面共用对角线，每像素 16 个样本：颜色没有接缝。</translation>
+    </message>
+    <message>
+        <source>With a 0..w range a face at z = 0 is on the near plane: inside, depth 0.</source>
+        <translation>在 0..w 范围下，z = 0 的面在近平面上：在内部，深度 0。</translation>
+    </message>
+    <message>
+        <source>The clip volume is 0 &lt;= z &lt;= w and depth is z/w.</source>
+        <translation>裁剪体是 0 &lt;= z &lt;= w，深度是 z/w。</translation>
+    </message>
+    <message>
+        <source>With a 0..w range a face at z = -w/2 is behind the near plane: nothing.</source>
+        <translation>在 0..w 范围下，z = -w/2 的面在近平面后面：什么也没有。</translation>
+    </message>
+    <message>
+        <source>A slanted face cut at z = 0; depth is z/w unchanged.</source>
+        <translation>在 z = 0 处切割的倾斜面；深度仍是 z/w。</translation>
+    </message>
+    <message>
+        <source>The background has a colour of its own; a black face on it counts as covered.</source>
+        <translation>背景有自己的颜色；其上的黑色面算作覆盖。</translation>
+    </message>
+    <message>
+        <source>A pixel is covered because a face covers it, not because its colour differs from the background.</source>
+        <translation>像素被覆盖是因为有面覆盖它，而不是因为颜色与背景不同。</translation>
+    </message>
+    <message>
+        <source>Three faces along edges that fall over 16384 px: float32 edge values, added up column by column, lose pixels at the end of a row.</source>
+        <translation>三个面的边在 16384 像素内下降：float32 边函数值逐列累加，在行末丢失像素。</translation>
+    </message>
+    <message>
+        <source>Evaluated anew at every pixel, float32 is right here: it is the running sum that drifts.</source>
+        <translation>每个像素重新计算时 float32 在这里是对的：漂移的是累加。</translation>
+    </message>
+    <message>
+        <source>Three faces along edges that rise over 16384 px: float32 edge values, added up column by column, take pixels of the neighbour.</source>
+        <translation>三个面的边在 16384 像素内上升：float32 边函数值逐列累加，会占走邻面的像素。</translation>
+    </message>
+    <message>
+        <source>Cutting and snapping to whole pixels fold this face over itself, round (6,4) (0,6) (15,3) (16,3): it covers its hull, once.</source>
+        <translation>切割并对齐到整像素使这个面折叠，绕 (6,4) (0,6) (15,3) (16,3)：它覆盖自己的凸包，各一次。</translation>
+    </message>
+    <message>
+        <source>No corner of the snapped outline sees all of it, so no fan of triangles covers it without hitting samples twice.</source>
+        <translation>对齐后的轮廓没有一个角能看到全部，所以任何三角形扇都会重复命中样本。</translation>
     </message>
 </context>
 <context>
@@ -1945,6 +2892,10 @@
         <source>Copy as text</source>
         <translation>复制为文本</translation>
     </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::CaseBrowser</name>
@@ -2134,6 +3085,14 @@
         <source>Differences are multiplied by this before they are coloured</source>
         <translation>差异先乘以此数再上色</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>另有 %1 项</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::Comparison</name>
@@ -2262,22 +3221,21 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::Dock</name>
+    <message>
+        <source>Close this panel; the menu View opens it again</source>
+        <translation>关闭此面板；可从“视图”菜单重新打开</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::ExperimentModel</name>
     <message>
         <source>On the frontier: no other variant is at least as fast with less error</source>
         <translation>在前沿上：没有别的变体误差更小且同样快</translation>
     </message>
     <message>
-        <source>Median, tenth and ninetieth percentile</source>
-        <translation>中位数，第 10 与第 90 百分位</translation>
-    </message>
-    <message>
         <source>Variant</source>
         <translation>变体</translation>
-    </message>
-    <message>
-        <source>ns per pixel</source>
-        <translation>纳秒/像素</translation>
     </message>
     <message>
         <source>Mtri/s</source>
@@ -2286,6 +3244,14 @@
     <message>
         <source>Error</source>
         <translation>误差</translation>
+    </message>
+    <message>
+        <source>%1: median; a row&apos;s tool-tip adds the tenth and ninetieth percentile</source>
+        <translation>%1：中位数；行的提示中另有第 10 与第 90 百分位</translation>
+    </message>
+    <message>
+        <source>ns/px</source>
+        <translation>ns/像素</translation>
     </message>
 </context>
 <context>
@@ -2418,18 +3384,6 @@
     <message>
         <source>pixel (%1, %2)</source>
         <translation>像素 (%1, %2)</translation>
-    </message>
-    <message>
-        <source>face %1</source>
-        <translation>面 %1</translation>
-    </message>
-    <message>
-        <source>background</source>
-        <translation>背景</translation>
-    </message>
-    <message>
-        <source>depth %1</source>
-        <translation>深度 %1</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no pixel of the picture. Write x, y with 0 to %2 and 0 to %3.</source>
@@ -3286,15 +4240,15 @@
         <source>Click a pixel of the picture: here you see every face that could concern it, how far it got, and the numbers that decided.</source>
         <translation>点击画面上的一个像素：这里会列出所有可能与它有关的面、各走到了哪一步，以及起决定作用的数字。</translation>
     </message>
-    <message numerus="yes">
-        <source>and %n more faces; Copy as text has them all</source>
-        <translation>
-            <numerusform>还有 %n 个面；“复制为文本”包含全部</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No face comes near this pixel.</source>
         <translation>没有面靠近这个像素。</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more faces; Copy has them all</source>
+        <translation>
+            <numerusform>另有 %n 个面；“复制”可得到全部</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3373,6 +4327,25 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::ReadoutBar</name>
+    <message>
+        <source>pixel (%1, %2)</source>
+        <translation>像素 (%1, %2)</translation>
+    </message>
+    <message>
+        <source>face %1</source>
+        <translation>面 %1</translation>
+    </message>
+    <message>
+        <source>depth %1</source>
+        <translation>深度 %1</translation>
+    </message>
+    <message>
+        <source>background</source>
+        <translation>背景</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::Referee</name>
     <message>
         <source>not checked: these settings cannot be drawn</source>
@@ -3381,10 +4354,6 @@
     <message>
         <source>not checked: only filled triangles have a true coverage</source>
         <translation>未核对：只有填充的三角形才有真实覆盖</translation>
-    </message>
-    <message>
-        <source>not checked: %1 samples, and memory is set aside for %2. Choose a smaller picture.</source>
-        <translation>未核对：共 %1 个样本，而内存只留给 %2 个。请选用更小的画面。</translation>
     </message>
     <message>
         <source>checking …</source>
@@ -3445,6 +4414,14 @@
     <message>
         <source>%1 missing</source>
         <translation>缺失 %1</translation>
+    </message>
+    <message>
+        <source>not checked: there is not enough memory for another picture of this size</source>
+        <translation>未检查：内存不足以再存一幅这样大的画面</translation>
+    </message>
+    <message>
+        <source>checking … %1 %</source>
+        <translation>正在检查……%1 %</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,74 @@
+#pragma once
+#include "core/truth/exact_geometry.h"
+#include "core/truth/exact_reference.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+// One face of the exact reference; below exact_reference.cpp, nobody else includes it.
+
+namespace rasterlens::exact
+{
+
+/// One triangle to interpolate over: three weights that are >= 0 inside and as the perspective-correct ones to each
+/// other.
+struct Piece {
+    std::array<Linear, 3> weights;
+    Linear depthNumerator;
+    Integer depthDenominator; // > 0
+    std::array<glm::dvec3, 3> colors;
+    std::int32_t face;
+};
+
+/// Which piece of which triangle of the submitted ones.
+struct PieceIndex {
+    std::int32_t triangle = -1; ///< -1: none
+    std::int32_t piece = 0;     ///< of its fan
+};
+
+/// A face on the screen.
+struct Outline {
+    enum class Fate { Drawn, Outside, Degenerate, Culled };
+
+    Fate fate = Fate::Drawn;
+    int sign = 0;                      ///< of its area on the screen, y down
+    std::vector<ScreenCorner> corners; ///< clipped and snapped where faces are
+    std::vector<Snapped> polygon;      ///< the same corners on the lattice; empty where nothing snaps
+    std::vector<glm::dvec2> trueEdges; ///< clipped corners before snapping, in pixels; empty unless asked for
+    int clippedCorners = 0;            ///< 0 where nothing is clipped
+    std::int32_t face = 0;
+};
+
+/// Makes outlines of faces and pieces of outlines: always the same ones of the same face.
+class FaceSetup
+{
+public:
+    explicit FaceSetup(const ExactOptions& options);
+
+    [[nodiscard]] const Lattice& lattice() const { return m_lattice; }
+
+    /// in   finite positions
+    [[nodiscard]] Outline outlineOf(const ClipTriangle& triangle) const;
+    /// The triangles round the first corner.
+    ///
+    /// in   an outline whose fate is to be drawn
+    [[nodiscard]] std::vector<Piece> fanOf(const Outline& outline) const;
+
+private:
+    [[nodiscard]] Outline unsnappedOutline(const ClipTriangle& triangle, const std::array<Corner, 3>& corners) const;
+    [[nodiscard]] Outline snappedOutline(const ClipTriangle& triangle, const std::array<Corner, 3>& corners) const;
+    [[nodiscard]] std::vector<ScreenCorner> screenPolygon(std::span<const Corner> clipped,
+                                                          const ClipTriangle& triangle) const;
+    [[nodiscard]] std::vector<glm::dvec2> pixelsOf(const std::vector<ScreenCorner>& polygon) const;
+    [[nodiscard]] Outline::Fate fateOf(int areaSign) const;
+    [[nodiscard]] Piece pieceOf(const std::array<ScreenCorner, 3>& corners, const Integer& det,
+                                std::int32_t face) const;
+
+    const ExactOptions& m_options;
+    Lattice m_lattice;
+};
+
+} // namespace rasterlens::exact
