@@ -146,10 +146,10 @@ struct PlaneSet {
     std::array<HalfFloats, 4> origin, perX, perY;
 };
 
-HWY_INLINE PlaneSet AffinePlanes(const WeightLanes<HalfFloats>& weights, const ColorLanes3& colors)
+HWY_INLINE PlaneSet AffinePlanes(const WeightLanes<HalfFloats>& weights, const ColorLanes3& colors, float white)
 {
     constexpr HalfFloatTag tag;
-    const HalfFloats scale = hn::Set(tag, 255.0F);
+    const HalfFloats scale = hn::Set(tag, white);
     PlaneSet planes;
     planes.origin[0] = hn::Set(tag, 1.0F);
     planes.perX[0] = planes.perY[0] = hn::Zero(tag);
@@ -168,7 +168,7 @@ HWY_INLINE PlaneSet AffinePlanes(const WeightLanes<HalfFloats>& weights, const C
 ///
 /// out  how those lanes' colours are found
 inline HalfInts MakePerspective(const Rules& rules, const PlaneGeometry& g, const ColorLanes3& colors,
-                                hn::Mask<HalfFloatTag> affine, PlaneSet& planes)
+                                hn::Mask<HalfFloatTag> affine, float white, PlaneSet& planes)
 {
     constexpr DoubleTag tag;
     const WeightLanes<Doubles> weights = MakeWeights(g);
@@ -192,7 +192,7 @@ inline HalfInts MakePerspective(const Rules& rules, const PlaneGeometry& g, cons
     for (std::size_t i = 0; i < 3; ++i) {
         std::array<Doubles, 3> value;
         for (std::size_t k = 0; k < 3; ++k)
-            value[k] = hn::Mul(hn::Mul(hn::PromoteTo(tag, colors.channel[k][i]), hn::Set(tag, 255.0)), q[k]);
+            value[k] = hn::Mul(hn::Mul(hn::PromoteTo(tag, colors.channel[k][i]), hn::Set(tag, double(white))), q[k]);
         makePlane(i + 1, value);
     }
 
@@ -209,11 +209,19 @@ inline HalfInts MakePerspective(const Rules& rules, const PlaneGeometry& g, cons
     return hn::IfThenElse(hn::RebindMask(HalfIntTag(), affine), way(ColorWay::Affine), other);
 }
 
+/// What shading texture puts into the colour planes.
+struct TextureLanes {
+    HalfFloats origin, perX, perY; ///< 1/w, which others have only where colours need it
+    HalfInts texture;
+};
+
 /// Colour planes of one vector of triangles.
 ///
-/// in   which lanes are wanted; their anchors, samples of the target
+/// in   which lanes are wanted; their anchors, samples of the target; null: there is no texture
+/// out  colours times 255, or as they are if they are to be multiplied with texels
 HWY_INLINE void MakeColorPlanes(const Rules& rules, const PlaneGeometry& g, const CornerColors& corners,
-                                std::uint32_t lanes, HalfInts anchorX, HalfInts anchorY, ColorPlaneLanes& out)
+                                std::uint32_t lanes, HalfInts anchorX, HalfInts anchorY, const TextureLanes* textured,
+                                ColorPlaneLanes& out)
 {
     constexpr HalfFloatTag tag;
     const ColorLanes3 colors = LoadColors(corners);
@@ -223,18 +231,25 @@ HWY_INLINE void MakeColorPlanes(const Rules& rules, const PlaneGeometry& g, cons
     const WeightLanes<HalfFloats> weights =
         MakeWeights(tag, toSamples(g.abX), toSamples(g.abY), toSamples(g.acX), toSamples(g.acY), toSamples(g.toAnchorX),
                     toSamples(g.toAnchorY), hn::DemoteTo(tag, g.inverseArea));
-    PlaneSet planes = AffinePlanes(weights, colors);
+    const float white = textured != nullptr ? 1.0F : 255.0F;
+    PlaneSet planes = AffinePlanes(weights, colors, white);
     HalfInts way = hn::Set(HalfIntTag(), static_cast<std::int32_t>(ColorWay::Affine));
     const auto affine = ColorsAreAffine(rules, colors, weights.steepness);
     if (HWY_UNLIKELY((lanes & ~BitsOf(tag, affine)) != 0))
-        way = MakePerspective(rules, g, colors, affine, planes);
+        way = MakePerspective(rules, g, colors, affine, white, planes);
+    if (textured != nullptr) {
+        planes.origin[0] = textured->origin;
+        planes.perX[0] = textured->perX;
+        planes.perY[0] = textured->perY;
+    }
     const auto store = [](const std::array<HalfFloats, 4>& v, auto& to)
                            HWY_ATTR { hn::StoreInterleaved4(v[0], v[1], v[2], v[3], HalfFloatTag(), to.data()); };
     store(planes.origin, out.origin);
     store(planes.perX, out.perX);
     store(planes.perY, out.perY);
     hn::StoreInterleaved4(hn::ConvertTo(tag, anchorX), hn::ConvertTo(tag, anchorY), hn::BitCast(tag, way),
-                          hn::Zero(tag), tag, out.rest.data());
+                          hn::BitCast(tag, textured != nullptr ? textured->texture : hn::Zero(HalfIntTag())), tag,
+                          out.rest.data());
 }
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE

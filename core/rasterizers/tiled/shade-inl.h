@@ -14,6 +14,7 @@
 #include "core/rasterizers/tiled/lanes-inl.h"
 #include "core/rasterizers/tiled/shaders-inl.h"
 #include "core/rasterizers/tiled/subtile-inl.h"
+#include "core/rasterizers/tiled/textured-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
@@ -44,7 +45,6 @@ HWY_INLINE const void* FetchVaryings(const Chunk& chunk, std::uint32_t number)
 HWY_INLINE const void* FetchVaryings(Shading shading, const Chunk& chunk, std::uint32_t number)
 {
     switch (shading) {
-    case Shading::Texture: return FetchVaryings<kTextureVaryings>(chunk, number);
     case Shading::Phong: return FetchVaryings<kPhongVaryings>(chunk, number);
     case Shading::Normals: return FetchVaryings<kNormalVaryings>(chunk, number);
     case Shading::Uv: return FetchVaryings<kUvVaryings>(chunk, number);
@@ -62,7 +62,7 @@ HWY_INLINE std::uint32_t VisiblePlace(const FrameJob& job, std::uint32_t number,
     const Chunk& chunk = worker.chunkOf(number);
     const std::uint32_t source = worker.triangle(number).source;
     const Shading shading = job.rules.shading;
-    const void* varyings = job.interpolates() ? FetchVaryings(shading, chunk, worker.colors(number).varyings) : nullptr;
+    const void* varyings = job.interpolates() ? FetchVaryings(shading, chunk, worker.colors(number).extra) : nullptr;
     worker.visible.push_back({source, &chunk, varyings, faceUniforms(*job.scene, faceOf(chunk, source), shading)});
     return place;
 }
@@ -196,6 +196,16 @@ inline void CountShares(const FrameJob& job, Worker& worker)
     }
 }
 
+inline void ColorTextured(const FrameJob& job, Worker& worker, TileOrigin origin)
+{
+    worker.precise.number.fill(kNobody);
+    switch (job.rules.textureFilter) {
+    case TextureFilter::Nearest: ColorTile<Textured<TextureFilter::Nearest>>(job, worker, origin); break;
+    case TextureFilter::Bilinear: ColorTile<Textured<TextureFilter::Bilinear>>(job, worker, origin); break;
+    case TextureFilter::Trilinear: ColorTile<Textured<TextureFilter::Trilinear>>(job, worker, origin); break;
+    }
+}
+
 inline void ShadeTile(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
     const bool overdraw = job.rules.shading == Shading::Overdraw;
@@ -204,7 +214,11 @@ inline void ShadeTile(const FrameJob& job, Worker& worker, TileOrigin origin)
             worker.samples.color[i] = overdrawColor(worker.samples.coverage[i]);
     worker.resolvedSubtiles = 0;
     if (job.color != nullptr && job.rules.shading == Shading::Gouraud) {
-        ColorTile(job, worker, origin);
+        ColorTile<Interpolated>(job, worker, origin);
+        return;
+    }
+    if (job.color != nullptr && job.rules.shading == Shading::Texture) {
+        ColorTextured(job, worker, origin);
         return;
     }
     const bool shades = job.color != nullptr && !overdraw;
@@ -222,11 +236,11 @@ inline void ShadeTile(const FrameJob& job, Worker& worker, TileOrigin origin)
     case Shading::Flat:
     case Shading::RandomFlat:
     case Shading::TriangleId: ShadeUniform(worker); break;
-    case Shading::Texture: ShadeVaryings<TextureShader>(job, worker, origin); break;
     case Shading::Phong: ShadeVaryings<PhongShader>(job, worker, origin); break;
     case Shading::Normals: ShadeVaryings<NormalShader>(job, worker, origin); break;
     case Shading::Uv: ShadeVaryings<UvShader>(job, worker, origin); break;
     case Shading::Gouraud:
+    case Shading::Texture:
     case Shading::Overdraw: break;
     }
 }

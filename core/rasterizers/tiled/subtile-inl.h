@@ -139,6 +139,7 @@ HWY_INLINE void PrefetchBlocks(const FrameJob& job, TileOrigin origin, int first
 }
 
 /// Colours four blocks side by side; with one sample a pixel they go into the picture at once.
+template <class Shader>
 HWY_INLINE void ColorBlockRow(const FrameJob& job, Worker& worker, TileOrigin origin, int firstBlock)
 {
     constexpr int kAhead = 8;
@@ -148,21 +149,23 @@ HWY_INLINE void ColorBlockRow(const FrameJob& job, Worker& worker, TileOrigin or
     if (direct && firstBlock + kAhead < kTileBlocks)
         PrefetchBlocks(job, origin, firstBlock + kAhead);
     for (int i = 0; i < 4; ++i)
-        ColorWholeBlock(job, worker, origin, static_cast<std::size_t>(firstBlock + i), out + i * kLanes);
+        ColorWholeBlock<Shader>(job, worker, origin, static_cast<std::size_t>(firstBlock + i), out + i * kLanes);
     if (direct)
         writeBlocks(job, origin, firstBlock, row.data());
 }
 
 /// Colours a whole tile.
+template <class Shader>
 inline void ColorTile(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
     const bool whole = origin.x + kTileSide <= job.rules.columns() && origin.y + kTileSide <= job.rules.rows();
-    const bool takesSubtiles = whole && job.rules.sampleGrid == 4 && !job.counting;
+    const bool takesSubtiles =
+        std::is_same_v<Shader, Interpolated> && whole && job.rules.sampleGrid == 4 && !job.counting;
     for (int subtile = 0; subtile < kLanes; ++subtile) {
         if (takesSubtiles && TakeSubtile(job, worker, origin, subtile))
             continue;
         for (int block = subtile * kLanes; block < (subtile + 1) * kLanes; block += 4)
-            ColorBlockRow(job, worker, origin, block);
+            ColorBlockRow<Shader>(job, worker, origin, block);
     }
 }
 

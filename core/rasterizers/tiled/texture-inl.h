@@ -31,6 +31,16 @@ HWY_INLINE RgbLanes Unpack(Uints texels)
     return {channel(hn::ShiftRight<16>(bits)), channel(hn::ShiftRight<8>(bits)), channel(bits)};
 }
 
+HWY_INLINE RgbLanes Scale(const RgbLanes& a, Floats by)
+{
+    return {hn::Mul(a.red, by), hn::Mul(a.green, by), hn::Mul(a.blue, by)};
+}
+
+HWY_INLINE RgbLanes Scale(const RgbLanes& a, const RgbLanes& by)
+{
+    return {hn::Mul(a.red, by.red), hn::Mul(a.green, by.green), hn::Mul(a.blue, by.blue)};
+}
+
 HWY_INLINE Floats Mix(Floats a, Floats b, Floats part) { return hn::Add(a, hn::Mul(hn::Sub(b, a), part)); }
 
 HWY_INLINE RgbLanes Mix(const RgbLanes& a, const RgbLanes& b, Floats part)
@@ -110,13 +120,17 @@ HWY_INLINE RgbLanes Bilinear(const TexelLanes& from, Floats u, Floats v, hn::Mas
                Mix(texel(x.first, y.second), texel(x.second, y.second), x.part), y.part);
 }
 
-HWY_INLINE RgbLanes SampleNearest(const Texture& texture, Floats u, Floats v, hn::Mask<FloatTag> wanted)
+/// Places of the texels that hold the points, and the first of all for lanes that are not wanted.
+HWY_INLINE Ints TexelPlaces(const Texture& texture, Floats u, Floats v, hn::Mask<FloatTag> wanted)
 {
     constexpr IntTag tag;
     const Ints row = hn::Mul(NearestTexel(v, texture.height), hn::Set(tag, texture.width));
-    const Ints index = hn::Add(row, NearestTexel(u, texture.width));
-    return Unpack(
-        hn::GatherIndex(UintTag(), texture.texels.data(), hn::IfThenElseZero(hn::RebindMask(tag, wanted), index)));
+    return hn::IfThenElseZero(hn::RebindMask(tag, wanted), hn::Add(row, NearestTexel(u, texture.width)));
+}
+
+HWY_INLINE RgbLanes SampleNearest(const Texture& texture, Floats u, Floats v, hn::Mask<FloatTag> wanted)
+{
+    return Unpack(hn::GatherIndex(UintTag(), texture.texels.data(), TexelPlaces(texture, u, v, wanted)));
 }
 
 HWY_INLINE RgbLanes SampleBilinear(const Texture& texture, Floats u, Floats v, hn::Mask<FloatTag> wanted)

@@ -24,8 +24,8 @@ inline void CollectBlocks(const FrameJob& job, std::size_t tile, Worker& worker)
     for (const Chunk& chunk : *job.chunks) {
         const Bin& bin = chunk.bins[tile];
         for (std::uint32_t block = bin.first; block != kNobody; block = chunk.arena.next(block))
-            worker.blocks.push_back(
-                {&chunk.arena.block(block), &chunk, block == bin.last ? bin.used : BinBlock::kCapacity});
+            worker.blocks.push_back({&chunk.arena.block(block), chunk.arena.texels(block), &chunk,
+                                     block == bin.last ? bin.used : BinBlock::kCapacity});
     }
 }
 

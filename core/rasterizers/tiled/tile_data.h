@@ -109,9 +109,24 @@ struct alignas(64) ColorPlanes {
     float x0; ///< the anchor, a sample of the target
     float y0;
     ColorWay way;
-    std::uint32_t varyings; ///< of shadings that have more than colours: the number of their VaryingPlanes, and no more
+    /// Shading texture: place of the texture in the scene. Other shadings that have more than colours: the number of
+    /// their VaryingPlanes, and nothing else in here.
+    std::uint32_t extra;
 };
 static_assert(sizeof(ColorPlanes) == 64);
+
+/// Texture coordinates of a triangle over w, as planes over the target: what shading texture has beside ColorPlanes,
+/// whose anchor and 1/w it shares. They are counted in texels from half a texel behind `first`, so that rounding to a
+/// whole number finds the texel, and small numbers keep small errors.
+struct alignas(32) TexelPlanes {
+    std::array<float, 2> origin; ///< at the anchor: u, v
+    float certain;               ///< both coordinates closer than this to a whole number: the texel is the right one
+    std::array<std::uint16_t, 2> first;
+    std::array<float, 2> perX;
+    std::array<float, 2> perY;
+};
+static_assert(sizeof(TexelPlanes) == 32);
+constexpr int kMostTexels = 1 << 16; ///< along an axis, for TexelPlanes::first
 
 /// A triangle that is not a face of the mesh as it stands: cut by a clip plane, or beyond the numbers of the fast path.
 struct Piece {
@@ -128,15 +143,27 @@ struct BinBlock {
     std::array<ColorPlanes, kCapacity> colors; ///< of shadings that interpolate a colour
 };
 
+/// The same triangles' planes of shading texture.
+using TexelBlock = std::array<TexelPlanes, BinBlock::kCapacity>;
+
 /// Blocks of bins, by number. Their memory is kept from frame to frame.
 class BinArena
 {
 public:
-    void reset() { m_next.clear(); }
+    void reset(bool textured)
+    {
+        m_next.clear();
+        m_textured = textured;
+    }
     [[nodiscard]] std::uint32_t allocate();
     [[nodiscard]] BinBlock& block(std::uint32_t number) const
     {
         return m_slabs[number / kSlabBlocks].data()[number % kSlabBlocks];
+    }
+    /// Null with other shadings than texture.
+    [[nodiscard]] TexelBlock* texels(std::uint32_t number) const
+    {
+        return m_textured ? &m_texelSlabs[number / kSlabBlocks].data()[number % kSlabBlocks] : nullptr;
     }
     /// The block that follows in its bin, or kNobody.
     [[nodiscard]] std::uint32_t& next(std::uint32_t number) { return m_next[number]; }
@@ -145,11 +172,14 @@ public:
 private:
     static constexpr std::size_t kSlabBlocks = 512; // 2 MiB
     std::vector<LargeArray<BinBlock>> m_slabs;
+    std::vector<LargeArray<TexelBlock>> m_texelSlabs;
+    bool m_textured = false;
     std::vector<std::uint32_t> m_next; ///< apart from the blocks: a walk along a list touches few lines
 };
 
 struct Bin {
     BinBlock* lastBlock = nullptr;
+    TexelBlock* lastTexels = nullptr;
     std::uint32_t first = kNobody;
     std::uint32_t last = kNobody;
     std::uint32_t used = BinBlock::kCapacity; ///< triangles in the last block
@@ -180,16 +210,20 @@ struct Chunk {
     struct Slot {
         TileTriangle* triangle;
         ColorPlanes* colors;
+        TexelPlanes* texels; ///< null with other shadings than texture
     };
     Slot append(std::size_t tile)
     {
         Bin& bin = bins[tile];
         if (bin.used == BinBlock::kCapacity)
             grow(bin);
-        const Slot slot{&bin.lastBlock->triangles[bin.used], &bin.lastBlock->colors[bin.used]};
+        const Slot slot{&bin.lastBlock->triangles[bin.used], &bin.lastBlock->colors[bin.used],
+                        bin.lastTexels != nullptr ? &(*bin.lastTexels)[bin.used] : nullptr};
         ++bin.used;
         __builtin_prefetch(slot.triangle + 1, 1); // the next one comes after those of many other tiles
         __builtin_prefetch(slot.colors + 1, 1);
+        if (slot.texels != nullptr)
+            __builtin_prefetch(slot.texels + 1, 1);
         return slot;
     }
 
