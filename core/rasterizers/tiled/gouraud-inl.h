@@ -65,31 +65,13 @@ HWY_INLINE Uints ColorAt(const ColorPlanes& planes, Floats x, Floats y)
     return PackHeld(hn::Mul(plane(1), w), hn::Mul(plane(2), w), hn::Mul(plane(3), w));
 }
 
-/// A vector of samples of a block.
-struct BlockLanes {
-    int x, y; ///< first sample of the block, of the target
-    std::size_t vector;
-};
+/// A block's place: in the tile, and its first sample on the target.
+struct BlockPlace {
+    TileOrigin origin;
+    std::size_t block;
 
-/// Samples that are left to the scalar stages, a bit each.
-struct LeftLanes {
-    std::uint32_t bits = 0;
-
-    HWY_INLINE void add(hn::Mask<FloatTag> lanes, std::size_t vector)
-    {
-        bits |= BitsOf(FloatTag(), lanes) << (vector * kPerVector);
-    }
-};
-
-/// Shading gouraud at vectors of samples of a triangle.
-struct Interpolated {
-    const ColorPlanes& colors;
-
-    HWY_INLINE Interpolated(const FrameJob&, Worker& worker, std::uint32_t number) : colors(worker.colors(number)) {}
-    HWY_INLINE Uints colorAt(const BlockLanes&, Floats x, Floats y, hn::Mask<FloatTag>, LeftLanes&) const
-    {
-        return ColorAt(colors, x, y);
-    }
+    [[nodiscard]] int x() const { return origin.x + blockColumn(static_cast<int>(block)) * kBlockSide; }
+    [[nodiscard]] int y() const { return origin.y + blockRow(static_cast<int>(block)) * kBlockSide; }
 };
 
 /// A block while it is shaded.
@@ -118,39 +100,41 @@ struct ColorBlock {
     }
 };
 
-inline void ColorExactly(const FrameJob& job, Worker& worker, TileOrigin origin, std::size_t block,
-                         std::uint32_t number, std::uint32_t lanes, ColorBlock& samples)
+inline void ColorExactly(const FrameJob& job, Worker& worker, const BlockPlace& place, std::uint32_t number,
+                         std::uint32_t lanes, ColorBlock& samples)
 {
-    std::uint32_t* memory = worker.samples.color.data() + block * kLanes;
+    std::uint32_t* memory = worker.samples.color.data() + place.block * kLanes;
     samples.store(memory);
     shadeExactly(job, {worker.triangle(number).source, &worker.chunkOf(number), nullptr, {}},
-                 {static_cast<std::uint16_t>(block), static_cast<std::uint16_t>(lanes), 0}, origin, worker.samples);
+                 {static_cast<std::uint16_t>(place.block), static_cast<std::uint16_t>(lanes), 0}, place.origin,
+                 worker.samples);
     samples.load(memory);
 }
 
-/// Colours the samples that a triangle won in a block; the lanes are those.
-template <class Shader>
-HWY_INLINE void ColorLanes(const FrameJob& job, Worker& worker, TileOrigin origin, std::size_t block,
-                           std::uint32_t number, std::uint32_t lanes, ColorBlock& samples)
-{
-    constexpr UintTag tag;
-    const Shader shader(job, worker, number);
-    if (HWY_UNLIKELY(shader.colors.way == ColorWay::Exact)) {
-        ColorExactly(job, worker, origin, block, number, lanes, samples);
-        return;
+/// Shading gouraud of a block.
+struct Interpolated {
+    const FrameJob& job;
+    Worker& worker;
+    BlockPlace place;
+
+    HWY_INLINE Interpolated(const FrameJob& j, Worker& w, const BlockPlace& p) : job(j), worker(w), place(p) {}
+
+    /// Colours the samples that a triangle won; the lanes are those.
+    HWY_INLINE void add(std::uint32_t number, std::uint32_t lanes, ColorBlock& samples)
+    {
+        constexpr UintTag tag;
+        const ColorPlanes& planes = worker.colors(number);
+        if (HWY_UNLIKELY(planes.way == ColorWay::Exact)) {
+            ColorExactly(job, worker, place, number, lanes, samples);
+            return;
+        }
+        for (std::size_t v = 0; v < kVectors; ++v) {
+            const auto mine = hn::Eq(samples.ids[v], hn::Set(tag, number));
+            samples.color[v] = hn::IfThenElse(mine, ColorAt(planes, samples.x[v], samples.y[v]), samples.color[v]);
+        }
     }
-    const int x = origin.x + blockColumn(static_cast<int>(block)) * kBlockSide;
-    const int y = origin.y + blockRow(static_cast<int>(block)) * kBlockSide;
-    LeftLanes left;
-    for (std::size_t v = 0; v < kVectors; ++v) {
-        const auto mine = hn::Eq(samples.ids[v], hn::Set(tag, number));
-        const Uints color =
-            shader.colorAt({x, y, v}, samples.x[v], samples.y[v], hn::RebindMask(FloatTag(), mine), left);
-        samples.color[v] = hn::IfThenElse(mine, color, samples.color[v]);
-    }
-    if (HWY_UNLIKELY(left.bits != 0))
-        ColorExactly(job, worker, origin, block, number, left.bits & lanes, samples);
-}
+    HWY_INLINE void finish(ColorBlock&) {}
+};
 
 HWY_INLINE ColorBlock LoadColorBlock(const FrameJob& job, const TileSamples& samples, TileOrigin origin,
                                      std::size_t block)
@@ -187,12 +171,14 @@ HWY_INLINE void ColorWholeBlock(const FrameJob& job, Worker& worker, TileOrigin 
         worker.pixels.shaded += static_cast<unsigned>(std::popcount(remaining));
         worker.pixels.written += static_cast<unsigned>(std::popcount(remaining));
     }
+    Shader shader(job, worker, {origin, block});
     while (remaining != 0) {
         const std::uint32_t number = owner != kNobody ? owner : ids[std::countr_zero(remaining)];
         const std::uint32_t lanes = shaded.lanesOf(number);
-        ColorLanes<Shader>(job, worker, origin, block, number, lanes & remaining, shaded);
+        shader.add(number, lanes & remaining, shaded);
         remaining &= ~lanes;
     }
+    shader.finish(shaded);
     shaded.store(out);
 }
 

@@ -54,7 +54,8 @@ HWY_INLINE RgbLanes SampleTexture(const FrameJob& job, const ShaderLanes<kCount>
     case TextureFilter::Bilinear: return SampleBilinear(texture, u, v, lanes.wanted);
     case TextureFilter::Trilinear: break;
     }
-    return SampleTrilinear(texture, u, v, GradientOf(lanes.planes, kVaryingUv, u, v, lanes.varyings.w), lanes.wanted);
+    return SampleTrilinear(
+        texture, u, v, MipLevel(texture, GradientOf(lanes.planes, kVaryingUv, u, v, lanes.varyings.w)), lanes.wanted);
 }
 
 // A shader computes colours of 0 to 255. Where it cannot, shadeFragment() does it.

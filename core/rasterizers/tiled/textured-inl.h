@@ -49,7 +49,7 @@ inline VaryingPlanes<kUvVaryings> MakePreciseTexels(const FrameJob& job, const W
 }
 
 HWY_NOINLINE inline const VaryingPlanes<kUvVaryings>& PreciseTexelsOf(const FrameJob& job, Worker& worker,
-                                                               std::uint32_t number)
+                                                                      std::uint32_t number)
 {
     PreciseTexels& known = worker.precise;
     const std::size_t place = number % PreciseTexels::kCapacity;
@@ -58,29 +58,6 @@ HWY_NOINLINE inline const VaryingPlanes<kUvVaryings>& PreciseTexelsOf(const Fram
         known.planes[place] = MakePreciseTexels(job, worker, number);
     }
     return known.planes[place];
-}
-
-/// Texture coordinates with everything filters ask for.
-struct TextureLanesAt {
-    Floats u, v;
-    GradientLanes gradient;
-};
-
-HWY_INLINE Floats ToUv(Floats texels, int size) { return hn::Mul(texels, hn::Set(FloatTag(), 1.0F / float(size))); }
-
-/// Places of texels that the wanted lanes find in double, as the scalar stages do.
-HWY_NOINLINE inline Ints FindTexelsPrecisely(const VaryingPlanes<kUvVaryings>& planes, const Texture& texture,
-                                      const BlockLanes& block, hn::Mask<FloatTag> wanted, LeftLanes& left)
-{
-    if (planes.exact) {
-        left.add(wanted, block.vector);
-        return hn::Zero(IntTag());
-    }
-    const VaryingLanes<kUvVaryings> at = VaryingsAt(planes, block.x, block.y, block.vector);
-    const auto found =
-        hn::And(wanted, hn::And(InReach(at.value[0], texture.width), InReach(at.value[1], texture.height)));
-    left.add(hn::AndNot(found, wanted), block.vector);
-    return TexelPlaces(texture, at.value[0], at.value[1], found);
 }
 
 /// Numbers of up to 2^22 rounded to whole ones: above 2^23 a float counts in ones, below its bits.
@@ -110,34 +87,54 @@ HWY_INLINE Ints WrapTexel(const RoundedLanes& at, int first, int size)
     return hn::ConvertTo(intTag, hn::Sub(texel, hn::Mul(hn::Floor(hn::Div(texel, sizes)), sizes)));
 }
 
-/// Shading texture at a vector of samples of a triangle.
+/// A vector of samples: where they are in the texture, and the colour their texels are to be multiplied with. What
+/// belongs to other triangles of the block stays as it is.
 template <TextureFilter kFilter>
-struct Textured {
+struct TexturedLanes {
+    Ints place;         ///< of nearest texels
+    Floats u, v, level; ///< for filters
+    RgbLanes color;     ///< 0 to 1
+};
+
+/// Coordinates of samples in double, and which of the lanes can be counted.
+struct PreciseUv {
+    Floats u, v, level;
+    hn::Mask<FloatTag> found;
+};
+
+HWY_NOINLINE inline PreciseUv FindPrecisely(const FrameJob& job, Worker& worker, std::uint32_t number,
+                                            const BlockPlace& place, std::size_t vector)
+{
+    const VaryingPlanes<kUvVaryings>& planes = PreciseTexelsOf(job, worker, number);
+    const Texture& texture = job.texture(static_cast<std::int32_t>(worker.colors(number).extra));
+    const VaryingLanes<kUvVaryings> at = VaryingsAt(planes, place.x(), place.y(), vector);
+    const auto [u, v] = at.value;
+    const Floats level = MipLevel(texture, GradientOf(planes, 0, u, v, at.w));
+    const auto found = hn::And(InReach(u, texture.width), InReach(v, texture.height));
+    return {u, v, level, planes.exact ? MaskOf(FloatTag(), 0) : found};
+}
+
+/// The samples of one triangle in a block.
+struct TexelFinder {
     const FrameJob& job;
     Worker& worker;
+    BlockPlace block;
     std::uint32_t number;
     const ColorPlanes& colors;
     const TexelPlanes& texels;
     const Texture& texture;
+    std::uint32_t left = 0; ///< samples that only the scalar stages can do, a bit each
 
-    HWY_INLINE Textured(const FrameJob& j, Worker& w, std::uint32_t n)
-        : job(j), worker(w), number(n), colors(w.colors(n)), texels(w.texels(n)),
-          texture(j.texture(static_cast<std::int32_t>(colors.extra)))
+    HWY_INLINE PreciseUv precise(std::size_t vector, hn::Mask<FloatTag> wanted)
     {
+        PreciseUv at = FindPrecisely(job, worker, number, BlockPlace(block), vector);
+        left |= BitsOf(FloatTag(), hn::AndNot(at.found, wanted)) << (vector * kPerVector);
+        at.found = hn::And(at.found, wanted);
+        return at;
     }
 
-    /// in   the samples relative to the anchor
-    template <class Coefficients>
-    static HWY_INLINE Floats PlaneAt(const Coefficients& planes, std::size_t i, Floats x, Floats y)
-    {
-        constexpr FloatTag tag;
-        return hn::Add(hn::Set(tag, planes.origin[i]),
-                       hn::Add(hn::Mul(hn::Set(tag, planes.perX[i]), x), hn::Mul(hn::Set(tag, planes.perY[i]), y)));
-    }
-
-    /// The nearest texels, 0 to 255.
-    HWY_INLINE RgbLanes nearest(Floats u, Floats v, hn::Mask<FloatTag> wanted, const BlockLanes& block,
-                                LeftLanes& left) const
+    /// The nearest texels; in double where the closest border between two may be on the other side.
+    HWY_INLINE Ints nearest(Floats u, Floats v, std::size_t vector, hn::Mask<FloatTag> wanted)
     {
         constexpr FloatTag tag;
         constexpr IntTag intTag;
@@ -147,77 +144,128 @@ struct Textured {
         const auto unsure = hn::AndNot(hn::Lt(off, hn::Set(tag, texels.certain)), wanted);
         const Ints x = WrapTexel(column, texels.first[0], texture.width);
         const Ints y = WrapTexel(row, texels.first[1], texture.height);
-        Ints place = hn::Add(hn::Mul(y, hn::Set(intTag, texture.width)), x);
-        place = hn::IfThenElseZero(hn::RebindMask(intTag, hn::AndNot(unsure, wanted)), place);
-        if (HWY_UNLIKELY(!hn::AllFalse(tag, unsure))) {
-            const auto& planes = PreciseTexelsOf(job, worker, number);
-            const Ints found = FindTexelsPrecisely(planes, texture, block, unsure, left);
-            place = hn::IfThenElse(hn::RebindMask(intTag, unsure), found, place);
-        }
-        return Unpack(hn::GatherIndex(UintTag(), texture.texels.data(), place));
+        const Ints place = hn::Add(hn::Mul(y, hn::Set(intTag, texture.width)), x);
+        if (HWY_LIKELY(hn::AllFalse(tag, unsure)))
+            return place;
+        const PreciseUv at = precise(vector, unsure);
+        return hn::IfThenElse(hn::RebindMask(intTag, unsure), TexelPlaces(texture, at.u, at.v, at.found), place);
     }
 
-    /// Coordinates for filters, which forgive what is far below a step of colour.
-    HWY_INLINE TextureLanesAt smooth(Floats u, Floats v, Floats w) const
+    /// Filters forgive what is far below a step of colour.
+    HWY_INLINE PreciseUv smooth(Floats u, Floats v, Floats w, std::size_t vector, hn::Mask<FloatTag> wanted)
     {
         constexpr FloatTag tag;
-        const auto fromFirst = [&](Floats at, std::size_t axis) HWY_ATTR {
-            return hn::Add(at, hn::Set(tag, static_cast<float>(texels.first[axis]) + 0.5F));
+        constexpr float kEnough = 0.5F - 0x1p-10F; // a quarter of a step between black and white texels
+        if (HWY_UNLIKELY(!(texels.certain >= kEnough)))
+            return precise(vector, wanted);
+        const auto toUv = [&](Floats at, std::size_t axis, int size) HWY_ATTR {
+            const Floats first = hn::Set(tag, static_cast<float>(texels.first[axis]) + 0.5F);
+            return hn::Mul(hn::Add(at, first), hn::Set(tag, 1.0F / static_cast<float>(size)));
         };
         // The quotient rule: (U/W)' = (U' - u W') / W.
         const auto derivative = [&](const auto& slopes, float ofInverseW, std::size_t axis, Floats at) HWY_ATTR {
             return hn::Mul(hn::Sub(hn::Set(tag, slopes[axis]), hn::Mul(at, hn::Set(tag, ofInverseW))), w);
         };
-        const int width = texture.width;
-        const int height = texture.height;
-        return {ToUv(fromFirst(u, 0), width),
-                ToUv(fromFirst(v, 1), height),
-                {ToUv(derivative(texels.perX, colors.perX[0], 0, u), width),
-                 ToUv(derivative(texels.perY, colors.perY[0], 0, u), width),
-                 ToUv(derivative(texels.perX, colors.perX[0], 1, v), height),
-                 ToUv(derivative(texels.perY, colors.perY[0], 1, v), height)}};
+        const GradientLanes inTexels{
+            derivative(texels.perX, colors.perX[0], 0, u), derivative(texels.perY, colors.perY[0], 0, u),
+            derivative(texels.perX, colors.perX[0], 1, v), derivative(texels.perY, colors.perY[0], 1, v)};
+        return {toUv(u, 0, texture.width), toUv(v, 1, texture.height), MipLevel(inTexels), wanted};
     }
 
-    /// The same where float32 is not enough.
-    TextureLanesAt precise(const BlockLanes& block, hn::Mask<FloatTag> wanted, LeftLanes& left) const
-    {
-        const VaryingPlanes<kUvVaryings>& planes = PreciseTexelsOf(job, worker, number);
-        const VaryingLanes<kUvVaryings> at = VaryingsAt(planes, block.x, block.y, block.vector);
-        const auto found = hn::And(InReach(at.value[0], texture.width), InReach(at.value[1], texture.height));
-        left.add(planes.exact ? wanted : hn::AndNot(found, wanted), block.vector);
-        return {hn::IfThenElseZero(found, at.value[0]), hn::IfThenElseZero(found, at.value[1]),
-                GradientOf(planes, 0, at.value[0], at.value[1], at.w)};
-    }
-
-    HWY_INLINE RgbLanes filtered(Floats u, Floats v, Floats w, hn::Mask<FloatTag> wanted, const BlockLanes& block,
-                                 LeftLanes& left) const
-    {
-        constexpr float kEnough = 0.5F - 0x1p-10F; // a quarter of a step between black and white texels
-        const TextureLanesAt at =
-            HWY_LIKELY(texels.certain >= kEnough) ? smooth(u, v, w) : precise(block, wanted, left);
-        if constexpr (kFilter == TextureFilter::Bilinear)
-            return SampleBilinear(texture, at.u, at.v, wanted);
-        else
-            return SampleTrilinear(texture, at.u, at.v, at.gradient, wanted);
-    }
-
-    HWY_INLINE Uints colorAt(const BlockLanes& block, Floats sampleX, Floats sampleY, hn::Mask<FloatTag> wanted,
-                             LeftLanes& left) const
+    /// in   samples of the target
+    template <TextureFilter kFilter>
+    HWY_INLINE void find(Floats sampleX, Floats sampleY, std::size_t vector, hn::Mask<FloatTag> wanted,
+                         TexturedLanes<kFilter>& out)
     {
         constexpr FloatTag tag;
         const Floats x = hn::Sub(sampleX, hn::Set(tag, colors.x0));
         const Floats y = hn::Sub(sampleY, hn::Set(tag, colors.y0));
-        const Floats w = hn::Div(hn::Set(tag, 1.0F), PlaneAt(colors, 0, x, y));
-        const Floats u = hn::Mul(PlaneAt(texels, 0, x, y), w);
-        const Floats v = hn::Mul(PlaneAt(texels, 1, x, y), w);
-        const RgbLanes texel = kFilter == TextureFilter::Nearest ? nearest(u, v, wanted, block, left)
-                                                                 : filtered(u, v, w, wanted, block, left);
-        const RgbLanes color{PlaneAt(colors, 1, x, y), PlaneAt(colors, 2, x, y), PlaneAt(colors, 3, x, y)};
-        const RgbLanes product = Scale(texel, color);
-        if (HWY_LIKELY(colors.way == ColorWay::Affine))
-            return PackChannels(product.red, product.green, product.blue);
-        const RgbLanes divided = Scale(product, w);
-        return PackHeld(divided.red, divided.green, divided.blue);
+        const auto plane = [&](const auto& planes, std::size_t i) HWY_ATTR {
+            return hn::Add(hn::Set(tag, planes.origin[i]),
+                           hn::Add(hn::Mul(hn::Set(tag, planes.perX[i]), x), hn::Mul(hn::Set(tag, planes.perY[i]), y)));
+        };
+        const auto keep = [&](Floats& to, Floats value) HWY_ATTR { to = hn::IfThenElse(wanted, value, to); };
+        const Floats w = hn::Div(hn::Set(tag, 1.0F), plane(colors, 0));
+        RgbLanes color{plane(colors, 1), plane(colors, 2), plane(colors, 3)};
+        if (HWY_UNLIKELY(colors.way == ColorWay::Perspective))
+            color = Scale(color, w);
+        keep(out.color.red, color.red);
+        keep(out.color.green, color.green);
+        keep(out.color.blue, color.blue);
+        const Floats u = hn::Mul(plane(texels, 0), w);
+        const Floats v = hn::Mul(plane(texels, 1), w);
+        if constexpr (kFilter == TextureFilter::Nearest) {
+            out.place = hn::IfThenElse(hn::RebindMask(IntTag(), wanted), nearest(u, v, vector, wanted), out.place);
+        } else {
+            const PreciseUv at = smooth(u, v, w, vector, wanted);
+            keep(out.u, at.u);
+            keep(out.v, at.v);
+            if constexpr (kFilter == TextureFilter::Trilinear)
+                keep(out.level, at.level);
+        }
+    }
+};
+
+/// Shading texture of a block: each triangle says where in the texture its samples are, and texels are fetched for all
+/// of them together.
+template <TextureFilter kFilter>
+struct Textured {
+    const FrameJob& job;
+    Worker& worker;
+    BlockPlace place;
+    const Texture* texture = nullptr; ///< of the samples that wait for their texels
+    std::uint32_t waiting = 0;        ///< a bit each
+    std::array<TexturedLanes<kFilter>, kVectors> lanes;
+
+    HWY_INLINE Textured(const FrameJob& j, Worker& w, const BlockPlace& p) : job(j), worker(w), place(p) {}
+
+    static HWY_INLINE hn::Mask<FloatTag> MaskAt(std::uint32_t bits, std::size_t v)
+    {
+        return MaskOf(FloatTag(), bits >> (v * kPerVector));
+    }
+
+    HWY_INLINE void add(std::uint32_t number, std::uint32_t won, ColorBlock& samples)
+    {
+        const ColorPlanes& colors = worker.colors(number);
+        const Texture& its = job.texture(static_cast<std::int32_t>(colors.extra));
+        if (HWY_UNLIKELY(colors.way == ColorWay::Exact)) {
+            ColorExactly(job, worker, place, number, won, samples);
+            return;
+        }
+        if (HWY_UNLIKELY(waiting != 0 && texture != &its))
+            finish(samples);
+        texture = &its;
+        TexelFinder finder{job, worker, place, number, colors, worker.texels(number), its};
+        for (std::size_t v = 0; v < kVectors; ++v)
+            finder.find(samples.x[v], samples.y[v], v, MaskAt(won, v), lanes[v]);
+        waiting |= won & ~finder.left;
+        if (HWY_UNLIKELY((won & finder.left) != 0))
+            ColorExactly(job, worker, place, number, won & finder.left, samples);
+    }
+
+    HWY_INLINE RgbLanes fetch(const TexturedLanes<kFilter>& at, hn::Mask<FloatTag> wanted) const
+    {
+        if constexpr (kFilter == TextureFilter::Nearest)
+            return Unpack(hn::GatherIndex(UintTag(), texture->texels.data(),
+                                          hn::IfThenElseZero(hn::RebindMask(IntTag(), wanted), at.place)));
+        else if constexpr (kFilter == TextureFilter::Bilinear)
+            return SampleBilinear(*texture, at.u, at.v, wanted);
+        else
+            return SampleTrilinear(*texture, at.u, at.v, at.level, wanted);
+    }
+
+    /// Fetches and colours what waits.
+    HWY_INLINE void finish(ColorBlock& samples)
+    {
+        if (waiting == 0)
+            return;
+        for (std::size_t v = 0; v < kVectors; ++v) {
+            const auto wanted = MaskAt(waiting, v);
+            const RgbLanes color = Scale(fetch(lanes[v], wanted), lanes[v].color);
+            samples.color[v] = hn::IfThenElse(hn::RebindMask(UintTag(), wanted),
+                                              PackHeld(color.red, color.green, color.blue), samples.color[v]);
+        }
+        waiting = 0;
     }
 };
 
