@@ -7,6 +7,7 @@
 #endif
 
 #include "core/rasterizers/tiled/exact_path.h"
+#include "core/rasterizers/tiled/gouraud-inl.h"
 #include "core/rasterizers/tiled/kernels.h"
 #include "core/rasterizers/tiled/lanes-inl.h"
 
@@ -18,14 +19,26 @@ HWY_INLINE hn::Mask<IntTag> NotNegative(Ints v) { return hn::Gt(v, hn::Set(IntTa
 
 constexpr std::int32_t kKeyOfOne = 0x3f800000; ///< the bits of 1.0F
 
+/// What a sample keeps of the triangle that won it, beside its depth.
+enum class Keeps {
+    Number, ///< who it is
+    Color,  ///< the interpolated colour: that is less work than to remember who and to come back for it
+    Nothing ///< where only depth is asked for
+};
+
 /// The usual case knows its depth test when it is compiled; every other one reads it from here.
+template <Keeps kKeep>
 struct UsualDepth {
     static constexpr bool kUsual = true; ///< float32, smaller wins, nobody counts
-    UsualDepth(const FrameJob&, TileOrigin) {}
+    static constexpr Keeps kKeeps = kKeep;
+    UsualDepth(const FrameJob& j, TileOrigin o) : job(j), origin(o) {}
+    const FrameJob& job;
+    TileOrigin origin;
 };
 
 struct AnyDepth {
     static constexpr bool kUsual = false;
+    static constexpr Keeps kKeeps = Keeps::Number;
     AnyDepth(const FrameJob& job, TileOrigin origin)
         : flip(depthFlip(job.rules.depthCompare)), handicap(depthHandicap(job.rules)), format(job.rules.depthFormat),
           countsCoverage(job.countsCoverage()), width(job.rules.columns() - origin.x),
@@ -49,6 +62,9 @@ struct TriangleLanes {
     std::array<std::int32_t, 3> b;
     double perX;
     double perY;
+    std::uint32_t number; ///< in the tile
+    const ColorPlanes* planes;
+    ColorSlopes colors; ///< only if wanted
 };
 
 /// A triangle at a sample: the first of a square of squares.
@@ -81,10 +97,15 @@ HWY_INLINE WideDoubles DepthOffsets(double perX, double perY, std::size_t first)
     return offsets;
 }
 
-HWY_INLINE TriangleLanes SpreadTriangle(const TileTriangle& t)
+template <class Policy>
+HWY_INLINE TriangleLanes SpreadTriangle(const TileTriangle& t, const ColorPlanes& planes, std::uint32_t number)
 {
     constexpr IntTag tag;
     TriangleLanes lanes;
+    lanes.number = number;
+    lanes.planes = &planes;
+    if constexpr (Policy::kKeeps == Keeps::Color)
+        lanes.colors = SpreadColors(planes);
     lanes.a = {t.a[0], t.a[1], -(t.a[0] + t.a[1])};
     lanes.b = {t.b[0], t.b[1], -(t.b[0] + t.b[1])};
     lanes.perX = t.depthPerX;
@@ -131,7 +152,8 @@ HWY_INLINE Ints StoredKey(const WideDoubles& depth, const AnyDepth& policy)
 }
 
 /// What is beyond 1 needs no holding: it loses against everything.
-HWY_INLINE Ints StoredKey(const WideDoubles& depth, const UsualDepth&)
+template <class Policy>
+HWY_INLINE Ints StoredKey(const WideDoubles& depth, const Policy&)
 {
     constexpr IntTag tag;
     return hn::Max(hn::BitCast(tag, ToFloats(depth)), hn::Zero(tag));
@@ -181,6 +203,7 @@ struct alignas(64) BlockQueue {
     struct alignas(64) Group {
         SquareCorners corners;
         SquareCorners offsets; ///< from the first sample of a block to the others
+        ColorSquares colors;
         std::uint32_t number;
     };
     std::array<Group, kGroups> groups;
@@ -189,6 +212,14 @@ struct alignas(64) BlockQueue {
     std::size_t groupCount = 0;
     std::size_t itemCount = 0;
 };
+
+/// Interpolated colours of samples in the scalar way, a bit each.
+inline void ColorExactly(const FrameJob& job, TileOrigin origin, std::uint32_t number, std::size_t block,
+                         std::uint32_t lanes, Worker& worker)
+{
+    shadeExactly(job, {worker.triangle(number).source, &worker.chunkOf(number), nullptr, {}},
+                 {static_cast<std::uint16_t>(block), static_cast<std::uint16_t>(lanes), 0}, origin, worker.samples);
+}
 
 /// The samples of one block: all of them are computed and those that win are blended in, without a branch.
 template <class Policy>
@@ -211,16 +242,26 @@ HWY_INLINE void CoverBlock(const BlockQueue::Group& group, std::size_t square, s
             inside = hn::And(inside, OnTarget(policy, block, lane));
         const Ints key = StoredKey(Add(LoadWide(group.offsets.depth.data() + lane), depth), policy);
         std::int32_t* keys = worker.samples.key.data() + at;
-        std::uint32_t* ids = worker.samples.ids.data() + at;
         const Ints stored = hn::Load(tag, keys);
         Ints compared = key;
         if constexpr (!Policy::kUsual)
             compared = hn::Sub(key, hn::Set(tag, policy.handicap));
         const auto passed = hn::And(inside, hn::Lt(compared, stored));
         hn::Store(hn::IfThenElse(passed, key, stored), tag, keys);
-        hn::Store(hn::IfThenElse(hn::RebindMask(unsignedTag, passed), hn::Set(unsignedTag, group.number),
-                                 hn::Load(unsignedTag, ids)),
-                  unsignedTag, ids);
+        const auto won = hn::RebindMask(unsignedTag, passed);
+        if constexpr (Policy::kKeeps == Keeps::Color) {
+            std::uint32_t* colors = worker.samples.color.data() + at;
+            if (HWY_UNLIKELY(group.colors.planes->way == ColorWay::Exact)) {
+                ColorExactly(policy.job, policy.origin, group.number, block, BitsOf(tag, passed) << lane, worker);
+                continue;
+            }
+            hn::Store(hn::IfThenElse(won, group.colors.color(square, lane), hn::Load(unsignedTag, colors)), unsignedTag,
+                      colors);
+        } else if constexpr (Policy::kKeeps == Keeps::Number) {
+            std::uint32_t* ids = worker.samples.ids.data() + at;
+            hn::Store(hn::IfThenElse(won, hn::Set(unsignedTag, group.number), hn::Load(unsignedTag, ids)), unsignedTag,
+                      ids);
+        }
         if constexpr (!Policy::kUsual)
             CountSamples(policy, inside, passed, at, worker);
     }
@@ -251,13 +292,12 @@ HWY_INLINE BlockQueue::Group& NextGroup(const Policy& policy, BlockQueue& queue,
 ///
 /// in   the blocks of the tile at the group's 16 places, and which of them are wanted
 template <class BlocksAt>
-HWY_INLINE void AppendGroup(const TriangleLanes& t, std::uint32_t number, std::uint32_t wanted, BlockQueue& queue,
-                            BlocksAt&& blocksAt)
+HWY_INLINE void AppendGroup(const TriangleLanes& t, std::uint32_t wanted, BlockQueue& queue, BlocksAt&& blocksAt)
 {
     constexpr UintTag tag;
     const auto index = static_cast<std::uint32_t>(queue.groupCount++);
     BlockQueue::Group& group = queue.groups[index];
-    group.number = number;
+    group.number = t.number;
     for (std::size_t v = 0; v < kVectors; ++v) {
         const std::size_t lane = v * kPerVector;
         for (std::size_t k = 0; k < 3; ++k)

@@ -25,7 +25,8 @@ struct TileDepth {
 };
 
 /// Clears the samples of the blocks that nobody wrote to: all at once, as those to come are anybody's guess.
-inline void WriteBlankBlocks(TileSamples& samples, TileDepth& tile)
+template <class Policy>
+inline void WriteBlankBlocks(const Policy& policy, TileSamples& samples, TileDepth& tile)
 {
     if (!tile.blank)
         return;
@@ -36,36 +37,93 @@ inline void WriteBlankBlocks(TileSamples& samples, TileDepth& tile)
         samples.owner[block] = kNobody;
         for (std::size_t at = block * kLanes; at < (block + 1) * kLanes; at += kPerVector) {
             hn::Store(hn::Set(IntTag(), samples.clearKey), IntTag(), samples.key.data() + at);
-            hn::Store(hn::Set(UintTag(), kNobody), UintTag(), samples.ids.data() + at);
+            if constexpr (Policy::kKeeps == Keeps::Color)
+                hn::Store(hn::Set(UintTag(), policy.job.clearColor), UintTag(), samples.color.data() + at);
+            if constexpr (Policy::kKeeps == Keeps::Number)
+                hn::Store(hn::Set(UintTag(), kNobody), UintTag(), samples.ids.data() + at);
         }
     }
 }
 
-/// Writes the keys and ids of a block that one triangle has to itself.
-inline void WriteOwnedBlock(std::size_t block, Worker& worker)
+/// Interpolated colours of samples of a block, a bit each.
+inline void ColorSamples(const FrameJob& job, TileOrigin origin, std::uint32_t number, std::size_t block,
+                         std::uint32_t lanes, Worker& worker)
 {
-    TileSamples& samples = worker.samples;
-    const std::uint32_t number = samples.owner[block];
-    if (number == kNobody)
+    constexpr UintTag tag;
+    const ColorPlanes& planes = worker.colors(number);
+    if (HWY_UNLIKELY(planes.way == ColorWay::Exact)) {
+        ColorExactly(job, origin, number, block, lanes, worker);
         return;
-    samples.owner[block] = kNobody;
-    const TileTriangle& t = worker.triangle(number);
-    const int x = blockColumn(static_cast<int>(block)) * kBlockSide - t.anchorX();
-    const int y = blockRow(static_cast<int>(block)) * kBlockSide - t.anchorY();
-    const Doubles corner = hn::Set(DoubleTag(), t.depthOrigin + t.depthPerX * x + t.depthPerY * y);
+    }
+    const int x = origin.x + blockColumn(static_cast<int>(block)) * kBlockSide;
+    const int y = origin.y + blockRow(static_cast<int>(block)) * kBlockSide;
     for (std::size_t v = 0; v < kVectors; ++v) {
-        const std::size_t at = block * kLanes + v * kPerVector;
-        const WideDoubles offsets = DepthOffsets(t.depthPerX, t.depthPerY, v * kPerVector);
-        hn::Store(KeyOf(Add(offsets, corner)), IntTag(), samples.key.data() + at);
-        hn::Store(hn::Set(UintTag(), number), UintTag(), samples.ids.data() + at);
+        std::uint32_t* colors = worker.samples.color.data() + block * kLanes + v * kPerVector;
+        hn::Store(
+            hn::IfThenElse(MaskOf(tag, lanes >> (v * kPerVector)), BlockColor(planes, x, y, v), hn::Load(tag, colors)),
+            tag, colors);
     }
 }
 
-inline void WriteOwnedBlocks(Worker& worker, TileDepth& tile)
+/// The keys of blocks of a subtile, a bit each, that one triangle has to itself.
+///
+/// in   the first block of the subtile
+inline void WriteOwnedKeys(Worker& worker, std::size_t first, std::uint32_t number, std::uint32_t blocks)
 {
-    WriteBlankBlocks(worker.samples, tile);
-    for (std::size_t block = 0; tile.owners && block < kTileBlocks; ++block)
-        WriteOwnedBlock(block, worker);
+    const TileTriangle& t = worker.triangle(number);
+    const int x = blockColumn(static_cast<int>(first)) * kBlockSide - t.anchorX();
+    const int y = blockRow(static_cast<int>(first)) * kBlockSide - t.anchorY();
+    const Doubles corner = hn::Set(DoubleTag(), t.depthOrigin + t.depthPerX * x + t.depthPerY * y);
+    alignas(64) std::array<double, kLanes> corners;
+    std::array<WideDoubles, kVectors> offsets;
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        offsets[v] = DepthOffsets(t.depthPerX, t.depthPerY, v * kPerVector);
+        Store(Add(Mul(offsets[v], hn::Set(DoubleTag(), double(kBlockSide))), corner), corners.data() + v * kPerVector);
+    }
+    for (; blocks != 0; blocks &= blocks - 1) {
+        const auto square = static_cast<std::size_t>(std::countr_zero(blocks));
+        std::int32_t* keys = worker.samples.key.data() + (first + square) * kLanes;
+        for (std::size_t v = 0; v < kVectors; ++v)
+            hn::Store(KeyOf(Add(offsets[v], hn::Set(DoubleTag(), corners[square]))), IntTag(), keys + v * kPerVector);
+    }
+}
+
+/// What blocks of a subtile keep beside their keys.
+template <class Policy>
+inline void WriteOwnedRest(const Policy& policy, Worker& worker, std::size_t first, std::uint32_t number,
+                           std::uint32_t blocks)
+{
+    for (; blocks != 0; blocks &= blocks - 1) {
+        const std::size_t block = first + static_cast<std::size_t>(std::countr_zero(blocks));
+        if constexpr (Policy::kKeeps == Keeps::Color)
+            ColorSamples(policy.job, policy.origin, number, block, 0xffff, worker);
+        if constexpr (Policy::kKeeps == Keeps::Number)
+            std::fill_n(worker.samples.ids.data() + block * kLanes, kLanes, number);
+    }
+}
+
+/// Writes the samples of blocks of a subtile, a bit each, if a triangle has them to itself.
+template <class Policy>
+inline void WriteOwnedBlocks(const Policy& policy, Worker& worker, std::size_t first, std::uint32_t blocks)
+{
+    std::uint32_t* owners = worker.samples.owner.data() + first;
+    for (std::uint32_t left = blocks & ~LanesWith(owners, kNobody); left != 0;) {
+        const std::uint32_t number = owners[std::countr_zero(left)];
+        const std::uint32_t owned = left & LanesWith(owners, number);
+        WriteOwnedKeys(worker, first, number, owned);
+        WriteOwnedRest(policy, worker, first, number, owned);
+        for (std::uint32_t bits = owned; bits != 0; bits &= bits - 1)
+            owners[std::countr_zero(bits)] = kNobody;
+        left &= ~owned;
+    }
+}
+
+template <class Policy>
+inline void WriteOwnedBlocks(const Policy& policy, Worker& worker, TileDepth& tile)
+{
+    WriteBlankBlocks(policy, worker.samples, tile);
+    for (std::size_t first = 0; tile.owners && first < kTileBlocks; first += kLanes)
+        WriteOwnedBlocks(policy, worker, first, 0xffff);
     tile.owners = false;
 }
 
@@ -126,7 +184,7 @@ struct BlockWork {
 };
 
 HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, double firstDepth, SquareVerdicts verdicts, const AnyDepth&,
-                                  std::size_t, std::uint32_t, TileSamples&, TileDepth&, SquareCorners& corners)
+                                  std::size_t, TileSamples&, TileDepth&, SquareCorners& corners)
 {
     StoreDepths(t, firstDepth, corners);
     return {verdicts.touched, 0};
@@ -136,9 +194,9 @@ HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, double firstDepth, Squ
 /// to it without looking at their samples.
 ///
 /// exact  bounds are depths at corner samples, which the plane gives exactly; rounding to float32 keeps order
-HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, double firstDepth, SquareVerdicts verdicts, const UsualDepth&,
-                                  std::size_t firstBlock, std::uint32_t number, TileSamples& samples, TileDepth& tile,
-                                  SquareCorners& corners)
+template <class Policy>
+HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, double firstDepth, SquareVerdicts verdicts, const Policy&,
+                                  std::size_t firstBlock, TileSamples& samples, TileDepth& tile, SquareCorners& corners)
 {
     constexpr IntTag tag;
     constexpr UintTag unsignedTag;
@@ -165,8 +223,8 @@ HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, double firstDepth, Squ
                   samples.nearest.data() + at);
         hn::Store(hn::IfThenElse(covered, hn::Min(farthest, farthestThere), farthestThere), tag,
                   samples.farthest.data() + at);
-        hn::Store(hn::IfThenElse(hn::RebindMask(unsignedTag, owned), hn::Set(unsignedTag, number), owner), unsignedTag,
-                  samples.owner.data() + at);
+        hn::Store(hn::IfThenElse(hn::RebindMask(unsignedTag, owned), hn::Set(unsignedTag, t.number), owner),
+                  unsignedTag, samples.owner.data() + at);
         const std::uint32_t cover = BitsOf(tag, hn::AndNot(owned, shown));
         work.cover |= cover << shift;
         work.writeBefore |= (cover & BitsOf(unsignedTag, hn::Ne(owner, hn::Set(unsignedTag, kNobody)))) << shift;
@@ -184,10 +242,19 @@ constexpr std::uint32_t SquaresBetween(int column0, int row0, int column1, int r
     return (columns * 0x1111U) & rows;
 }
 
+/// The colours of a triangle in 4 x 4 blocks from sample (x, y) of the tile on, if they are wanted.
+template <class Policy>
+HWY_INLINE void FillColors(const TriangleLanes& lanes, int x, int y, const Policy& policy, BlockQueue::Group& group)
+{
+    if constexpr (Policy::kKeeps == Keeps::Color)
+        group.colors.fill(*lanes.planes, lanes.colors, policy.origin.x + x - lanes.planes->x0,
+                          policy.origin.y + y - lanes.planes->y0);
+}
+
 /// A triangle that is large in the tile: subtiles first, then their blocks.
 template <class Policy>
-HWY_INLINE void CoverSubtiles(const TriangleLanes& lanes, const TileTriangle& t, const Policy& policy,
-                              std::uint32_t number, Worker& worker, TileDepth& tile, BlockQueue& queue)
+HWY_INLINE void CoverSubtiles(const TriangleLanes& lanes, const TileTriangle& t, const Policy& policy, Worker& worker,
+                              TileDepth& tile, BlockQueue& queue)
 {
     std::uint32_t subtiles = SquaresBetween(t.x0 / 16, t.y0 / 16, t.x1 / 16, t.y1 / 16);
     if (std::popcount(subtiles) > 4) {
@@ -203,16 +270,17 @@ HWY_INLINE void CoverSubtiles(const TriangleLanes& lanes, const TileTriangle& t,
         const SampleValues first = ValuesAt(lanes, t, x, y);
         const SquareVerdicts verdicts = JudgeSquares<2>(lanes, first.edge, group.corners);
         BlockWork work =
-            DecideBlocks(lanes, first.depth, verdicts, policy, firstBlock, number, worker.samples, tile, group.corners);
+            DecideBlocks(lanes, first.depth, verdicts, policy, firstBlock, worker.samples, tile, group.corners);
         if (work.writeBefore != 0) {
-            WriteBlankBlocks(worker.samples, tile);
-            for (; work.writeBefore != 0; work.writeBefore &= work.writeBefore - 1)
-                WriteOwnedBlock(firstBlock + static_cast<std::size_t>(std::countr_zero(work.writeBefore)), worker);
+            WriteBlankBlocks(policy, worker.samples, tile);
+            WriteOwnedBlocks(policy, worker, firstBlock, work.writeBefore);
         }
-        if (work.cover != 0)
-            AppendGroup(lanes, number, work.cover, queue, [&](std::size_t lane) HWY_ATTR {
+        if (work.cover != 0) {
+            FillColors(lanes, x, y, policy, group);
+            AppendGroup(lanes, work.cover, queue, [&](std::size_t lane) HWY_ATTR {
                 return PlacesFrom(static_cast<std::uint32_t>(firstBlock), lane);
             });
+        }
     }
     if (Policy::kUsual && tile.updates >= kTileBlocks / 4)
         RefreshFarthest(worker.samples, tile);
@@ -250,8 +318,7 @@ HWY_INLINE Uints BlocksFrom(int column, int row, std::size_t lane)
 /// in   the triangle at the first sample of them
 template <class Policy>
 HWY_INLINE void CoverWindow(const TriangleLanes& lanes, const SampleValues& first, const BlockBounds& window,
-                            const Policy& policy, std::uint32_t number, Worker& worker, const TileDepth& tile,
-                            BlockQueue& queue)
+                            const Policy& policy, Worker& worker, const TileDepth& tile, BlockQueue& queue)
 {
     BlockQueue::Group& group = NextGroup(policy, queue, worker);
     StoreDepths(lanes, first.depth, group.corners);
@@ -260,23 +327,24 @@ HWY_INLINE void CoverWindow(const TriangleLanes& lanes, const SampleValues& firs
     if (tile.owners)
         for (std::uint32_t bits = touched; bits != 0; bits &= bits - 1) {
             const int square = std::countr_zero(bits);
-            const int block = blockIndex(window.column + square % kBlockSide, window.row + square / kBlockSide);
-            WriteOwnedBlock(static_cast<std::size_t>(block), worker);
+            const auto block = static_cast<std::size_t>(
+                blockIndex(window.column + square % kBlockSide, window.row + square / kBlockSide));
+            WriteOwnedBlocks(policy, worker, block & ~std::size_t(kLanes - 1), 1U << block % kLanes);
         }
-    AppendGroup(lanes, number, touched, queue,
+    FillColors(lanes, window.column * kBlockSide, window.row * kBlockSide, policy, group);
+    AppendGroup(lanes, touched, queue,
                 [&](std::size_t lane) HWY_ATTR { return BlocksFrom(window.column, window.row, lane); });
 }
 
 /// A triangle that is small in the tile.
 template <class Policy>
 HWY_INLINE void CoverWindows(const TriangleLanes& lanes, const TileTriangle& t, const BlockBounds& bounds,
-                             const Policy& policy, std::uint32_t number, Worker& worker, TileDepth& tile,
-                             BlockQueue& queue)
+                             const Policy& policy, Worker& worker, TileDepth& tile, BlockQueue& queue)
 {
     tile.nearestSmall = std::min(tile.nearestSmall, std::max(std::bit_cast<std::int32_t>(t.nearest), 0));
-    WriteBlankBlocks(worker.samples, tile);
+    WriteBlankBlocks(policy, worker.samples, tile);
     if (HWY_LIKELY(bounds.columns <= 4 && bounds.rows <= 4)) {
-        CoverWindow(lanes, {t.c, t.depthOrigin}, bounds, policy, number, worker, tile, queue);
+        CoverWindow(lanes, {t.c, t.depthOrigin}, bounds, policy, worker, tile, queue);
         return;
     }
     for (int row = 0; row < bounds.rows; row += 4)
@@ -284,28 +352,48 @@ HWY_INLINE void CoverWindows(const TriangleLanes& lanes, const TileTriangle& t, 
             const BlockBounds window{bounds.column + column, bounds.row + row, std::min(bounds.columns - column, 4),
                                      std::min(bounds.rows - row, 4)};
             const SampleValues first = ValuesAt(lanes, t, window.column * kBlockSide, window.row * kBlockSide);
-            CoverWindow(lanes, first, window, policy, number, worker, tile, queue);
+            CoverWindow(lanes, first, window, policy, worker, tile, queue);
         }
 }
 
 template <class Policy>
-HWY_INLINE void CoverTriangle(const TileTriangle& t, const Policy& policy, std::uint32_t number, Worker& worker,
-                              TileDepth& tile, BlockQueue& queue)
+HWY_INLINE void CoverTriangle(const TileTriangle& t, const ColorPlanes& planes, const Policy& policy,
+                              std::uint32_t number, Worker& worker, TileDepth& tile, BlockQueue& queue)
 {
     constexpr int kSmall = 8; // blocks
-    const TriangleLanes lanes = SpreadTriangle(t);
+    const TriangleLanes lanes = SpreadTriangle<Policy>(t, planes, number);
     const BlockBounds bounds = BoundsInBlocks(t);
     if (bounds.columns > kSmall || bounds.rows > kSmall)
-        CoverSubtiles(lanes, t, policy, number, worker, tile, queue);
+        CoverSubtiles(lanes, t, policy, worker, tile, queue);
     else
-        CoverWindows(lanes, t, bounds, policy, number, worker, tile, queue);
+        CoverWindows(lanes, t, bounds, policy, worker, tile, queue);
+}
+
+/// Samples of a triangle beyond the numbers of the fast path, one by one.
+template <class Policy>
+inline void CoverExactly(const FrameJob& job, const Piece& piece, const Policy&, std::uint32_t number,
+                         TileOrigin origin, Worker& worker)
+{
+    TileSamples& samples = worker.samples;
+    if constexpr (Policy::kKeeps != Keeps::Color) {
+        coverExactly(job, piece, number, origin, worker);
+    } else {
+        samples.ids.fill(kNobody);
+        coverExactly(job, piece, number, origin, worker);
+        for (std::size_t block = 0; block < kTileBlocks; ++block) {
+            const std::uint32_t lanes = LanesWith(samples.ids.data() + block * kLanes, number);
+            if (lanes != 0)
+                ColorSamples(job, origin, number, block, lanes, worker);
+        }
+    }
 }
 
 template <class Policy>
-inline void CoverTileWith(const FrameJob& job, Worker& worker, TileOrigin origin, TileDepth& tile)
+inline void CoverWith(const Policy& policy, const FrameJob& job, Worker& worker, TileOrigin origin, TileDepth& tile)
 {
     constexpr std::size_t kAhead = 8; // triangles
-    const Policy policy(job, origin);
+    if constexpr (!Policy::kUsual)
+        WriteOwnedBlocks(policy, worker, tile);
     BlockQueue queue;
     for (std::size_t block = 0; block < worker.blocks.size(); ++block) {
         const TileBlock& bin = worker.blocks[block];
@@ -315,20 +403,24 @@ inline void CoverTileWith(const FrameJob& job, Worker& worker, TileOrigin origin
         for (std::uint32_t i = 0; i < bin.count; ++i) {
             const TileTriangle& t = bin.bin->triangles[i];
             __builtin_prefetch(&t + kAhead);
+            if constexpr (Policy::kKeeps == Keeps::Color)
+                __builtin_prefetch(&bin.bin->colors[i] + kAhead);
             const std::uint32_t number = static_cast<std::uint32_t>(block) * BinBlock::kCapacity + i;
             if (Policy::kUsual && std::bit_cast<std::int32_t>(t.nearest) >= tile.farthest)
                 continue;
             if (HWY_UNLIKELY(t.exact())) {
                 FlushQueue(policy, queue, worker);
-                WriteOwnedBlocks(worker, tile);
+                WriteOwnedBlocks(policy, worker, tile);
                 tile.nearestSmall = 0;
-                coverExactly(job, bin.chunk->pieces[t.source & ~kPiece], number, origin, worker);
+                CoverExactly(job, bin.chunk->pieces[t.source & ~kPiece], policy, number, origin, worker);
                 continue;
             }
-            CoverTriangle(t, policy, number, worker, tile, queue);
+            CoverTriangle(t, bin.bin->colors[i], policy, number, worker, tile, queue);
         }
     }
     FlushQueue(policy, queue, worker);
+    if (job.depth != nullptr || job.ids != nullptr || job.rules.shading == Shading::Depth)
+        WriteOwnedBlocks(policy, worker, tile);
 }
 
 /// Blocks outside the target are behind everything: they take no time and keep no tile from being full.
@@ -357,16 +449,14 @@ inline void CoverTile(const FrameJob& job, Worker& worker, TileOrigin origin)
     if (job.countsCoverage())
         samples.coverage.fill(0);
     TileDepth tile{clear, clear};
-    const bool usual = rules.depthTested && rules.depthCompare == DepthCompare::Less &&
-                       rules.depthFormat == DepthFormat::Float32 && !job.countsCoverage();
-    if (usual) {
-        CoverTileWith<UsualDepth>(job, worker, origin, tile);
-    } else {
-        WriteOwnedBlocks(worker, tile);
-        CoverTileWith<AnyDepth>(job, worker, origin, tile);
-    }
-    if (job.depth != nullptr || job.ids != nullptr || rules.shading == Shading::Depth)
-        WriteOwnedBlocks(worker, tile);
+    if (job.colorsAtOnce())
+        CoverWith(UsualDepth<Keeps::Color>(job, origin), job, worker, origin, tile);
+    else if (job.depthOnly())
+        CoverWith(UsualDepth<Keeps::Nothing>(job, origin), job, worker, origin, tile);
+    else if (job.usualDepth())
+        CoverWith(UsualDepth<Keeps::Number>(job, origin), job, worker, origin, tile);
+    else
+        CoverWith(AnyDepth(job, origin), job, worker, origin, tile);
 }
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE

@@ -135,13 +135,18 @@ struct alignas(64) SetupLanes {
     std::uint32_t alone;                                             ///< that lies in one tile
     std::uint32_t exact;                                             ///< that the fast path cannot draw
 
+    [[nodiscard]] HWY_INLINE std::int32_t nearest(std::size_t lane) const
+    {
+        return std::max(constants[4 * lane + 3], 0); // bits of depths order like them from 0 on
+    }
+
     HWY_INLINE void copyTo(std::size_t lane, const FrameJob& job, Chunk::Slot slot) const
     {
         TileTriangle& t = *slot.triangle;
         std::memcpy(&t.a, gradients.data() + 4 * lane, 4 * sizeof(std::int32_t));
         std::memcpy(&t.c, constants.data() + 4 * lane, 4 * sizeof(std::int32_t));
         std::memcpy(&t.source, depth.data() + 4 * lane, 4 * sizeof(double));
-        if (job.interpolatesColor())
+        if (job.interpolatesColor() || job.hasTexels())
             colors.copyTo(lane, *slot.colors);
         else
             slot.colors->extra = varyings[lane];
@@ -360,40 +365,82 @@ HWY_INLINE void SetUpLanes(const FrameJob& job, Chunk& chunk, const SetupQueue& 
     }
 }
 
-/// Writes a triangle into the bin of a tile, if it may cover samples there.
-inline void EmitToTile(const FrameJob& job, Chunk& chunk, const SetupLanes& lanes, std::size_t i, int column, int row)
+/// A triangle in one of several tiles.
+struct TilePart {
+    int x0, y0, x1, y1;        ///< bounds in samples of the tile, both ends included
+    int toX, toY;              ///< from the anchor in the triangle's first tile to the one in this
+    std::array<double, 3> c{}; ///< edge values at the anchor
+    bool touches = true,
+         covers = true; ///< whether it may cover samples of the tile; whether all that are on the target
+};
+
+inline TilePart PartInTile(const FrameJob& job, const SetupLanes& lanes, std::size_t i, int column, int row)
 {
     const int originX = column * job.grid.pitch;
     const int originY = row * job.grid.pitch;
+    const int last = job.grid.pitch - 1;
+    const auto anchor = [](int sample) { return sample & -kBlockSide; };
     const int x0 = std::max(lanes.x0[i] - originX, 0);
     const int y0 = std::max(lanes.y0[i] - originY, 0);
-    const int x1 = std::min(lanes.x1[i] - originX, job.grid.pitch - 1);
-    const int y1 = std::min(lanes.y1[i] - originY, job.grid.pitch - 1);
-    const auto anchor = [](int sample) { return sample & -kBlockSide; };
-    // From the anchor in the triangle's first tile to the one in this.
+    const int x1 = std::min(lanes.x1[i] - originX, last);
+    const int y1 = std::min(lanes.y1[i] - originY, last);
     const int toX = originX + anchor(x0) - anchor(lanes.x0[i]);
     const int toY = originY + anchor(y0) - anchor(lanes.y0[i]);
+    TilePart part{x0, y0, x1, y1, toX, toY};
+    // Of the locals: the compiler would read two fields in one, which waits for all stores before to reach the cache.
+    part.covers = (x0 | y0) == 0 && x1 == std::min(last, job.rules.columns() - originX - 1) &&
+                  y1 == std::min(last, job.rules.rows() - originY - 1);
+    if ((lanes.exact >> i & 1) != 0) {
+        part.covers = false;
+        return part;
+    }
+    const double width = x1 - anchor(x0);
+    const double height = y1 - anchor(y0);
     const std::int32_t* gradients = lanes.gradients.data() + 4 * i;
     const double a[3] = {double(gradients[0]), double(gradients[1]), -double(gradients[0]) - gradients[1]};
     const double b[3] = {double(gradients[2]), double(gradients[3]), -double(gradients[2]) - gradients[3]};
-    const bool exact = (lanes.exact >> i & 1) != 0;
-    std::array<std::int32_t, 3> c{};
-    for (std::size_t k = 0; k < 3 && !exact; ++k) {
-        const double value = lanes.c[k][i] + a[k] * toX + b[k] * toY;
-        if (value + std::max(a[k], 0.0) * (x1 - anchor(x0)) + std::max(b[k], 0.0) * (y1 - anchor(y0)) < 0)
-            return;
-        c[k] = static_cast<std::int32_t>(std::min(value, double(kFarInside)));
+    for (std::size_t k = 0; k < 3; ++k) {
+        part.c[k] = lanes.c[k][i] + a[k] * toX + b[k] * toY;
+        part.touches &= part.c[k] + std::max(a[k], 0.0) * width + std::max(b[k], 0.0) * height >= 0;
+        part.covers &= part.c[k] + std::min(a[k], 0.0) * width + std::min(b[k], 0.0) * height >= 0;
     }
-    const Chunk::Slot slot = chunk.append(job.grid.index(column, row));
+    return part;
+}
+
+/// Writes a triangle into the bin of a tile, if it may be seen there; what it hides leaves the bin.
+inline void EmitToTile(const FrameJob& job, Chunk& chunk, const SetupLanes& lanes, std::size_t i, int column, int row,
+                       bool hides)
+{
+    Bin& bin = chunk.bins[job.grid.index(column, row)];
+    const std::int32_t nearest = lanes.nearest(i);
+    if (hides && nearest >= bin.farthest)
+        return;
+    const TilePart part = PartInTile(job, lanes, i, column, row);
+    if (!part.touches)
+        return;
+    const double perX = lanes.depth[4 * i + 2];
+    const double perY = lanes.depth[4 * i + 3];
+    const double depthOrigin = lanes.depth[4 * i + 1] + perX * part.toX + perY * part.toY;
+    if (hides && part.covers) {
+        const double farthest = depthOrigin + std::max(perX, 0.0) * part.x1 + std::max(perY, 0.0) * part.y1;
+        const std::int32_t key = depthKey(static_cast<float>(farthest));
+        if (key < bin.nearest) {
+            chunk.clear(bin);
+            bin.nearest = nearest;
+        }
+        bin.farthest = std::min(bin.farthest, key);
+    }
+    const Chunk::Slot slot = chunk.append(bin, nearest);
     lanes.copyTo(i, job, slot);
     TileTriangle& t = *slot.triangle;
-    t.c = c;
-    t.depthOrigin += t.depthPerX * toX + t.depthPerY * toY;
-    t.x0 = static_cast<std::uint8_t>(x0);
-    t.y0 = static_cast<std::uint8_t>(y0);
-    t.x1 = static_cast<std::uint8_t>(x1);
-    t.y1 = static_cast<std::uint8_t>(y1);
-    if (exact) {
+    for (std::size_t k = 0; k < 3; ++k)
+        t.c[k] = static_cast<std::int32_t>(std::min(part.c[k], double(kFarInside)));
+    t.depthOrigin = depthOrigin;
+    t.x0 = static_cast<std::uint8_t>(part.x0);
+    t.y0 = static_cast<std::uint8_t>(part.y0);
+    t.x1 = static_cast<std::uint8_t>(part.x1);
+    t.y1 = static_cast<std::uint8_t>(part.y1);
+    if ((lanes.exact >> i & 1) != 0) {
         t.source = kPiece | static_cast<std::uint32_t>(chunk.pieces.size() - 1);
         t.makeExact();
     }
@@ -406,9 +453,10 @@ inline void EmitToTiles(const FrameJob& job, Chunk& chunk, const SetupLanes& lan
         const ScreenTriangle triangle = screenTriangle(job, chunk, source);
         chunk.pieces.push_back({triangle});
     }
+    const bool hides = job.usualDepth();
     for (int row = lanes.row0[i]; row <= lanes.row1[i]; ++row)
         for (int column = lanes.column0[i]; column <= lanes.column1[i]; ++column)
-            EmitToTile(job, chunk, lanes, i, column, row);
+            EmitToTile(job, chunk, lanes, i, column, row, hides);
 }
 
 /// Sets up one vector of triangles from the queue and writes them into the bins.
@@ -420,7 +468,7 @@ HWY_INLINE void SetUpAndBin(const FrameJob& job, Chunk& chunk, const SetupQueue&
     for (std::uint32_t bits = lanes.used; bits != 0; bits &= bits - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(bits));
         if (HWY_LIKELY((lanes.alone & ~lanes.exact) >> i & 1))
-            lanes.copyTo(i, job, chunk.append(static_cast<std::size_t>(lanes.tile[i])));
+            lanes.copyTo(i, job, chunk.append(chunk.bins[static_cast<std::size_t>(lanes.tile[i])], lanes.nearest(i)));
         else
             EmitToTiles(job, chunk, lanes, i, queue.source[at + i]);
     }

@@ -16,6 +16,16 @@ HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
 {
 
+/// Samples of the block that hold the number, a bit each.
+HWY_INLINE std::uint32_t LanesWith(const std::uint32_t* ids, std::uint32_t number)
+{
+    constexpr UintTag tag;
+    std::uint32_t bits = 0;
+    for (std::size_t v = 0; v < kVectors; ++v)
+        bits |= BitsOf(tag, hn::Eq(hn::Load(tag, ids + v * kPerVector), hn::Set(tag, number))) << (v * kPerVector);
+    return bits;
+}
+
 /// Samples of a block that belong to the target.
 inline std::uint32_t LanesOnTarget(const FrameJob& job, TileOrigin origin, int block)
 {
@@ -49,137 +59,150 @@ HWY_INLINE Uints PackHeld(Floats red, Floats green, Floats blue)
     return PackChannels(held(red), held(green), held(blue));
 }
 
-/// The colour of a triangle at samples (x, y) of the target.
-HWY_INLINE Uints ColorAt(const ColorPlanes& planes, Floats x, Floats y)
+/// Colours of ColorWay::Perspective at samples relative to the anchor.
+HWY_INLINE Uints PerspectiveColor(const ColorPlanes& planes, Floats x, Floats y)
 {
     constexpr FloatTag tag;
-    const Floats toX = hn::Sub(x, hn::Set(tag, planes.x0));
-    const Floats toY = hn::Sub(y, hn::Set(tag, planes.y0));
+    const auto number = [](std::int32_t bits) HWY_ATTR { return hn::Set(FloatTag(), std::bit_cast<float>(bits)); };
     const auto plane = [&](std::size_t i) HWY_ATTR {
-        return hn::Add(hn::Set(tag, planes.origin[i]),
-                       hn::Add(hn::Mul(hn::Set(tag, planes.perX[i]), toX), hn::Mul(hn::Set(tag, planes.perY[i]), toY)));
+        return hn::Add(number(planes.origin[i]),
+                       hn::Add(hn::Mul(number(planes.perX[i]), x), hn::Mul(number(planes.perY[i]), y)));
     };
-    if (HWY_LIKELY(planes.way == ColorWay::Affine))
-        return PackChannels(plane(1), plane(2), plane(3));
     const Floats w = hn::Div(hn::Set(tag, 1.0F), plane(0));
     return PackHeld(hn::Mul(plane(1), w), hn::Mul(plane(2), w), hn::Mul(plane(3), w));
 }
 
-/// A block's place: in the tile, and its first sample on the target.
-struct BlockPlace {
-    TileOrigin origin;
-    std::size_t block;
-
-    [[nodiscard]] int x() const { return origin.x + blockColumn(static_cast<int>(block)) * kBlockSide; }
-    [[nodiscard]] int y() const { return origin.y + blockRow(static_cast<int>(block)) * kBlockSide; }
-};
-
-/// A block while it is shaded.
-struct ColorBlock {
-    std::array<Uints, kVectors> ids;
-    std::array<Uints, kVectors> color;
-    std::array<Floats, kVectors> x, y; ///< samples of the target
-
-    HWY_INLINE void store(std::uint32_t* to) const
-    {
-        for (std::size_t v = 0; v < kVectors; ++v)
-            hn::Store(color[v], UintTag(), to + v * kPerVector);
-    }
-    HWY_INLINE void load(const std::uint32_t* from)
-    {
-        for (std::size_t v = 0; v < kVectors; ++v)
-            color[v] = hn::Load(UintTag(), from + v * kPerVector);
-    }
-    /// Samples that hold the number, a bit each.
-    HWY_INLINE std::uint32_t lanesOf(std::uint32_t number) const
-    {
-        std::uint32_t lanes = 0;
-        for (std::size_t v = 0; v < kVectors; ++v)
-            lanes |= BitsOf(UintTag(), hn::Eq(ids[v], hn::Set(UintTag(), number))) << (v * kPerVector);
-        return lanes;
-    }
-};
-
-inline void ColorExactly(const FrameJob& job, Worker& worker, const BlockPlace& place, std::uint32_t number,
-                         std::uint32_t lanes, ColorBlock& samples)
+/// The same of a block whose first sample is at (x, y) relative to the anchor; the vector that starts at `lane`.
+HWY_INLINE Uints PerspectiveColor(const ColorPlanes& planes, int x, int y, std::size_t lane)
 {
-    std::uint32_t* memory = worker.samples.color.data() + place.block * kLanes;
-    samples.store(memory);
-    shadeExactly(job, {worker.triangle(number).source, &worker.chunkOf(number), nullptr, {}},
-                 {static_cast<std::uint16_t>(place.block), static_cast<std::uint16_t>(lanes), 0}, place.origin,
-                 worker.samples);
-    samples.load(memory);
+    constexpr FloatTag tag;
+    return PerspectiveColor(planes,
+                            hn::Add(hn::Load(tag, kPattern.floatX.data() + lane), hn::Set(tag, static_cast<float>(x))),
+                            hn::Add(hn::Load(tag, kPattern.floatY.data() + lane), hn::Set(tag, static_cast<float>(y))));
 }
 
-/// Shading gouraud of a block.
-struct Interpolated {
-    const FrameJob& job;
-    Worker& worker;
-    BlockPlace place;
-
-    HWY_INLINE Interpolated(const FrameJob& j, Worker& w, const BlockPlace& p) : job(j), worker(w), place(p) {}
-
-    /// Colours the samples that a triangle won; the lanes are those.
-    HWY_INLINE void add(std::uint32_t number, std::uint32_t lanes, ColorBlock& samples)
-    {
-        constexpr UintTag tag;
-        const ColorPlanes& planes = worker.colors(number);
-        if (HWY_UNLIKELY(planes.way == ColorWay::Exact)) {
-            ColorExactly(job, worker, place, number, lanes, samples);
-            return;
-        }
-        for (std::size_t v = 0; v < kVectors; ++v) {
-            const auto mine = hn::Eq(samples.ids[v], hn::Set(tag, number));
-            samples.color[v] = hn::IfThenElse(mine, ColorAt(planes, samples.x[v], samples.y[v]), samples.color[v]);
-        }
-    }
-    HWY_INLINE void finish(ColorBlock&) {}
+/// Colours of ColorWay::Affine of 16 samples, two channels to a number, in 2^-8 of a step: red and blue, alpha and
+/// green. Sums of two of them are such again.
+struct ChannelPairs {
+    Ints redBlue;
+    Ints alphaGreen;
 };
 
-HWY_INLINE ColorBlock LoadColorBlock(const FrameJob& job, const TileSamples& samples, TileOrigin origin,
-                                     std::size_t block)
+HWY_INLINE Uints ColorOf(const ChannelPairs& pairs)
 {
     constexpr UintTag tag;
-    constexpr FloatTag floatTag;
-    const auto x = static_cast<float>(origin.x + blockColumn(static_cast<int>(block)) * kBlockSide);
-    const auto y = static_cast<float>(origin.y + blockRow(static_cast<int>(block)) * kBlockSide);
-    const std::uint32_t owner = samples.owner[block];
-    ColorBlock loaded;
-    for (std::size_t v = 0; v < kVectors; ++v) {
-        const std::size_t lane = v * kPerVector;
-        loaded.x[v] = hn::Add(hn::Load(floatTag, kPattern.floatX.data() + lane), hn::Set(floatTag, x));
-        loaded.y[v] = hn::Add(hn::Load(floatTag, kPattern.floatY.data() + lane), hn::Set(floatTag, y));
-        loaded.color[v] = hn::Set(tag, job.clearColor);
-        loaded.ids[v] =
-            owner != kNobody ? hn::Set(tag, owner) : hn::Load(tag, samples.ids.data() + block * kLanes + lane);
-    }
-    return loaded;
+    return hn::OrAnd(UpperBytes(hn::BitCast(tag, pairs.redBlue)), hn::BitCast(tag, pairs.alphaGreen),
+                     hn::Set(tag, 0xff00ff00U));
 }
 
-/// Colours a block; what nobody won is background.
-template <class Shader>
-HWY_INLINE void ColorWholeBlock(const FrameJob& job, Worker& worker, TileOrigin origin, std::size_t block,
-                                std::uint32_t* out)
+/// What a triangle's channels change by from lane to lane, in the units of its planes.
+struct ColorSlopes {
+    std::array<std::array<Ints, kVectors>, 3> channel;
+};
+
+HWY_INLINE ColorSlopes SpreadColors(const ColorPlanes& planes)
 {
-    const TileSamples& samples = worker.samples;
-    ColorBlock shaded = LoadColorBlock(job, samples, origin, block);
-    const std::uint32_t owner = samples.owner[block];
-    const std::uint32_t* ids = samples.ids.data() + block * kLanes;
-    std::uint32_t remaining = owner == kEmpty ? 0 : 0xffff & ~shaded.lanesOf(kNobody);
-    if (job.counting) {
-        remaining &= LanesOnTarget(job, origin, static_cast<int>(block));
-        worker.pixels.shaded += static_cast<unsigned>(std::popcount(remaining));
-        worker.pixels.written += static_cast<unsigned>(std::popcount(remaining));
+    constexpr IntTag tag;
+    ColorSlopes slopes;
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        const Ints x = hn::Load(tag, kPattern.x.data() + v * kPerVector);
+        const Ints y = hn::Load(tag, kPattern.y.data() + v * kPerVector);
+        for (std::size_t i = 0; i < 3; ++i)
+            slopes.channel[i][v] =
+                hn::Add(hn::Mul(x, hn::Set(tag, planes.perX[i + 1])), hn::Mul(y, hn::Set(tag, planes.perY[i + 1])));
     }
-    Shader shader(job, worker, {origin, block});
-    while (remaining != 0) {
-        const std::uint32_t number = owner != kNobody ? owner : ids[std::countr_zero(remaining)];
-        const std::uint32_t lanes = shaded.lanesOf(number);
-        shader.add(number, lanes & remaining, shaded);
-        remaining &= ~lanes;
+    return slopes;
+}
+
+/// From the first sample of a block to the others.
+HWY_INLINE ChannelPairs PairsInBlock(const ColorSlopes& slopes, std::size_t v)
+{
+    constexpr IntTag tag;
+    const auto& [red, green, blue] = slopes.channel;
+    const Ints high = hn::Set(tag, static_cast<std::int32_t>(0xffff0000U));
+    return {hn::Add(hn::And(red[v], high), hn::ShiftRight<16>(blue[v])), hn::ShiftRight<16>(green[v])};
+}
+
+/// Half a step of alpha to spare: green may take something away.
+constexpr std::uint32_t kOpaque = 0xff800000U;
+
+/// A channel of ColorWay::Affine at (x, y) relative to the anchor.
+HWY_INLINE std::uint32_t ChannelAt(const ColorPlanes& planes, std::size_t channel, int x, int y)
+{
+    const auto bits = [](std::int32_t number) { return static_cast<std::uint32_t>(number); };
+    return bits(planes.origin[channel + 1]) + bits(planes.perX[channel + 1]) * bits(x) +
+           bits(planes.perY[channel + 1]) * bits(y);
+}
+
+/// At the first samples of 4 x 4 blocks, the first of them at (x, y) relative to the anchor.
+HWY_INLINE ChannelPairs PairsOfBlocks(const ColorPlanes& planes, const ColorSlopes& slopes, int x, int y, std::size_t v)
+{
+    constexpr UintTag tag;
+    const auto channel = [&](std::size_t i) HWY_ATTR {
+        return hn::Add(hn::ShiftLeft<2>(hn::BitCast(UintTag(), slopes.channel[i][v])),
+                       hn::Set(UintTag(), ChannelAt(planes, i, x, y)));
+    };
+    const Uints redBlue = hn::OrAnd(hn::ShiftRight<16>(channel(2)), channel(0), hn::Set(tag, 0xffff0000U));
+    const Uints alphaGreen = hn::Or(hn::ShiftRight<16>(channel(1)), hn::Set(tag, kOpaque));
+    return {hn::BitCast(IntTag(), redBlue), hn::BitCast(IntTag(), alphaGreen)};
+}
+
+/// ChannelPairs in memory.
+struct alignas(64) StoredPairs {
+    std::array<std::int32_t, kLanes> redBlue;
+    std::array<std::int32_t, kLanes> alphaGreen;
+
+    HWY_INLINE void store(const ChannelPairs& pairs, std::size_t v)
+    {
+        hn::Store(pairs.redBlue, IntTag(), redBlue.data() + v * kPerVector);
+        hn::Store(pairs.alphaGreen, IntTag(), alphaGreen.data() + v * kPerVector);
     }
-    shader.finish(shaded);
-    shaded.store(out);
+};
+
+/// Colours of a triangle in 4 x 4 blocks.
+struct ColorSquares {
+    StoredPairs corners;
+    StoredPairs offsets; ///< from the first sample of a block to the others
+    const ColorPlanes* planes;
+    int x, y; ///< the first sample, relative to the anchor
+
+    HWY_INLINE void fill(const ColorPlanes& triangle, const ColorSlopes& slopes, int firstX, int firstY)
+    {
+        planes = &triangle;
+        x = firstX;
+        y = firstY;
+        for (std::size_t v = 0; v < kVectors; ++v) {
+            corners.store(PairsOfBlocks(triangle, slopes, firstX, firstY, v), v);
+            offsets.store(PairsInBlock(slopes, v), v);
+        }
+    }
+
+    /// Of the square-th block, unless the way is Exact; the vector that starts at `lane`.
+    HWY_INLINE Uints color(std::size_t square, std::size_t lane) const
+    {
+        constexpr IntTag tag;
+        if (HWY_UNLIKELY(planes->way != ColorWay::Affine)) {
+            const auto at = static_cast<int>(square);
+            return PerspectiveColor(*planes, x + at % 4 * kBlockSide, y + at / 4 * kBlockSide, lane);
+        }
+        return ColorOf(
+            {hn::Add(hn::Set(tag, corners.redBlue[square]), hn::Load(tag, offsets.redBlue.data() + lane)),
+             hn::Add(hn::Set(tag, corners.alphaGreen[square]), hn::Load(tag, offsets.alphaGreen.data() + lane))});
+    }
+};
+
+/// The samples of one block, its first at (x, y) of the target, unless the way is Exact.
+HWY_INLINE Uints BlockColor(const ColorPlanes& planes, int x, int y, std::size_t v)
+{
+    if (HWY_UNLIKELY(planes.way != ColorWay::Affine))
+        return PerspectiveColor(planes, x - planes.x0, y - planes.y0, v * kPerVector);
+    constexpr IntTag tag;
+    const ChannelPairs offsets = PairsInBlock(SpreadColors(planes), v);
+    const auto channel = [&](std::size_t i) HWY_ATTR { return ChannelAt(planes, i, x - planes.x0, y - planes.y0); };
+    const std::uint32_t redBlue = (channel(0) & 0xffff0000U) | channel(2) >> 16;
+    const std::uint32_t alphaGreen = kOpaque | channel(1) >> 16;
+    return ColorOf({hn::Add(hn::Set(tag, static_cast<std::int32_t>(redBlue)), offsets.redBlue),
+                    hn::Add(hn::Set(tag, static_cast<std::int32_t>(alphaGreen)), offsets.alphaGreen)});
 }
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE

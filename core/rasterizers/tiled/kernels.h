@@ -35,11 +35,7 @@ struct FrameJob {
     std::uint16_t* coverage = nullptr;
 
     [[nodiscard]] bool interpolates() const { return rules.varyingCount > 0; }
-    /// Whether records have ColorPlanes, so that colours can be made block by block.
-    [[nodiscard]] bool interpolatesColor() const
-    {
-        return interpolates() && (rules.shading == Shading::Gouraud || rules.shading == Shading::Texture);
-    }
+    [[nodiscard]] bool interpolatesColor() const { return interpolates() && rules.shading == Shading::Gouraud; }
     [[nodiscard]] bool hasTexels() const { return interpolates() && rules.shading == Shading::Texture; }
     /// in   Material::texture
     [[nodiscard]] const Texture& texture(std::int32_t place) const
@@ -55,13 +51,25 @@ struct FrameJob {
     {
         return counting || outputs.coverage || rules.shading == Shading::Overdraw;
     }
+    /// The depth test almost everybody asks for, and nobody counts what is covered.
+    [[nodiscard]] bool usualDepth() const
+    {
+        return rules.depthTested && rules.depthCompare == DepthCompare::Less &&
+               rules.depthFormat == DepthFormat::Float32 && !countsCoverage();
+    }
+    [[nodiscard]] bool depthOnly() const { return usualDepth() && color == nullptr && ids == nullptr; }
+    /// Whether nobody needs to know whose a sample is, but for its interpolated colour.
+    [[nodiscard]] bool colorsAtOnce() const
+    {
+        return usualDepth() && color != nullptr && ids == nullptr && interpolatesColor();
+    }
 };
 
 /// A triangle of the tile that won samples.
 struct VisibleTriangle {
     std::uint32_t source;
     const Chunk* chunk;
-    const void* varyings; ///< VaryingPlanes of shadings that have them
+    const void* varyings; ///< VaryingPlanes of shadings that have them; ColorPlanes of interpolated colours
     FaceUniforms uniforms;
 };
 

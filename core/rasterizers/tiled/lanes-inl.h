@@ -56,6 +56,17 @@ HWY_INLINE Uints PlacesFrom(std::uint32_t first, std::size_t lane)
     return hn::Add(hn::Load(tag, kPattern.place.data() + lane), hn::Set(tag, first));
 }
 
+/// The upper byte of both halves of each lane.
+HWY_INLINE Uints UpperBytes(Uints pairs)
+{
+#if HWY_TARGET == HWY_SCALAR
+    return hn::And(hn::ShiftRight<8>(pairs), hn::Set(UintTag(), 0x00ff00ffU));
+#else
+    constexpr hn::Repartition<std::uint16_t, UintTag> halves;
+    return hn::BitCast(UintTag(), hn::ShiftRight<8>(hn::BitCast(halves, pairs)));
+#endif
+}
+
 /// As many doubles as a vector of floats has lanes.
 struct WideDoubles {
     std::array<Doubles, kParts> part;

@@ -48,14 +48,14 @@ struct alignas(64) ColorPlaneLanes {
     std::array<float, 4 * kDoubles> origin;
     std::array<float, 4 * kDoubles> perX;
     std::array<float, 4 * kDoubles> perY;
-    std::array<float, 4 * kDoubles> rest; ///< anchor and ColorWay
+    std::array<std::int32_t, 4 * kDoubles> rest; ///< anchor and ColorWay
 
     HWY_INLINE void copyTo(std::size_t lane, ColorPlanes& to) const
     {
         std::memcpy(&to.origin, origin.data() + 4 * lane, sizeof to.origin);
         std::memcpy(&to.perX, perX.data() + 4 * lane, sizeof to.perX);
         std::memcpy(&to.perY, perY.data() + 4 * lane, sizeof to.perY);
-        std::memcpy(&to.x0, rest.data() + 4 * lane, 4 * sizeof(float));
+        std::memcpy(&to.x0, rest.data() + 4 * lane, 4 * sizeof(std::int32_t));
     }
 };
 
@@ -146,22 +146,42 @@ struct PlaneSet {
     std::array<HalfFloats, 4> origin, perX, perY;
 };
 
-HWY_INLINE PlaneSet AffinePlanes(const WeightLanes<HalfFloats>& weights, const ColorLanes3& colors, float white)
+/// Planes of colours times `white`; what they are converted to is up to `toPlane` (what is added to the origin: 0 or 1
+/// times).
+template <class ToPlane>
+HWY_INLINE PlaneSet ScreenPlanes(const WeightLanes<HalfFloats>& weights, const ColorLanes3& colors, float white,
+                                 ToPlane&& toPlane)
 {
     constexpr HalfFloatTag tag;
     const HalfFloats scale = hn::Set(tag, white);
     PlaneSet planes;
-    planes.origin[0] = hn::Set(tag, 1.0F);
-    planes.perX[0] = planes.perY[0] = hn::Zero(tag);
+    planes.origin[0] = planes.perX[0] = planes.perY[0] = hn::Zero(tag);
     for (std::size_t i = 0; i < 3; ++i) {
         const HalfFloats a = hn::Mul(colors.channel[0][i], scale);
         const HalfFloats ab = hn::Mul(hn::Sub(colors.channel[1][i], colors.channel[0][i]), scale);
         const HalfFloats ac = hn::Mul(hn::Sub(colors.channel[2][i], colors.channel[0][i]), scale);
-        planes.origin[i + 1] = hn::Add(a, hn::Add(hn::Mul(ab, weights.bAtAnchor), hn::Mul(ac, weights.cAtAnchor)));
-        planes.perX[i + 1] = hn::Add(hn::Mul(ab, weights.bPerX), hn::Mul(ac, weights.cPerX));
-        planes.perY[i + 1] = hn::Add(hn::Mul(ab, weights.bPerY), hn::Mul(ac, weights.cPerY));
+        const auto combine = [&](HalfFloats b, HalfFloats c)
+                                 HWY_ATTR { return hn::Add(hn::Mul(ab, b), hn::Mul(ac, c)); };
+        planes.origin[i + 1] = toPlane(hn::Add(a, combine(weights.bAtAnchor, weights.cAtAnchor)), 1);
+        planes.perX[i + 1] = toPlane(combine(weights.bPerX, weights.cPerX), 0);
+        planes.perY[i + 1] = toPlane(combine(weights.bPerY, weights.cPerY), 0);
     }
     return planes;
+}
+
+/// Planes as ColorPlanes has them for ColorWay::Affine, as bits.
+HWY_INLINE PlaneSet AffinePlanes(const WeightLanes<HalfFloats>& weights, const ColorLanes3& colors)
+{
+    // Rounding to the nearest step, and what is lost on the average where 24 bits of fraction become 8, twice.
+    constexpr double kRounding = 0x1p23 + 0x1p16;
+    const auto fixed = [](HalfFloats steps, int rounded) HWY_ATTR {
+        // Above 2^52 a double counts in ones: its lowest 32 bits are the number modulo 2^32.
+        const Doubles sum =
+            hn::Add(hn::PromoteTo(DoubleTag(), steps), hn::Set(DoubleTag(), 0x1.8p52 + rounded * kRounding));
+        const auto bits = hn::BitCast(hn::RebindToUnsigned<DoubleTag>(), sum);
+        return hn::BitCast(HalfFloatTag(), hn::TruncateTo(hn::RebindToUnsigned<HalfIntTag>(), bits));
+    };
+    return ScreenPlanes(weights, colors, 255.0F * 0x1p24F, fixed);
 }
 
 /// Replaces the planes of the lanes that are large, steep or deep: made in double, with 1/w.
@@ -232,7 +252,9 @@ HWY_INLINE void MakeColorPlanes(const Rules& rules, const PlaneGeometry& g, cons
         MakeWeights(tag, toSamples(g.abX), toSamples(g.abY), toSamples(g.acX), toSamples(g.acY), toSamples(g.toAnchorX),
                     toSamples(g.toAnchorY), hn::DemoteTo(tag, g.inverseArea));
     const float white = textured != nullptr ? 1.0F : 255.0F;
-    PlaneSet planes = AffinePlanes(weights, colors, white);
+    PlaneSet planes = textured != nullptr
+                          ? ScreenPlanes(weights, colors, white, [](HalfFloats v, int) HWY_ATTR { return v; })
+                          : AffinePlanes(weights, colors);
     HalfInts way = hn::Set(HalfIntTag(), static_cast<std::int32_t>(ColorWay::Affine));
     const auto affine = ColorsAreAffine(rules, colors, weights.steepness);
     if (HWY_UNLIKELY((lanes & ~BitsOf(tag, affine)) != 0))
@@ -247,9 +269,8 @@ HWY_INLINE void MakeColorPlanes(const Rules& rules, const PlaneGeometry& g, cons
     store(planes.origin, out.origin);
     store(planes.perX, out.perX);
     store(planes.perY, out.perY);
-    hn::StoreInterleaved4(hn::ConvertTo(tag, anchorX), hn::ConvertTo(tag, anchorY), hn::BitCast(tag, way),
-                          hn::BitCast(tag, textured != nullptr ? textured->texture : hn::Zero(HalfIntTag())), tag,
-                          out.rest.data());
+    hn::StoreInterleaved4(anchorX, anchorY, way, textured != nullptr ? textured->texture : hn::Zero(HalfIntTag()),
+                          HalfIntTag(), out.rest.data());
 }
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE

@@ -20,16 +20,6 @@ HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
 {
 
-/// Samples of the block that hold the number, a bit each.
-HWY_INLINE std::uint32_t LanesWith(const std::uint32_t* ids, std::uint32_t number)
-{
-    constexpr UintTag tag;
-    std::uint32_t bits = 0;
-    for (std::size_t v = 0; v < kVectors; ++v)
-        bits |= BitsOf(tag, hn::Eq(hn::Load(tag, ids + v * kPerVector), hn::Set(tag, number))) << (v * kPerVector);
-    return bits;
-}
-
 /// The planes of a triangle, on their way from memory: they are read when all who are visible have been found.
 template <std::size_t kCount>
 HWY_INLINE const void* FetchVaryings(const Chunk& chunk, std::uint32_t number)
@@ -62,7 +52,10 @@ HWY_INLINE std::uint32_t VisiblePlace(const FrameJob& job, std::uint32_t number,
     const Chunk& chunk = worker.chunkOf(number);
     const std::uint32_t source = worker.triangle(number).source;
     const Shading shading = job.rules.shading;
-    const void* varyings = job.interpolates() ? FetchVaryings(shading, chunk, worker.colors(number).extra) : nullptr;
+    const ColorPlanes& colors = worker.colors(number);
+    const void* varyings = job.interpolatesColor() ? &colors
+                           : job.interpolates()    ? FetchVaryings(shading, chunk, colors.extra)
+                                                   : nullptr;
     worker.visible.push_back({source, &chunk, varyings, faceUniforms(*job.scene, faceOf(chunk, source), shading)});
     return place;
 }
@@ -165,6 +158,23 @@ inline void ShadeVaryings(const FrameJob& job, Worker& worker, TileOrigin origin
     }
 }
 
+/// Interpolated colours, where samples had to remember whose they are.
+inline void ShadeColors(const FrameJob& job, Worker& worker, TileOrigin origin)
+{
+    for (const BlockShare& share : worker.sharesInUse()) {
+        const VisibleTriangle& visible = worker.visible[share.visible];
+        const auto& planes = *static_cast<const ColorPlanes*>(visible.varyings);
+        if (HWY_UNLIKELY(planes.way == ColorWay::Exact)) {
+            shadeExactly(job, visible, share, origin, worker.samples);
+            continue;
+        }
+        const int x = origin.x + blockColumn(share.block) * kBlockSide;
+        const int y = origin.y + blockRow(share.block) * kBlockSide;
+        for (std::size_t v = 0; v < kVectors; ++v)
+            BlendColor(BlockColor(planes, x, y, v), share, v, worker.samples);
+    }
+}
+
 /// Shadings with one colour a face.
 inline void ShadeUniform(Worker& worker)
 {
@@ -196,16 +206,6 @@ inline void CountShares(const FrameJob& job, Worker& worker)
     }
 }
 
-inline void ColorTextured(const FrameJob& job, Worker& worker, TileOrigin origin)
-{
-    worker.precise.number.fill(kNobody);
-    switch (job.rules.textureFilter) {
-    case TextureFilter::Nearest: ColorTile<Textured<TextureFilter::Nearest>>(job, worker, origin); break;
-    case TextureFilter::Bilinear: ColorTile<Textured<TextureFilter::Bilinear>>(job, worker, origin); break;
-    case TextureFilter::Trilinear: ColorTile<Textured<TextureFilter::Trilinear>>(job, worker, origin); break;
-    }
-}
-
 inline void ShadeTile(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
     const bool overdraw = job.rules.shading == Shading::Overdraw;
@@ -213,12 +213,12 @@ inline void ShadeTile(const FrameJob& job, Worker& worker, TileOrigin origin)
         for (std::size_t i = 0; i < kTileSamples; ++i)
             worker.samples.color[i] = overdrawColor(worker.samples.coverage[i]);
     worker.resolvedSubtiles = 0;
-    if (job.color != nullptr && job.rules.shading == Shading::Gouraud) {
-        ColorTile<Interpolated>(job, worker, origin);
+    if (job.colorsAtOnce()) {
+        FinishColors(job, worker, origin);
         return;
     }
     if (job.color != nullptr && job.rules.shading == Shading::Texture) {
-        ColorTextured(job, worker, origin);
+        ShadeTextured(job, worker, origin);
         return;
     }
     const bool shades = job.color != nullptr && !overdraw;
@@ -239,7 +239,7 @@ inline void ShadeTile(const FrameJob& job, Worker& worker, TileOrigin origin)
     case Shading::Phong: ShadeVaryings<PhongShader>(job, worker, origin); break;
     case Shading::Normals: ShadeVaryings<NormalShader>(job, worker, origin); break;
     case Shading::Uv: ShadeVaryings<UvShader>(job, worker, origin); break;
-    case Shading::Gouraud:
+    case Shading::Gouraud: ShadeColors(job, worker, origin); break;
     case Shading::Texture:
     case Shading::Overdraw: break;
     }

@@ -7,6 +7,7 @@
 #define RASTERLENS_TILED_SUBTILE_INL_H
 #endif
 
+#include "core/rasterizers/tiled/blocks-inl.h"
 #include "core/rasterizers/tiled/gouraud-inl.h"
 #include "core/rasterizers/tiled/tile_output.h"
 
@@ -15,157 +16,130 @@ namespace rasterlens::tiled::HWY_NAMESPACE
 {
 
 /// The triangle that has all blocks of a subtile, or kNobody.
-HWY_INLINE std::uint32_t SubtileOwner(const TileSamples& samples, std::size_t subtile)
+HWY_INLINE std::uint32_t SubtileOwner(const std::uint32_t* owners)
 {
-    constexpr UintTag tag;
-    const std::uint32_t* owners = samples.owner.data() + subtile * kLanes;
-    for (std::size_t v = 0; v < kVectors; ++v)
-        if (!hn::AllTrue(tag, hn::Eq(hn::Load(tag, owners + v * kPerVector), hn::Set(tag, owners[0]))))
-            return kNobody;
-    return owners[0] == kEmpty ? kNobody : owners[0];
+    return owners[0] < kEmpty && LanesWith(owners, owners[0]) == 0xffff ? owners[0] : kNobody;
 }
 
-/// Sums of 16 channels in the lowest 12 bits.
-struct ChannelSums {
-    Ints red, green, blue;
-};
-
-HWY_INLINE void AddSample(Floats red, Floats green, Floats blue, ChannelSums& sums)
-{
-    // 16 times the bits of 2^23 leave the lowest 24 bits alone.
-    sums.red = hn::Add(sums.red, ChannelOf(red));
-    sums.green = hn::Add(sums.green, ChannelOf(green));
-    sums.blue = hn::Add(sums.blue, ChannelOf(blue));
-}
-
-HWY_INLINE Uints MeanOf16(const ChannelSums& sums)
+/// Means of the 16 samples of each of a vector of pixels, the square-th pixel in the square-th lane.
+HWY_INLINE Uints AffineMeans(const ColorSquares& squares, std::size_t v)
 {
     constexpr IntTag tag;
-    const auto mean = [&](Ints sum) HWY_ATTR {
-        return hn::And(hn::ShiftRight<4>(hn::Add(sum, hn::Set(tag, 8))), hn::Set(tag, 0xff));
-    };
-    const Ints redGreen = hn::Or(hn::ShiftLeft<16>(mean(sums.red)), hn::ShiftLeft<8>(mean(sums.green)));
-    const Ints opaque = hn::Set(tag, static_cast<std::int32_t>(0xff000000U));
-    return hn::BitCast(UintTag(), hn::Or3(redGreen, mean(sums.blue), opaque));
-}
-
-/// What changes in the planes from column to column of a pixel's samples, and from row to row, for a vector of pixels.
-struct PixelSlopes {
-    std::array<std::array<Floats, 4>, kBlockSide> alongX;
-    std::array<std::array<Floats, 4>, kBlockSide> alongY;
-};
-
-/// in   the first samples of the pixels, relative to the anchor of the planes
-HWY_INLINE void SpreadSlopes(const ColorPlanes& planes, Floats x, Floats y, PixelSlopes& out)
-{
-    constexpr FloatTag tag;
-    for (std::size_t k = 0; k < kBlockSide; ++k) {
-        const Floats step = hn::Set(tag, static_cast<float>(k));
-        for (std::size_t i = 0; i < 4; ++i) {
-            out.alongX[k][i] = hn::Mul(hn::Set(tag, planes.perX[i]), hn::Add(x, step));
-            out.alongY[k][i] = hn::Mul(hn::Set(tag, planes.perY[i]), hn::Add(y, step));
-        }
+    constexpr UintTag unsignedTag;
+    const Uints halves = hn::Set(unsignedTag, 0x00ff00ffU);
+    const Ints redBlue = hn::Load(tag, squares.corners.redBlue.data() + v * kPerVector);
+    const Ints alphaGreen = hn::Load(tag, squares.corners.alphaGreen.data() + v * kPerVector);
+    Uints redBlueSum = hn::Set(unsignedTag, 0x00080008U);
+    Uints alphaGreenSum = redBlueSum;
+    for (std::size_t s = 0; s < kLanes; ++s) {
+        const auto steps = [](Ints first, std::int32_t offset) HWY_ATTR {
+            return UpperBytes(hn::BitCast(UintTag(), hn::Add(first, hn::Set(IntTag(), offset))));
+        };
+        redBlueSum = hn::Add(redBlueSum, steps(redBlue, squares.offsets.redBlue[s]));
+        alphaGreenSum = hn::Add(alphaGreenSum, steps(alphaGreen, squares.offsets.alphaGreen[s]));
     }
+    const Uints alphaGreenMean = hn::And(hn::ShiftRight<4>(alphaGreenSum), halves);
+    return hn::OrAnd(hn::ShiftLeft<8>(alphaGreenMean), hn::ShiftRight<4>(redBlueSum), halves);
 }
 
-/// Channels of all samples of a vector of pixels.
-template <bool kPerspective>
-HWY_INLINE ChannelSums SumSamples(const ColorPlanes& planes, const PixelSlopes& slopes)
+HWY_INLINE Uints PerspectiveMeans(const ColorSquares& squares, std::size_t v)
 {
     constexpr FloatTag tag;
-    const Ints zero = hn::Zero(IntTag());
-    ChannelSums sums{zero, zero, zero};
-    for (const auto& alongY : slopes.alongY)
-        for (const auto& alongX : slopes.alongX) {
-            const auto plane = [&](std::size_t i) HWY_ATTR {
-                return hn::Add(hn::Set(tag, planes.origin[i]), hn::Add(alongX[i], alongY[i]));
-            };
-            if constexpr (kPerspective) {
-                const Floats w = hn::Div(hn::Set(tag, 1.0F), plane(0));
-                AddSample(hn::Mul(plane(1), w), hn::Mul(plane(2), w), hn::Mul(plane(3), w), sums);
-            } else {
-                AddSample(plane(1), plane(2), plane(3), sums);
-            }
-        }
-    return sums;
+    constexpr UintTag unsignedTag;
+    const auto first = [&](int at, const std::array<float, kLanes>& pattern) HWY_ATTR {
+        const Floats inBlocks = hn::Load(FloatTag(), pattern.data() + v * kPerVector);
+        return hn::Add(hn::Set(FloatTag(), static_cast<float>(at)),
+                       hn::Mul(inBlocks, hn::Set(FloatTag(), float(kBlockSide))));
+    };
+    const Floats x = first(squares.x, kPattern.floatX);
+    const Floats y = first(squares.y, kPattern.floatY);
+    const Uints halves = hn::Set(unsignedTag, 0x00ff00ffU);
+    Uints redBlueSum = hn::Set(unsignedTag, 0x00080008U);
+    Uints alphaGreenSum = redBlueSum;
+    for (std::size_t s = 0; s < kLanes; ++s) {
+        const Uints color = PerspectiveColor(*squares.planes, hn::Add(x, hn::Set(tag, kPattern.floatX[s])),
+                                             hn::Add(y, hn::Set(tag, kPattern.floatY[s])));
+        redBlueSum = hn::Add(redBlueSum, hn::And(color, halves));
+        alphaGreenSum = hn::Add(alphaGreenSum, hn::And(hn::ShiftRight<8>(color), halves));
+    }
+    const Uints alphaGreenMean = hn::And(hn::ShiftRight<4>(alphaGreenSum), halves);
+    return hn::OrAnd(hn::ShiftLeft<8>(alphaGreenMean), hn::ShiftRight<4>(redBlueSum), halves);
 }
 
-/// The interpolated colours of a subtile into its 4 x 4 pixels.
+/// The squares of a subtile, its first sample at (x, y) of the target.
+HWY_INLINE void FillSubtile(const ColorPlanes& planes, int x, int y, ColorSquares& squares)
+{
+    squares.fill(planes, SpreadColors(planes), x - planes.x0, y - planes.y0);
+}
+
+/// Colours the 4 x 4 pixels of a subtile that a triangle has to itself.
 ///
 /// in     (x, y) of its first sample on the target
-/// exact  the same sums as ColorAt(): the picture does not depend on who owns what
+/// exact  the means of what the samples would have been: the picture does not depend on who owns what
 inline void ColorSubtile(const FrameJob& job, const ColorPlanes& planes, int x, int y)
 {
-    constexpr FloatTag tag;
     std::array<std::uint32_t, kLanes> pixels;
-    PixelSlopes slopes;
+    ColorSquares squares;
+    FillSubtile(planes, x, y, squares);
     for (std::size_t v = 0; v < kVectors; ++v) {
-        const auto toBlock = [&](float first, const std::array<float, kLanes>& pattern) HWY_ATTR {
-            const Floats inBlocks = hn::Load(tag, pattern.data() + v * kPerVector);
-            return hn::Add(hn::Set(tag, first), hn::Mul(inBlocks, hn::Set(tag, float(kBlockSide))));
-        };
-        SpreadSlopes(planes, toBlock(static_cast<float>(x) - planes.x0, kPattern.floatX),
-                     toBlock(static_cast<float>(y) - planes.y0, kPattern.floatY), slopes);
-        const ChannelSums sums =
-            planes.way == ColorWay::Affine ? SumSamples<false>(planes, slopes) : SumSamples<true>(planes, slopes);
-        hn::StoreU(MeanOf16(sums), UintTag(), pixels.data() + v * kPerVector);
+        const bool affine = planes.way == ColorWay::Affine;
+        const Uints means = affine ? AffineMeans(squares, v) : PerspectiveMeans(squares, v);
+        hn::StoreU(means, UintTag(), pixels.data() + v * kPerVector);
     }
     for (int row = 0; row < 4; ++row)
         std::copy_n(pixels.begin() + 4 * row, 4, job.color + pixelIndex(job, x / 4, y / 4 + row));
 }
 
-/// Colours a subtile that a triangle has to itself.
+/// Colours blocks of a subtile, a bit each, that a triangle has or nobody.
 ///
-/// out  false if it is to be done block by block
-HWY_INLINE bool TakeSubtile(const FrameJob& job, Worker& worker, TileOrigin origin, int subtile)
+/// in   the first of the blocks of the subtile
+inline void ColorOwned(const FrameJob& job, Worker& worker, TileOrigin origin, std::size_t first, std::uint32_t owner,
+                       std::uint32_t blocks)
 {
-    const std::uint32_t number = SubtileOwner(worker.samples, static_cast<std::size_t>(subtile));
-    if (number == kNobody || worker.colors(number).way == ColorWay::Exact)
-        return false;
-    ColorSubtile(job, worker.colors(number), origin.x + blockColumn(subtile * kLanes) * kBlockSide,
-                 origin.y + blockRow(subtile * kLanes) * kBlockSide);
-    worker.resolvedSubtiles |= 1U << subtile;
-    return true;
+    constexpr UintTag tag;
+    const auto forEach = [&](auto&& colorOf) HWY_ATTR {
+        for (std::uint32_t bits = blocks; bits != 0; bits &= bits - 1) {
+            const auto square = static_cast<std::size_t>(std::countr_zero(bits));
+            for (std::size_t lane = 0; lane < kLanes; lane += kPerVector)
+                hn::Store(colorOf(square, lane), tag, worker.samples.color.data() + (first + square) * kLanes + lane);
+        }
+    };
+    if (owner == kEmpty) {
+        forEach([&](std::size_t, std::size_t) HWY_ATTR { return hn::Set(UintTag(), job.clearColor); });
+        return;
+    }
+    const ColorPlanes& planes = worker.colors(owner);
+    if (HWY_UNLIKELY(planes.way == ColorWay::Exact)) {
+        for (std::uint32_t bits = blocks; bits != 0; bits &= bits - 1)
+            ColorExactly(job, origin, owner, first + static_cast<std::size_t>(std::countr_zero(bits)), 0xffff, worker);
+        return;
+    }
+    ColorSquares squares;
+    FillSubtile(planes, origin.x + blockColumn(static_cast<int>(first)) * kBlockSide,
+                origin.y + blockRow(static_cast<int>(first)) * kBlockSide, squares);
+    forEach([&](std::size_t square, std::size_t lane) HWY_ATTR { return squares.color(square, lane); });
 }
 
-/// Brings the pixels of four blocks side by side near.
-HWY_INLINE void PrefetchBlocks(const FrameJob& job, TileOrigin origin, int firstBlock)
-{
-    const int x = origin.x + blockColumn(firstBlock) * kBlockSide;
-    const int y = origin.y + blockRow(firstBlock) * kBlockSide;
-    const std::uint32_t* pixels = job.color + std::ptrdiff_t(y) * job.rules.width + x;
-    for (int row = 0; row < kBlockSide; ++row)
-        __builtin_prefetch(pixels + std::ptrdiff_t(row) * job.rules.width, 1);
-}
-
-/// Colours four blocks side by side; with one sample a pixel they go into the picture at once.
-template <class Shader>
-HWY_INLINE void ColorBlockRow(const FrameJob& job, Worker& worker, TileOrigin origin, int firstBlock)
-{
-    constexpr int kAhead = 8;
-    const bool direct = job.rules.sampleGrid == 1;
-    alignas(64) std::array<std::uint32_t, std::size_t(4) * kLanes> row;
-    std::uint32_t* out = direct ? row.data() : worker.samples.color.data() + std::size_t(firstBlock) * kLanes;
-    if (direct && firstBlock + kAhead < kTileBlocks)
-        PrefetchBlocks(job, origin, firstBlock + kAhead);
-    for (int i = 0; i < 4; ++i)
-        ColorWholeBlock<Shader>(job, worker, origin, static_cast<std::size_t>(firstBlock + i), out + i * kLanes);
-    if (direct)
-        writeBlocks(job, origin, firstBlock, row.data());
-}
-
-/// Colours a whole tile.
-template <class Shader>
-inline void ColorTile(const FrameJob& job, Worker& worker, TileOrigin origin)
+/// Colours the blocks that no sample was written of.
+inline void FinishColors(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
     const bool whole = origin.x + kTileSide <= job.rules.columns() && origin.y + kTileSide <= job.rules.rows();
-    const bool takesSubtiles =
-        std::is_same_v<Shader, Interpolated> && whole && job.rules.sampleGrid == 4 && !job.counting;
-    for (int subtile = 0; subtile < kLanes; ++subtile) {
-        if (takesSubtiles && TakeSubtile(job, worker, origin, subtile))
+    const bool takesSubtiles = whole && job.rules.sampleGrid == 4;
+    for (std::size_t first = 0; first < kTileBlocks; first += kLanes) {
+        const std::uint32_t* owners = worker.samples.owner.data() + first;
+        const std::uint32_t owner = takesSubtiles ? SubtileOwner(owners) : kNobody;
+        if (owner != kNobody && worker.colors(owner).way != ColorWay::Exact) {
+            ColorSubtile(job, worker.colors(owner), origin.x + blockColumn(static_cast<int>(first)) * kBlockSide,
+                         origin.y + blockRow(static_cast<int>(first)) * kBlockSide);
+            worker.resolvedSubtiles |= 1U << (first / kLanes);
             continue;
-        for (int block = subtile * kLanes; block < (subtile + 1) * kLanes; block += 4)
-            ColorBlockRow<Shader>(job, worker, origin, block);
+        }
+        for (std::uint32_t left = 0xffff & ~LanesWith(owners, kNobody); left != 0;) {
+            const std::uint32_t next = owners[std::countr_zero(left)];
+            const std::uint32_t blocks = LanesWith(owners, next);
+            ColorOwned(job, worker, origin, first, next, blocks);
+            left &= ~blocks;
+        }
     }
 }
 

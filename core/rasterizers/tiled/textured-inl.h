@@ -6,6 +6,7 @@
 #define RASTERLENS_TILED_TEXTURED_INL_H
 #endif
 
+#include "core/rasterizers/tiled/blocks-inl.h"
 #include "core/rasterizers/tiled/exact_path.h"
 #include "core/rasterizers/tiled/gouraud-inl.h"
 #include "core/rasterizers/tiled/kernels.h"
@@ -18,6 +19,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
 {
+
+/// A block's place: in the tile, and its first sample on the target.
+struct BlockPlace {
+    TileOrigin origin;
+    std::size_t block;
+
+    [[nodiscard]] int x() const { return origin.x + blockColumn(static_cast<int>(block)) * kBlockSide; }
+    [[nodiscard]] int y() const { return origin.y + blockRow(static_cast<int>(block)) * kBlockSide; }
+};
 
 /// Texture coordinates of a triangle of the tile in double: no faster than they must be, as few samples ask for them.
 inline VaryingPlanes<kUvVaryings> MakePreciseTexels(const FrameJob& job, const Worker& worker, std::uint32_t number)
@@ -33,8 +43,7 @@ inline VaryingPlanes<kUvVaryings> MakePreciseTexels(const FrameJob& job, const W
     const auto toUnits = [](double samples)
                              HWY_ATTR { return hn::Set(HalfIntTag(), static_cast<std::int32_t>(samples * kUnit)); };
     const ColorPlanes& anchor = worker.colors(number);
-    const auto fromCorner = [&](float sample, double corner)
-                                HWY_ATTR { return toUnits(double(sample) + 0.5 - corner); };
+    const auto fromCorner = [&](int sample, double corner) HWY_ATTR { return toUnits(sample + 0.5 - corner); };
     const PlaneGeometry geometry{toUnits(b.position.x - a.position.x),
                                  toUnits(b.position.y - a.position.y),
                                  toUnits(c.position.x - a.position.x),
@@ -43,8 +52,8 @@ inline VaryingPlanes<kUvVaryings> MakePreciseTexels(const FrameJob& job, const W
                                  fromCorner(anchor.y0, a.position.y),
                                  hn::Set(DoubleTag(), 1 / twiceArea(a.position, b.position, c.position))};
     VaryingPlanes<kUvVaryings> planes;
-    MakeVaryingPlanes<kUvVaryings>(job.rules, geometry, stage, 1, hn::Set(HalfIntTag(), static_cast<int>(anchor.x0)),
-                                   hn::Set(HalfIntTag(), static_cast<int>(anchor.y0)), {&planes});
+    MakeVaryingPlanes<kUvVaryings>(job.rules, geometry, stage, 1, hn::Set(HalfIntTag(), anchor.x0),
+                                   hn::Set(HalfIntTag(), anchor.y0), {&planes});
     return planes;
 }
 
@@ -163,26 +172,28 @@ struct TexelFinder {
             return hn::Mul(hn::Add(at, first), hn::Set(tag, 1.0F / static_cast<float>(size)));
         };
         // The quotient rule: (U/W)' = (U' - u W') / W.
-        const auto derivative = [&](const auto& slopes, float ofInverseW, std::size_t axis, Floats at) HWY_ATTR {
-            return hn::Mul(hn::Sub(hn::Set(tag, slopes[axis]), hn::Mul(at, hn::Set(tag, ofInverseW))), w);
+        const auto derivative = [&](float ofProduct, std::int32_t ofInverseW, Floats at) HWY_ATTR {
+            const Floats perW = hn::Set(tag, std::bit_cast<float>(ofInverseW));
+            return hn::Mul(hn::Sub(hn::Set(tag, ofProduct), hn::Mul(at, perW)), w);
         };
         const GradientLanes inTexels{
-            derivative(texels.perX, colors.perX[0], 0, u), derivative(texels.perY, colors.perY[0], 0, u),
-            derivative(texels.perX, colors.perX[0], 1, v), derivative(texels.perY, colors.perY[0], 1, v)};
+            derivative(texels.perX[0], colors.perX[0], u), derivative(texels.perY[0], colors.perY[0], u),
+            derivative(texels.perX[1], colors.perX[0], v), derivative(texels.perY[1], colors.perY[0], v)};
         return {toUv(u, 0, texture.width), toUv(v, 1, texture.height), MipLevel(inTexels), wanted};
     }
 
     /// in   samples of the target
     template <TextureFilter kFilter>
-    HWY_INLINE void find(Floats sampleX, Floats sampleY, std::size_t vector, hn::Mask<FloatTag> wanted,
+    HWY_INLINE void find(Ints sampleX, Ints sampleY, std::size_t vector, hn::Mask<FloatTag> wanted,
                          TexturedLanes<kFilter>& out)
     {
         constexpr FloatTag tag;
-        const Floats x = hn::Sub(sampleX, hn::Set(tag, colors.x0));
-        const Floats y = hn::Sub(sampleY, hn::Set(tag, colors.y0));
+        const Floats x = hn::ConvertTo(tag, hn::Sub(sampleX, hn::Set(IntTag(), colors.x0)));
+        const Floats y = hn::ConvertTo(tag, hn::Sub(sampleY, hn::Set(IntTag(), colors.y0)));
+        const auto number = [](auto bits) HWY_ATTR { return hn::Set(FloatTag(), std::bit_cast<float>(bits)); };
         const auto plane = [&](const auto& planes, std::size_t i) HWY_ATTR {
-            return hn::Add(hn::Set(tag, planes.origin[i]),
-                           hn::Add(hn::Mul(hn::Set(tag, planes.perX[i]), x), hn::Mul(hn::Set(tag, planes.perY[i]), y)));
+            return hn::Add(number(planes.origin[i]),
+                           hn::Add(hn::Mul(number(planes.perX[i]), x), hn::Mul(number(planes.perY[i]), y)));
         };
         const auto keep = [&](Floats& to, Floats value) HWY_ATTR { to = hn::IfThenElse(wanted, value, to); };
         const Floats w = hn::Div(hn::Set(tag, 1.0F), plane(colors, 0));
@@ -206,68 +217,153 @@ struct TexelFinder {
     }
 };
 
-/// Shading texture of a block: each triangle says where in the texture its samples are, and texels are fetched for all
+/// A block while it is shaded: each triangle says where in the texture its samples are, and texels are fetched for all
 /// of them together.
 template <TextureFilter kFilter>
-struct Textured {
-    const FrameJob& job;
-    Worker& worker;
-    BlockPlace place;
-    const Texture* texture = nullptr; ///< of the samples that wait for their texels
-    std::uint32_t waiting = 0;        ///< a bit each
-    std::array<TexturedLanes<kFilter>, kVectors> lanes;
+class TexturedBlock
+{
+public:
+    /// out  background where nobody won
+    HWY_INLINE TexturedBlock(const FrameJob& job, Worker& worker, const BlockPlace& place)
+        : m_job(job), m_worker(worker), m_place(place)
+    {
+        const std::uint32_t owner = worker.samples.owner[place.block];
+        for (std::size_t v = 0; v < kVectors; ++v) {
+            const std::size_t lane = v * kPerVector;
+            m_x[v] = hn::Add(hn::Load(IntTag(), kPattern.x.data() + lane), hn::Set(IntTag(), place.x()));
+            m_y[v] = hn::Add(hn::Load(IntTag(), kPattern.y.data() + lane), hn::Set(IntTag(), place.y()));
+            m_color[v] = hn::Set(UintTag(), job.clearColor);
+            m_ids[v] = owner != kNobody ? hn::Set(UintTag(), owner) : hn::Load(UintTag(), ids() + lane);
+        }
+    }
 
-    HWY_INLINE Textured(const FrameJob& j, Worker& w, const BlockPlace& p) : job(j), worker(w), place(p) {}
+    HWY_INLINE void shade()
+    {
+        const std::uint32_t owner = m_worker.samples.owner[m_place.block];
+        std::uint32_t remaining = owner == kEmpty ? 0 : 0xffff & ~lanesOf(kNobody);
+        if (m_job.counting) {
+            remaining &= LanesOnTarget(m_job, m_place.origin, static_cast<int>(m_place.block));
+            m_worker.pixels.shaded += static_cast<unsigned>(std::popcount(remaining));
+            m_worker.pixels.written += static_cast<unsigned>(std::popcount(remaining));
+        }
+        while (remaining != 0) {
+            const std::uint32_t number = owner != kNobody ? owner : ids()[std::countr_zero(remaining)];
+            const std::uint32_t lanes = lanesOf(number);
+            add(number, lanes & remaining);
+            remaining &= ~lanes;
+        }
+        fetch();
+        store();
+    }
 
+private:
+    [[nodiscard]] HWY_INLINE const std::uint32_t* ids() const
+    {
+        return m_worker.samples.ids.data() + m_place.block * kLanes;
+    }
+    [[nodiscard]] HWY_INLINE std::uint32_t* colors() const
+    {
+        return m_worker.samples.color.data() + m_place.block * kLanes;
+    }
+    HWY_INLINE void store() const
+    {
+        for (std::size_t v = 0; v < kVectors; ++v)
+            hn::Store(m_color[v], UintTag(), colors() + v * kPerVector);
+    }
     static HWY_INLINE hn::Mask<FloatTag> MaskAt(std::uint32_t bits, std::size_t v)
     {
         return MaskOf(FloatTag(), bits >> (v * kPerVector));
     }
 
-    HWY_INLINE void add(std::uint32_t number, std::uint32_t won, ColorBlock& samples)
+    /// Samples that hold the number, a bit each.
+    HWY_INLINE std::uint32_t lanesOf(std::uint32_t number) const
     {
-        const ColorPlanes& colors = worker.colors(number);
-        const Texture& its = job.texture(static_cast<std::int32_t>(colors.extra));
-        if (HWY_UNLIKELY(colors.way == ColorWay::Exact)) {
-            ColorExactly(job, worker, place, number, won, samples);
-            return;
-        }
-        if (HWY_UNLIKELY(waiting != 0 && texture != &its))
-            finish(samples);
-        texture = &its;
-        TexelFinder finder{job, worker, place, number, colors, worker.texels(number), its};
+        std::uint32_t lanes = 0;
         for (std::size_t v = 0; v < kVectors; ++v)
-            finder.find(samples.x[v], samples.y[v], v, MaskAt(won, v), lanes[v]);
-        waiting |= won & ~finder.left;
-        if (HWY_UNLIKELY((won & finder.left) != 0))
-            ColorExactly(job, worker, place, number, won & finder.left, samples);
+            lanes |= BitsOf(UintTag(), hn::Eq(m_ids[v], hn::Set(UintTag(), number))) << (v * kPerVector);
+        return lanes;
     }
 
-    HWY_INLINE RgbLanes fetch(const TexturedLanes<kFilter>& at, hn::Mask<FloatTag> wanted) const
+    /// The samples that a triangle won.
+    HWY_INLINE void add(std::uint32_t number, std::uint32_t won)
+    {
+        const ColorPlanes& planes = m_worker.colors(number);
+        if (HWY_UNLIKELY(planes.way == ColorWay::Exact)) {
+            colorExactly(number, won);
+            return;
+        }
+        const Texture& texture = m_job.texture(static_cast<std::int32_t>(planes.extra));
+        if (HWY_UNLIKELY(m_waiting != 0 && m_texture != &texture))
+            fetch();
+        m_texture = &texture;
+        TexelFinder finder{m_job, m_worker, m_place, number, planes, m_worker.texels(number), texture};
+        for (std::size_t v = 0; v < kVectors; ++v)
+            finder.find(m_x[v], m_y[v], v, MaskAt(won, v), m_lanes[v]);
+        m_waiting |= won & ~finder.left;
+        if (HWY_UNLIKELY((won & finder.left) != 0))
+            colorExactly(number, won & finder.left);
+    }
+
+    HWY_INLINE void colorExactly(std::uint32_t number, std::uint32_t lanes)
+    {
+        store();
+        ColorExactly(m_job, m_place.origin, number, m_place.block, lanes, m_worker);
+        for (std::size_t v = 0; v < kVectors; ++v)
+            m_color[v] = hn::Load(UintTag(), colors() + v * kPerVector);
+    }
+
+    HWY_INLINE RgbLanes texels(const TexturedLanes<kFilter>& at, hn::Mask<FloatTag> wanted) const
     {
         if constexpr (kFilter == TextureFilter::Nearest)
-            return Unpack(hn::GatherIndex(UintTag(), texture->texels.data(),
+            return Unpack(hn::GatherIndex(UintTag(), m_texture->texels.data(),
                                           hn::IfThenElseZero(hn::RebindMask(IntTag(), wanted), at.place)));
         else if constexpr (kFilter == TextureFilter::Bilinear)
-            return SampleBilinear(*texture, at.u, at.v, wanted);
+            return SampleBilinear(*m_texture, at.u, at.v, wanted);
         else
-            return SampleTrilinear(*texture, at.u, at.v, at.level, wanted);
+            return SampleTrilinear(*m_texture, at.u, at.v, at.level, wanted);
     }
 
     /// Fetches and colours what waits.
-    HWY_INLINE void finish(ColorBlock& samples)
+    HWY_INLINE void fetch()
     {
-        if (waiting == 0)
+        if (m_waiting == 0)
             return;
         for (std::size_t v = 0; v < kVectors; ++v) {
-            const auto wanted = MaskAt(waiting, v);
-            const RgbLanes color = Scale(fetch(lanes[v], wanted), lanes[v].color);
-            samples.color[v] = hn::IfThenElse(hn::RebindMask(UintTag(), wanted),
-                                              PackHeld(color.red, color.green, color.blue), samples.color[v]);
+            const auto wanted = MaskAt(m_waiting, v);
+            const RgbLanes color = Scale(texels(m_lanes[v], wanted), m_lanes[v].color);
+            m_color[v] = hn::IfThenElse(hn::RebindMask(UintTag(), wanted), PackHeld(color.red, color.green, color.blue),
+                                        m_color[v]);
         }
-        waiting = 0;
+        m_waiting = 0;
     }
+
+    const FrameJob& m_job;
+    Worker& m_worker;
+    BlockPlace m_place;
+    std::array<Uints, kVectors> m_ids;
+    std::array<Uints, kVectors> m_color;
+    std::array<Ints, kVectors> m_x, m_y; ///< samples of the target
+    const Texture* m_texture = nullptr;  ///< of the samples that wait for their texels
+    std::uint32_t m_waiting = 0;         ///< a bit each
+    std::array<TexturedLanes<kFilter>, kVectors> m_lanes;
 };
+
+template <TextureFilter kFilter>
+inline void ShadeTextured(const FrameJob& job, Worker& worker, TileOrigin origin)
+{
+    worker.precise.number.fill(kNobody);
+    for (std::size_t block = 0; block < kTileBlocks; ++block)
+        TexturedBlock<kFilter>(job, worker, {origin, block}).shade();
+}
+
+inline void ShadeTextured(const FrameJob& job, Worker& worker, TileOrigin origin)
+{
+    switch (job.rules.textureFilter) {
+    case TextureFilter::Nearest: ShadeTextured<TextureFilter::Nearest>(job, worker, origin); break;
+    case TextureFilter::Bilinear: ShadeTextured<TextureFilter::Bilinear>(job, worker, origin); break;
+    case TextureFilter::Trilinear: ShadeTextured<TextureFilter::Trilinear>(job, worker, origin); break;
+    }
+}
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

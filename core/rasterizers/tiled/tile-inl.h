@@ -32,10 +32,7 @@ inline void CollectBlocks(const FrameJob& job, std::size_t tile, Worker& worker)
 inline void WriteColor(const FrameJob& job, const Worker& worker, TileOrigin origin)
 {
     switch (job.rules.sampleGrid) {
-    case 1:
-        if (!job.interpolatesColor()) // those are written as they are made
-            copyColor(job, worker.samples, origin);
-        break;
+    case 1: copyColor(job, worker.samples, origin); break;
     case 2: ResolveTile<2>(job, worker, origin); break;
     case 4: ResolveTile<4>(job, worker, origin); break;
     default: averageColor(job, worker.samples, origin);
@@ -72,8 +69,7 @@ inline void DrawTiles(const FrameJob& job, Worker& worker, int columnBegin, int 
         job.blank[tile] = 0;
         const TileOrigin origin{column * pitch, row * pitch};
         CoverTile(job, worker, origin);
-        if (!job.interpolatesColor())
-            prefetchTile(job, origin);
+        prefetchTile(job, origin);
         ShadeTile(job, worker, origin);
         if (job.color != nullptr)
             WriteColor(job, worker, origin);

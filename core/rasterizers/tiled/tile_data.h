@@ -5,7 +5,9 @@
 #include "core/rules.h"
 #include "core/scene.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -101,13 +103,18 @@ enum class ColorWay : std::int32_t {
     Exact        ///< too steep for float32: sample by sample
 };
 
-/// Colours of a triangle, times 255, as planes over the target: the second cache line of its record.
+/// Colours of a triangle as planes over the target, the second cache line of its record: 1/w relative to a corner, then
+/// the channels.
+///
+/// units  Affine: 2^-24 of a step of 255, modulo 2^32, with what rounding takes added to the origin. So sums are exact
+///        in any order, and may leave the range where nobody looks. Perspective: steps, as the bits of float32.
+///        Shading texture: 0 to 1 and always 1/w, as the bits of float32.
 struct alignas(64) ColorPlanes {
-    std::array<float, 4> origin; ///< at the anchor: 1/w relative to a corner, then the channels
-    std::array<float, 4> perX;
-    std::array<float, 4> perY;
-    float x0; ///< the anchor, a sample of the target
-    float y0;
+    std::array<std::int32_t, 4> origin; ///< at the anchor
+    std::array<std::int32_t, 4> perX;
+    std::array<std::int32_t, 4> perY;
+    std::int32_t x0; ///< the anchor, a sample of the target
+    std::int32_t y0;
     ColorWay way;
     /// Shading texture: place of the texture in the scene. Other shadings that have more than colours: the number of
     /// their VaryingPlanes, and nothing else in here.
@@ -177,12 +184,19 @@ private:
     std::vector<std::uint32_t> m_next; ///< apart from the blocks: a walk along a list touches few lines
 };
 
+/// Depths compare like their bits from 0 on, and what is nearer than 0 counts as 0.
+[[nodiscard]] constexpr std::int32_t depthKey(float depth) { return std::max(std::bit_cast<std::int32_t>(depth), 0); }
+
 struct Bin {
     BinBlock* lastBlock = nullptr;
     TexelBlock* lastTexels = nullptr;
     std::uint32_t first = kNobody;
     std::uint32_t last = kNobody;
     std::uint32_t used = BinBlock::kCapacity; ///< triangles in the last block
+    /// Bounds with the usual depth test: no triangle of the bin is nearer than the one, and none farther than the other
+    /// is seen.
+    std::int32_t nearest = std::numeric_limits<std::int32_t>::max();
+    std::int32_t farthest = std::numeric_limits<std::int32_t>::max();
 };
 
 /// Likewise 1/w and any kCount varyings, in double: a sample's come out as the scalar stages round them to float32, so
@@ -206,15 +220,27 @@ struct Chunk {
     Statistics::Faces faces;
     std::vector<ScreenTriangle> clipped; ///< of one face
 
-    /// Room for one more triangle of a tile.
+    /// Forgets the triangles of a tile: something is in front of them all.
+    void clear(Bin& bin)
+    {
+        if (bin.first == kNobody)
+            return;
+        arena.next(bin.first) = kNobody;
+        bin.last = bin.first;
+        bin.lastBlock = &arena.block(bin.first);
+        bin.lastTexels = arena.texels(bin.first);
+        bin.used = 0;
+    }
+
+    /// Room for one more triangle of a tile, no nearer than `nearest`.
     struct Slot {
         TileTriangle* triangle;
         ColorPlanes* colors;
         TexelPlanes* texels; ///< null with other shadings than texture
     };
-    Slot append(std::size_t tile)
+    Slot append(Bin& bin, std::int32_t nearest)
     {
-        Bin& bin = bins[tile];
+        bin.nearest = std::min(bin.nearest, nearest);
         if (bin.used == BinBlock::kCapacity)
             grow(bin);
         const Slot slot{&bin.lastBlock->triangles[bin.used], &bin.lastBlock->colors[bin.used],
