@@ -49,6 +49,7 @@ private Q_SLOTS:
     void drawsSoupsAlike();
     void drawsAtTheLimitOf32Bits();
     void keepsTheOrderOfEqualDepths();
+    void hidesLayers();
     void allocatesNothingOnceWarm();
     void keepsNothingInCommonWithACopy();
     void clearsWhatIsNotItsOwn();
@@ -193,6 +194,34 @@ void TestTiled::keepsTheOrderOfEqualDepths()
     settings.depthTest = DepthTest::LessEqual;
     render(scene, settings, frame, kAll);
     QCOMPARE(frame.ids[0], 99);
+}
+
+/// Layers that cover whole tiles, level and slanting, some at equal depth, among small triangles; also where the last
+/// tiles are cut off by the target.
+void TestTiled::hidesLayers()
+{
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> unit(0, 1);
+    const QSize size(150, 140);
+    Settings settings;
+    settings.size = size;
+    for (int round = 0; round < 12; ++round) {
+        Scene scene = clipScene(size);
+        for (int i = 0; i < 40; ++i) {
+            const double slope = i % 4 == 0 ? 0 : 0.2 * (unit(random) - 0.5);
+            const double depth = i % 5 == 0 ? 0.5 : round % 3 == 0 ? 0.9 - 0.02 * i : unit(random);
+            const double side = i % 3 == 2 ? 5 : 1000;
+            const glm::dvec2 corner(side < 10 ? 140 * unit(random) : -100, side < 10 ? 130 * unit(random) : -100);
+            addTriangle(scene,
+                        {fromScreen(corner.x, corner.y, depth, 1, size),
+                         fromScreen(corner.x, corner.y + side, depth + slope, 1, size),
+                         fromScreen(corner.x + side, corner.y, depth - slope, 1, size)},
+                        random);
+        }
+        settings.samples = round % 4 == 3 ? Samples::Grid4 : Samples::One;
+        const QString d = compareAll(scene, settings, simds(), {1, 2});
+        QVERIFY2(d.isEmpty(), qPrintable(d));
+    }
 }
 
 void TestTiled::allocatesNothingOnceWarm()

@@ -120,6 +120,12 @@ inline QString compareAll(const Scene& scene, Settings settings, const std::vect
                 return tell("uncounted: " + d);
             if (usual.image != all.image)
                 return tell("counting changes colours");
+            Frame alone;
+            render(scene, settings, alone, {.depth = true});
+            if (!sameBits(expected.depth, alone.depth))
+                return tell("depth with a picture");
+            if (alone.image != all.image)
+                return tell("colours differ where nobody asks for numbers");
             Frame depth;
             render(scene, settings, depth, {.depth = true, .picture = false});
             if (!depth.image.isNull() || !sameBits(expected.depth, depth.depth))

@@ -388,6 +388,15 @@ inline void CoverExactly(const FrameJob& job, const Piece& piece, const Policy&,
     }
 }
 
+/// Brings a triangle of a bin near; a number beyond the last one does no harm.
+template <class Policy>
+HWY_INLINE void FetchRecord(const BinBlock& block, std::size_t triangle)
+{
+    __builtin_prefetch(block.triangles.data() + triangle);
+    if constexpr (Policy::kKeeps == Keeps::Color)
+        __builtin_prefetch(block.colors.data() + triangle);
+}
+
 template <class Policy>
 inline void CoverWith(const Policy& policy, const FrameJob& job, Worker& worker, TileOrigin origin, TileDepth& tile)
 {
@@ -399,12 +408,10 @@ inline void CoverWith(const Policy& policy, const FrameJob& job, Worker& worker,
         const TileBlock& bin = worker.blocks[block];
         if (block + 1 < worker.blocks.size())
             for (std::size_t i = 0; i < kAhead; ++i)
-                __builtin_prefetch(&worker.blocks[block + 1].bin->triangles[i]);
+                FetchRecord<Policy>(*worker.blocks[block + 1].bin, i);
         for (std::uint32_t i = 0; i < bin.count; ++i) {
             const TileTriangle& t = bin.bin->triangles[i];
-            __builtin_prefetch(&t + kAhead);
-            if constexpr (Policy::kKeeps == Keeps::Color)
-                __builtin_prefetch(&bin.bin->colors[i] + kAhead);
+            FetchRecord<Policy>(*bin.bin, i + kAhead);
             const std::uint32_t number = static_cast<std::uint32_t>(block) * BinBlock::kCapacity + i;
             if (Policy::kUsual && std::bit_cast<std::int32_t>(t.nearest) >= tile.farthest)
                 continue;

@@ -29,6 +29,22 @@ inline void CollectBlocks(const FrameJob& job, std::size_t tile, Worker& worker)
     }
 }
 
+/// Brings the first triangles of a tile near while another one is drawn.
+inline void FetchBins(const FrameJob& job, std::size_t tile)
+{
+    constexpr std::size_t kAhead = 8; // triangles
+    for (const Chunk& chunk : *job.chunks) {
+        if (chunk.bins[tile].first == kNobody)
+            continue;
+        const BinBlock& block = chunk.arena.block(chunk.bins[tile].first);
+        for (std::size_t i = 0; i < kAhead; ++i) {
+            __builtin_prefetch(&block.triangles[i]);
+            __builtin_prefetch(&block.colors[i]);
+        }
+        return;
+    }
+}
+
 inline void WriteColor(const FrameJob& job, const Worker& worker, TileOrigin origin)
 {
     switch (job.rules.sampleGrid) {
@@ -67,6 +83,8 @@ inline void DrawTiles(const FrameJob& job, Worker& worker, int columnBegin, int 
         }
         clearUpTo(column);
         job.blank[tile] = 0;
+        if (column + 1 < columnEnd)
+            FetchBins(job, tile + 1);
         const TileOrigin origin{column * pitch, row * pitch};
         CoverTile(job, worker, origin);
         prefetchTile(job, origin);
