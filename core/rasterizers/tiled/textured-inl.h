@@ -12,6 +12,7 @@
 #include "core/rasterizers/tiled/kernels.h"
 #include "core/rasterizers/tiled/texels-inl.h"
 #include "core/rasterizers/tiled/texture-inl.h"
+#include "core/rasterizers/tiled/tile_output.h"
 #include "core/rasterizers/tiled/varyings-inl.h"
 
 #include <bit>
@@ -237,7 +238,8 @@ public:
         }
     }
 
-    HWY_INLINE void shade()
+    /// out  the colours of its samples
+    HWY_INLINE void shade(std::uint32_t* out)
     {
         const std::uint32_t owner = m_worker.samples.owner[m_place.block];
         std::uint32_t remaining = owner == kEmpty ? 0 : 0xffff & ~lanesOf(kNobody);
@@ -253,7 +255,7 @@ public:
             remaining &= ~lanes;
         }
         fetch();
-        store();
+        store(out);
     }
 
 private:
@@ -265,10 +267,10 @@ private:
     {
         return m_worker.samples.color.data() + m_place.block * kLanes;
     }
-    HWY_INLINE void store() const
+    HWY_INLINE void store(std::uint32_t* to) const
     {
         for (std::size_t v = 0; v < kVectors; ++v)
-            hn::Store(m_color[v], UintTag(), colors() + v * kPerVector);
+            hn::Store(m_color[v], UintTag(), to + v * kPerVector);
     }
     static HWY_INLINE hn::Mask<FloatTag> MaskAt(std::uint32_t bits, std::size_t v)
     {
@@ -306,7 +308,7 @@ private:
 
     HWY_INLINE void colorExactly(std::uint32_t number, std::uint32_t lanes)
     {
-        store();
+        store(colors());
         ColorExactly(m_job, m_place.origin, number, m_place.block, lanes, m_worker);
         for (std::size_t v = 0; v < kVectors; ++v)
             m_color[v] = hn::Load(UintTag(), colors() + v * kPerVector);
@@ -348,12 +350,31 @@ private:
     std::array<TexturedLanes<kFilter>, kVectors> m_lanes;
 };
 
+/// Brings the pixels of four blocks side by side near.
+HWY_INLINE void FetchPixels(const FrameJob& job, const BlockPlace& first)
+{
+    const std::uint32_t* pixels = job.color + std::ptrdiff_t(first.y()) * job.rules.width + first.x();
+    for (int row = 0; row < kBlockSide; ++row)
+        __builtin_prefetch(pixels + std::ptrdiff_t(row) * job.rules.width, 1);
+}
+
+/// A whole tile, four blocks side by side at a time; with one sample a pixel they go into the picture at once.
 template <TextureFilter kFilter>
 inline void ShadeTextured(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
+    constexpr std::size_t kAhead = 8;
+    const bool direct = job.rules.sampleGrid == 1;
     worker.precise.number.fill(kNobody);
-    for (std::size_t block = 0; block < kTileBlocks; ++block)
-        TexturedBlock<kFilter>(job, worker, {origin, block}).shade();
+    for (std::size_t first = 0; first < kTileBlocks; first += 4) {
+        alignas(64) std::array<std::uint32_t, std::size_t(4) * kLanes> row;
+        std::uint32_t* out = direct ? row.data() : worker.samples.color.data() + first * kLanes;
+        if (direct)
+            FetchPixels(job, {origin, std::min(first + kAhead, std::size_t(kTileBlocks) - 1)});
+        for (std::size_t i = 0; i < 4; ++i)
+            TexturedBlock<kFilter>(job, worker, {origin, first + i}).shade(out + i * kLanes);
+        if (direct)
+            writeBlocks(job, origin, static_cast<int>(first), row.data());
+    }
 }
 
 inline void ShadeTextured(const FrameJob& job, Worker& worker, TileOrigin origin)
