@@ -398,11 +398,10 @@ HWY_INLINE void FetchRecord(const BinBlock& block, std::size_t triangle)
 }
 
 template <class Policy>
-inline void CoverWith(const Policy& policy, const FrameJob& job, Worker& worker, TileOrigin origin, TileDepth& tile)
+inline void CoverTriangles(const Policy& policy, const FrameJob& job, Worker& worker, TileOrigin origin,
+                           TileDepth& tile)
 {
     constexpr std::size_t kAhead = 8; // triangles
-    if constexpr (!Policy::kUsual)
-        WriteOwnedBlocks(policy, worker, tile);
     BlockQueue queue;
     for (std::size_t block = 0; block < worker.blocks.size(); ++block) {
         const TileBlock& bin = worker.blocks[block];
@@ -426,6 +425,37 @@ inline void CoverWith(const Policy& policy, const FrameJob& job, Worker& worker,
         }
     }
     FlushQueue(policy, queue, worker);
+}
+
+/// Whether a tile has one triangle that covers it all, in front of the background.
+inline bool HasOneForAll(const Worker& worker, const TileDepth& tile)
+{
+    constexpr int kLast = kTileSide - 1;
+    if (worker.blocks.size() != 1 || worker.blocks[0].count != 1)
+        return false;
+    const TileTriangle& t = worker.triangle(0);
+    if ((t.x0 | t.y0) != 0 || t.x1 != kLast || t.y1 != kLast)
+        return false;
+    const auto lowest = [&](std::int32_t c, std::int32_t a, std::int32_t b) {
+        return c + kLast * (std::min(a, 0) + std::min(b, 0));
+    };
+    const double farthest = t.depthOrigin + kLast * (std::max(t.depthPerX, 0.0) + std::max(t.depthPerY, 0.0));
+    return lowest(t.c[0], t.a[0], t.b[0]) >= 0 && lowest(t.c[1], t.a[1], t.b[1]) >= 0 &&
+           lowest(t.c[2], -(t.a[0] + t.a[1]), -(t.b[0] + t.b[1])) >= 0 &&
+           depthKey(static_cast<float>(farthest)) < tile.farthest;
+}
+
+template <class Policy>
+inline void CoverWith(const Policy& policy, const FrameJob& job, Worker& worker, TileOrigin origin, TileDepth& tile)
+{
+    if constexpr (!Policy::kUsual)
+        WriteOwnedBlocks(policy, worker, tile);
+    if (Policy::kUsual && HasOneForAll(worker, tile)) {
+        worker.samples.owner.fill(0);
+        tile.owners = true;
+    } else {
+        CoverTriangles(policy, job, worker, origin, tile);
+    }
     if (job.depth != nullptr || job.ids != nullptr || job.rules.shading == Shading::Depth)
         WriteOwnedBlocks(policy, worker, tile);
 }
