@@ -358,9 +358,10 @@ HWY_INLINE void SetUpLanes(const FrameJob& job, Chunk& chunk, const SetupQueue& 
         const auto toCentre = [](HalfInts samples, HalfInts from) HWY_ATTR {
             return hn::Sub(hn::Add(hn::ShiftLeft<8>(samples), hn::Set(HalfIntTag(), kUnit / 2)), from);
         };
-        const PlaneGeometry geometry{hn::Sub(x[1], x[0]), hn::Sub(y[1], y[0]),     hn::Sub(x[2], x[0]),
-                                     hn::Sub(y[2], y[0]), toCentre(anchorX, x[0]), toCentre(anchorY, y[0]),
-                                     inverseArea};
+        const PlaneGeometry geometry{
+            hn::Sub(x[1], x[0]),        hn::Sub(y[1], y[0]),     hn::Sub(x[2], x[0]), hn::Sub(y[2], y[0]),
+            toCentre(anchorX, x[0]),    toCentre(anchorY, y[0]), inverseArea,         hn::Sub(columns.last, anchorX),
+            hn::Sub(rows.last, anchorY)};
         SetUpPlanes(job, chunk, queue, at, geometry, anchorX, anchorY, out);
     }
 }

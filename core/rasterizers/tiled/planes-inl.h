@@ -41,6 +41,7 @@ struct PlaneGeometry {
     HalfInts abX, abY, acX, acY;
     HalfInts toAnchorX, toAnchorY; ///< from the first corner
     Doubles inverseArea;           ///< one over twice the signed area, in samples
+    HalfInts columns, rows;        ///< no sample is farther from the anchor, in samples
 };
 
 /// Planes of triangles as their records hold them, lane after lane: four numbers each.

@@ -69,13 +69,8 @@ struct PlaneMaker {
 
     HWY_INLINE explicit PlaneMaker(const PlaneGeometry& g) : weights(MakeWeights(g))
     {
-        const auto extent = [](HalfInts ab, HalfInts ac) HWY_ATTR {
-            const HalfInts units = Max3(hn::Abs(ab), hn::Abs(ac), hn::Abs(hn::Sub(ab, ac)));
-            return hn::Add(hn::Mul(hn::PromoteTo(DoubleTag(), units), hn::Set(DoubleTag(), 1.0 / kUnit)),
-                           hn::Set(DoubleTag(), double(kBlockSide)));
-        };
-        width = extent(g.abX, g.acX);
-        height = extent(g.abY, g.acY);
+        width = hn::PromoteTo(DoubleTag(), g.columns);
+        height = hn::PromoteTo(DoubleTag(), g.rows);
     }
 
     HWY_INLINE PlaneOver operator()(const std::array<Doubles, 3>& corner) const

@@ -51,7 +51,9 @@ inline VaryingPlanes<kUvVaryings> MakePreciseTexels(const FrameJob& job, const W
                                  toUnits(c.position.y - a.position.y),
                                  fromCorner(anchor.x0, a.position.x),
                                  fromCorner(anchor.y0, a.position.y),
-                                 hn::Set(DoubleTag(), 1 / twiceArea(a.position, b.position, c.position))};
+                                 hn::Set(DoubleTag(), 1 / twiceArea(a.position, b.position, c.position)),
+                                 hn::Zero(HalfIntTag()),
+                                 hn::Zero(HalfIntTag())};
     VaryingPlanes<kUvVaryings> planes;
     MakeVaryingPlanes<kUvVaryings>(job.rules, geometry, stage, 1, hn::Set(HalfIntTag(), anchor.x0),
                                    hn::Set(HalfIntTag(), anchor.y0), {&planes});
