@@ -52,6 +52,7 @@ private Q_SLOTS:
     void drawsShadingsAlike_data();
     void drawsShadingsAlike();
     void findsTexelsOnTheirBorders();
+    void findsTexelsOfAnyTriangle();
     void drawsAttributesThatAreNoNumbers();
 };
 
@@ -123,6 +124,30 @@ void TestTiledShading::findsTexelsOnTheirBorders()
             QVERIFY2(d.isEmpty(), qPrintable(d));
         }
     }
+}
+
+/// So many texels that samples lie on all sides of their borders as closely as float32 can tell and closer; each has a
+/// colour of its own.
+void TestTiledShading::findsTexelsOfAnyTriangle()
+{
+    std::mt19937 random(11);
+    const QSize size(240, 160);
+    for (const QSize texels : {QSize(2048, 1024), QSize(1000, 777)})
+        for (const float repeats : {0.3F, 4.0F, 60.0F}) {
+            Scene scene = soup(random, size, 50);
+            scene.textures = {noise(random, texels.width(), texels.height())};
+            scene.materials[0].texture = 0;
+            for (MeshVertex& v : scene.mesh.vertices) {
+                v.uv *= repeats;
+                v.color = {1, 1, 1};
+            }
+            Settings settings;
+            settings.size = size;
+            settings.culling = Culling::None;
+            settings.shading = Shading::Texture;
+            const QString d = compareAll(scene, settings, simds(), {1});
+            QVERIFY2(d.isEmpty(), qPrintable(d));
+        }
 }
 
 void TestTiledShading::drawsAttributesThatAreNoNumbers()

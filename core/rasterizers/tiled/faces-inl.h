@@ -11,6 +11,7 @@
 #include "core/rasterizers/tiled/lanes-inl.h"
 #include "core/rasterizers/tiled/planes-inl.h"
 #include "core/rasterizers/tiled/setup-inl.h"
+#include "core/rasterizers/tiled/texels-inl.h"
 #include "core/rasterizers/tiled/varyings-inl.h"
 #include "core/rasterizers/tiled/vertices-inl.h"
 
@@ -123,6 +124,7 @@ struct alignas(64) SetupLanes {
     std::array<std::int32_t, 4 * kDoubles> constants; ///< c, nearest
     std::array<double, 4 * kDoubles> depth;           ///< source and bounds as 64 bits, depth plane
     ColorPlaneLanes colors;
+    TexelPlaneLanes texels;
     // What it takes to move them to other tiles.
     std::array<std::array<double, kDoubles>, 3> c; ///< not held within 32 bits
     std::array<std::int32_t, kDoubles> x0, y0, x1, y1;
@@ -144,10 +146,12 @@ struct alignas(64) SetupLanes {
         std::memcpy(&t.a, gradients.data() + 4 * lane, 4 * sizeof(std::int32_t));
         std::memcpy(&t.c, constants.data() + 4 * lane, 4 * sizeof(std::int32_t));
         std::memcpy(&t.source, depth.data() + 4 * lane, 4 * sizeof(double));
-        if (job.interpolatesColor())
+        if (job.interpolatesColor() || job.hasTexels())
             colors.copyTo(lane, *slot.colors);
         else
-            slot.colors->varyings = varyings[lane];
+            slot.colors->extra = varyings[lane];
+        if (slot.texels != nullptr)
+            texels.copyTo(lane, *slot.texels);
     }
 };
 
@@ -251,6 +255,25 @@ inline void SetUpVaryings(const FrameJob& job, Chunk& chunk, const SetupQueue& q
     MakeVaryingPlanes(job.rules, geometry, stage, lanes.used, anchorX, anchorY, out);
 }
 
+/// Colours, and what a texture needs beside them.
+HWY_INLINE void SetUpColors(const FrameJob& job, const Chunk& chunk, const SetupQueue& queue, std::size_t at,
+                            const PlaneGeometry& geometry, HalfInts anchorX, HalfInts anchorY, SetupLanes& lanes)
+{
+    CornerColors colors;
+    StageColors(job, chunk, queue, at, lanes.used, colors);
+    if (!job.hasTexels()) {
+        MakeColorPlanes(job.rules, geometry, colors, lanes.used, anchorX, anchorY, nullptr, lanes.colors);
+        return;
+    }
+    TexelStage stage;
+    for (std::uint32_t bits = lanes.used; bits != 0; bits &= bits - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+        StageTexels(job, chunk, queue.source[at + lane], lane, stage);
+    }
+    const TextureLanes textured = MakeTexelPlanes(job.rules, geometry, colors, stage, lanes.texels);
+    MakeColorPlanes(job.rules, geometry, colors, lanes.used, anchorX, anchorY, &textured, lanes.colors);
+}
+
 /// What the shading interpolates.
 HWY_INLINE void SetUpPlanes(const FrameJob& job, Chunk& chunk, const SetupQueue& queue, std::size_t at,
                             const PlaneGeometry& geometry, HalfInts anchorX, HalfInts anchorY, SetupLanes& lanes)
@@ -259,13 +282,8 @@ HWY_INLINE void SetUpPlanes(const FrameJob& job, Chunk& chunk, const SetupQueue&
         SetUpVaryings<count()>(job, chunk, queue, at, geometry, anchorX, anchorY, lanes);
     };
     switch (job.rules.shading) {
-    case Shading::Gouraud: {
-        CornerColors colors;
-        StageColors(job, chunk, queue, at, lanes.used, colors);
-        MakeColorPlanes(job.rules, geometry, colors, lanes.used, anchorX, anchorY, lanes.colors);
-        break;
-    }
-    case Shading::Texture: setUp(std::integral_constant<std::size_t, kTextureVaryings>()); break;
+    case Shading::Gouraud:
+    case Shading::Texture: SetUpColors(job, chunk, queue, at, geometry, anchorX, anchorY, lanes); break;
     case Shading::Phong: setUp(std::integral_constant<std::size_t, kPhongVaryings>()); break;
     case Shading::Normals: setUp(std::integral_constant<std::size_t, kNormalVaryings>()); break;
     case Shading::Uv: setUp(std::integral_constant<std::size_t, kUvVaryings>()); break;
@@ -340,9 +358,10 @@ HWY_INLINE void SetUpLanes(const FrameJob& job, Chunk& chunk, const SetupQueue& 
         const auto toCentre = [](HalfInts samples, HalfInts from) HWY_ATTR {
             return hn::Sub(hn::Add(hn::ShiftLeft<8>(samples), hn::Set(HalfIntTag(), kUnit / 2)), from);
         };
-        const PlaneGeometry geometry{hn::Sub(x[1], x[0]), hn::Sub(y[1], y[0]),     hn::Sub(x[2], x[0]),
-                                     hn::Sub(y[2], y[0]), toCentre(anchorX, x[0]), toCentre(anchorY, y[0]),
-                                     inverseArea};
+        const PlaneGeometry geometry{
+            hn::Sub(x[1], x[0]),        hn::Sub(y[1], y[0]),     hn::Sub(x[2], x[0]), hn::Sub(y[2], y[0]),
+            toCentre(anchorX, x[0]),    toCentre(anchorY, y[0]), inverseArea,         hn::Sub(columns.last, anchorX),
+            hn::Sub(rows.last, anchorY)};
         SetUpPlanes(job, chunk, queue, at, geometry, anchorX, anchorY, out);
     }
 }

@@ -15,7 +15,8 @@ struct FrameJob {
     const Scene* scene = nullptr;
     Rules rules;
     Matrices matrices;
-    const FaceStages* stages = nullptr; ///< for faces that need more than the fast path has
+    const FaceStages* stages = nullptr;    ///< for faces that need more than the fast path has
+    const Texture* plainTexture = nullptr; ///< of materials without
     TileGrid grid;
     Outputs outputs;
     bool counting = false; ///< count samples: nothing hidden is skipped then
@@ -35,6 +36,12 @@ struct FrameJob {
 
     [[nodiscard]] bool interpolates() const { return rules.varyingCount > 0; }
     [[nodiscard]] bool interpolatesColor() const { return interpolates() && rules.shading == Shading::Gouraud; }
+    [[nodiscard]] bool hasTexels() const { return interpolates() && rules.shading == Shading::Texture; }
+    /// in   Material::texture
+    [[nodiscard]] const Texture& texture(std::int32_t place) const
+    {
+        return place >= 0 ? scene->textures[static_cast<std::size_t>(place)] : *plainTexture;
+    }
     /// Whether vertices have lit colours; else their colours are as the mesh has them.
     [[nodiscard]] bool lightsVertices() const
     {
@@ -76,8 +83,16 @@ struct BlockShare {
 /// Triangles of a tile.
 struct TileBlock {
     const BinBlock* bin;
+    const TexelBlock* texels;
     const Chunk* chunk;
     std::uint32_t count;
+};
+
+/// Texture coordinates of the triangles of a tile that some sample asked to have them precisely.
+struct PreciseTexels {
+    static constexpr std::size_t kCapacity = 32;
+    std::array<std::uint32_t, kCapacity> number; ///< of the triangle at this place, or kNobody
+    std::array<VaryingPlanes<2>, kCapacity> planes;
 };
 
 /// The memory one thread draws tiles with; kept from frame to frame.
@@ -91,6 +106,8 @@ struct Worker {
     std::uint32_t resolvedSubtiles = 0; ///< a bit each: their pixels have been written already
     bool full = false;                  ///< every sample of the tile that is on the target has been won
 
+    PreciseTexels precise;
+
     [[nodiscard]] std::span<const BlockShare> sharesInUse() const { return {shares.data(), shareCount}; }
 
     Statistics::Pixels pixels;
@@ -103,6 +120,10 @@ struct Worker {
     [[nodiscard]] const ColorPlanes& colors(std::uint32_t number) const
     {
         return blocks[number / BinBlock::kCapacity].bin->colors[number % BinBlock::kCapacity];
+    }
+    [[nodiscard]] const TexelPlanes& texels(std::uint32_t number) const
+    {
+        return (*blocks[number / BinBlock::kCapacity].texels)[number % BinBlock::kCapacity];
     }
     [[nodiscard]] const Chunk& chunkOf(std::uint32_t number) const
     {

@@ -41,6 +41,7 @@ struct PlaneGeometry {
     HalfInts abX, abY, acX, acY;
     HalfInts toAnchorX, toAnchorY; ///< from the first corner
     Doubles inverseArea;           ///< one over twice the signed area, in samples
+    HalfInts columns, rows;        ///< no sample is farther from the anchor, in samples
 };
 
 /// Planes of triangles as their records hold them, lane after lane: four numbers each.
@@ -146,19 +147,14 @@ struct PlaneSet {
     std::array<HalfFloats, 4> origin, perX, perY;
 };
 
-/// Planes as ColorPlanes has them for ColorWay::Affine, as bits.
-HWY_INLINE PlaneSet AffinePlanes(const WeightLanes<HalfFloats>& weights, const ColorLanes3& colors)
+/// Planes of colours times `white`; what they are converted to is up to `toPlane` (what is added to the origin: 0 or 1
+/// times).
+template <class ToPlane>
+HWY_INLINE PlaneSet ScreenPlanes(const WeightLanes<HalfFloats>& weights, const ColorLanes3& colors, float white,
+                                 ToPlane&& toPlane)
 {
     constexpr HalfFloatTag tag;
-    // Rounding to the nearest step, and what is lost on the average where 24 bits of fraction become 8, twice.
-    constexpr double kRounding = 0x1p23 + 0x1p16;
-    const auto fixed = [](HalfFloats steps, double more) HWY_ATTR {
-        // Above 2^52 a double counts in ones: its lowest 32 bits are the number modulo 2^32.
-        const Doubles sum = hn::Add(hn::PromoteTo(DoubleTag(), steps), hn::Set(DoubleTag(), 0x1.8p52 + more));
-        const auto bits = hn::BitCast(hn::RebindToUnsigned<DoubleTag>(), sum);
-        return hn::BitCast(HalfFloatTag(), hn::TruncateTo(hn::RebindToUnsigned<HalfIntTag>(), bits));
-    };
-    const HalfFloats scale = hn::Set(tag, 255.0F * 0x1p24F);
+    const HalfFloats scale = hn::Set(tag, white);
     PlaneSet planes;
     planes.origin[0] = planes.perX[0] = planes.perY[0] = hn::Zero(tag);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -167,18 +163,33 @@ HWY_INLINE PlaneSet AffinePlanes(const WeightLanes<HalfFloats>& weights, const C
         const HalfFloats ac = hn::Mul(hn::Sub(colors.channel[2][i], colors.channel[0][i]), scale);
         const auto combine = [&](HalfFloats b, HalfFloats c)
                                  HWY_ATTR { return hn::Add(hn::Mul(ab, b), hn::Mul(ac, c)); };
-        planes.origin[i + 1] = fixed(hn::Add(a, combine(weights.bAtAnchor, weights.cAtAnchor)), kRounding);
-        planes.perX[i + 1] = fixed(combine(weights.bPerX, weights.cPerX), 0);
-        planes.perY[i + 1] = fixed(combine(weights.bPerY, weights.cPerY), 0);
+        planes.origin[i + 1] = toPlane(hn::Add(a, combine(weights.bAtAnchor, weights.cAtAnchor)), 1);
+        planes.perX[i + 1] = toPlane(combine(weights.bPerX, weights.cPerX), 0);
+        planes.perY[i + 1] = toPlane(combine(weights.bPerY, weights.cPerY), 0);
     }
     return planes;
+}
+
+/// Planes as ColorPlanes has them for ColorWay::Affine, as bits.
+HWY_INLINE PlaneSet AffinePlanes(const WeightLanes<HalfFloats>& weights, const ColorLanes3& colors)
+{
+    // Rounding to the nearest step, and what is lost on the average where 24 bits of fraction become 8, twice.
+    constexpr double kRounding = 0x1p23 + 0x1p16;
+    const auto fixed = [](HalfFloats steps, int rounded) HWY_ATTR {
+        // Above 2^52 a double counts in ones: its lowest 32 bits are the number modulo 2^32.
+        const Doubles sum =
+            hn::Add(hn::PromoteTo(DoubleTag(), steps), hn::Set(DoubleTag(), 0x1.8p52 + rounded * kRounding));
+        const auto bits = hn::BitCast(hn::RebindToUnsigned<DoubleTag>(), sum);
+        return hn::BitCast(HalfFloatTag(), hn::TruncateTo(hn::RebindToUnsigned<HalfIntTag>(), bits));
+    };
+    return ScreenPlanes(weights, colors, 255.0F * 0x1p24F, fixed);
 }
 
 /// Replaces the planes of the lanes that are large, steep or deep: made in double, with 1/w.
 ///
 /// out  how those lanes' colours are found
 inline HalfInts MakePerspective(const Rules& rules, const PlaneGeometry& g, const ColorLanes3& colors,
-                                hn::Mask<HalfFloatTag> affine, PlaneSet& planes)
+                                hn::Mask<HalfFloatTag> affine, float white, PlaneSet& planes)
 {
     constexpr DoubleTag tag;
     const WeightLanes<Doubles> weights = MakeWeights(g);
@@ -202,7 +213,7 @@ inline HalfInts MakePerspective(const Rules& rules, const PlaneGeometry& g, cons
     for (std::size_t i = 0; i < 3; ++i) {
         std::array<Doubles, 3> value;
         for (std::size_t k = 0; k < 3; ++k)
-            value[k] = hn::Mul(hn::Mul(hn::PromoteTo(tag, colors.channel[k][i]), hn::Set(tag, 255.0)), q[k]);
+            value[k] = hn::Mul(hn::Mul(hn::PromoteTo(tag, colors.channel[k][i]), hn::Set(tag, double(white))), q[k]);
         makePlane(i + 1, value);
     }
 
@@ -219,11 +230,19 @@ inline HalfInts MakePerspective(const Rules& rules, const PlaneGeometry& g, cons
     return hn::IfThenElse(hn::RebindMask(HalfIntTag(), affine), way(ColorWay::Affine), other);
 }
 
+/// What shading texture puts into the colour planes.
+struct TextureLanes {
+    HalfFloats origin, perX, perY; ///< 1/w, which others have only where colours need it
+    HalfInts texture;
+};
+
 /// Colour planes of one vector of triangles.
 ///
-/// in   which lanes are wanted; their anchors, samples of the target
+/// in   which lanes are wanted; their anchors, samples of the target; null: there is no texture
+/// out  colours times 255, or as they are if they are to be multiplied with texels
 HWY_INLINE void MakeColorPlanes(const Rules& rules, const PlaneGeometry& g, const CornerColors& corners,
-                                std::uint32_t lanes, HalfInts anchorX, HalfInts anchorY, ColorPlaneLanes& out)
+                                std::uint32_t lanes, HalfInts anchorX, HalfInts anchorY, const TextureLanes* textured,
+                                ColorPlaneLanes& out)
 {
     constexpr HalfFloatTag tag;
     const ColorLanes3 colors = LoadColors(corners);
@@ -233,17 +252,26 @@ HWY_INLINE void MakeColorPlanes(const Rules& rules, const PlaneGeometry& g, cons
     const WeightLanes<HalfFloats> weights =
         MakeWeights(tag, toSamples(g.abX), toSamples(g.abY), toSamples(g.acX), toSamples(g.acY), toSamples(g.toAnchorX),
                     toSamples(g.toAnchorY), hn::DemoteTo(tag, g.inverseArea));
-    PlaneSet planes = AffinePlanes(weights, colors);
+    const float white = textured != nullptr ? 1.0F : 255.0F;
+    PlaneSet planes = textured != nullptr
+                          ? ScreenPlanes(weights, colors, white, [](HalfFloats v, int) HWY_ATTR { return v; })
+                          : AffinePlanes(weights, colors);
     HalfInts way = hn::Set(HalfIntTag(), static_cast<std::int32_t>(ColorWay::Affine));
     const auto affine = ColorsAreAffine(rules, colors, weights.steepness);
     if (HWY_UNLIKELY((lanes & ~BitsOf(tag, affine)) != 0))
-        way = MakePerspective(rules, g, colors, affine, planes);
+        way = MakePerspective(rules, g, colors, affine, white, planes);
+    if (textured != nullptr) {
+        planes.origin[0] = textured->origin;
+        planes.perX[0] = textured->perX;
+        planes.perY[0] = textured->perY;
+    }
     const auto store = [](const std::array<HalfFloats, 4>& v, auto& to)
                            HWY_ATTR { hn::StoreInterleaved4(v[0], v[1], v[2], v[3], HalfFloatTag(), to.data()); };
     store(planes.origin, out.origin);
     store(planes.perX, out.perX);
     store(planes.perY, out.perY);
-    hn::StoreInterleaved4(anchorX, anchorY, way, hn::Zero(HalfIntTag()), HalfIntTag(), out.rest.data());
+    hn::StoreInterleaved4(anchorX, anchorY, way, textured != nullptr ? textured->texture : hn::Zero(HalfIntTag()),
+                          HalfIntTag(), out.rest.data());
 }
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE

@@ -14,6 +14,7 @@
 #include "core/rasterizers/tiled/lanes-inl.h"
 #include "core/rasterizers/tiled/shaders-inl.h"
 #include "core/rasterizers/tiled/subtile-inl.h"
+#include "core/rasterizers/tiled/textured-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
@@ -34,7 +35,6 @@ HWY_INLINE const void* FetchVaryings(const Chunk& chunk, std::uint32_t number)
 HWY_INLINE const void* FetchVaryings(Shading shading, const Chunk& chunk, std::uint32_t number)
 {
     switch (shading) {
-    case Shading::Texture: return FetchVaryings<kTextureVaryings>(chunk, number);
     case Shading::Phong: return FetchVaryings<kPhongVaryings>(chunk, number);
     case Shading::Normals: return FetchVaryings<kNormalVaryings>(chunk, number);
     case Shading::Uv: return FetchVaryings<kUvVaryings>(chunk, number);
@@ -54,7 +54,7 @@ HWY_INLINE std::uint32_t VisiblePlace(const FrameJob& job, std::uint32_t number,
     const Shading shading = job.rules.shading;
     const ColorPlanes& colors = worker.colors(number);
     const void* varyings = job.interpolatesColor() ? &colors
-                           : job.interpolates()    ? FetchVaryings(shading, chunk, colors.varyings)
+                           : job.interpolates()    ? FetchVaryings(shading, chunk, colors.extra)
                                                    : nullptr;
     worker.visible.push_back({source, &chunk, varyings, faceUniforms(*job.scene, faceOf(chunk, source), shading)});
     return place;
@@ -217,6 +217,10 @@ inline void ShadeTile(const FrameJob& job, Worker& worker, TileOrigin origin)
         FinishColors(job, worker, origin);
         return;
     }
+    if (job.color != nullptr && job.rules.shading == Shading::Texture) {
+        ShadeTextured(job, worker, origin);
+        return;
+    }
     const bool shades = job.color != nullptr && !overdraw;
     if (!shades && !job.counting)
         return;
@@ -232,11 +236,11 @@ inline void ShadeTile(const FrameJob& job, Worker& worker, TileOrigin origin)
     case Shading::Flat:
     case Shading::RandomFlat:
     case Shading::TriangleId: ShadeUniform(worker); break;
-    case Shading::Texture: ShadeVaryings<TextureShader>(job, worker, origin); break;
     case Shading::Phong: ShadeVaryings<PhongShader>(job, worker, origin); break;
     case Shading::Normals: ShadeVaryings<NormalShader>(job, worker, origin); break;
     case Shading::Uv: ShadeVaryings<UvShader>(job, worker, origin); break;
     case Shading::Gouraud: ShadeColors(job, worker, origin); break;
+    case Shading::Texture:
     case Shading::Overdraw: break;
     }
 }

@@ -33,20 +33,6 @@ struct ShaderLanes {
     HWY_INLINE bool all(hn::Mask<FloatTag> holds) const { return hn::AllFalse(FloatTag(), hn::AndNot(holds, wanted)); }
 };
 
-template <std::size_t kCount>
-HWY_INLINE GradientLanes UvGradientOf(const ShaderLanes<kCount>& lanes)
-{
-    // The quotient rule: (U/W)' = (U' - u W') / W.
-    const auto derivative = [&](int varying, const std::array<double, kCount + 1>& slope) HWY_ATTR {
-        constexpr FloatTag tag;
-        const Floats ofProduct = hn::Set(tag, static_cast<float>(slope[static_cast<std::size_t>(varying) + 1]));
-        const Floats ofInverseW = hn::Set(tag, static_cast<float>(slope[0]));
-        return hn::Mul(hn::Sub(ofProduct, hn::Mul(lanes.at(varying), ofInverseW)), lanes.varyings.w);
-    };
-    return {derivative(kVaryingUv, lanes.planes.perX), derivative(kVaryingUv, lanes.planes.perY),
-            derivative(kVaryingUv + 1, lanes.planes.perX), derivative(kVaryingUv + 1, lanes.planes.perY)};
-}
-
 /// Whether texels have numbers that lanes can count.
 template <std::size_t kCount>
 HWY_INLINE bool HasTexels(const ShaderLanes<kCount>& lanes)
@@ -68,32 +54,11 @@ HWY_INLINE RgbLanes SampleTexture(const FrameJob& job, const ShaderLanes<kCount>
     case TextureFilter::Bilinear: return SampleBilinear(texture, u, v, lanes.wanted);
     case TextureFilter::Trilinear: break;
     }
-    return SampleTrilinear(texture, u, v, UvGradientOf(lanes), lanes.wanted);
-}
-
-HWY_INLINE RgbLanes Scale(const RgbLanes& a, Floats by)
-{
-    return {hn::Mul(a.red, by), hn::Mul(a.green, by), hn::Mul(a.blue, by)};
-}
-
-HWY_INLINE RgbLanes Scale(const RgbLanes& a, const RgbLanes& by)
-{
-    return {hn::Mul(a.red, by.red), hn::Mul(a.green, by.green), hn::Mul(a.blue, by.blue)};
+    return SampleTrilinear(
+        texture, u, v, MipLevel(texture, GradientOf(lanes.planes, kVaryingUv, u, v, lanes.varyings.w)), lanes.wanted);
 }
 
 // A shader computes colours of 0 to 255. Where it cannot, shadeFragment() does it.
-
-struct TextureShader {
-    static constexpr std::size_t kVaryings = kTextureVaryings;
-    explicit TextureShader(const FrameJob& j) : job(j) {}
-    const FrameJob& job;
-
-    HWY_INLINE bool Can(const ShaderLanes<kVaryings>& lanes) const { return HasTexels(lanes); }
-    HWY_INLINE RgbLanes operator()(const ShaderLanes<kVaryings>& lanes) const
-    {
-        return Scale(SampleTexture(job, lanes), lanes.colorAt(kVaryingColor));
-    }
-};
 
 struct UvShader {
     static constexpr std::size_t kVaryings = kUvVaryings;

@@ -31,6 +31,16 @@ HWY_INLINE RgbLanes Unpack(Uints texels)
     return {channel(hn::ShiftRight<16>(bits)), channel(hn::ShiftRight<8>(bits)), channel(bits)};
 }
 
+HWY_INLINE RgbLanes Scale(const RgbLanes& a, Floats by)
+{
+    return {hn::Mul(a.red, by), hn::Mul(a.green, by), hn::Mul(a.blue, by)};
+}
+
+HWY_INLINE RgbLanes Scale(const RgbLanes& a, const RgbLanes& by)
+{
+    return {hn::Mul(a.red, by.red), hn::Mul(a.green, by.green), hn::Mul(a.blue, by.blue)};
+}
+
 HWY_INLINE Floats Mix(Floats a, Floats b, Floats part) { return hn::Add(a, hn::Mul(hn::Sub(b, a), part)); }
 
 HWY_INLINE RgbLanes Mix(const RgbLanes& a, const RgbLanes& b, Floats part)
@@ -110,13 +120,17 @@ HWY_INLINE RgbLanes Bilinear(const TexelLanes& from, Floats u, Floats v, hn::Mas
                Mix(texel(x.first, y.second), texel(x.second, y.second), x.part), y.part);
 }
 
-HWY_INLINE RgbLanes SampleNearest(const Texture& texture, Floats u, Floats v, hn::Mask<FloatTag> wanted)
+/// Places of the texels that hold the points, and the first of all for lanes that are not wanted.
+HWY_INLINE Ints TexelPlaces(const Texture& texture, Floats u, Floats v, hn::Mask<FloatTag> wanted)
 {
     constexpr IntTag tag;
     const Ints row = hn::Mul(NearestTexel(v, texture.height), hn::Set(tag, texture.width));
-    const Ints index = hn::Add(row, NearestTexel(u, texture.width));
-    return Unpack(
-        hn::GatherIndex(UintTag(), texture.texels.data(), hn::IfThenElseZero(hn::RebindMask(tag, wanted), index)));
+    return hn::IfThenElseZero(hn::RebindMask(tag, wanted), hn::Add(row, NearestTexel(u, texture.width)));
+}
+
+HWY_INLINE RgbLanes SampleNearest(const Texture& texture, Floats u, Floats v, hn::Mask<FloatTag> wanted)
+{
+    return Unpack(hn::GatherIndex(UintTag(), texture.texels.data(), TexelPlaces(texture, u, v, wanted)));
 }
 
 HWY_INLINE RgbLanes SampleBilinear(const Texture& texture, Floats u, Floats v, hn::Mask<FloatTag> wanted)
@@ -134,29 +148,33 @@ struct GradientLanes {
 };
 
 /// mipLevel()
-HWY_INLINE Floats MipLevel(const Texture& texture, const GradientLanes& gradient)
+///
+/// in   in texels
+HWY_INLINE Floats MipLevel(const GradientLanes& gradient)
 {
     constexpr FloatTag tag;
-    const Floats width = hn::Set(tag, static_cast<float>(texture.width));
-    const Floats height = hn::Set(tag, static_cast<float>(texture.height));
-    const auto squaredTexels = [&](Floats u, Floats v) HWY_ATTR {
-        const Floats x = hn::Mul(u, width);
-        const Floats y = hn::Mul(v, height);
-        return hn::Add(hn::Mul(x, x), hn::Mul(y, y));
-    };
-    const Floats squared =
-        hn::Max(squaredTexels(gradient.uPerX, gradient.vPerX), squaredTexels(gradient.uPerY, gradient.vPerY));
-    return hn::Mul(hn::Set(tag, 0.5F), Log2(hn::Max(squared, hn::Set(tag, 1.0F))));
+    const auto squared = [](Floats x, Floats y) HWY_ATTR { return hn::Add(hn::Mul(x, x), hn::Mul(y, y)); };
+    const Floats larger = hn::Max(squared(gradient.uPerX, gradient.vPerX), squared(gradient.uPerY, gradient.vPerY));
+    return hn::Mul(hn::Set(tag, 0.5F), Log2(hn::Max(larger, hn::Set(tag, 1.0F))));
 }
 
-HWY_INLINE RgbLanes SampleTrilinear(const Texture& texture, Floats u, Floats v, const GradientLanes& gradient,
+HWY_INLINE Floats MipLevel(const Texture& texture, const GradientLanes& gradient)
+{
+    const Floats width = hn::Set(FloatTag(), static_cast<float>(texture.width));
+    const Floats height = hn::Set(FloatTag(), static_cast<float>(texture.height));
+    return MipLevel({hn::Mul(gradient.uPerX, width), hn::Mul(gradient.uPerY, width), hn::Mul(gradient.vPerX, height),
+                     hn::Mul(gradient.vPerY, height)});
+}
+
+/// in   mipLevel()
+HWY_INLINE RgbLanes SampleTrilinear(const Texture& texture, Floats u, Floats v, Floats mipLevel,
                                     hn::Mask<FloatTag> wanted)
 {
     constexpr FloatTag tag;
     constexpr IntTag intTag;
     const MipLevels& mips = texture.mips.of(texture);
     const Ints last = hn::Set(intTag, static_cast<std::int32_t>(mips.levels.size()) - 1);
-    const Floats level = hn::IfThenElseZero(wanted, hn::Min(MipLevel(texture, gradient), hn::ConvertTo(tag, last)));
+    const Floats level = hn::IfThenElseZero(wanted, hn::Min(mipLevel, hn::ConvertTo(tag, last)));
     const Ints finer = hn::ConvertTo(intTag, level);
     const Ints coarser = hn::Min(hn::Add(finer, hn::Set(intTag, 1)), last);
     constexpr int kStride = sizeof(MipLevels::Level) / sizeof(std::int32_t);

@@ -24,8 +24,8 @@ inline void CollectBlocks(const FrameJob& job, std::size_t tile, Worker& worker)
     for (const Chunk& chunk : *job.chunks) {
         const Bin& bin = chunk.bins[tile];
         for (std::uint32_t block = bin.first; block != kNobody; block = chunk.arena.next(block))
-            worker.blocks.push_back(
-                {&chunk.arena.block(block), &chunk, block == bin.last ? bin.used : BinBlock::kCapacity});
+            worker.blocks.push_back({&chunk.arena.block(block), chunk.arena.texels(block), &chunk,
+                                     block == bin.last ? bin.used : BinBlock::kCapacity});
     }
 }
 
@@ -48,7 +48,10 @@ inline void FetchBins(const FrameJob& job, std::size_t tile)
 inline void WriteColor(const FrameJob& job, const Worker& worker, TileOrigin origin)
 {
     switch (job.rules.sampleGrid) {
-    case 1: copyColor(job, worker.samples, origin); break;
+    case 1:
+        if (!job.hasTexels()) // those are written as they are made
+            copyColor(job, worker.samples, origin);
+        break;
     case 2: ResolveTile<2>(job, worker, origin); break;
     case 4: ResolveTile<4>(job, worker, origin); break;
     default: averageColor(job, worker.samples, origin);
@@ -87,7 +90,8 @@ inline void DrawTiles(const FrameJob& job, Worker& worker, int columnBegin, int 
             FetchBins(job, tile + 1);
         const TileOrigin origin{column * pitch, row * pitch};
         CoverTile(job, worker, origin);
-        prefetchTile(job, origin);
+        if (!job.hasTexels())
+            prefetchTile(job, origin);
         ShadeTile(job, worker, origin);
         if (job.color != nullptr)
             WriteColor(job, worker, origin);

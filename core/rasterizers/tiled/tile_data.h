@@ -107,8 +107,8 @@ enum class ColorWay : std::int32_t {
 /// the channels.
 ///
 /// units  Affine: 2^-24 of a step of 255, modulo 2^32, with what rounding takes added to the origin. So sums are exact
-/// in
-///        any order, and may leave the range where nobody looks. Perspective: steps, as the bits of float32.
+///        in any order, and may leave the range where nobody looks. Perspective: steps, as the bits of float32.
+///        Shading texture: 0 to 1 and always 1/w, as the bits of float32.
 struct alignas(64) ColorPlanes {
     std::array<std::int32_t, 4> origin; ///< at the anchor
     std::array<std::int32_t, 4> perX;
@@ -116,9 +116,24 @@ struct alignas(64) ColorPlanes {
     std::int32_t x0; ///< the anchor, a sample of the target
     std::int32_t y0;
     ColorWay way;
-    std::uint32_t varyings; ///< of shadings that have more than colours: the number of their VaryingPlanes, and no more
+    /// Shading texture: place of the texture in the scene. Other shadings that have more than colours: the number of
+    /// their VaryingPlanes, and nothing else in here.
+    std::uint32_t extra;
 };
 static_assert(sizeof(ColorPlanes) == 64);
+
+/// Texture coordinates of a triangle over w, as planes over the target: what shading texture has beside ColorPlanes,
+/// whose anchor and 1/w it shares. They are counted in texels from half a texel behind `first`, so that rounding to a
+/// whole number finds the texel, and small numbers keep small errors.
+struct alignas(32) TexelPlanes {
+    std::array<float, 2> origin; ///< at the anchor: u, v
+    float certain;               ///< both coordinates closer than this to a whole number: the texel is the right one
+    std::array<std::uint16_t, 2> first;
+    std::array<float, 2> perX;
+    std::array<float, 2> perY;
+};
+static_assert(sizeof(TexelPlanes) == 32);
+constexpr int kMostTexels = 1 << 16; ///< along an axis, for TexelPlanes::first
 
 /// A triangle that is not a face of the mesh as it stands: cut by a clip plane, or beyond the numbers of the fast path.
 struct Piece {
@@ -135,15 +150,27 @@ struct BinBlock {
     std::array<ColorPlanes, kCapacity> colors; ///< of shadings that interpolate a colour
 };
 
+/// The same triangles' planes of shading texture.
+using TexelBlock = std::array<TexelPlanes, BinBlock::kCapacity>;
+
 /// Blocks of bins, by number. Their memory is kept from frame to frame.
 class BinArena
 {
 public:
-    void reset() { m_next.clear(); }
+    void reset(bool textured)
+    {
+        m_next.clear();
+        m_textured = textured;
+    }
     [[nodiscard]] std::uint32_t allocate();
     [[nodiscard]] BinBlock& block(std::uint32_t number) const
     {
         return m_slabs[number / kSlabBlocks].data()[number % kSlabBlocks];
+    }
+    /// Null with other shadings than texture.
+    [[nodiscard]] TexelBlock* texels(std::uint32_t number) const
+    {
+        return m_textured ? &m_texelSlabs[number / kSlabBlocks].data()[number % kSlabBlocks] : nullptr;
     }
     /// The block that follows in its bin, or kNobody.
     [[nodiscard]] std::uint32_t& next(std::uint32_t number) { return m_next[number]; }
@@ -152,6 +179,8 @@ public:
 private:
     static constexpr std::size_t kSlabBlocks = 512; // 2 MiB
     std::vector<LargeArray<BinBlock>> m_slabs;
+    std::vector<LargeArray<TexelBlock>> m_texelSlabs;
+    bool m_textured = false;
     std::vector<std::uint32_t> m_next; ///< apart from the blocks: a walk along a list touches few lines
 };
 
@@ -160,6 +189,7 @@ private:
 
 struct Bin {
     BinBlock* lastBlock = nullptr;
+    TexelBlock* lastTexels = nullptr;
     std::uint32_t first = kNobody;
     std::uint32_t last = kNobody;
     std::uint32_t used = BinBlock::kCapacity; ///< triangles in the last block
@@ -198,6 +228,7 @@ struct Chunk {
         arena.next(bin.first) = kNobody;
         bin.last = bin.first;
         bin.lastBlock = &arena.block(bin.first);
+        bin.lastTexels = arena.texels(bin.first);
         bin.used = 0;
     }
 
@@ -205,16 +236,20 @@ struct Chunk {
     struct Slot {
         TileTriangle* triangle;
         ColorPlanes* colors;
+        TexelPlanes* texels; ///< null with other shadings than texture
     };
     Slot append(Bin& bin, std::int32_t nearest)
     {
         bin.nearest = std::min(bin.nearest, nearest);
         if (bin.used == BinBlock::kCapacity)
             grow(bin);
-        const Slot slot{&bin.lastBlock->triangles[bin.used], &bin.lastBlock->colors[bin.used]};
+        const Slot slot{&bin.lastBlock->triangles[bin.used], &bin.lastBlock->colors[bin.used],
+                        bin.lastTexels != nullptr ? &(*bin.lastTexels)[bin.used] : nullptr};
         ++bin.used;
         __builtin_prefetch(slot.triangle + 1, 1); // the next one comes after those of many other tiles
         __builtin_prefetch(slot.colors + 1, 1);
+        if (slot.texels != nullptr)
+            __builtin_prefetch(slot.texels + 1, 1);
         return slot;
     }
 

@@ -78,6 +78,26 @@ void averageColor(const FrameJob& job, const TileSamples& samples, TileOrigin or
 
 } // namespace
 
+void writeBlocks(const FrameJob& job, TileOrigin origin, int firstBlock, const std::uint32_t* colors)
+{
+    const int x = origin.x + blockColumn(firstBlock) * kBlockSide;
+    const int y = origin.y + blockRow(firstBlock) * kBlockSide;
+    const int width = std::min(4 * kBlockSide, job.rules.width - x);
+    const int height = std::min(kBlockSide, job.rules.height - y);
+    if (width <= 0 || height <= 0)
+        return;
+    std::uint32_t* out = job.color + pixelIndex(job, x, y);
+    const auto stride = static_cast<std::size_t>(job.rules.width);
+    if (width == 4 * kBlockSide && height == kBlockSide) {
+        copySubtileRow(colors, out, stride);
+        return;
+    }
+    for (int j = 0; j < height; ++j)
+        for (int i = 0; i < width; ++i)
+            out[std::size_t(j) * stride + std::size_t(i)] =
+                colors[i / kBlockSide * kLanes + j * kBlockSide + i % kBlockSide];
+}
+
 PixelBox pixelsOf(const FrameJob& job, TileOrigin origin, int tiles)
 {
     const int grid = job.rules.sampleGrid;

@@ -24,6 +24,11 @@ void averageColor(const FrameJob& job, const TileSamples& samples, TileOrigin or
 /// Writes a tile into the other arrays that were asked for.
 void writeTile(const FrameJob& job, const Worker& worker, TileOrigin origin);
 
+/// Writes four blocks side by side into a picture with one sample a pixel.
+///
+/// in   the first block of a row of a subtile; 16 colours each
+void writeBlocks(const FrameJob& job, TileOrigin origin, int firstBlock, const std::uint32_t* colors);
+
 /// Brings the pixels of a tile near while there is something else to do.
 void prefetchTile(const FrameJob& job, TileOrigin origin);
 

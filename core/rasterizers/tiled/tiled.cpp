@@ -57,7 +57,7 @@ void clearChunks(TiledContext& context, const FrameJob& job, std::size_t faces, 
         chunk.bins.assign(job.grid.count(), {});
         chunk.pieces.clear();
         chunk.varyingCount = 0;
-        chunk.arena.reset();
+        chunk.arena.reset(job.hasTexels());
         chunk.faces = {};
     }
 }
@@ -236,6 +236,7 @@ void Tiled::draw(const Scene& scene, const Settings& settings, Frame& frame, Out
     job.matrices = cameraMatrices(scene, settings);
     const FaceStages stages(scene, job.matrices, job.rules);
     job.stages = &stages;
+    job.plainTexture = &checkerTexture();
     job.grid = tileGrid(job.rules);
     job.outputs = outputs;
     job.counting = statistics != nullptr;

@@ -9,13 +9,13 @@
 #include "core/rasterizers/tiled/kernels.h"
 #include "core/rasterizers/tiled/lanes-inl.h"
 #include "core/rasterizers/tiled/planes-inl.h"
+#include "core/rasterizers/tiled/texture-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
 {
 
 // varyingCount() of the shadings, known when this is compiled.
-constexpr std::size_t kTextureVaryings = kVaryingUv + 2;
 constexpr std::size_t kPhongVaryings = kVaryingPosition + 3;
 constexpr std::size_t kNormalVaryings = 3;
 constexpr std::size_t kUvVaryings = 2;
@@ -47,12 +47,7 @@ HWY_INLINE void StageFaceVaryings(const FrameJob& job, std::uint32_t face, std::
         const std::size_t vertex = mesh.indices[3 * std::size_t(face) + k];
         const MeshVertex& v = mesh.vertices[vertex];
         Varyings varyings;
-        if (kCount == kTextureVaryings && job.colors != nullptr) { // they have been lit already
-            const glm::vec4& color = job.colors[vertex];
-            varyings = {color.x, color.y, color.z, v.uv.x, v.uv.y};
-        } else {
-            shadeVertex(*job.scene, v, job.rules.shading, varyings);
-        }
+        shadeVertex(*job.scene, v, job.rules.shading, varyings);
         stage.w[k][lane] = job.colors != nullptr ? job.colors[vertex].w : v.position.w;
         for (std::size_t i = 0; i < kCount; ++i)
             stage.value[k][i][lane] = varyings[i];
@@ -158,6 +153,20 @@ HWY_INLINE VaryingLanes<kCount> VaryingsAt(const VaryingPlanes<kCount>& planes, 
         lanes.value[i] = ToFloats(value);
     }
     return lanes;
+}
+
+/// in   which varying is the first of texture coordinates u and v, and their values
+HWY_INLINE GradientLanes GradientOf(const auto& planes, std::size_t first, Floats u, Floats v, Floats w)
+{
+    // The quotient rule: (U/W)' = (U' - u W') / W.
+    const auto derivative = [&](const auto& slope, std::size_t i, Floats value) HWY_ATTR {
+        constexpr FloatTag tag;
+        const Floats ofProduct = hn::Set(tag, static_cast<float>(slope[first + i + 1]));
+        const Floats ofInverseW = hn::Set(tag, static_cast<float>(slope[0]));
+        return hn::Mul(hn::Sub(ofProduct, hn::Mul(value, ofInverseW)), w);
+    };
+    return {derivative(planes.perX, 0, u), derivative(planes.perY, 0, u), derivative(planes.perX, 1, v),
+            derivative(planes.perY, 1, v)};
 }
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE
