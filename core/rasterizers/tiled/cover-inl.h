@@ -390,11 +390,13 @@ inline void CoverExactly(const FrameJob& job, const Piece& piece, const Policy&,
 
 /// Brings a triangle of a bin near; a number beyond the last one does no harm.
 template <class Policy>
-HWY_INLINE void FetchRecord(const BinBlock& block, std::size_t triangle)
+HWY_INLINE void FetchRecord(const TileBlock& block, std::size_t triangle)
 {
-    __builtin_prefetch(block.triangles.data() + triangle);
-    if constexpr (Policy::kKeeps == Keeps::Color)
-        __builtin_prefetch(block.colors.data() + triangle);
+    __builtin_prefetch(block.bin->triangles.data() + triangle);
+    if (Policy::kKeeps == Keeps::Color || block.texels != nullptr)
+        __builtin_prefetch(block.bin->colors.data() + triangle);
+    if (block.texels != nullptr)
+        __builtin_prefetch(block.texels->data() + triangle);
 }
 
 template <class Policy>
@@ -407,10 +409,10 @@ inline void CoverTriangles(const Policy& policy, const FrameJob& job, Worker& wo
         const TileBlock& bin = worker.blocks[block];
         if (block + 1 < worker.blocks.size())
             for (std::size_t i = 0; i < kAhead; ++i)
-                FetchRecord<Policy>(*worker.blocks[block + 1].bin, i);
+                FetchRecord<Policy>(worker.blocks[block + 1], i);
         for (std::uint32_t i = 0; i < bin.count; ++i) {
             const TileTriangle& t = bin.bin->triangles[i];
-            FetchRecord<Policy>(*bin.bin, i + kAhead);
+            FetchRecord<Policy>(bin, i + kAhead);
             const std::uint32_t number = static_cast<std::uint32_t>(block) * BinBlock::kCapacity + i;
             if (Policy::kUsual && std::bit_cast<std::int32_t>(t.nearest) >= tile.farthest)
                 continue;
