@@ -231,23 +231,27 @@ void TestTiled::allocatesNothingOnceWarm()
     const SceneLoad load = makeBuiltinScene("head");
     QVERIFY(load.scene);
     const Scene& scene = *load.scene;
-    for (const int threads : {1, 3}) {
+    const auto allocationsOf = [&](Shading shading, int threads, Outputs outputs) {
         Settings settings;
         settings.size = {640, 360};
         settings.algorithm = Algorithm::Tiled;
+        settings.shading = shading;
         settings.threads = threads;
         settings.view.distance = 0.4;
         Frame frame;
-        for (int i = 0; i < 30; ++i) // each worker has met each tile's worth of triangles by then
-            render(scene, settings, frame, kAll);
+        for (int i = 0; i < casesOfBuild(30); ++i) // each worker has met each tile's worth of triangles by then
+            render(scene, settings, frame, outputs);
         const int before = allocations;
-        render(scene, settings, frame, kAll);
-        const int made = allocations - before;
-        if (threads == 1)
-            QCOMPARE(made, 0);
-        else // a worker may meet the fullest tile for the first time
+        render(scene, settings, frame, outputs);
+        return allocations - before;
+    };
+    for (const Shading shading : {Shading::Gouraud, Shading::Texture, Shading::Phong, Shading::Flat})
+        for (const Outputs outputs : {Outputs{}, kAll}) {
+            QCOMPARE(allocationsOf(shading, 1, outputs), 0);
+            const int made =
+                allocationsOf(shading, 3, outputs); // a worker may meet the fullest tile for the first time
             QVERIFY2(made <= 4, qPrintable(QString::number(made)));
-    }
+        }
 }
 
 void TestTiled::keepsNothingInCommonWithACopy()

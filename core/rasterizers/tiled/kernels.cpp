@@ -1,8 +1,7 @@
 #include "core/rasterizers/tiled/kernels.h"
 
 // Every instruction set with vectors of four floats and more, and of a size known when this is compiled.
-#define HWY_DISABLED_TARGETS                                                                                           \
-    (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/rasterizers/tiled/kernels.cpp"
 #include <hwy/foreach_target.h>
