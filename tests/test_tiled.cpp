@@ -108,9 +108,11 @@ void TestTiled::drawsModesAlike()
     QFETCH(QString, value);
     std::mt19937 random(1);
     const std::vector<Simd> all = simds();
-    const SceneLoad mesh = makeBuiltinScene(RASTERLENS_SANITIZED ? "sphere" : "head");
+    const SceneLoad mesh = makeBuiltinScene("head");
     QVERIFY(mesh.scene);
     for (const bool lit : {false, true}) {
+        if (lit && RASTERLENS_SANITIZED)
+            continue; // the built-in scenes are drawn as well
         const Scene scene = lit ? *mesh.scene : soup(random, {100, 70}, 60);
         Settings settings;
         settings.size = {100, 70};

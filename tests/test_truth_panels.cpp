@@ -25,6 +25,34 @@ class TestTruthPanels : public WindowFixture
     Q_OBJECT
 
 private:
+    /// What the program says about cases follows the language: notes, what must hold, verdicts.
+    void checkLanguageOfCases()
+    {
+        const CaseModel& model = browser().model();
+        const auto texts = [&] {
+            QStringList all;
+            for (int i = 0; i < model.rowCount(); ++i) {
+                const CaseModel::Case& one = model.at(i);
+                all << one.noteText().split(QLatin1Char('\n')) << one.expectationsText().split(QLatin1Char('\n'));
+                for (std::size_t v = 0; v < one.verdicts.size(); ++v)
+                    if (one.verdicts[v].grade != CaseGrade::Unsupported && !one.verdicts[v].reasons.empty())
+                        all << one.reasonText(v);
+            }
+            return all;
+        };
+        const QStringList english = texts();
+        m_window->setLanguage(LanguageKind::Chinese);
+        const QStringList chinese = texts();
+        m_window->setLanguage(LanguageKind::English);
+        QCOMPARE(texts(), english);
+        QCOMPARE(chinese.size(), english.size());
+        const auto isHan = [](QChar c) { return c.script() == QChar::Script_Han; };
+        for (qsizetype i = 0; i < english.size(); ++i) {
+            QVERIFY2(std::ranges::none_of(english[i], isHan), qPrintable(english[i]));
+            QVERIFY2(std::ranges::any_of(chinese[i], isHan), qPrintable(english[i]));
+        }
+    }
+
     TruthMode& truth() { return m_window->truthMode(); }
     ExperimentPanel& panel() { return truth().experiment(); }
     CaseBrowser& browser() { return truth().caseBrowser(); }
@@ -146,7 +174,7 @@ private Q_SLOTS:
         QVERIFY(panel().exportTo(QStringLiteral("/no/such/folder/rows.csv")).has_value());
     }
 
-    void casesAreJudgedAndFiltered()
+    void casesAreJudgedFilteredAndTranslated()
     {
         truth().showPanel(QStringLiteral("cases"));
         QVERIFY(browser().model().isBusy());
@@ -173,6 +201,7 @@ private Q_SLOTS:
         QVERIFY(browser().listed() > 0 && browser().listed() < model.rowCount());
         browser().filterEdit()->setText(QStringLiteral("no such case"));
         QCOMPARE(browser().listed(), 0);
+        checkLanguageOfCases();
         const QAbstractItemModelTester tester(&browser().model(),
                                               QAbstractItemModelTester::FailureReportingMode::QtTest);
     }
@@ -236,37 +265,6 @@ private Q_SLOTS:
                  qPrintable(QStringLiteral("%1, %2").arg(canvas.height()).arg(dock->height())));
         m_window->resetLayout();
         QVERIFY(!dock->isVisible());
-    }
-
-    /// What the program says about cases follows the language: notes, what must hold, verdicts.
-    void casesSpeakTheLanguageInUse()
-    {
-        QVERIFY(openSmall("builtin:cube"));
-        truth().showPanel(QStringLiteral("cases"));
-        const CaseModel& model = browser().model();
-        QVERIFY(QTest::qWaitFor([&] { return !model.isBusy(); }, 10 * kPatienceMs));
-        const auto texts = [&] {
-            QStringList all;
-            for (int i = 0; i < model.rowCount(); ++i) {
-                const CaseModel::Case& one = model.at(i);
-                all << one.noteText().split(QLatin1Char('\n')) << one.expectationsText().split(QLatin1Char('\n'));
-                for (std::size_t v = 0; v < one.verdicts.size(); ++v)
-                    if (one.verdicts[v].grade != CaseGrade::Unsupported && !one.verdicts[v].reasons.empty())
-                        all << one.reasonText(v);
-            }
-            return all;
-        };
-        const QStringList english = texts();
-        m_window->setLanguage(LanguageKind::Chinese);
-        const QStringList chinese = texts();
-        m_window->setLanguage(LanguageKind::English);
-        QCOMPARE(texts(), english);
-        QCOMPARE(chinese.size(), english.size());
-        const auto isHan = [](QChar c) { return c.script() == QChar::Script_Han; };
-        for (qsizetype i = 0; i < english.size(); ++i) {
-            QVERIFY2(std::ranges::none_of(english[i], isHan), qPrintable(english[i]));
-            QVERIFY2(std::ranges::any_of(chinese[i], isHan), qPrintable(english[i]));
-        }
     }
 
     void panelsShareOnePlaceAsTabs()
