@@ -21,12 +21,19 @@ HWY_INLINE std::uint32_t SubtileOwner(const std::uint32_t* owners)
     return owners[0] < kEmpty && LanesWith(owners, owners[0]) == 0xffff ? owners[0] : kNobody;
 }
 
+/// Colours from sums of 16 samples, two channels in one number, to which half of 16 has been added.
+HWY_INLINE Uints MeanOf16(Uints redBlueSum, Uints alphaGreenSum)
+{
+    const Uints halves = hn::Set(UintTag(), 0x00ff00ffU);
+    const Uints alphaGreen = hn::And(hn::ShiftRight<4>(alphaGreenSum), halves);
+    return hn::OrAnd(hn::ShiftLeft<8>(alphaGreen), hn::ShiftRight<4>(redBlueSum), halves);
+}
+
 /// Means of the 16 samples of each of a vector of pixels, the square-th pixel in the square-th lane.
 HWY_INLINE Uints AffineMeans(const ColorSquares& squares, std::size_t v)
 {
     constexpr IntTag tag;
     constexpr UintTag unsignedTag;
-    const Uints halves = hn::Set(unsignedTag, 0x00ff00ffU);
     const Ints redBlue = hn::Load(tag, squares.corners.redBlue.data() + v * kPerVector);
     const Ints alphaGreen = hn::Load(tag, squares.corners.alphaGreen.data() + v * kPerVector);
     Uints redBlueSum = hn::Set(unsignedTag, 0x00080008U);
@@ -38,8 +45,7 @@ HWY_INLINE Uints AffineMeans(const ColorSquares& squares, std::size_t v)
         redBlueSum = hn::Add(redBlueSum, steps(redBlue, squares.offsets.redBlue[s]));
         alphaGreenSum = hn::Add(alphaGreenSum, steps(alphaGreen, squares.offsets.alphaGreen[s]));
     }
-    const Uints alphaGreenMean = hn::And(hn::ShiftRight<4>(alphaGreenSum), halves);
-    return hn::OrAnd(hn::ShiftLeft<8>(alphaGreenMean), hn::ShiftRight<4>(redBlueSum), halves);
+    return MeanOf16(redBlueSum, alphaGreenSum);
 }
 
 HWY_INLINE Uints PerspectiveMeans(const ColorSquares& squares, std::size_t v)
@@ -62,8 +68,7 @@ HWY_INLINE Uints PerspectiveMeans(const ColorSquares& squares, std::size_t v)
         redBlueSum = hn::Add(redBlueSum, hn::And(color, halves));
         alphaGreenSum = hn::Add(alphaGreenSum, hn::And(hn::ShiftRight<8>(color), halves));
     }
-    const Uints alphaGreenMean = hn::And(hn::ShiftRight<4>(alphaGreenSum), halves);
-    return hn::OrAnd(hn::ShiftLeft<8>(alphaGreenMean), hn::ShiftRight<4>(redBlueSum), halves);
+    return MeanOf16(redBlueSum, alphaGreenSum);
 }
 
 /// The squares of a subtile, its first sample at (x, y) of the target.
