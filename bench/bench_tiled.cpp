@@ -82,7 +82,7 @@ int main(int argc, char** argv)
             return 3;
         }
         if (const auto reason = unsupported(*load.scene, settings)) {
-            std::fprintf(stderr, "%s\n", qPrintable(*reason));
+            std::fprintf(stderr, "%s\n", qPrintable(textOf(*reason)));
             return 2;
         }
         const Series s =

@@ -16,22 +16,22 @@ constexpr std::int64_t kMaxSamples = std::int64_t(kMaxViewport) * kMaxViewport;
 
 } // namespace
 
-std::optional<QString> unsupported(const Scene& scene, const Settings& settings)
+std::optional<Reason> unsupported(const Scene& scene, const Settings& settings)
 {
     if (settings.cullSpace == CullSpace::View && scene.space == SceneSpace::Clip)
-        return QStringLiteral("cull-space view needs object-space positions; this scene is given in clip space");
+        return Reason{QT_TRANSLATE_NOOP(
+            "Unsupported", "cull-space view needs object-space positions; this scene is given in clip space")};
     const std::int64_t grid = sampleGrid(settings.samples);
     if (std::int64_t(settings.size.width()) * settings.size.height() * grid * grid > kMaxSamples)
-        return QStringLiteral("%1x%2 pixels with %3 samples each need more than %4 million samples")
-            .arg(settings.size.width())
-            .arg(settings.size.height())
-            .arg(grid * grid)
-            .arg(kMaxSamples / 1000000);
+        return Reason{
+            QT_TRANSLATE_NOOP("Unsupported", "%1x%2 pixels with %3 samples each need more than %4 million samples"),
+            {QString::number(settings.size.width()), QString::number(settings.size.height()),
+             QString::number(grid * grid), QString::number(kMaxSamples / 1000000)}};
     for (const QString& id : settings.mistakes)
         if (findMistake(id) == nullptr)
-            return QStringLiteral("there is no mistake \"%1\"; \"rasterlens-cli render --list-mistakes\" lists those "
-                                  "there are")
-                .arg(id);
+            return Reason{QT_TRANSLATE_NOOP("Unsupported", "there is no mistake \"%1\"; \"rasterlens-cli render "
+                                                           "--list-mistakes\" lists those there are"),
+                          {id}};
     if (settings.algorithm == Algorithm::Tiled)
         if (auto reason = Tiled::supports(settings))
             return reason;

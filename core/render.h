@@ -1,5 +1,6 @@
 #pragma once
 #include "core/observe/statistics.h"
+#include "core/reason.h"
 #include "core/scene.h"
 #include "core/settings.h"
 
@@ -34,8 +35,8 @@ struct Frame {
     std::shared_ptr<TiledContext> tiled; ///< threads and memory of the tiled algorithm, for the next picture
 };
 
-/// Why these settings cannot be drawn, or nothing. The sentence is English; the caller adds the context.
-[[nodiscard]] std::optional<QString> unsupported(const Scene& scene, const Settings& settings);
+/// Why these settings cannot be drawn, or nothing; a text of the context "Unsupported".
+[[nodiscard]] std::optional<Reason> unsupported(const Scene& scene, const Settings& settings);
 
 /// The settings with which the tiled algorithm draws the same picture, colours at most one step off, faster; nothing
 /// where the algorithm is part of the picture (mistakes, number types, lines, edge-then-span) or is tiled already.

@@ -137,10 +137,10 @@ void TestMistakes::unknownIdIsRefused()
     const MistakeDemo demo = mistakeDemo(mistakes().front());
     Settings settings = demo.right;
     settings.mistakes << QStringLiteral("nonsense");
-    const std::optional<QString> reason = unsupported(demo.scene, settings);
+    const std::optional<Reason> reason = unsupported(demo.scene, settings);
     QVERIFY(reason);
-    QVERIFY2(reason->contains(QLatin1String("nonsense")), qPrintable(*reason));
-    QVERIFY2(reason->contains(QLatin1String("--list-mistakes")), qPrintable(*reason));
+    QVERIFY2(textOf(*reason).contains(QLatin1String("nonsense")), qPrintable(textOf(*reason)));
+    QVERIFY2(textOf(*reason).contains(QLatin1String("--list-mistakes")), qPrintable(textOf(*reason)));
 }
 
 /// Alone and together with what multiplies trouble, where corners lie behind the eye, far out or on one line: for the

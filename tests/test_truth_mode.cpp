@@ -1,6 +1,7 @@
 // The window says how right the picture is: referee, comparison, number dial.
 #include "core/builtin_scenes.h"
 #include "tests/window_fixture.h"
+#include "ui/applicability.h"
 #include "ui/compare_bar.h"
 #include "ui/number_dial.h"
 #include "ui/pipeline_panel.h"
@@ -291,13 +292,18 @@ private Q_SLOTS:
         Settings pinned = document().settings();
         pinned.algorithm = Algorithm::Tiled;
         pinned.numberType = NumberType::Float32;
-        QVERIFY(unsupported(*document().scene(), pinned));
+        const auto reason = unsupported(*document().scene(), pinned);
+        QVERIFY(reason);
         document().setSettings(pinned);
         comparison().pin();
         document().undo();
         comparison().setView(CompareView::Wipe);
         QVERIFY(complete());
-        QVERIFY(comparison().text().startsWith(QStringLiteral("A cannot be drawn")));
+        QCOMPARE(comparison().text(), QStringLiteral("A cannot be drawn: ") + textOf(*reason));
+        m_window->setLanguage(LanguageKind::Chinese);
+        QVERIFY(comparison().text().endsWith(whyUnsupported(*reason)));
+        QVERIFY(whyUnsupported(*reason) != textOf(*reason));
+        m_window->setLanguage(LanguageKind::English);
         QVERIFY(!viewport().overlays().wipe);
     }
 

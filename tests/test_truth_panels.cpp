@@ -35,7 +35,7 @@ private:
                 const CaseModel::Case& one = model.at(i);
                 all << one.noteText().split(QLatin1Char('\n')) << one.expectationsText().split(QLatin1Char('\n'));
                 for (std::size_t v = 0; v < one.verdicts.size(); ++v)
-                    if (one.verdicts[v].grade != CaseGrade::Unsupported && !one.verdicts[v].reasons.empty())
+                    if (!one.verdicts[v].reasons.empty())
                         all << one.reasonText(v);
             }
             return all;

@@ -179,6 +179,11 @@ private Q_SLOTS:
         QVERIFY(!m_window->message().isEmpty());
         QCOMPARE(viewport().frame(), before);
         QVERIFY2(m_window->pipelinePanel().editor(QStringLiteral("cull-space"))->isEnabled(), "the way back is open");
+        const auto reason = unsupported(*document().scene(), refused);
+        QVERIFY(m_window->message().endsWith(textOf(*reason)));
+        speak(LanguageKind::Chinese);
+        QVERIFY(m_window->message().endsWith(whyUnsupported(*reason)));
+        QVERIFY(!m_window->message().contains(textOf(*reason)));
         document().undo();
         QVERIFY(settle());
         QVERIFY(m_window->message().isEmpty());
@@ -278,6 +283,19 @@ private Q_SLOTS:
             QVERIFY2(isChinese(QCoreApplication::translate("BuiltinScene", scene.title)), scene.title);
             QVERIFY2(isChinese(QCoreApplication::translate("BuiltinScene", scene.note)), scene.note);
         }
+        Scene inClipSpace;
+        inClipSpace.space = SceneSpace::Clip;
+        int refusals = 0;
+        for (const SettingsField& field : settingsFields())
+            for (int value = field.minimum; value <= field.maximum; ++value) {
+                Settings tiled;
+                tiled.algorithm = Algorithm::Tiled;
+                field.set(tiled, value);
+                const auto reason = unsupported(inClipSpace, tiled);
+                refusals += reason.has_value();
+                QVERIFY2(!reason || isChinese(whyUnsupported(*reason)), reason ? reason->text : "");
+            }
+        QVERIFY(refusals > 0);
         document().clearRecentFiles();
         for (const QAction* action : m_window->findChildren<QAction*>())
             if (action->text().contains(QRegularExpression(QStringLiteral("[a-z]{4}"))))

@@ -71,6 +71,11 @@ std::optional<QString> whyWithoutEffect(const SettingsField& field, const Settin
     return std::nullopt;
 }
 
+QString whyUnsupported(const Reason& reason)
+{
+    return textOf(reason, [](const char* text) { return QCoreApplication::translate("Unsupported", text); });
+}
+
 Settings withNextValue(const SettingsField& field, const Settings& settings)
 {
     Settings next = settings;

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/reason.h"
 #include "core/settings.h"
 
 #include <QString>
@@ -10,6 +11,9 @@ namespace rasterlens
 
 /// Why changing this field would not change the picture under these settings, in the language in use; or nothing.
 [[nodiscard]] std::optional<QString> whyWithoutEffect(const SettingsField& field, const Settings& settings);
+
+/// What unsupported() says, in the language in use.
+[[nodiscard]] QString whyUnsupported(const Reason& reason);
 
 /// The next value of a field, first after last.
 [[nodiscard]] Settings withNextValue(const SettingsField& field, const Settings& settings);

@@ -2,6 +2,7 @@
 
 #include "core/case_file.h"
 #include "core/truth/expectations.h"
+#include "ui/applicability.h"
 
 #include <QCoreApplication>
 #include <QPainter>
@@ -68,7 +69,12 @@ QString CaseModel::Case::expectationsText() const
     return lines.join(QLatin1Char('\n'));
 }
 
-QString CaseModel::Case::reasonText(std::size_t variant) const { return textOf(verdicts[variant].reasons, translated); }
+QString CaseModel::Case::reasonText(std::size_t variant) const
+{
+    const Verdict& verdict = verdicts[variant];
+    return verdict.grade == CaseGrade::Unsupported ? whyUnsupported(verdict.reasons.front())
+                                                   : textOf(verdict.reasons, translated);
+}
 
 QString caseNoteText(const QString& note)
 {

@@ -29,7 +29,7 @@ public:
                                           "edge-equation-float64"};
     struct Verdict {
         CaseGrade grade;
-        std::vector<CaseReason> reasons;
+        std::vector<Reason> reasons;
     };
     struct Case {
         QString name;

@@ -123,7 +123,7 @@ void Comparison::drop()
 {
     m_pair = {};
     m_difference.reset();
-    m_refusal.clear();
+    m_refusal = nullptr;
     ++m_asked;
     m_delivered = m_asked;
     m_task.post([](std::stop_token) {}, LatestTask::Running::Interrupt);
@@ -143,12 +143,12 @@ void Comparison::compare()
     const Settings other = this->other(m_present->settings);
     if (const auto why = unsupported(*m_present->scene, other)) {
         drop();
-        m_refusal = tr("A cannot be drawn: %1").arg(*why);
+        m_refusal = [why = *why] { return tr("A cannot be drawn: %1").arg(whyUnsupported(why)); };
         Q_EMIT changed();
         Q_EMIT frameChanged();
         return;
     }
-    m_refusal.clear();
+    m_refusal = nullptr;
     const auto running = mustInterrupt(other) ? LatestTask::Running::Interrupt : LatestTask::Running::Finish;
     m_askedFor = other;
     Pair pair;
@@ -208,7 +208,7 @@ void Comparison::take(const Pair& pair, quint64 serial)
     m_delivered = serial;
     if (!pair.a) {
         drop();
-        m_refusal = tr("There is not enough memory for another picture of this size.");
+        m_refusal = [] { return tr("There is not enough memory for another picture of this size."); };
     } else {
         m_pair = pair;
         m_difference = pair.difference;
@@ -239,8 +239,8 @@ QString Comparison::tag() const
 
 QString Comparison::text() const
 {
-    if (!m_refusal.isEmpty())
-        return m_refusal;
+    if (m_refusal)
+        return m_refusal();
     if (!m_difference)
         return tr("drawing A \u2026");
     const QString all = grouped(m_difference->pixels);

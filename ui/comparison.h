@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -109,8 +110,8 @@ private:
     FramePtr m_present;
     Pair m_pair; ///< a is null: none
     std::optional<Difference> m_difference;
-    QString m_refusal;
-    Settings m_askedFor; ///< of A
+    std::function<QString()> m_refusal; ///< why there is no A, in the language in use
+    Settings m_askedFor;                ///< of A
     quint64 m_asked = 0;
     quint64 m_delivered = 0;
     QTimer m_blink;

@@ -320,7 +320,8 @@ void MainWindow::updatePicture()
     m_viewport->setStale(m_refused);
     m_statisticsPanel->setStale(m_refused);
     if (m_refused) {
-        m_unsupported->show(MessageKind::Warning, tr("These settings cannot be drawn together: %1").arg(*why));
+        m_unsupported->show(MessageKind::Warning,
+                            tr("These settings cannot be drawn together: %1").arg(whyUnsupported(*why)));
         Q_EMIT settled();
         return;
     }

@@ -262,6 +262,8 @@ void MainWindow::retranslate()
     m_mistakesMenu->retranslate();
     m_cards->retranslate();
     m_truth->retranslate();
+    if (m_refused)
+        updatePicture(); // says why again
     m_pipelineDock->setTitle(tr("Scene"));
     m_statisticsDock->setTitle(tr("Statistics"));
     m_pipelineDock->toggleViewAction()->setText(tr("Scene and pipeline"));

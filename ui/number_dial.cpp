@@ -1,6 +1,7 @@
 #include "ui/number_dial.h"
 
 #include "core/render.h"
+#include "ui/applicability.h"
 #include "ui/inks.h"
 #include "ui/theme.h"
 
@@ -71,7 +72,7 @@ Settings NumberDial::withStop(Settings settings, int stop)
     return settings;
 }
 
-std::optional<QString> NumberDial::whyNot(int stop) const
+std::optional<Reason> NumberDial::whyNot(int stop) const
 {
     return unsupported(*m_document.scene(), withStop(m_document.settings(), stop));
 }
@@ -223,7 +224,7 @@ bool NumberDial::event(QEvent* event)
         const auto* help = static_cast<QHelpEvent*>(event);
         const int at = stopAt(help->pos());
         const auto why = at >= 0 ? whyNot(at) : std::nullopt;
-        QToolTip::showText(help->globalPos(), why ? *why : toolTip(), this);
+        QToolTip::showText(help->globalPos(), why ? whyUnsupported(*why) : toolTip(), this);
         return true;
     }
     return QWidget::event(event);

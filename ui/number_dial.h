@@ -1,5 +1,6 @@
 #pragma once
 #include "core/number_budget.h"
+#include "core/reason.h"
 #include "ui/document.h"
 
 #include <QWidget>
@@ -60,7 +61,7 @@ protected:
 private:
     [[nodiscard]] QRectF segment(int stop) const;
     [[nodiscard]] int stopAt(QPointF point) const;
-    [[nodiscard]] std::optional<QString> whyNot(int stop) const;
+    [[nodiscard]] std::optional<Reason> whyNot(int stop) const;
     [[nodiscard]] static Settings withStop(Settings settings, int stop);
     void paintTrack(QPainter& painter) const;
     void paintBits(QPainter& painter, const QRectF& where) const;

@@ -2,6 +2,7 @@
 
 #include "core/builtin_scenes.h"
 #include "core/render.h"
+#include "ui/applicability.h"
 #include "ui/case_model.h"
 #include "ui/field_row.h"
 #include "ui/mistakes_section.h"
@@ -116,7 +117,8 @@ PipelinePanel::PipelinePanel(Document& document, const Language& language, QWidg
                 row->setValueReasons([this, &field](int value) {
                     Settings candidate = m_document.settings();
                     field.set(candidate, value);
-                    return unsupported(*m_document.scene(), candidate).value_or(QString());
+                    const auto reason = unsupported(*m_document.scene(), candidate);
+                    return reason ? whyUnsupported(*reason) : QString();
                 });
             });
             group->addWidget(row);

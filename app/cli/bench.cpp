@@ -170,7 +170,7 @@ std::vector<const Variant*> variantsFor(const Request& request, const Input& inp
         return supportedVariants(input.scene, input.settings);
     for (const Variant* variant : request.variants)
         if (const auto reason = unsupported(input.scene, settingsOf(*variant, input.settings)))
-            fail(QStringLiteral("%1: %2").arg(QLatin1String(variant->id), *reason));
+            fail(QStringLiteral("%1: %2").arg(QLatin1String(variant->id), textOf(*reason)));
     return request.variants;
 }
 

@@ -80,7 +80,7 @@ ExitCode runSteps(const QStringList& words)
         return ExitCode::Fine;
     const Input input = openInput(arguments->operands.first(), *arguments);
     if (const auto reason = unsupported(input.scene, input.settings))
-        failArguments(QStringLiteral("rasterlens-cli steps: %1").arg(*reason));
+        failArguments(QStringLiteral("rasterlens-cli steps: %1").arg(textOf(*reason)));
 
     StepFilter filter;
     const auto lastFace = static_cast<std::int64_t>(input.scene.mesh.faceCount()) - 1;

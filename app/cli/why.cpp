@@ -57,7 +57,7 @@ ExitCode runWhy(const QStringList& words)
         failArguments(QStringLiteral("rasterlens-cli why: --pixel x,y is missing"));
     const Input input = openInput(arguments->operands.first(), *arguments);
     if (const auto reason = unsupported(input.scene, input.settings))
-        failArguments(QStringLiteral("rasterlens-cli why: %1").arg(*reason));
+        failArguments(QStringLiteral("rasterlens-cli why: %1").arg(textOf(*reason)));
     const QPoint pixel = *pixelOption(*arguments, input.settings.size);
     const WhyReport report = why(input.scene, input.settings, pixel.x(), pixel.y());
     if (const auto file = arguments->value(QStringLiteral("--json"))) {

@@ -13,10 +13,11 @@ namespace rasterlens
 struct EdgeEquation {
     static constexpr RasterizerInfo info{Algorithm::EdgeEquation, "Pineda, SIGGRAPH 1988"};
 
-    [[nodiscard]] static std::optional<QString> supports(const Rules& rules)
+    [[nodiscard]] static std::optional<Reason> supports(const Rules& rules)
     {
         if (rules.attributePath == AttributePath::EdgeThenSpan)
-            return QStringLiteral("attribute-path edge-then-span needs algorithm edge-walking");
+            return Reason{
+                QT_TRANSLATE_NOOP("Unsupported", "attribute-path edge-then-span needs algorithm edge-walking")};
         return std::nullopt;
     }
 

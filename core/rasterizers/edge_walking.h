@@ -174,7 +174,7 @@ struct CarriedPoint {
 struct EdgeWalking {
     static constexpr RasterizerInfo info{Algorithm::EdgeWalking, "Foley & van Dam, Computer Graphics, section 3.6"};
 
-    [[nodiscard]] static std::optional<QString> supports(const Rules&) { return std::nullopt; }
+    [[nodiscard]] static std::optional<Reason> supports(const Rules&) { return std::nullopt; }
 
     /// Calls emit(x, y) for every covered sample, row by row from the top, left to right; with edge-then-span also
     /// what was interpolated on the way.

@@ -5,9 +5,9 @@
 namespace rasterlens
 {
 
-std::optional<QString> rasterizerSupports(const Rules& rules)
+std::optional<Reason> rasterizerSupports(const Rules& rules)
 {
-    std::optional<QString> reason = QStringLiteral("this algorithm is not built in");
+    std::optional<Reason> reason = Reason{QT_TRANSLATE_NOOP("Unsupported", "this algorithm is not built in")};
     forEachRasterizer([&](auto rasterizer) {
         if (rasterizer.info.algorithm == rules.algorithm)
             reason = rasterizer.supports(rules);

@@ -1,7 +1,6 @@
 #pragma once
+#include "core/reason.h"
 #include "core/rules.h"
-
-#include <QString>
 
 #include <optional>
 
@@ -14,7 +13,7 @@ struct RasterizerInfo {
     const char* source;
 };
 
-/// Why the algorithm of these rules cannot draw them, or nothing.
-[[nodiscard]] std::optional<QString> rasterizerSupports(const Rules& rules);
+/// Why the algorithm of these rules cannot draw them, or nothing; a text of the context "Unsupported".
+[[nodiscard]] std::optional<Reason> rasterizerSupports(const Rules& rules);
 
 } // namespace rasterlens

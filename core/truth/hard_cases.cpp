@@ -16,7 +16,7 @@ namespace
 
 constexpr const char* kFolder = ":/rasterlens/cases";
 
-using Reasons = std::vector<CaseReason>;
+using Reasons = std::vector<Reason>;
 
 void addCount(Reasons& reasons, std::uint64_t count, const char* text)
 {
@@ -141,7 +141,7 @@ ExactFrame caseTruth(const Scene& scene, Samples samples)
 CaseVerdict judgeCase(const Scene& scene, const ExactFrame& truth, const Settings& settings)
 {
     if (const auto reason = unsupported(scene, settings))
-        return {CaseGrade::Unsupported, {{"%1", {*reason}}}, {}};
+        return {CaseGrade::Unsupported, {*reason}, {}};
     Frame frame;
     const Statistics statistics = renderCounted(scene, settings, frame, {.depth = true, .ids = true, .coverage = true});
     const double band = scene.exact ? legalBandPixels(settings.size) : 0;
@@ -166,19 +166,12 @@ CaseVerdict judgeReference(const Scene& scene, const ExactFrame& truth)
     return {reasons.empty() ? CaseGrade::Passes : CaseGrade::Fails, std::move(reasons), {}};
 }
 
-QString textOf(const std::vector<CaseReason>& reasons, Translate translate)
+QString textOf(const std::vector<Reason>& reasons, Translate translate)
 {
-    const auto translated = [translate](const char* text) {
-        return translate ? translate(text) : QString::fromUtf8(text);
-    };
     QStringList parts;
-    for (const CaseReason& reason : reasons) {
-        QString part = translated(reason.text);
-        for (const QString& argument : reason.arguments)
-            part = part.arg(argument);
-        parts << part;
-    }
-    return parts.join(translated(QT_TRANSLATE_NOOP("HardCase", ", ")));
+    for (const Reason& reason : reasons)
+        parts << textOf(reason, translate);
+    return parts.join(textOf(Reason{QT_TRANSLATE_NOOP("HardCase", ", ")}, translate));
 }
 
 } // namespace rasterlens

@@ -1,7 +1,10 @@
 #pragma once
+#include "core/reason.h"
 #include "core/truth/coverage_difference.h"
 
 #include <QStringList>
+
+#include <vector>
 
 namespace rasterlens
 {
@@ -19,24 +22,16 @@ enum class CaseGrade {
     Unsupported, ///< these settings cannot draw it
 };
 
-/// Finds a text in another language; texts of this part of the program are of the context "HardCase".
-using Translate = QString (*)(const char* text);
-
-/// One part of why a case is not exactly right: a text with %1, %2 .. and what stands in their place.
-struct CaseReason {
-    const char* text;
-    QStringList arguments;
-};
-
 /// Whether settings draw a case right, or why not.
 struct CaseVerdict {
     CaseGrade grade = CaseGrade::Passes;
-    std::vector<CaseReason> reasons; ///< empty when it passes exactly
-    CoverageDifference difference;   ///< against the truth
+    std::vector<Reason> reasons;   ///< empty when it passes exactly; one where it is Unsupported
+    CoverageDifference difference; ///< against the truth
 };
 
-/// `3 extra, first at (12, 7)`, in English without `translate`.
-[[nodiscard]] QString textOf(const std::vector<CaseReason>& reasons, Translate translate = nullptr);
+/// `3 extra, first at (12, 7)`, in English without `translate`. Texts are of the context "HardCase", the one of an
+/// Unsupported case of the context "Unsupported".
+[[nodiscard]] QString textOf(const std::vector<Reason>& reasons, Translate translate = nullptr);
 
 /// Draws a case and compares.
 ///

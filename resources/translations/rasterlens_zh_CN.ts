@@ -2867,6 +2867,53 @@
     </message>
 </context>
 <context>
+    <name>Unsupported</name>
+    <message>
+        <source>cull-space view needs object-space positions; this scene is given in clip space</source>
+        <translation>按法线与视线判定朝向需要物体空间的位置；此场景由裁剪空间坐标给出</translation>
+    </message>
+    <message>
+        <source>%1x%2 pixels with %3 samples each need more than %4 million samples</source>
+        <translation>%1x%2 个像素、每像素 %3 个样本，合计超过 %4 百万个样本</translation>
+    </message>
+    <message>
+        <source>there is no mistake &quot;%1&quot;; &quot;rasterlens-cli render --list-mistakes&quot; lists those there are</source>
+        <translation>没有名为“%1”的错误；用“rasterlens-cli render --list-mistakes”可列出全部错误</translation>
+    </message>
+    <message>
+        <source>this algorithm is not built in</source>
+        <translation>程序中没有编入此算法</translation>
+    </message>
+    <message>
+        <source>algorithm tiled needs number-type fixed</source>
+        <translation>分块算法只能用定点数</translation>
+    </message>
+    <message>
+        <source>algorithm tiled needs fill solid</source>
+        <translation>分块算法只能画实心填充</translation>
+    </message>
+    <message>
+        <source>algorithm tiled needs visibility z-buffer or submission-order</source>
+        <translation>分块算法的可见性只能用深度缓冲或提交顺序</translation>
+    </message>
+    <message>
+        <source>algorithm tiled needs tie-rule top-left</source>
+        <translation>分块算法的边界归属只能用左上规则</translation>
+    </message>
+    <message>
+        <source>attribute-path edge-then-span needs algorithm edge-walking</source>
+        <translation>属性先沿边再沿段插值，只能用边步进算法</translation>
+    </message>
+    <message>
+        <source>algorithm tiled makes no mistakes; edge-equation and edge-walking do</source>
+        <translation>分块算法不演示错误；边函数和边步进算法可以</translation>
+    </message>
+    <message>
+        <source>this machine does not have simd %1</source>
+        <translation>这台计算机没有向量指令 %1</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::Cards</name>
     <message>
         <source>Pixel card: why this pixel?</source>

@@ -184,28 +184,30 @@ void drawTiles(const FrameJob& job, const Kernels& kernels, TiledContext& contex
 
 } // namespace
 
-std::optional<QString> Tiled::supports(const Rules& rules)
+std::optional<Reason> Tiled::supports(const Rules& rules)
 {
     if (rules.numberType != NumberType::Fixed)
-        return QStringLiteral("algorithm tiled needs number-type fixed");
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs number-type fixed")};
     if (rules.fill != Fill::Solid)
-        return QStringLiteral("algorithm tiled needs fill solid");
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs fill solid")};
     if (rules.painter)
-        return QStringLiteral("algorithm tiled needs visibility z-buffer or submission-order");
+        return Reason{
+            QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs visibility z-buffer or submission-order")};
     if (rules.tie.owner != 0 || rules.tie.other != 1)
-        return QStringLiteral("algorithm tiled needs tie-rule top-left");
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs tie-rule top-left")};
     if (rules.attributePath == AttributePath::EdgeThenSpan)
-        return QStringLiteral("attribute-path edge-then-span needs algorithm edge-walking");
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "attribute-path edge-then-span needs algorithm edge-walking")};
     return std::nullopt;
 }
 
-std::optional<QString> Tiled::supports(const Settings& settings)
+std::optional<Reason> Tiled::supports(const Settings& settings)
 {
     if (!settings.mistakes.isEmpty())
-        return QStringLiteral("algorithm tiled makes no mistakes; edge-equation and edge-walking do");
+        return Reason{
+            QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled makes no mistakes; edge-equation and edge-walking do")};
     if (kernelsFor(settings.simd) == nullptr)
-        return QStringLiteral("this machine does not have simd %1")
-            .arg(valueId(*findSettingsField(QStringLiteral("simd")), settings));
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "this machine does not have simd %1"),
+                      {valueId(*findSettingsField(QStringLiteral("simd")), settings)}};
     return std::nullopt;
 }
 

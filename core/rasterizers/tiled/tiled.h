@@ -16,10 +16,10 @@ struct Tiled {
     static constexpr RasterizerInfo info{Algorithm::Tiled,
                                          "Greene, SIGGRAPH 1996; Abrash, Rasterization on Larrabee, 2009"};
 
-    [[nodiscard]] static std::optional<QString> supports(const Rules& rules);
+    [[nodiscard]] static std::optional<Reason> supports(const Rules& rules);
 
     /// What the rules do not tell: threads and instructions.
-    [[nodiscard]] static std::optional<QString> supports(const Settings& settings);
+    [[nodiscard]] static std::optional<Reason> supports(const Settings& settings);
 
     /// What `auto` stands for on this machine.
     [[nodiscard]] static int threads(const Settings& settings);
