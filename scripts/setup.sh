@@ -46,9 +46,11 @@ install_packages()
     as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
-# build PRESET
+# build PRESET [TARGET...]: these targets, or all
 build()
 {
-    cmake --preset "$1"
-    cmake --build --preset "$1" --parallel "$(nproc 2>/dev/null || echo 2)"
+    local preset=$1
+    shift
+    cmake --preset "$preset"
+    cmake --build --preset "$preset" --parallel "$(nproc 2>/dev/null || echo 2)" ${1:+--target "$@"}
 }
