@@ -6,6 +6,8 @@
 #define HWY_TARGET_INCLUDE "core/rasterizers/tiled/kernels.cpp"
 #include <hwy/foreach_target.h>
 
+// The target of the compiler's own flags is always among them. Where that is the scalar one, kernels_scalar.cpp has it.
+#if HWY_TARGET != HWY_SCALAR
 #include "core/rasterizers/tiled/tile-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -14,6 +16,7 @@ namespace rasterlens::tiled::HWY_NAMESPACE
 const Kernels* TargetKernels() { return &kKernels; }
 } // namespace rasterlens::tiled::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+#endif
 
 #if HWY_ONCE
 #include "core/rasterizers/tiled/kernels_scalar.h"
