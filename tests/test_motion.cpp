@@ -4,7 +4,7 @@
 #include "ui/render_worker.h"
 
 #include <QSignalSpy>
-#include <QtTest>
+#include <QTest>
 
 using namespace rasterlens;
 
@@ -68,22 +68,16 @@ void TestMotion::cameraMovesAreDrawnFastFirst()
 void TestMotion::theChosenAlgorithmIsNotReplacedWhereItMatters_data()
 {
     QTest::addColumn<Settings>("settings");
-    Settings settings = m_scene->defaults;
-    Settings mistaken = settings;
-    mistaken.mistakes = {QStringLiteral("all-inclusive")};
-    QTest::newRow("mistake") << mistaken;
-    Settings wireframe = settings;
-    wireframe.fill = Fill::Wireframe;
-    QTest::newRow("wireframe") << wireframe;
-    Settings floats = settings;
-    floats.numberType = NumberType::Float32;
-    QTest::newRow("float32") << floats;
-    Settings painter = settings;
-    painter.visibility = Visibility::Painter;
-    QTest::newRow("painter") << painter;
-    Settings tiled = settings;
-    tiled.algorithm = Algorithm::Tiled;
-    QTest::newRow("tiled already") << tiled;
+    const auto row = [this](const char* name, void (*change)(Settings&)) {
+        Settings settings = m_scene->defaults;
+        change(settings);
+        QTest::newRow(name) << settings;
+    };
+    row("mistake", [](Settings& s) { s.mistakes = {QStringLiteral("all-inclusive")}; });
+    row("wireframe", [](Settings& s) { s.fill = Fill::Wireframe; });
+    row("float32", [](Settings& s) { s.numberType = NumberType::Float32; });
+    row("painter", [](Settings& s) { s.visibility = Visibility::Painter; });
+    row("tiled already", [](Settings& s) { s.algorithm = Algorithm::Tiled; });
 }
 
 void TestMotion::theChosenAlgorithmIsNotReplacedWhereItMatters()
