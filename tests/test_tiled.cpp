@@ -149,7 +149,7 @@ void TestTiled::drawsSoupsAlike()
         settings.size = size;
         settings.culling = static_cast<Culling>(random() % 3);
         settings.depthTest = static_cast<DepthTest>(random() % 3);
-        settings.clipping = static_cast<Clipping>(random() % 3);
+        settings.clipping = static_cast<Clipping>(random() % 7);
         settings.samples = round % 2 == 0 ? Samples::One : static_cast<Samples>(random() % 4);
         const QString d = compareAll(scene, settings, {all[random() % all.size()]});
         QVERIFY2(d.isEmpty(), qPrintable(d));
