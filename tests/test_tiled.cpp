@@ -48,6 +48,7 @@ private Q_SLOTS:
     void drawsSoupsAlike_data();
     void drawsSoupsAlike();
     void drawsAtTheLimitOf32Bits();
+    void drawsHugeTrianglesOnSmallTargets();
     void keepsTheOrderOfEqualDepths();
     void hidesLayers();
     void allocatesNothingOnceWarm();
@@ -148,7 +149,7 @@ void TestTiled::drawsSoupsAlike()
         settings.size = size;
         settings.culling = static_cast<Culling>(random() % 3);
         settings.depthTest = static_cast<DepthTest>(random() % 3);
-        settings.clipping = static_cast<Clipping>(random() % 3);
+        settings.clipping = static_cast<Clipping>(random() % 7);
         settings.samples = round % 2 == 0 ? Samples::One : static_cast<Samples>(random() % 4);
         const QString d = compareAll(scene, settings, {all[random() % all.size()]});
         QVERIFY2(d.isEmpty(), qPrintable(d));
@@ -176,6 +177,34 @@ void TestTiled::drawsAtTheLimitOf32Bits()
             settings.clipping = reach > 16384 ? Clipping::GuardBand : Clipping::Frustum;
             const QString d = compareAll(scene, settings, simds());
             QVERIFY2(d.isEmpty(), qPrintable(d));
+        }
+}
+
+/// Edges that lie billions of units off a target of one tile, or climb that much from sample to sample.
+void TestTiled::drawsHugeTrianglesOnSmallTargets()
+{
+    std::mt19937 random(19);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    for (const Samples samples : {Samples::One, Samples::Grid3, Samples::Grid4})
+        for (const int side : {1, 4, 9, 40}) {
+            const QSize size(side, side);
+            Scene scene = clipScene(size);
+            for (int i = 0; i < 300; ++i) {
+                const auto corner = [&] {
+                    const double reach = std::pow(10, 3 + 4 * unit(random)); // pixels
+                    return fromScreen(reach * unit(random), reach * unit(random), 0.5, 1, size);
+                };
+                addTriangle(scene, {corner(), corner(), corner()}, random);
+            }
+            Settings settings;
+            settings.size = size;
+            settings.samples = samples;
+            settings.culling = Culling::None;
+            for (const Clipping clipping : {Clipping::GuardBand, Clipping::None}) {
+                settings.clipping = clipping;
+                const QString d = compareAll(scene, settings, simds(), {1});
+                QVERIFY2(d.isEmpty(), qPrintable(d));
+            }
         }
 }
 

@@ -1,5 +1,6 @@
 // Shading by the tiled algorithm against edge-equation: every shading, texture filter and number of samples, on every
 // instruction set.
+#include "tests/seed.h"
 #include "tests/tiled_support.h"
 
 #include <QTest>
@@ -9,40 +10,6 @@
 
 using namespace rasterlens;
 using namespace rasterlens::test;
-
-namespace
-{
-
-Texture noise(std::mt19937& random, int width, int height)
-{
-    Texture texture{QStringLiteral("noise"), width, height, {}, {}};
-    for (int i = 0; i < width * height; ++i)
-        texture.texels.push_back(0xff000000U | static_cast<std::uint32_t>(random() & 0xffffffU));
-    return texture;
-}
-
-/// Gives every face one of several materials: with textures of all kinds of sizes, without, dull and shiny; and the
-/// vertices normals and coordinates that repeat.
-void dress(Scene& scene, std::mt19937& random)
-{
-    scene.textures = {noise(random, 16, 8), noise(random, 7, 5), noise(random, 1, 3), noise(random, 64, 64)};
-    scene.materials.clear();
-    for (int i = 0; i < 6; ++i) {
-        Material material;
-        material.texture = i < 4 ? i : -1;
-        material.shininess = std::array{1.0F, 32.0F, 1000.0F, 0.5F, 7.25F, 0.0F}[std::size_t(i)];
-        scene.materials.push_back(material);
-    }
-    std::uniform_real_distribution<float> unit(-1, 1);
-    for (MeshVertex& v : scene.mesh.vertices) {
-        v.normal = {unit(random), unit(random), unit(random)}; // not of length 1
-        v.uv = 4.0F * glm::vec2(unit(random), unit(random));
-    }
-    for (std::size_t face = 0; face < scene.mesh.faceCount(); ++face)
-        scene.mesh.faceMaterial.push_back(static_cast<std::uint32_t>(random() % scene.materials.size()));
-}
-
-} // namespace
 
 class TestTiledShading : public QObject
 {
@@ -54,6 +21,8 @@ private Q_SLOTS:
     void findsTexelsOnTheirBorders();
     void findsTexelsOfAnyTriangle();
     void drawsAttributesThatAreNoNumbers();
+    void drawsWOfEitherSign();
+    void wrapsCoordinatesAlike();
 };
 
 void TestTiledShading::drawsShadingsAlike_data()
@@ -172,6 +141,58 @@ void TestTiledShading::drawsAttributesThatAreNoNumbers()
         settings.size = size;
         settings.culling = Culling::None;
         settings.shading = shading;
+        const QString d = compareAll(scene, settings, simds(), {1});
+        QVERIFY2(d.isEmpty(), qPrintable(d));
+    }
+}
+
+/// Corners near and far, before and behind the eye, and nothing is cut: 1/w may vanish within a triangle.
+void TestTiledShading::drawsWOfEitherSign()
+{
+    std::mt19937 random(13);
+    std::uniform_real_distribution<float> unit(-1, 1);
+    const QSize size(80, 60);
+    for (int round = 0; round < casesOfBuild(60); ++round) {
+        Scene scene = soup(random, size, 3); // few, that none is hidden
+        dress(scene, random);
+        const float decades = round % 3 == 0 ? 1.0F : 25.0F;
+        for (MeshVertex& v : scene.mesh.vertices)
+            v.position *= std::pow(10.0F, decades * unit(random)) * (random() % 4 == 0 ? -1.0F : 1.0F);
+        for (const Shading shading : {Shading::Gouraud, Shading::Texture, Shading::Phong, Shading::Uv}) {
+            Settings settings;
+            settings.size = size;
+            settings.culling = Culling::None;
+            settings.clipping = Clipping::None;
+            settings.shading = shading;
+            const QString d = compareAll(scene, settings, simds(), {1});
+            QVERIFY2(d.isEmpty(), qPrintable(d));
+        }
+    }
+}
+
+/// Edges along sample centres where u is 0: the fraction of what comes out is 0 or almost 1.
+void TestTiledShading::wrapsCoordinatesAlike()
+{
+    std::mt19937 random(14);
+    const auto range = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    const QSize size(90, 70);
+    for (const float largest : {1.0F, 1e5F, 1e20F}) {
+        Scene scene = clipScene(size);
+        for (int i = 0; i < 60; ++i) {
+            const double x = std::floor(range(5, 80)) + 0.5;
+            const auto corner = [&](double at) {
+                return fromScreen(at, range(0, 70), range(0, 1), range(0.5, 8), size);
+            };
+            addTriangle(scene, {corner(x), corner(x), corner(x + range(-20, 20))}, random);
+            scene.mesh.vertices[3 * std::size_t(i)].uv.x = scene.mesh.vertices[3 * std::size_t(i) + 1].uv.x = 0;
+            scene.mesh.vertices[3 * std::size_t(i) + 2].uv *= largest;
+        }
+        Settings settings;
+        settings.size = size;
+        settings.culling = Culling::None;
+        settings.shading = Shading::Uv;
         const QString d = compareAll(scene, settings, simds(), {1});
         QVERIFY2(d.isEmpty(), qPrintable(d));
     }

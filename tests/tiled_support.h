@@ -208,4 +208,33 @@ inline Scene soup(std::mt19937& random, QSize size, int count)
     return scene;
 }
 
+inline Texture noise(std::mt19937& random, int width, int height)
+{
+    Texture texture{QStringLiteral("noise"), width, height, {}, {}};
+    for (int i = 0; i < width * height; ++i)
+        texture.texels.push_back(0xff000000U | static_cast<std::uint32_t>(random() & 0xffffffU));
+    return texture;
+}
+
+/// Gives every face one of several materials: with textures of all kinds of sizes, without, dull and shiny; and the
+/// vertices normals and coordinates that repeat.
+inline void dress(Scene& scene, std::mt19937& random)
+{
+    scene.textures = {noise(random, 16, 8), noise(random, 7, 5), noise(random, 1, 3), noise(random, 64, 64)};
+    scene.materials.clear();
+    for (int i = 0; i < 6; ++i) {
+        Material material;
+        material.texture = i < 4 ? i : -1;
+        material.shininess = std::array{1.0F, 32.0F, 1000.0F, 0.5F, 7.25F, 0.0F}[std::size_t(i)];
+        scene.materials.push_back(material);
+    }
+    std::uniform_real_distribution<float> unit(-1, 1);
+    for (MeshVertex& v : scene.mesh.vertices) {
+        v.normal = {unit(random), unit(random), unit(random)}; // not of length 1
+        v.uv = 4.0F * glm::vec2(unit(random), unit(random));
+    }
+    for (std::size_t face = 0; face < scene.mesh.faceCount(); ++face)
+        scene.mesh.faceMaterial.push_back(static_cast<std::uint32_t>(random() % scene.materials.size()));
+}
+
 } // namespace rasterlens::test

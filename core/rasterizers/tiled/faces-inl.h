@@ -321,7 +321,8 @@ HWY_INLINE void SetUpLanes(const FrameJob& job, Chunk& chunk, const SetupQueue& 
                                          MakeEdge(cx, cy, x[0], y[0], rules)};
     SampleLanes columns = SamplesBetween(Min3(x[0], x[1], x[2]), Max3(x[0], x[1], x[2]), rules.columns());
     SampleLanes rows = SamplesBetween(Min3(y[0], y[1], y[2]), Max3(y[0], y[1], y[2]), rules.rows());
-    NarrowBounds(edges, columns, rows);
+    const auto tooSteep = TooSteep(edges);
+    NarrowBounds(edges, tooSteep, columns, rows);
     out.used = present & ~BitsOf(tag, hn::Or(hn::Lt(columns.last, columns.first), hn::Lt(rows.last, rows.first)));
     if (out.used == 0)
         return;
@@ -343,16 +344,12 @@ HWY_INLINE void SetUpLanes(const FrameJob& job, Chunk& chunk, const SetupQueue& 
     for (std::size_t k = 0; k < 3; ++k) {
         const Doubles value = EdgeAt(edges[k], wideX, wideY);
         hn::Store(value, wide, out.c[k].data());
-        c[k] = hn::DemoteTo(tag, hn::Min(value, hn::Set(wide, double(kFarInside))));
+        c[k] = HeldEdge(value);
     }
     hn::StoreInterleaved4(c[0], c[1], c[2], hn::BitCast(tag, nearest), tag, out.constants.data());
     const Doubles depth = hn::Add(plane.origin, hn::Add(hn::Mul(plane.perX, wideX), hn::Mul(plane.perY, wideY)));
     hn::StoreInterleaved4(SourceAndBounds(queue, at, bounds), depth, plane.perX, plane.perY, wide, out.depth.data());
-    HalfInts steepest = hn::Zero(tag);
-    for (std::size_t k = 0; k < 3; ++k) {
-        steepest = Max3(steepest, hn::Abs(edges[k].a), hn::Abs(edges[k].b));
-    }
-    out.exact = BitsOf(tag, hn::Gt(steepest, hn::Set(tag, kLargestGradient))) | ~BitsOf(wide, plane.plane);
+    out.exact = BitsOf(tag, tooSteep) | ~BitsOf(wide, plane.plane);
 
     if (job.interpolates()) {
         const auto toCentre = [](HalfInts samples, HalfInts from) HWY_ATTR {

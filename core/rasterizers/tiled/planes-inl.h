@@ -221,9 +221,11 @@ inline HalfInts MakePerspective(const Rules& rules, const PlaneGeometry& g, cons
     // division by w must be enough for a colour.
     constexpr double kEnough = 1 << 12;
     const HalfFloats largest = hn::Max(hn::Max(colors.highest, hn::Neg(colors.lowest)), hn::Set(HalfFloatTag(), 1.0F));
-    const Doubles ratio = hn::Div(hn::Max(hn::Max(q[0], q[1]), q[2]), hn::Min(hn::Min(q[0], q[1]), q[2]));
+    const Doubles smallest = hn::Min(hn::Min(q[0], q[1]), q[2]); // not positive: unclipped, 1/w may cancel altogether
+    const Doubles ratio = hn::Div(hn::Max(hn::Max(q[0], q[1]), q[2]), smallest);
     const Doubles cancelled = hn::Mul(weights.steepness, hn::Mul(ratio, hn::PromoteTo(tag, largest)));
-    const std::uint32_t precise = BitsOf(tag, hn::Lt(cancelled, hn::Set(tag, kEnough)));
+    const std::uint32_t precise =
+        BitsOf(tag, hn::And(hn::Gt(smallest, hn::Zero(tag)), hn::Lt(cancelled, hn::Set(tag, kEnough))));
     const auto way = [](ColorWay w) HWY_ATTR { return hn::Set(HalfIntTag(), static_cast<std::int32_t>(w)); };
     const HalfInts other =
         hn::IfThenElse(MaskOf(HalfIntTag(), precise), way(ColorWay::Perspective), way(ColorWay::Exact));

@@ -123,15 +123,34 @@ HWY_INLINE PlaneLanes MakeDepthPlane(const CornerLanes& a, const CornerLanes& b,
     return plane;
 }
 
+/// Edge values in 32 bits: from kFarInside on they are held there, and so are those as far outside.
+HWY_INLINE HalfInts HeldEdge(Doubles value)
+{
+    const Doubles limit = hn::Set(DoubleTag(), double(kFarInside));
+    return hn::DemoteTo(HalfIntTag(), hn::Min(hn::Max(value, hn::Neg(limit)), limit));
+}
+
+/// Lanes whose edges 32 bits cannot decide.
+HWY_INLINE hn::Mask<HalfIntTag> TooSteep(const std::array<EdgeLanes, 3>& edges)
+{
+    constexpr HalfIntTag tag;
+    HalfInts steepest = hn::Zero(tag);
+    for (const EdgeLanes& edge : edges)
+        steepest = Max3(steepest, hn::Abs(edge.a), hn::Abs(edge.b));
+    return hn::Gt(steepest, hn::Set(tag, kLargestGradient));
+}
+
 /// Narrows the bounds of triangles of at most 4 x 4 samples to the rows and columns they cover, to nothing if they
-/// cover none: it is cheaper to find that out here, many at a time, than in the tiles.
-HWY_INLINE void NarrowBounds(const std::array<EdgeLanes, 3>& edges, SampleLanes& columns, SampleLanes& rows)
+/// cover none: it is cheaper to find that out here, many at a time, than in the tiles. Huge triangles that only a
+/// corner of the target meets stay as they are.
+HWY_INLINE void NarrowBounds(const std::array<EdgeLanes, 3>& edges, hn::Mask<HalfIntTag> tooSteep, SampleLanes& columns,
+                             SampleLanes& rows)
 {
     constexpr HalfIntTag tag;
     constexpr DoubleTag wide;
     const HalfInts side = hn::Set(tag, kBlockSide);
-    const auto small =
-        hn::And(hn::Lt(hn::Sub(columns.last, columns.first), side), hn::Lt(hn::Sub(rows.last, rows.first), side));
+    const auto small = hn::AndNot(tooSteep, hn::And(hn::Lt(hn::Sub(columns.last, columns.first), side),
+                                                    hn::Lt(hn::Sub(rows.last, rows.first), side)));
     if (hn::AllFalse(tag, small))
         return;
     std::array<HalfInts, 3> row;
@@ -139,8 +158,7 @@ HWY_INLINE void NarrowBounds(const std::array<EdgeLanes, 3>& edges, SampleLanes&
         const Doubles corner =
             hn::Add(edges[k].c, hn::Add(hn::Mul(hn::PromoteTo(wide, edges[k].a), hn::PromoteTo(wide, columns.first)),
                                         hn::Mul(hn::PromoteTo(wide, edges[k].b), hn::PromoteTo(wide, rows.first))));
-        const Doubles limit = hn::Set(wide, double(kFarInside));
-        row[k] = hn::DemoteTo(tag, hn::Min(hn::Max(corner, hn::Neg(limit)), limit));
+        row[k] = HeldEdge(corner);
     }
     const HalfInts outside = hn::Set(tag, -1);
     const HalfInts none = hn::Set(tag, kBlockSide);

@@ -64,7 +64,16 @@ struct UvShader {
     static constexpr std::size_t kVaryings = kUvVaryings;
     explicit UvShader(const FrameJob&) {}
 
-    HWY_INLINE bool Can(const ShaderLanes<kVaryings>&) const { return true; }
+    /// Where coordinates pass a whole number their last bit decides between white and black; and large ones have few
+    /// bits of fraction.
+    HWY_INLINE bool Can(const ShaderLanes<kVaryings>& lanes) const
+    {
+        const auto certain = [](Floats c) HWY_ATTR {
+            const auto fine = hn::Le(hn::Abs(c), hn::Set(FloatTag(), 0x1p13F));
+            return hn::And(fine, hn::Gt(hn::Abs(hn::Sub(c, hn::Round(c))), hn::Set(FloatTag(), 0x1p-10F)));
+        };
+        return lanes.all(hn::And(certain(lanes.at(0)), certain(lanes.at(1))));
+    }
     HWY_INLINE RgbLanes operator()(const ShaderLanes<kVaryings>& lanes) const
     {
         const auto fraction = [](Floats c)

@@ -62,7 +62,7 @@ constexpr std::int32_t kNotFinite = 1 << 30;
 /// Where edges are decided in 32 bits: both gradients of each edge are at most this, in units.
 ///
 /// exact  Over a tile an edge value changes by at most 2 * 63 * kLargestGradient < 2^29, and values from kFarInside on
-///        are held there, so no value leaves 32 bits.
+///        are held there, as are those below minus that, so no value leaves 32 bits or changes its sign.
 constexpr std::int32_t kLargestGradient = 1 << 22;
 constexpr std::int32_t kFarInside = 1 << 30;
 static_assert(2LL * 63 * kLargestGradient < kFarInside);

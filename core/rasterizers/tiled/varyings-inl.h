@@ -81,13 +81,14 @@ HWY_INLINE void MakeVaryingPlanes(const Rules& rules, const PlaneGeometry& g, co
         hn::Store(along(weights.bPerY, weights.cPerY), tag, planes[2][i].data());
     };
     makePlane(0, q[0], q[1], q[2]);
-    auto finite = hn::Eq(one, one);
+    // What 20 bits less leave of larger corners may drown the others. (Comparing is false for NaN.)
+    constexpr double kLargest = 1 << 20;
+    auto moderate = hn::Eq(one, one);
     for (std::size_t i = 0; i < kCount; ++i) {
         std::array<Doubles, 3> value;
         for (std::size_t k = 0; k < 3; ++k) {
             value[k] = hn::PromoteTo(tag, hn::LoadU(HalfFloatTag(), stage.value[k][i].data()));
-            finite =
-                hn::And(finite, hn::Le(hn::Abs(value[k]), hn::Set(tag, double(std::numeric_limits<float>::max()))));
+            moderate = hn::And(moderate, hn::Le(hn::Abs(value[k]), hn::Set(tag, kLargest)));
         }
         makePlane(i + 1, hn::Mul(value[0], q[0]), hn::Mul(value[1], q[1]), hn::Mul(value[2], q[2]));
     }
@@ -98,7 +99,7 @@ HWY_INLINE void MakeVaryingPlanes(const Rules& rules, const PlaneGeometry& g, co
     const Doubles ratio = hn::Div(hn::Max(hn::Max(q[0], q[1]), q[2]), smallest);
     const auto precise =
         hn::And(hn::Gt(smallest, hn::Zero(tag)), hn::Lt(hn::Mul(weights.steepness, ratio), hn::Set(tag, kEnough)));
-    const std::uint32_t good = BitsOf(tag, hn::And(finite, precise));
+    const std::uint32_t good = BitsOf(tag, hn::And(moderate, precise));
     alignas(32) std::array<std::int32_t, kDoubles> x0, y0;
     hn::Store(anchorX, HalfIntTag(), x0.data());
     hn::Store(anchorY, HalfIntTag(), y0.data());
