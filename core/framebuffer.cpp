@@ -16,11 +16,26 @@ T* cleared(std::vector<T>& plane, std::size_t count, T value)
     return plane.data();
 }
 
-/// Of an N x N grid of samples, the one nearest the pixel's centre (the lower right of the middle four if N is even).
-template <class T>
-void pickCentres(const std::vector<T>& samples, std::vector<T>& pixels, int width, int height, int grid)
+float* cleared(DepthBuffer& plane, std::size_t count, float value)
 {
-    pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    plane.assign(count, value);
+    return plane.write(count);
+}
+
+template <class T>
+T* resized(std::vector<T>& plane, std::size_t count)
+{
+    plane.resize(count);
+    return plane.data();
+}
+
+float* resized(DepthBuffer& plane, std::size_t count) { return plane.write(count); }
+
+/// Of an N x N grid of samples, the one nearest the pixel's centre (the lower right of the middle four if N is even).
+template <class Plane>
+void pickCentres(const Plane& samples, Plane& plane, int width, int height, int grid)
+{
+    auto* pixels = resized(plane, static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     std::size_t pixel = 0;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)

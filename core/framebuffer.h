@@ -1,4 +1,5 @@
 #pragma once
+#include "core/depth_buffer.h"
 #include "core/observe/observer.h"
 #include "core/render.h"
 #include "core/rules.h"
@@ -72,7 +73,7 @@ private:
     Outputs m_outputs;
     SampleBuffer m_samples;
     std::vector<std::uint32_t> m_color;
-    std::vector<float> m_depth;
+    DepthBuffer m_depth;
     std::vector<std::int32_t> m_ids;
     std::vector<std::uint16_t> m_coverage;
 };

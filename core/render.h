@@ -1,4 +1,5 @@
 #pragma once
+#include "core/depth_buffer.h"
 #include "core/observe/statistics.h"
 #include "core/reason.h"
 #include "core/scene.h"
@@ -28,7 +29,7 @@ struct Outputs {
 /// A finished picture. All arrays are row by row from the top, width * height of the image.
 struct Frame {
     QImage image;                  ///< Format_RGB32; null if not asked for
-    std::vector<float> depth;      ///< depth buffer, 0..1; with several samples that of the sample nearest the centre
+    DepthBuffer depth;             ///< depth buffer, 0..1; with several samples that of the sample nearest the centre
     std::vector<std::int32_t> ids; ///< face that was written last, -1 none; likewise
     std::vector<std::uint16_t> coverage; ///< how many faces covered it, before the depth test; likewise
     StageTimes times;

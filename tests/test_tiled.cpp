@@ -327,11 +327,12 @@ void TestTiled::clearsWhatIsNotItsOwn()
     Scene left = corner(10, 10);
     const Scene right = corner(500, 300);
     Frame frame;
+    Outputs outputs;
     const auto matchesFresh = [&](const Scene& scene) {
         Frame fresh;
-        render(scene, settings, fresh);
-        render(scene, settings, frame);
-        return fresh.image == frame.image;
+        render(scene, settings, fresh, outputs);
+        render(scene, settings, frame, outputs);
+        return fresh.image == frame.image && sameBits(fresh.depth, frame.depth);
     };
     QVERIFY(matchesFresh(left));
     QVERIFY(matchesFresh(left));
@@ -353,6 +354,30 @@ void TestTiled::clearsWhatIsNotItsOwn()
     QVERIFY(matchesFresh(left));
     settings.samples = Samples::Grid2;
     QVERIFY(matchesFresh(left));
+
+    settings.samples = Samples::One;
+    for (const bool picture : {false, true}) {
+        outputs = {.depth = true, .picture = picture};
+        QVERIFY(matchesFresh(left));
+        QVERIFY(matchesFresh(left));
+        QVERIFY(matchesFresh(right));
+        std::fill_n(frame.depth.write(frame.depth.size()), frame.depth.size(), 0.25F);
+        QVERIFY(matchesFresh(right));
+        const Frame copy = frame;
+        QVERIFY(matchesFresh(left));
+        frame.depth = copy.depth;
+        QVERIFY(matchesFresh(left));
+        settings.size = size.transposed(); // as many pixels
+        QVERIFY(matchesFresh(left));
+        settings.size = size;
+        settings.reversedZ = !settings.reversedZ; // clears to 0
+        QVERIFY(matchesFresh(left));
+        outputs.depth = false;
+        outputs.picture = true;
+        QVERIFY(matchesFresh(right));
+        outputs = {.depth = true, .picture = picture};
+        QVERIFY(matchesFresh(left));
+    }
 }
 
 void TestTiled::refusesWhatItCannotDraw()

@@ -46,15 +46,15 @@ inline int largestColorStep(const QImage& a, const QImage& b)
     return step;
 }
 
-inline bool sameBits(const std::vector<float>& a, const std::vector<float>& b)
+inline bool sameBits(const DepthBuffer& a, const DepthBuffer& b)
 {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](float p, float q) {
         return std::bit_cast<std::uint32_t>(p) == std::bit_cast<std::uint32_t>(q);
     });
 }
 
-template <class T>
-QString firstDifference(const std::vector<T>& a, const std::vector<T>& b, int width)
+template <class Values>
+QString firstDifference(const Values& a, const Values& b, int width)
 {
     for (std::size_t i = 0; i < a.size(); ++i)
         if (a[i] != b[i])

@@ -114,7 +114,7 @@ FramePtr StepMode::frame()
         frame.frame.image = QImage(image.size(), image.format());
     std::copy_n(image.constBits(), image.sizeInBytes(), frame.frame.image.bits());
     if (cursor->log().grid() == 1)
-        frame.frame.depth.assign(cursor->sampleDepths().begin(), cursor->sampleDepths().end());
+        std::ranges::copy(cursor->sampleDepths(), frame.frame.depth.write(cursor->sampleDepths().size()));
     else
         frame.frame.depth.clear();
     frame.statistics = cursor->counters();

@@ -9,9 +9,12 @@ namespace rasterlens
 
 /// What is known of a picture since the last frame: tiles without triangles need not be cleared again and again.
 struct PictureMemory {
+    QSize size;
+    int pitch = 0;
     qint64 image = 0; ///< QImage::cacheKey(), which changes whenever anyone gets at the pixels to write
     std::uint32_t emptyColor = 0;
-    int pitch = 0;
+    std::uint64_t depth = 0; ///< DepthBuffer::key()
+    float depthClear = 0;
     std::vector<std::uint8_t> blank; ///< FrameJob::blank
 };
 

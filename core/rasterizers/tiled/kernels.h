@@ -22,7 +22,7 @@ struct FrameJob {
     bool counting = false; ///< count samples: nothing hidden is skipped then
     std::uint32_t clearColor = 0;
     std::uint32_t emptyColor = 0; ///< of pixels no triangle covers
-    /// A tile each: whether its part of the picture is known to hold emptyColor all over.
+    /// A tile each: whether its parts of picture and depths are known to be background all over.
     std::uint8_t* blank = nullptr;
     /// A vertex of the mesh each; null: every corner of a face is processed with it.
     ScreenPoint* points = nullptr;

@@ -58,11 +58,10 @@ inline void WriteColor(const FrameJob& job, const Worker& worker, TileOrigin ori
     }
 }
 
-/// Whether a tile is nothing but background, and was in the picture's last frame.
+/// Whether a tile is nothing but background, and was in the last frame; of numbers and counts nobody keeps track.
 inline bool StaysBlank(const FrameJob& job, std::size_t tile)
 {
-    const bool pictureOnly = job.depth == nullptr && job.ids == nullptr && job.coverage == nullptr;
-    return pictureOnly && job.blank[tile] != 0;
+    return job.ids == nullptr && job.coverage == nullptr && job.blank[tile] != 0;
 }
 
 /// Some tiles of a row; neighbours that are empty are cleared together.

@@ -85,6 +85,19 @@ QImage newPicture(int width, int height)
             memory.release()};
 }
 
+/// Whether what is asked for still holds what was drawn, and would be cleared to the same.
+bool isUnchanged(const PictureMemory& memory, const Frame& frame, const FrameJob& job)
+{
+    const Rules& rules = job.rules;
+    const bool picture =
+        !job.outputs.picture || (memory.image == frame.image.cacheKey() && memory.emptyColor == job.emptyColor);
+    const std::size_t pixels = std::size_t(rules.width) * std::size_t(rules.height);
+    const bool depth = !job.outputs.depth || (memory.depth == frame.depth.key() && frame.depth.size() == pixels &&
+                                              memory.depthClear == rules.depthClear);
+    return picture && depth && memory.size == QSize(rules.width, rules.height) && memory.pitch == job.grid.pitch &&
+           memory.blank.size() == job.grid.count();
+}
+
 /// Where the frame goes, and what is already there.
 void aim(FrameJob& job, Frame& frame, PictureMemory& picture)
 {
@@ -95,20 +108,24 @@ void aim(FrameJob& job, Frame& frame, PictureMemory& picture)
         frame.image = QImage();
     else if (!fits)
         frame.image = newPicture(rules.width, rules.height);
-    const bool unchanged = picture.image == frame.image.cacheKey() && picture.emptyColor == job.emptyColor &&
-                           picture.pitch == job.grid.pitch && picture.blank.size() == job.grid.count();
-    if (!unchanged)
+    if (!isUnchanged(picture, frame, job))
         picture.blank.assign(job.grid.count(), 0);
     job.blank = picture.blank.data();
     const std::size_t pixels = std::size_t(rules.width) * std::size_t(rules.height);
     if (job.outputs.picture)
         job.color = reinterpret_cast<std::uint32_t*>(frame.image.bits());
-    job.depth = output(frame.depth, job.outputs.depth, pixels);
+    if (job.outputs.depth)
+        job.depth = frame.depth.write(pixels);
+    else
+        frame.depth.clear();
     job.ids = output(frame.ids, job.outputs.ids, pixels);
     job.coverage = output(frame.coverage, job.outputs.coverage, pixels);
+    picture.size = {rules.width, rules.height};
+    picture.pitch = job.grid.pitch;
     picture.image = frame.image.cacheKey();
     picture.emptyColor = job.emptyColor;
-    picture.pitch = job.grid.pitch;
+    picture.depth = frame.depth.key();
+    picture.depthClear = rules.depthClear;
 }
 
 void add(Statistics::Faces& sum, const Statistics::Faces& f)
