@@ -67,6 +67,36 @@ HWY_INLINE Uints UpperBytes(Uints pairs)
 #endif
 }
 
+// Halves of lanes: numbers of 16 bits, modulo 2^16.
+#if HWY_TARGET == HWY_SCALAR
+template <class Operation>
+HWY_INLINE Uints ForHalves(Uints a, Uints b, Operation&& operation)
+{
+    const std::uint32_t x = hn::GetLane(a);
+    const std::uint32_t y = hn::GetLane(b);
+    return hn::Set(UintTag(), operation(x >> 16, y >> 16) << 16 | (operation(x & 0xffff, y & 0xffff) & 0xffff));
+}
+HWY_INLINE Uints AddHalves(Uints a, Uints b)
+{
+    return ForHalves(a, b, [](std::uint32_t x, std::uint32_t y) { return x + y; });
+}
+HWY_INLINE Uints MulHalvesHigh(Uints a, Uints b)
+{
+    return ForHalves(a, b, [](std::uint32_t x, std::uint32_t y) { return x * y >> 16; });
+}
+#else
+using HalvesTag = hn::Repartition<std::uint16_t, UintTag>;
+HWY_INLINE Uints AddHalves(Uints a, Uints b)
+{
+    return hn::BitCast(UintTag(), hn::Add(hn::BitCast(HalvesTag(), a), hn::BitCast(HalvesTag(), b)));
+}
+/// The upper 16 bits of products.
+HWY_INLINE Uints MulHalvesHigh(Uints a, Uints b)
+{
+    return hn::BitCast(UintTag(), hn::MulHigh(hn::BitCast(HalvesTag(), a), hn::BitCast(HalvesTag(), b)));
+}
+#endif
+
 /// As many doubles as a vector of floats has lanes.
 struct WideDoubles {
     std::array<Doubles, kParts> part;
@@ -153,6 +183,24 @@ HWY_INLINE hn::Mask<Tag> MaskOf(Tag tag, std::uint32_t bits)
     alignas(8) std::array<std::uint8_t, 8> bytes;
     std::memcpy(bytes.data(), &bits, sizeof bits);
     return hn::LoadMaskBits(tag, bytes.data());
+}
+
+/// from[at] for the wanted lanes, 0 for the others.
+template <class T>
+HWY_INLINE hn::Vec<hn::Rebind<T, FloatTag>> Gather(const T* from, Ints at, hn::Mask<FloatTag> wanted)
+{
+    constexpr hn::Rebind<T, FloatTag> tag;
+    static_assert(sizeof(T) == sizeof(std::int32_t));
+#if HWY_TARGET <= HWY_AVX3
+    // hn::GatherIndex() leaves open what the register held: each would wait for whatever was there before.
+    if constexpr (kPerVector == 16) {
+        const __mmask16 mask = static_cast<__mmask16>(BitsOf(FloatTag(), wanted));
+        return hn::BitCast(tag, Ints{_mm512_mask_i32gather_epi32(_mm512_setzero_si512(), mask, at.raw, from, 4)});
+    }
+#endif
+    const auto chosen = hn::RebindMask(tag, wanted);
+    return hn::IfThenElseZero(chosen,
+                              hn::GatherIndex(tag, from, hn::IfThenElseZero(hn::RebindMask(IntTag(), wanted), at)));
 }
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE

@@ -232,6 +232,9 @@ inline HalfInts MakePerspective(const Rules& rules, const PlaneGeometry& g, cons
     return hn::IfThenElse(hn::RebindMask(HalfIntTag(), affine), way(ColorWay::Affine), other);
 }
 
+/// What a texel is multiplied with, at most: a fraction of 16 bits.
+constexpr float kWhiteFactor = 0xffff;
+
 /// What shading texture puts into the colour planes.
 struct TextureLanes {
     HalfFloats origin, perX, perY; ///< 1/w, which others have only where colours need it
@@ -241,7 +244,7 @@ struct TextureLanes {
 /// Colour planes of one vector of triangles.
 ///
 /// in   which lanes are wanted; their anchors, samples of the target; null: there is no texture
-/// out  colours times 255, or as they are if they are to be multiplied with texels
+/// out  colours times 255, or times kWhiteFactor if they are to be multiplied with texels
 HWY_INLINE void MakeColorPlanes(const Rules& rules, const PlaneGeometry& g, const CornerColors& corners,
                                 std::uint32_t lanes, HalfInts anchorX, HalfInts anchorY, const TextureLanes* textured,
                                 ColorPlaneLanes& out)
@@ -254,7 +257,7 @@ HWY_INLINE void MakeColorPlanes(const Rules& rules, const PlaneGeometry& g, cons
     const WeightLanes<HalfFloats> weights =
         MakeWeights(tag, toSamples(g.abX), toSamples(g.abY), toSamples(g.acX), toSamples(g.acY), toSamples(g.toAnchorX),
                     toSamples(g.toAnchorY), hn::DemoteTo(tag, g.inverseArea));
-    const float white = textured != nullptr ? 1.0F : 255.0F;
+    const float white = textured != nullptr ? kWhiteFactor : 255.0F;
     PlaneSet planes = textured != nullptr
                           ? ScreenPlanes(weights, colors, white, [](HalfFloats v, int) HWY_ATTR { return v; })
                           : AffinePlanes(weights, colors);

@@ -109,12 +109,11 @@ HWY_INLINE AxisLanes NeighboursOf(Floats coordinate, Floats size)
 /// The wanted lanes' blends of four texels.
 HWY_INLINE RgbLanes Bilinear(const TexelLanes& from, Floats u, Floats v, hn::Mask<FloatTag> wanted)
 {
-    constexpr IntTag tag;
     const AxisLanes x = NeighboursOf(u, from.width);
     const AxisLanes y = NeighboursOf(v, from.height);
     const auto texel = [&](Ints column, Ints row) HWY_ATTR {
         const Ints index = hn::Add(hn::Add(from.first, hn::Mul(row, from.pitch)), column);
-        return Unpack(hn::GatherIndex(UintTag(), from.texels, hn::IfThenElseZero(hn::RebindMask(tag, wanted), index)));
+        return Unpack(Gather(from.texels, index, wanted));
     };
     return Mix(Mix(texel(x.first, y.first), texel(x.second, y.first), x.part),
                Mix(texel(x.first, y.second), texel(x.second, y.second), x.part), y.part);
@@ -130,7 +129,7 @@ HWY_INLINE Ints TexelPlaces(const Texture& texture, Floats u, Floats v, hn::Mask
 
 HWY_INLINE RgbLanes SampleNearest(const Texture& texture, Floats u, Floats v, hn::Mask<FloatTag> wanted)
 {
-    return Unpack(hn::GatherIndex(UintTag(), texture.texels.data(), TexelPlaces(texture, u, v, wanted)));
+    return Unpack(Gather(texture.texels.data(), TexelPlaces(texture, u, v, wanted), wanted));
 }
 
 HWY_INLINE RgbLanes SampleBilinear(const Texture& texture, Floats u, Floats v, hn::Mask<FloatTag> wanted)
@@ -181,9 +180,9 @@ HWY_INLINE RgbLanes SampleTrilinear(const Texture& texture, Floats u, Floats v, 
     const auto sample = [&](Ints which) HWY_ATTR {
         const Ints at = hn::Mul(which, hn::Set(intTag, kStride));
         const auto* fields = &mips.levels.front().width;
-        const Ints width = hn::GatherIndex(intTag, fields, at);
-        const Ints height = hn::GatherIndex(intTag, fields + 1, at);
-        const Ints first = hn::GatherIndex(intTag, fields + 2, at);
+        const Ints width = Gather(fields, at, wanted);
+        const Ints height = Gather(fields + 1, at, wanted);
+        const Ints first = Gather(fields + 2, at, wanted);
         return Bilinear({mips.texels.data(), hn::ConvertTo(tag, width), hn::ConvertTo(tag, height), width, first}, u, v,
                         wanted);
     };

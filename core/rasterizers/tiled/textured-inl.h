@@ -8,6 +8,7 @@
 
 #include "core/rasterizers/tiled/blocks-inl.h"
 #include "core/rasterizers/tiled/exact_path.h"
+#include "core/rasterizers/tiled/factors-inl.h"
 #include "core/rasterizers/tiled/gouraud-inl.h"
 #include "core/rasterizers/tiled/kernels.h"
 #include "core/rasterizers/tiled/texels-inl.h"
@@ -79,33 +80,73 @@ struct RoundedLanes {
 
     HWY_INLINE explicit RoundedLanes(Floats a) : counted(hn::Add(a, hn::Set(FloatTag(), kOnes))) {}
     HWY_INLINE Floats floats() const { return hn::Sub(counted, hn::Set(FloatTag(), kOnes)); }
-    HWY_INLINE Ints plus(int offset) const
+    /// in   powers of two of up to 2^22: what is above them is a whole number of times there
+    HWY_INLINE Ints plusModulo(int offset, int size) const
     {
-        constexpr int kBits = std::bit_cast<std::int32_t>(kOnes);
-        return hn::Add(hn::BitCast(IntTag(), counted), hn::Set(IntTag(), offset - kBits));
+        return hn::And(hn::Add(hn::BitCast(IntTag(), counted), hn::Set(IntTag(), offset)), hn::Set(IntTag(), size - 1));
     }
 };
 
-/// The texel along an axis, from the one where the coordinates begin.
+/// The texel along an axis, from the one where the coordinates begin, in a texture of any size.
 HWY_INLINE Ints WrapTexel(const RoundedLanes& at, int first, int size)
 {
-    constexpr FloatTag tag;
-    constexpr IntTag intTag;
-    if (std::has_single_bit(static_cast<unsigned>(size)))
-        return hn::And(at.plus(first), hn::Set(intTag, size - 1));
     // Up to 2^22 no quotient is rounded to a whole number that it has not reached.
+    constexpr FloatTag tag;
     const Floats sizes = hn::Set(tag, static_cast<float>(size));
     const Floats texel = hn::Add(at.floats(), hn::Set(tag, static_cast<float>(first)));
-    return hn::ConvertTo(intTag, hn::Sub(texel, hn::Mul(hn::Floor(hn::Div(texel, sizes)), sizes)));
+    return hn::ConvertTo(IntTag(), hn::Sub(texel, hn::Mul(hn::Floor(hn::Div(texel, sizes)), sizes)));
 }
 
-/// A vector of samples: where they are in the texture, and the colour their texels are to be multiplied with. What
-/// belongs to other triangles of the block stays as it is.
+/// A texture, and how its texels are counted.
+struct TexelGrid {
+    const Texture& texture;
+    int width, height;
+    int rowShift; ///< of textures that have powers of two of columns and rows, or -1
+
+    HWY_INLINE explicit TexelGrid(const Texture& t)
+        : texture(t), width(t.width), height(t.height),
+          rowShift(isPower(width) && isPower(height) ? std::countr_zero(static_cast<unsigned>(width)) : -1)
+    {
+    }
+
+    HWY_INLINE Ints placesOf(const RoundedLanes& column, const RoundedLanes& row,
+                             const std::array<std::uint16_t, 2>& first) const
+    {
+        if (HWY_LIKELY(rowShift >= 0))
+            return hn::Add(hn::ShiftLeftSame(row.plusModulo(first[1], height), rowShift),
+                           column.plusModulo(first[0], width));
+        return hn::Add(hn::Mul(WrapTexel(row, first[1], height), hn::Set(IntTag(), width)),
+                       WrapTexel(column, first[0], width));
+    }
+
+private:
+    static bool isPower(int size) { return std::has_single_bit(static_cast<unsigned>(size)); }
+};
+
+HWY_INLINE Floats NumberOf(float number) { return hn::Set(FloatTag(), number); }
+HWY_INLINE Floats NumberOf(std::int32_t bits) { return NumberOf(std::bit_cast<float>(bits)); }
+
+/// A plane at samples relative to the anchor, rounded alike on every instruction set.
+template <class Planes>
+HWY_INLINE Floats PlaneAt(const Planes& planes, std::size_t i, Floats x, Floats y)
+{
+    return hn::Add(NumberOf(planes.origin[i]),
+                   hn::Add(hn::Mul(NumberOf(planes.perX[i]), x), hn::Mul(NumberOf(planes.perY[i]), y)));
+}
+
+/// The same where nobody minds how it is rounded.
+template <class Planes>
+HWY_INLINE Floats FusedPlaneAt(const Planes& planes, std::size_t i, Floats x, Floats y)
+{
+    return hn::MulAdd(NumberOf(planes.perX[i]), x, hn::MulAdd(NumberOf(planes.perY[i]), y, NumberOf(planes.origin[i])));
+}
+
+/// A vector of samples: where they are in the texture, and what their texels are to be multiplied with.
 template <TextureFilter kFilter>
 struct TexturedLanes {
     Ints place;         ///< of nearest texels
     Floats u, v, level; ///< for filters
-    RgbLanes color;     ///< 0 to 1
+    RgbLanes factors;
 };
 
 /// Coordinates of samples in double, and which of the lanes can be counted.
@@ -134,7 +175,7 @@ struct TexelFinder {
     std::uint32_t number;
     const ColorPlanes& colors;
     const TexelPlanes& texels;
-    const Texture& texture;
+    const TexelGrid& grid;
     std::uint32_t left = 0; ///< samples that only the scalar stages can do, a bit each
 
     HWY_INLINE PreciseUv precise(std::size_t vector, hn::Mask<FloatTag> wanted)
@@ -154,13 +195,11 @@ struct TexelFinder {
         const RoundedLanes row(v);
         const Floats off = hn::Max(hn::Abs(hn::Sub(u, column.floats())), hn::Abs(hn::Sub(v, row.floats())));
         const auto unsure = hn::AndNot(hn::Lt(off, hn::Set(tag, texels.certain)), wanted);
-        const Ints x = WrapTexel(column, texels.first[0], texture.width);
-        const Ints y = WrapTexel(row, texels.first[1], texture.height);
-        const Ints place = hn::Add(hn::Mul(y, hn::Set(intTag, texture.width)), x);
+        const Ints place = grid.placesOf(column, row, texels.first);
         if (HWY_LIKELY(hn::AllFalse(tag, unsure)))
             return place;
         const PreciseUv at = precise(vector, unsure);
-        return hn::IfThenElse(hn::RebindMask(intTag, unsure), TexelPlaces(texture, at.u, at.v, at.found), place);
+        return hn::IfThenElse(hn::RebindMask(intTag, unsure), TexelPlaces(grid.texture, at.u, at.v, at.found), place);
     }
 
     /// Filters forgive what is far below a step of colour.
@@ -182,200 +221,301 @@ struct TexelFinder {
         const GradientLanes inTexels{
             derivative(texels.perX[0], colors.perX[0], u), derivative(texels.perY[0], colors.perY[0], u),
             derivative(texels.perX[1], colors.perX[0], v), derivative(texels.perY[1], colors.perY[0], v)};
-        return {toUv(u, 0, texture.width), toUv(v, 1, texture.height), MipLevel(inTexels), wanted};
+        return {toUv(u, 0, grid.width), toUv(v, 1, grid.height), MipLevel(inTexels), wanted};
     }
 
-    /// in   samples of the target
+    /// in   the samples on the target
     template <TextureFilter kFilter>
-    HWY_INLINE void find(Ints sampleX, Ints sampleY, std::size_t vector, hn::Mask<FloatTag> wanted,
-                         TexturedLanes<kFilter>& out)
+    HWY_INLINE TexturedLanes<kFilter> find(Floats sampleX, Floats sampleY, std::size_t vector,
+                                           hn::Mask<FloatTag> wanted)
     {
-        constexpr FloatTag tag;
-        const Floats x = hn::ConvertTo(tag, hn::Sub(sampleX, hn::Set(IntTag(), colors.x0)));
-        const Floats y = hn::ConvertTo(tag, hn::Sub(sampleY, hn::Set(IntTag(), colors.y0)));
-        const auto number = [](auto bits) HWY_ATTR { return hn::Set(FloatTag(), std::bit_cast<float>(bits)); };
-        const auto plane = [&](const auto& planes, std::size_t i) HWY_ATTR {
-            return hn::Add(number(planes.origin[i]),
-                           hn::Add(hn::Mul(number(planes.perX[i]), x), hn::Mul(number(planes.perY[i]), y)));
+        const auto fromAnchor = [](Floats sample, int anchor) HWY_ATTR {
+            return hn::Sub(sample, hn::ConvertTo(FloatTag(), hn::Set(IntTag(), anchor)));
         };
-        const auto keep = [&](Floats& to, Floats value) HWY_ATTR { to = hn::IfThenElse(wanted, value, to); };
-        const Floats w = hn::Div(hn::Set(tag, 1.0F), plane(colors, 0));
-        RgbLanes color{plane(colors, 1), plane(colors, 2), plane(colors, 3)};
+        const Floats x = fromAnchor(sampleX, colors.x0);
+        const Floats y = fromAnchor(sampleY, colors.y0);
+        // Nearest texels are the right ones however the coordinates are rounded.
+        const auto plane = [&](const auto& planes, std::size_t i) HWY_ATTR {
+            return kFilter == TextureFilter::Nearest ? FusedPlaneAt(planes, i, x, y) : PlaneAt(planes, i, x, y);
+        };
+        TexturedLanes<kFilter> out;
+        out.factors = {PlaneAt(colors, 1, x, y), PlaneAt(colors, 2, x, y), PlaneAt(colors, 3, x, y)};
         if (HWY_UNLIKELY(colors.way == ColorWay::Perspective))
-            color = Scale(color, w);
-        keep(out.color.red, color.red);
-        keep(out.color.green, color.green);
-        keep(out.color.blue, color.blue);
+            out.factors = Scale(out.factors, hn::Div(NumberOf(1.0F), PlaneAt(colors, 0, x, y)));
+        const Floats w = hn::Div(NumberOf(1.0F), plane(colors, 0));
         const Floats u = hn::Mul(plane(texels, 0), w);
         const Floats v = hn::Mul(plane(texels, 1), w);
         if constexpr (kFilter == TextureFilter::Nearest) {
-            out.place = hn::IfThenElse(hn::RebindMask(IntTag(), wanted), nearest(u, v, vector, wanted), out.place);
+            out.place = nearest(u, v, vector, wanted);
         } else {
-            const PreciseUv at = smooth(u, v, w, vector, wanted);
-            keep(out.u, at.u);
-            keep(out.v, at.v);
-            if constexpr (kFilter == TextureFilter::Trilinear)
-                keep(out.level, at.level);
+            const PreciseUv smoothly = smooth(u, v, w, vector, wanted);
+            out.u = smoothly.u;
+            out.v = smoothly.v;
+            out.level = smoothly.level;
         }
+        return out;
     }
 };
 
-/// A block while it is shaded: each triangle says where in the texture its samples are, and texels are fetched for all
-/// of them together.
+/// Colours of the wanted samples; those of the others are anything.
 template <TextureFilter kFilter>
-class TexturedBlock
+HWY_INLINE Uints ColorsOf(const Texture& texture, const TexturedLanes<kFilter>& at, hn::Mask<FloatTag> wanted)
+{
+    if constexpr (kFilter == TextureFilter::Nearest)
+        return Modulate(Gather(texture.texels.data(), at.place, wanted), at.factors, wanted);
+    else if constexpr (kFilter == TextureFilter::Bilinear)
+        return Modulate(SampleBilinear(texture, at.u, at.v, wanted), at.factors);
+    else
+        return Modulate(SampleTrilinear(texture, at.u, at.v, at.level, wanted), at.factors);
+}
+
+/// What a triangle won of a block of a subtile.
+struct TexturedShare {
+    std::uint32_t number;
+    std::uint32_t lanesAndSquare; ///< lanes, a bit each, from bit 16 on
+
+    [[nodiscard]] std::uint32_t lanes() const { return lanesAndSquare >> 16; }
+    [[nodiscard]] std::size_t square() const { return lanesAndSquare & 0xffff; }
+};
+
+/// A subtile while it is shaded, in loops that do not depend on each other's outcome: who won what; where in the
+/// texture that is; and the texels of a block together, whoever they belong to.
+template <TextureFilter kFilter>
+class TexturedSubtile
 {
 public:
-    /// out  background where nobody won
-    HWY_INLINE TexturedBlock(const FrameJob& job, Worker& worker, const BlockPlace& place)
-        : m_job(job), m_worker(worker), m_place(place)
+    /// in   the first of its blocks
+    /// out  its samples' colours, block by block
+    HWY_INLINE TexturedSubtile(const FrameJob& job, Worker& worker, const BlockPlace& first, std::uint32_t* out)
+        : m_job(job), m_worker(worker), m_first(first), m_out(out)
     {
-        const std::uint32_t owner = worker.samples.owner[place.block];
-        for (std::size_t v = 0; v < kVectors; ++v) {
-            const std::size_t lane = v * kPerVector;
-            m_x[v] = hn::Add(hn::Load(IntTag(), kPattern.x.data() + lane), hn::Set(IntTag(), place.x()));
-            m_y[v] = hn::Add(hn::Load(IntTag(), kPattern.y.data() + lane), hn::Set(IntTag(), place.y()));
-            m_color[v] = hn::Set(UintTag(), job.clearColor);
-            m_ids[v] = owner != kNobody ? hn::Set(UintTag(), owner) : hn::Load(UintTag(), ids() + lane);
-        }
+        for (int i = 0; i < 4; ++i)
+            for (std::size_t lane = 0; lane < kLanes; lane += kPerVector) {
+                const auto put = [&](const std::array<float, kLanes>& pattern, int from, SampleNumbers& to) HWY_ATTR {
+                    const Floats inBlock = hn::Load(FloatTag(), pattern.data() + lane);
+                    hn::Store(hn::Add(inBlock, NumberOf(static_cast<float>(from + i * kBlockSide))), FloatTag(),
+                              to[static_cast<std::size_t>(i)].data() + lane);
+                };
+                put(kPattern.floatX, first.x(), m_x);
+                put(kPattern.floatY, first.y(), m_y);
+            }
     }
 
-    /// out  the colours of its samples
-    HWY_INLINE void shade(std::uint32_t* out)
+    HWY_INLINE void shade()
     {
-        const std::uint32_t owner = m_worker.samples.owner[m_place.block];
-        std::uint32_t remaining = owner == kEmpty ? 0 : 0xffff & ~lanesOf(kNobody);
-        if (m_job.counting) {
-            remaining &= LanesOnTarget(m_job, m_place.origin, static_cast<int>(m_place.block));
-            m_worker.pixels.shaded += static_cast<unsigned>(std::popcount(remaining));
-            m_worker.pixels.written += static_cast<unsigned>(std::popcount(remaining));
+        const std::uint32_t* owners = m_worker.samples.owner.data() + m_first.block;
+        const std::uint32_t empty = LanesWith(owners, kEmpty);
+        const std::uint32_t mixed = LanesWith(owners, kNobody);
+        for (std::uint32_t owned = 0xffff & ~(empty | mixed); owned != 0;) {
+            const std::uint32_t number = owners[std::countr_zero(owned)];
+            const std::uint32_t blocks = LanesWith(owners, number);
+            shadeOwned(number, blocks);
+            owned &= ~blocks;
         }
-        while (remaining != 0) {
-            const std::uint32_t number = owner != kNobody ? owner : ids()[std::countr_zero(remaining)];
-            const std::uint32_t lanes = lanesOf(number);
-            add(number, lanes & remaining);
-            remaining &= ~lanes;
-        }
-        fetch();
-        store(out);
+        for (std::uint32_t bits = empty | mixed; bits != 0; bits &= bits - 1)
+            clear(static_cast<std::size_t>(std::countr_zero(bits)));
+        for (std::size_t row = 0; row < kLanes; row += 4)
+            collectRow(row, mixed >> row);
+        while (m_shareCount != 0)
+            shadeShares();
     }
 
 private:
-    [[nodiscard]] HWY_INLINE const std::uint32_t* ids() const
+    [[nodiscard]] HWY_INLINE BlockPlace place(std::size_t square) const
     {
-        return m_worker.samples.ids.data() + m_place.block * kLanes;
-    }
-    [[nodiscard]] HWY_INLINE std::uint32_t* colors() const
-    {
-        return m_worker.samples.color.data() + m_place.block * kLanes;
-    }
-    HWY_INLINE void store(std::uint32_t* to) const
-    {
-        for (std::size_t v = 0; v < kVectors; ++v)
-            hn::Store(m_color[v], UintTag(), to + v * kPerVector);
+        return {m_first.origin, m_first.block + square};
     }
     static HWY_INLINE hn::Mask<FloatTag> MaskAt(std::uint32_t bits, std::size_t v)
     {
         return MaskOf(FloatTag(), bits >> (v * kPerVector));
     }
-
-    /// Samples that hold the number, a bit each.
-    HWY_INLINE std::uint32_t lanesOf(std::uint32_t number) const
+    [[nodiscard]] HWY_INLINE const Texture& textureOf(std::uint32_t number) const
     {
-        std::uint32_t lanes = 0;
-        for (std::size_t v = 0; v < kVectors; ++v)
-            lanes |= BitsOf(UintTag(), hn::Eq(m_ids[v], hn::Set(UintTag(), number))) << (v * kPerVector);
-        return lanes;
+        return m_job.texture(static_cast<std::int32_t>(m_worker.colors(number).extra));
     }
 
-    /// The samples that a triangle won.
-    HWY_INLINE void add(std::uint32_t number, std::uint32_t won)
+    HWY_INLINE TexturedLanes<kFilter> find(TexelFinder& finder, std::size_t square, std::size_t v,
+                                           hn::Mask<FloatTag> wanted) const
+    {
+        const Floats x = hn::Load(FloatTag(), m_x[square % 4].data() + v * kPerVector);
+        const Floats y = hn::Load(FloatTag(), m_y[square / 4].data() + v * kPerVector);
+        return finder.find<kFilter>(x, y, v, wanted);
+    }
+
+    /// Brings pixels near, one line a block: many at once would wait for each other.
+    HWY_INLINE void fetchPixels(std::size_t square) const
+    {
+        const BlockPlace next{m_first.origin, std::min(m_first.block + kLanes, std::size_t(kTileBlocks - kLanes))};
+        __builtin_prefetch(
+            m_job.color + std::ptrdiff_t(next.y() + std::ptrdiff_t(square)) * m_job.rules.width + next.x(), 1);
+    }
+
+    HWY_INLINE void clear(std::size_t square)
+    {
+        fetchPixels(square);
+        for (std::size_t lane = 0; lane < kLanes; lane += kPerVector)
+            hn::Store(hn::Set(UintTag(), m_job.clearColor), UintTag(), m_out + square * kLanes + lane);
+    }
+
+    /// Finds who won what of four blocks side by side: they take turns, as each step waits for the one before.
+    HWY_INLINE void collectRow(std::size_t firstSquare, std::uint32_t mixed)
+    {
+        const std::uint32_t* ids = m_worker.samples.ids.data() + (m_first.block + firstSquare) * kLanes;
+        std::array<std::uint32_t, 4> remaining;
+        for (std::size_t i = 0; i < 4; ++i)
+            remaining[i] = (mixed >> i & 1) != 0 ? 0xffff & ~LanesWith(ids + i * kLanes, kNobody) : 0;
+        if (m_job.counting)
+            for (std::size_t i = 0; i < 4; ++i) {
+                remaining[i] &= LanesOnTarget(m_job, m_first.origin, static_cast<int>(m_first.block + firstSquare + i));
+                m_worker.pixels.shaded += static_cast<unsigned>(std::popcount(remaining[i]));
+                m_worker.pixels.written += static_cast<unsigned>(std::popcount(remaining[i]));
+            }
+        while ((remaining[0] | remaining[1] | remaining[2] | remaining[3]) != 0)
+            for (std::size_t i = 0; i < 4; ++i) {
+                const std::uint32_t* blockIds = ids + i * kLanes;
+                const std::uint32_t number = blockIds[std::countr_zero(remaining[i]) % kLanes];
+                const std::uint32_t lanes = LanesWith(blockIds, number) & remaining[i];
+                m_shares[m_shareCount] = {number, lanes << 16 | static_cast<std::uint32_t>(firstSquare + i)};
+                m_shareCount += lanes != 0;
+                remaining[i] &= ~lanes;
+            }
+    }
+
+    /// The samples of a share by the scalar stages.
+    HWY_NOINLINE void colorExactly(std::uint32_t number, std::size_t square, std::uint32_t lanes)
+    {
+        const std::size_t block = m_first.block + square;
+        ColorExactly(m_job, m_first.origin, number, block, lanes, m_worker);
+        const std::uint32_t* colors = m_worker.samples.color.data() + block * kLanes;
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+            m_out[square * kLanes + lane] = colors[lane];
+        }
+    }
+
+    /// Blocks, a bit each, that a triangle has to itself.
+    HWY_INLINE void shadeOwned(std::uint32_t number, std::uint32_t blocks)
     {
         const ColorPlanes& planes = m_worker.colors(number);
-        if (HWY_UNLIKELY(planes.way == ColorWay::Exact)) {
-            colorExactly(number, won);
-            return;
+        const TexelGrid grid(textureOf(number));
+        const auto all = MaskOf(FloatTag(), 0xffff);
+        for (std::uint32_t bits = blocks; bits != 0; bits &= bits - 1) {
+            const auto square = static_cast<std::size_t>(std::countr_zero(bits));
+            TexelFinder finder{m_job, m_worker, place(square), number, planes, m_worker.texels(number), grid};
+            fetchPixels(square);
+            std::uint32_t left = 0xffff;
+            if (HWY_LIKELY(planes.way != ColorWay::Exact)) {
+                for (std::size_t v = 0; v < kVectors; ++v)
+                    hn::Store(ColorsOf<kFilter>(grid.texture, find(finder, square, v, all), all), UintTag(),
+                              m_out + square * kLanes + v * kPerVector);
+                left = finder.left;
+            }
+            if (HWY_UNLIKELY(left != 0))
+                colorExactly(number, square, left);
         }
-        const Texture& texture = m_job.texture(static_cast<std::int32_t>(planes.extra));
-        if (HWY_UNLIKELY(m_waiting != 0 && m_texture != &texture))
-            fetch();
-        m_texture = &texture;
-        TexelFinder finder{m_job, m_worker, m_place, number, planes, m_worker.texels(number), texture};
-        for (std::size_t v = 0; v < kVectors; ++v)
-            finder.find(m_x[v], m_y[v], v, MaskAt(won, v), m_lanes[v]);
-        m_waiting |= won & ~finder.left;
-        if (HWY_UNLIKELY((won & finder.left) != 0))
-            colorExactly(number, won & finder.left);
     }
 
-    HWY_INLINE void colorExactly(std::uint32_t number, std::uint32_t lanes)
+    /// Shades the shares that have the texture of the first, and keeps the others.
+    HWY_INLINE void shadeShares()
     {
-        store(colors());
-        ColorExactly(m_job, m_place.origin, number, m_place.block, lanes, m_worker);
-        for (std::size_t v = 0; v < kVectors; ++v)
-            m_color[v] = hn::Load(UintTag(), colors() + v * kPerVector);
+        const TexelGrid grid(textureOf(m_shares[0].number));
+        m_waiting.fill(0);
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < m_shareCount; ++i) {
+            const TexturedShare share = m_shares[i];
+            const ColorPlanes& planes = m_worker.colors(share.number);
+            if (HWY_UNLIKELY(&m_job.texture(static_cast<std::int32_t>(planes.extra)) != &grid.texture)) {
+                m_shares[kept++] = share;
+                continue;
+            }
+            const std::size_t square = share.square();
+            std::uint32_t left = share.lanes();
+            if (HWY_LIKELY(planes.way != ColorWay::Exact)) {
+                TexelFinder finder{m_job, m_worker, place(square), share.number, planes, m_worker.texels(share.number),
+                                   grid};
+                for (std::size_t v = 0; v < kVectors; ++v) {
+                    const auto wanted = MaskAt(share.lanes(), v);
+                    keep(square * kLanes + v * kPerVector, wanted, find(finder, square, v, wanted));
+                }
+                left &= finder.left;
+            }
+            m_waiting[square] |= share.lanes() & ~left;
+            if (HWY_UNLIKELY(left != 0))
+                colorExactly(share.number, square, left);
+        }
+        m_shareCount = kept;
+        for (std::size_t square = 0; square < kLanes; ++square)
+            fetch(grid.texture, square);
     }
 
-    HWY_INLINE RgbLanes texels(const TexturedLanes<kFilter>& at, hn::Mask<FloatTag> wanted) const
+    HWY_INLINE void keep(std::size_t at, hn::Mask<FloatTag> wanted, const TexturedLanes<kFilter>& found)
     {
-        if constexpr (kFilter == TextureFilter::Nearest)
-            return Unpack(hn::GatherIndex(UintTag(), m_texture->texels.data(),
-                                          hn::IfThenElseZero(hn::RebindMask(IntTag(), wanted), at.place)));
-        else if constexpr (kFilter == TextureFilter::Bilinear)
-            return SampleBilinear(*m_texture, at.u, at.v, wanted);
-        else
-            return SampleTrilinear(*m_texture, at.u, at.v, at.level, wanted);
+        constexpr FloatTag tag;
+        hn::BlendedStore(found.factors.red, wanted, tag, m_red.data() + at);
+        hn::BlendedStore(found.factors.green, wanted, tag, m_green.data() + at);
+        hn::BlendedStore(found.factors.blue, wanted, tag, m_blue.data() + at);
+        if constexpr (kFilter == TextureFilter::Nearest) {
+            hn::BlendedStore(found.place, hn::RebindMask(IntTag(), wanted), IntTag(), m_texel.data() + at);
+        } else {
+            hn::BlendedStore(found.u, wanted, tag, m_u.data() + at);
+            hn::BlendedStore(found.v, wanted, tag, m_v.data() + at);
+            if constexpr (kFilter == TextureFilter::Trilinear)
+                hn::BlendedStore(found.level, wanted, tag, m_level.data() + at);
+        }
     }
 
-    /// Fetches and colours what waits.
-    HWY_INLINE void fetch()
+    /// Fetches and colours what waits of a block.
+    HWY_INLINE void fetch(const Texture& texture, std::size_t square)
     {
-        if (m_waiting == 0)
-            return;
+        constexpr FloatTag tag;
         for (std::size_t v = 0; v < kVectors; ++v) {
-            const auto wanted = MaskAt(m_waiting, v);
-            const RgbLanes color = Scale(texels(m_lanes[v], wanted), m_lanes[v].color);
-            m_color[v] = hn::IfThenElse(hn::RebindMask(UintTag(), wanted), PackHeld(color.red, color.green, color.blue),
-                                        m_color[v]);
+            const auto wanted = MaskAt(m_waiting[square], v);
+            const std::size_t at = square * kLanes + v * kPerVector;
+            TexturedLanes<kFilter> lanes;
+            lanes.factors = {hn::Load(tag, m_red.data() + at), hn::Load(tag, m_green.data() + at),
+                             hn::Load(tag, m_blue.data() + at)};
+            if constexpr (kFilter == TextureFilter::Nearest) {
+                lanes.place = hn::Load(IntTag(), m_texel.data() + at);
+            } else {
+                lanes.u = hn::Load(tag, m_u.data() + at);
+                lanes.v = hn::Load(tag, m_v.data() + at);
+                lanes.level = hn::Load(tag, m_level.data() + at);
+            }
+            hn::BlendedStore(ColorsOf<kFilter>(texture, lanes, wanted), hn::RebindMask(UintTag(), wanted), UintTag(),
+                             m_out + at);
         }
-        m_waiting = 0;
     }
+
+    static constexpr std::size_t kSamples = std::size_t(kLanes) * kLanes;
+    using Numbers = std::array<float, kSamples>;
+    using SampleNumbers = std::array<std::array<float, kLanes>, 4>;
 
     const FrameJob& m_job;
     Worker& m_worker;
-    BlockPlace m_place;
-    std::array<Uints, kVectors> m_ids;
-    std::array<Uints, kVectors> m_color;
-    std::array<Ints, kVectors> m_x, m_y; ///< samples of the target
-    const Texture* m_texture = nullptr;  ///< of the samples that wait for their texels
-    std::uint32_t m_waiting = 0;         ///< a bit each
-    std::array<TexturedLanes<kFilter>, kVectors> m_lanes;
+    BlockPlace m_first;
+    std::uint32_t* m_out;
+    std::size_t m_shareCount = 0;
+    std::array<std::uint32_t, kLanes> m_waiting;      ///< samples of a block that have texels to fetch, a bit each
+    std::array<TexturedShare, kSamples + 1> m_shares; ///< and one that does not count
+    alignas(64) SampleNumbers m_x, m_y;               ///< of a column or a row of blocks on the target
+    alignas(64) std::array<std::int32_t, kSamples> m_texel;
+    alignas(64) Numbers m_u, m_v, m_level, m_red, m_green, m_blue;
 };
 
-/// Brings the pixels of four blocks side by side near.
-HWY_INLINE void FetchPixels(const FrameJob& job, const BlockPlace& first)
-{
-    const std::uint32_t* pixels = job.color + std::ptrdiff_t(first.y()) * job.rules.width + first.x();
-    for (int row = 0; row < kBlockSide; ++row)
-        __builtin_prefetch(pixels + std::ptrdiff_t(row) * job.rules.width, 1);
-}
-
-/// A whole tile, four blocks side by side at a time; with one sample a pixel they go into the picture at once.
+/// A whole tile; with one sample a pixel its subtiles go into the picture at once.
 template <TextureFilter kFilter>
 inline void ShadeTextured(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
-    constexpr std::size_t kAhead = 8;
     const bool direct = job.rules.sampleGrid == 1;
     worker.precise.number.fill(kNobody);
-    for (std::size_t first = 0; first < kTileBlocks; first += 4) {
-        alignas(64) std::array<std::uint32_t, std::size_t(4) * kLanes> row;
-        std::uint32_t* out = direct ? row.data() : worker.samples.color.data() + first * kLanes;
-        if (direct)
-            FetchPixels(job, {origin, std::min(first + kAhead, std::size_t(kTileBlocks) - 1)});
-        for (std::size_t i = 0; i < 4; ++i)
-            TexturedBlock<kFilter>(job, worker, {origin, first + i}).shade(out + i * kLanes);
-        if (direct)
-            writeBlocks(job, origin, static_cast<int>(first), row.data());
+    for (std::size_t first = 0; first < kTileBlocks; first += kLanes) {
+        alignas(64) std::array<std::uint32_t, std::size_t(kLanes) * kLanes> pixels;
+        std::uint32_t* colors = direct ? pixels.data() : worker.samples.color.data() + first * kLanes;
+        TexturedSubtile<kFilter>(job, worker, {origin, first}, colors).shade();
+        if (!direct)
+            continue;
+        for (std::size_t row = 0; row < 4; ++row)
+            writeBlocks(job, origin, static_cast<int>(first + 4 * row), colors + 4 * row * kLanes);
     }
 }
 

@@ -108,7 +108,7 @@ enum class ColorWay : std::int32_t {
 ///
 /// units  Affine: 2^-24 of a step of 255, modulo 2^32, with what rounding takes added to the origin. So sums are exact
 ///        in any order, and may leave the range where nobody looks. Perspective: steps, as the bits of float32.
-///        Shading texture: 0 to 1 and always 1/w, as the bits of float32.
+///        Shading texture: factors, 0 to 65535, and always 1/w, as the bits of float32.
 struct alignas(64) ColorPlanes {
     std::array<std::int32_t, 4> origin; ///< at the anchor
     std::array<std::int32_t, 4> perX;
