@@ -22,13 +22,15 @@ public:
     [[nodiscard]] const float* end() const { return data() + size(); }
     [[nodiscard]] float operator[](std::size_t pixel) const { return m_depths[pixel]; }
 
-    /// out  room for so many depths, to be written to until the next call
+    /// out  so many depths, those that there were among them, to be written to until the next call
     [[nodiscard]] float* write(std::size_t count);
     void assign(std::size_t count, float depth);
     void clear() { assign(0, 0); }
 
     /// Equal keys mean equal depths, also of different planes.
     [[nodiscard]] std::uint64_t key() const { return m_key; }
+
+    friend bool operator==(const DepthBuffer& a, const DepthBuffer& b) { return a.m_depths == b.m_depths; }
 
 private:
     std::vector<float, LargePages<float>> m_depths;

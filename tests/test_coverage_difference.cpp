@@ -35,6 +35,8 @@ struct Pair {
     Frame rendered;
     ExactFrame truth;
 
+    void changeDepth(std::size_t pixel, float by) { rendered.depth.write(rendered.depth.size())[pixel] += by; }
+
     [[nodiscard]] CoverageDifference difference(double band = 0) const
     {
         return coverageDifference(rendered, truth, kBlack, band);
@@ -121,7 +123,7 @@ void TestCoverageDifference::aCrackIsNeverHit()
 void TestCoverageDifference::depthAndColor()
 {
     Pair pair = renderedAndTrue(twoFaces());
-    pair.rendered.depth[pixel(2, 2)] += 0.25F;
+    pair.changeDepth(pixel(2, 2), 0.25F);
     pair.rendered.image.setPixel(5, 1, qRgb(128, 245, 0));
     CoverageDifference d = pair.difference();
     QCOMPARE(d.depthMax, 0.25);
@@ -192,7 +194,7 @@ void TestCoverageDifference::windowsJoin()
         pair.rendered.coverage[pixel(2, 2)] = 0;
         pair.rendered.coverage[pixel(5, 7)] = 1;
         pair.rendered.coverage[pixel(5, 6)] = 2;
-        pair.rendered.depth[pixel(4, 1)] += 0.5F;
+        pair.changeDepth(pixel(4, 1), 0.5F);
         pair.rendered.image.setPixel(4, 5, qRgb(0, 0, 0));
         return pair.difference();
     };

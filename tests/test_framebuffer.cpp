@@ -113,7 +113,7 @@ void TestFramebuffer::onlyWhatWasAskedFor()
             Frame frame = all; // what an earlier picture left must not stay
             render(scene, settings, frame, outputs);
             QVERIFY(frame.image == (outputs.picture ? all.image : QImage()));
-            QVERIFY(frame.depth == (outputs.depth ? all.depth : std::vector<float>()));
+            QVERIFY(frame.depth == (outputs.depth ? all.depth : DepthBuffer()));
             QVERIFY(frame.ids == (outputs.ids ? all.ids : std::vector<std::int32_t>()));
             QVERIFY(frame.coverage == (outputs.coverage ? all.coverage : std::vector<std::uint16_t>()));
         }

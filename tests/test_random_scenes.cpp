@@ -194,7 +194,7 @@ void TestRandomScenes::drawsEverySceneAlike()
     if (!name.endsWith(QLatin1String(".case")))
         settings.size = kSize;
     if (const auto reason = unsupported(*load.scene, settings))
-        QSKIP(qPrintable(*reason));
+        QSKIP(qPrintable(textOf(*reason)));
     const QString d = compareAll(*load.scene, settings, {Simd::Auto});
     QVERIFY2(d.isEmpty(), qPrintable(d));
 }

@@ -87,11 +87,12 @@ private:
     }
 };
 
-template <typename T>
-void addArray(OutputFiles& files, const QString& path, const std::vector<T>& values, QSize size)
+template <typename Values>
+void addArray(OutputFiles& files, const QString& path, const Values& values, QSize size)
 {
     if (!path.isEmpty())
-        files.add(path, npyBytes(std::span<const T>(values), size.height(), size.width()));
+        files.add(path, npyBytes(std::span<const typename Values::value_type>(values.data(), values.size()),
+                                 size.height(), size.width()));
 }
 
 void renderTo(const Scene& scene, const Settings& settings, const OutputNames& names)
