@@ -342,12 +342,14 @@ private:
         return finder.find<kFilter>(x, y, v, wanted);
     }
 
-    /// Brings pixels near, one line a block: many at once would wait for each other.
+    /// Brings pixels of the next subtile near, one row a block: many at once would wait for each other.
     HWY_INLINE void fetchPixels(std::size_t square) const
     {
+        if (m_job.rules.sampleGrid != 1)
+            return;
         const BlockPlace next{m_first.origin, std::min(m_first.block + kLanes, std::size_t(kTileBlocks - kLanes))};
-        __builtin_prefetch(
-            m_job.color + std::ptrdiff_t(next.y() + std::ptrdiff_t(square)) * m_job.rules.width + next.x(), 1);
+        const int y = std::min(next.y() + static_cast<int>(square), m_job.rules.height - 1);
+        __builtin_prefetch(m_job.color + pixelIndex(m_job, std::min(next.x(), m_job.rules.width - 1), y), 1);
     }
 
     HWY_INLINE void clear(std::size_t square)
