@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 #include <new>
 
 #ifdef __linux__
@@ -29,7 +30,8 @@ struct LargePages {
         static_assert(alignof(T) <= kCacheLine);
         const bool large = count > kPage / 2 / sizeof(T);
         const std::size_t unit = large ? kPage : kCacheLine;
-        if (count > (static_cast<std::size_t>(-1) - unit) / sizeof(T))
+        constexpr std::size_t kMostBytes = static_cast<std::size_t>(std::numeric_limits<std::ptrdiff_t>::max()) - kPage;
+        if (count > kMostBytes / sizeof(T))
             throw std::bad_array_new_length();
         const std::size_t bytes = (count * sizeof(T) + unit - 1) / unit * unit;
         void* memory = std::aligned_alloc(unit, bytes);
