@@ -18,6 +18,7 @@ public:
     T* reserve(std::size_t count)
     {
         if (count > m_capacity) {
+            m_capacity = 0; // stays so if there is no memory
             m_memory.reset();
             m_memory.reset(LargePages<T>().allocate(count));
             m_capacity = count;
