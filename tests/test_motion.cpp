@@ -38,6 +38,8 @@ private Q_SLOTS:
     void theChosenAlgorithmIsNotReplacedWhereItMatters_data();
     void theChosenAlgorithmIsNotReplacedWhereItMatters();
     void canBeSwitchedOff();
+    void coldPicturesAreNotTimed();
+    void framesKeepNoThreads();
 };
 
 void TestMotion::cameraMovesAreDrawnFastFirst()
@@ -97,6 +99,38 @@ void TestMotion::canBeSwitchedOff()
     draw(worker, m_scene->defaults);
     draw(worker, orbited(m_scene->defaults));
     QCOMPARE(m_frames.size(), 2U);
+}
+
+/// The first picture after a change tells no time; the counted one tells that of a further picture.
+void TestMotion::coldPicturesAreNotTimed()
+{
+    RenderWorker worker;
+    Settings settings = m_scene->defaults;
+    settings.algorithm = Algorithm::Tiled;
+    draw(worker, settings);
+    QCOMPARE(m_frames.size(), 2U);
+    QVERIFY(!m_frames[0]->timed && m_frames[1]->timed);
+    QVERIFY(m_frames[1]->frame.times.total > 0);
+
+    draw(worker, orbited(settings));
+    QVERIFY(m_frames[0]->timed && m_frames[1]->timed);
+    settings.shading = Shading::Depth;
+    draw(worker, settings);
+    QVERIFY(!m_frames[0]->timed && m_frames[1]->timed);
+}
+
+/// Threads and memory of the tiled algorithm stay with the worker, however many pictures are about.
+void TestMotion::framesKeepNoThreads()
+{
+    RenderWorker worker;
+    Settings settings = m_scene->defaults;
+    settings.algorithm = Algorithm::Tiled;
+    draw(worker, settings);
+    for (const FramePtr& frame : m_frames)
+        QVERIFY(!frame->frame.tiled);
+    draw(worker, orbited(settings));
+    for (const FramePtr& frame : m_frames)
+        QVERIFY(!frame->frame.tiled);
 }
 
 QTEST_MAIN(TestMotion)

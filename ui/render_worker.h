@@ -21,7 +21,8 @@ struct RenderedFrame {
     Frame frame;           ///< depth and ids only where `statistics` is set
     Statistics statistics; ///< meaningful where `counted`
     bool counted = false;
-    bool fast = false;                               ///< drawn by the tiled algorithm in place of the chosen one
+    bool fast = false;  ///< drawn by the tiled algorithm in place of the chosen one
+    bool timed = false; ///< its times are worth telling: the algorithm had its threads and memory before
     std::chrono::steady_clock::time_point requested; ///< when the change it shows was made
 };
 
@@ -31,8 +32,9 @@ using FramePtr = std::shared_ptr<const RenderedFrame>;
 ///
 /// order   while the camera moves, and for large scenes, first a picture by the tiled algorithm where that is the same;
 ///         then, once nothing newer comes, the picture by the chosen algorithm at full speed; then the same counted,
-///         with depth and face ids for the pixel read-out. Camera moves let the first picture finish, so motion stays
-///         visible however slow a frame is; any other change stops it.
+///         with depth and face ids for the pixel read-out, and with the times of a further picture at full speed: the
+///         first one after a change had memory to take and threads to start. Camera moves let the first picture finish,
+///         so motion stays visible however slow a frame is; any other change stops it.
 class RenderWorker : public QObject
 {
     Q_OBJECT
@@ -68,13 +70,16 @@ private:
         std::shared_ptr<const Scene> scene;
         Settings settings;
         quint64 serial = 0;
+        bool warm = false;            ///< the last picture was drawn in the same way
         std::optional<Settings> fast; ///< draw with these first
         std::chrono::steady_clock::time_point time;
     };
 
     void work(const Request& request, const std::stop_token& stop);
     void drawFast(const Request& request, const std::stop_token& stop);
-    void drawCounted(const Request& request, const StageTimes& times, const std::stop_token& stop);
+    void drawCounted(const Request& request, const std::stop_token& stop);
+    template <class Draw>
+    void withTiled(Frame& frame, Draw&& draw);
     [[nodiscard]] std::shared_ptr<RenderedFrame> newFrame(const Request& request);
     void deliver(FramePtr frame, quint64 serial);
     [[nodiscard]] bool onlyCameraMoves(const std::shared_ptr<const Scene>& scene, const Settings& settings) const;
@@ -85,7 +90,7 @@ private:
     quint64 m_requested = 0;
     quint64 m_delivered = 0;
     bool m_fastMotion = true;
-    std::shared_ptr<TiledContext> m_tiled; ///< of the fast pictures, whichever frame they go to
+    std::shared_ptr<TiledContext> m_tiled; ///< of every picture, whichever frame it goes to
     std::atomic<bool> m_shown = false;     ///< the request at work has had its first picture
     std::atomic<bool> m_continuous = false;
     LatestTask m_task; ///< last: its thread uses the members above
