@@ -235,6 +235,34 @@ private Q_SLOTS:
         }
     }
 
+    /// Cold pictures tell no time; counters of another picture are dimmed; before anything is known there are dashes.
+    void statisticsTellOnlyWhatIsKnown()
+    {
+        StatisticsPanel panel;
+        const auto show = [&panel](double yaw, bool counted, bool timed, double ms) {
+            auto frame = std::make_shared<RenderedFrame>();
+            frame->settings.view.yaw = yaw;
+            frame->counted = counted;
+            frame->timed = timed;
+            frame->frame.times.total = ms;
+            panel.setFrame(frame);
+        };
+        const auto rate = [&panel] { return panel.findChild<QLabel*>(QStringLiteral("fps"))->text(); };
+        show(0, false, false, 50);
+        QCOMPARE(rate(), QStringLiteral("\u2013"));
+        for (const QLabel* label : panel.findChildren<QLabel*>())
+            QVERIFY2(!label->text().contains(QStringLiteral("0.00")), qPrintable(label->text()));
+        show(0, true, true, 2);
+        QCOMPARE(rate(), QStringLiteral("500"));
+        QVERIFY(!panel.isStale());
+        show(10, false, false, 50);
+        QCOMPARE(rate(), QStringLiteral("500"));
+        QTRY_VERIFY_WITH_TIMEOUT(panel.isStale(), kPatienceMs);
+        show(10, true, true, 4);
+        QCOMPARE(rate(), QStringLiteral("250"));
+        QVERIFY(!panel.isStale());
+    }
+
     void stageStripTellsAndScrolls()
     {
         QVERIFY(open(QStringLiteral("builtin:square-diagonal")));

@@ -318,8 +318,8 @@ void MainWindow::updatePicture()
     const auto why = unsupported(*m_document.scene(), m_document.settings());
     m_refused = why.has_value();
     m_viewport->setStale(m_refused);
-    m_statisticsPanel->setStale(m_refused);
     if (m_refused) {
+        m_statisticsPanel->setStale(true);
         m_unsupported->show(MessageKind::Warning,
                             tr("These settings cannot be drawn together: %1").arg(whyUnsupported(*why)));
         Q_EMIT settled();

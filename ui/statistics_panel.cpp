@@ -20,6 +20,7 @@ namespace
 {
 
 constexpr qint64 kRateWindowMs = 1000;
+constexpr int kLagMs = 100; ///< counters that follow sooner are not dimmed in between
 
 #define COUNTER(id, member)                                                                                            \
     {                                                                                                                  \
@@ -35,6 +36,8 @@ QLabel* mutedLabel(const QString& text = {})
 
 /// Three digits tell a stage's share.
 QString milliseconds(double ms) { return QString::number(ms, 'f', ms < 10 ? 2 : ms < 100 ? 1 : 0); }
+
+const QString kUnknown = QStringLiteral("\u2013");
 
 } // namespace
 
@@ -91,7 +94,7 @@ StatisticsPanel::StatisticsPanel(QWidget* parent)
     column->setSpacing(2);
 
     auto* rate = new QHBoxLayout;
-    m_fps = new QLabel(QStringLiteral("\u2013"));
+    m_fps = new QLabel(kUnknown);
     m_fps->setObjectName(QStringLiteral("fps"));
     m_fpsUnit = mutedLabel();
     m_frameTime = mutedLabel();
@@ -134,6 +137,9 @@ StatisticsPanel::StatisticsPanel(QWidget* parent)
     m_settle.setSingleShot(true);
     m_settle.setInterval(static_cast<int>(kRateWindowMs) + 100);
     connect(&m_settle, &QTimer::timeout, this, &StatisticsPanel::showTimes);
+    m_lag.setSingleShot(true);
+    m_lag.setInterval(kLagMs);
+    connect(&m_lag, &QTimer::timeout, this, [this] { setStale(true); });
     m_clock.start();
     retranslate();
 }
@@ -149,7 +155,7 @@ QHBoxLayout* StatisticsPanel::counterLine(std::vector<Counter>& counters)
     for (Counter& counter : counters) {
         if (&counter != &counters.front())
             line->addWidget(mutedLabel(QStringLiteral("\u00b7")));
-        counter.value = new QLabel(QStringLiteral("\u2013"));
+        counter.value = new QLabel(kUnknown);
         counter.value->setObjectName(QStringLiteral("counter"));
         counter.value->setTextInteractionFlags(Qt::TextSelectableByMouse);
         line->addWidget(counter.value);
@@ -159,22 +165,39 @@ QHBoxLayout* StatisticsPanel::counterLine(std::vector<Counter>& counters)
 
 void StatisticsPanel::setFrame(const FramePtr& frame)
 {
-    if (!frame->counted) {
-        const qint64 now = m_clock.elapsed();
-        m_finished.push_back(now);
-        while (now - m_finished.front() > kRateWindowMs)
-            m_finished.pop_front();
+    if (frame->timed) {
         m_times = frame->frame.times;
         m_fast = frame->fast;
-        showTimes();
-        m_settle.start();
-        return;
     }
+    m_timesLag = !frame->timed;
+    if (frame->counted)
+        showCounters(frame);
+    else
+        noteFinished(frame);
+    showTimes();
+}
+
+void StatisticsPanel::showCounters(const FramePtr& frame)
+{
     m_counted = frame;
     for (const Row& row : m_rows)
         for (const Counter& counter : row.counters)
             counter.value->setText(grouped(counter.get(frame->statistics)));
     keepWideEnough();
+    m_lag.stop();
+    setStale(false);
+}
+
+void StatisticsPanel::noteFinished(const FramePtr& frame)
+{
+    const qint64 now = m_clock.elapsed();
+    m_finished.push_back(now);
+    while (now - m_finished.front() > kRateWindowMs)
+        m_finished.pop_front();
+    m_settle.start();
+    const bool counted = m_counted && m_counted->scene == frame->scene && m_counted->settings == frame->settings;
+    if (!counted && !m_lag.isActive())
+        m_lag.start();
 }
 
 void StatisticsPanel::setShown(const FramePtr& frame)
@@ -215,9 +238,11 @@ QSize StatisticsPanel::sizeHint() const
 
 void StatisticsPanel::setStale(bool stale)
 {
+    m_stale = stale;
     for (const Row& row : m_rows)
         for (const Counter& counter : row.counters)
             counter.value->setEnabled(!stale);
+    showTimes();
 }
 
 /// Counted while frames keep coming; what one frame's time allows once they stopped.
@@ -237,12 +262,13 @@ void StatisticsPanel::showTimes()
     const double rate = framesPerSecond();
     m_fps->setText(rate > 0
                        ? (rate < 10 ? QString::number(rate, 'f', 1) : grouped(static_cast<std::uint64_t>(rate + 0.5)))
-                       : QStringLiteral("\u2013"));
+                       : kUnknown);
+    m_fps->setEnabled(!(m_stale && m_timesLag));
     m_fpsUnit->setText(m_fast ? tr("FPS, tiled") : QStringLiteral("FPS"));
-    m_frameTime->setText(tr("%1 ms").arg(milliseconds(m_times.total)));
-    m_stageTimes->setText(
-        tr("vertex %1 · geometry %2 · raster %3")
-            .arg(milliseconds(m_times.vertex), milliseconds(m_times.geometry), milliseconds(m_times.raster)));
+    const auto shown = [this](double ms) { return m_times.total > 0 ? milliseconds(ms) : kUnknown; };
+    m_frameTime->setText(tr("%1 ms").arg(shown(m_times.total)));
+    m_stageTimes->setText(tr("vertex %1 · geometry %2 · raster %3")
+                              .arg(shown(m_times.vertex), shown(m_times.geometry), shown(m_times.raster)));
 }
 
 QString StatisticsPanel::asJson() const

@@ -23,8 +23,10 @@ class StatisticsPanel : public QWidget
 public:
     explicit StatisticsPanel(QWidget* parent = nullptr);
 
+    /// Counters that stay behind the picture, as while the camera moves, are dimmed until they are counted.
     void setFrame(const FramePtr& frame);
     void setStale(bool stale);
+    [[nodiscard]] bool isStale() const { return m_stale; }
     /// The frame is on the screen.
     void setShown(const FramePtr& frame);
     /// Milliseconds from a camera move to its picture on the screen, the median of the last ones; 0 before the first.
@@ -55,6 +57,8 @@ private:
         QLabel* name = nullptr;
     };
     static QHBoxLayout* counterLine(std::vector<Counter>& counters);
+    void showCounters(const FramePtr& frame);
+    void noteFinished(const FramePtr& frame);
     [[nodiscard]] double framesPerSecond() const;
     void retranslate();
     void explainRate();
@@ -74,6 +78,9 @@ private:
     QElapsedTimer m_clock;
     std::deque<qint64> m_finished; ///< when the last frames were completed, milliseconds
     QTimer m_settle;               ///< shows the rate again once frames stop coming
+    QTimer m_lag;                  ///< runs while the counters are not those of the picture
+    bool m_stale = false;
+    bool m_timesLag = false; ///< the last picture was not timed
 };
 
 } // namespace rasterlens

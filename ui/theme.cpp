@@ -86,7 +86,7 @@ QLabel#muted, QLabel#keyHint, QLabel#mutedSmall { color: @muted; }
 QLabel#keyHint, QLabel#mutedSmall { font-size: @ptSmall; }
 QLabel#fps { font-weight: bold; font-size: @ptHuge; }
 QLabel#counter { font-family: "@mono"; font-weight: bold; }
-QLabel#counter:disabled { color: @muted; }
+QLabel#counter:disabled, QLabel#fps:disabled { color: @muted; }
 QLabel#readout { font-family: "@mono"; }
 QLabel#numbers { font-family: "@mono"; color: @muted; font-size: @ptSmall; }
 QLabel#pill { background: @accentSoft; color: @text; border: 1px solid @border; border-radius: 9px; padding: 1px 7px;
