@@ -357,12 +357,14 @@ private Q_SLOTS:
             first.show();
             first.findChild<Dock*>(QStringLiteral("statisticsDock"))->hide();
             first.setLanguage(LanguageKind::Chinese);
+            first.worker().setFastMotion(false);
             first.close();
         }
         MainWindow second(MainWindow::Memory::Remember);
         second.show();
         QVERIFY(second.findChild<Dock*>(QStringLiteral("statisticsDock"))->isHidden());
         QCOMPARE(second.language(), LanguageKind::Chinese);
+        QVERIFY(!second.worker().hasFastMotion());
         second.setLanguage(LanguageKind::English);
     }
 

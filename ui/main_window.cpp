@@ -507,6 +507,8 @@ void MainWindow::restoreMemory()
     restoreGeometry(memory.value(QStringLiteral("window/geometry")).toByteArray());
     m_docksArranged = restoreState(memory.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion);
     setLook({memory.value(QStringLiteral("window/dark")).toBool() ? ThemeKind::Dark : ThemeKind::Light, false});
+    m_worker.setFastMotion(memory.value(QStringLiteral("window/fastFirst"), true).toBool());
+    m_fastMotion->setChecked(m_worker.hasFastMotion());
     const QString language = memory.value(QStringLiteral("window/language")).toString();
     setLanguage(language.isEmpty()                   ? Language::ofSystem()
                 : language == QLatin1String("zh_CN") ? LanguageKind::Chinese
@@ -520,6 +522,7 @@ void MainWindow::saveMemory()
     memory.setValue(QStringLiteral("window/geometry"), saveGeometry());
     memory.setValue(QStringLiteral("window/state"), saveState(kLayoutVersion));
     memory.setValue(QStringLiteral("window/dark"), m_look.kind == ThemeKind::Dark);
+    memory.setValue(QStringLiteral("window/fastFirst"), m_worker.hasFastMotion());
     memory.setValue(QStringLiteral("window/language"),
                     m_language.kind() == LanguageKind::Chinese ? QStringLiteral("zh_CN") : QStringLiteral("en"));
 }

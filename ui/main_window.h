@@ -187,6 +187,7 @@ private:
     QAction* m_zoomIn = nullptr;
     QAction* m_zoomOut = nullptr;
     QAction* m_goTo = nullptr;
+    QAction* m_fastMotion = nullptr;
     QAction* m_presentation = nullptr;
     QAction* m_fullScreen = nullptr;
     QAction* m_dark = nullptr;

@@ -174,8 +174,8 @@ void MainWindow::buildViewMenu()
     addToggle(view, QT_TR_NOOP("Pixel grid (from 8\u00d7)"), {}, true, overlay(&OverlayOptions::grid));
     addToggle(view, QT_TR_NOOP("Sample positions (from 16\u00d7)"), {}, true, overlay(&OverlayOptions::sampleDots));
     addToggle(view, QT_TR_NOOP("Pixel values (from 48\u00d7)"), {}, true, overlay(&OverlayOptions::numbers));
-    addToggle(view, QT_TR_NOOP("Fast drawing while the camera moves"), {}, true,
-              [this](bool on) { m_worker.setFastMotion(on); });
+    m_fastMotion = addToggle(view, QT_TR_NOOP("Fast first picture (camera moves, slow scenes)"), {}, true,
+                             [this](bool on) { m_worker.setFastMotion(on); });
     addToggle(view, QT_TR_NOOP("Draw continuously (measures FPS)"), QKeySequence(Qt::SHIFT | Qt::Key_R), false,
               [this](bool on) { m_worker.setContinuous(on); });
     view->addSeparator();
@@ -378,6 +378,7 @@ void MainWindow::syncHelp()
                    {{QStringLiteral("F11"), tr("presentation"), m_look.presentation ? on : off},
                     {QStringLiteral("Ctrl+Shift+D"), tr("dark theme"), m_look.kind == ThemeKind::Dark ? on : off},
                     {QStringLiteral("Shift+R"), tr("draw continuously"), m_worker.isContinuous() ? on : off},
+                    {tr("Menu View"), tr("fast first picture"), m_worker.hasFastMotion() ? on : off},
                     {QStringLiteral("Ctrl+0"), tr("reset layout"), {}},
                     {QStringLiteral("Ctrl+Z  Ctrl+Y"), tr("undo, redo"), {}},
                     {QStringLiteral("F12"), tr("figure with overlay"), {}},

@@ -8,8 +8,9 @@
 namespace rasterlens
 {
 
-/// Faces from which the first picture of any change is drawn fast: the other algorithms take a tenth of a second.
-constexpr std::size_t kLargeScene = 200000;
+/// From here on the first picture of any change is drawn fast.
+constexpr double kLongMs = 100;
+constexpr std::size_t kLargeScene = 200000; ///< faces: so long take the other algorithms, which nobody timed yet
 
 /// Times below it are taken from a picture into memory that was written before: fresh memory costs some 20 ms.
 constexpr double kMemoryMattersMs = 600;
@@ -60,8 +61,10 @@ void RenderWorker::request(std::shared_ptr<const Scene> scene, const Settings& s
     const bool moves = onlyCameraMoves(scene, settings);
     const bool wasBusy = busy();
     Request request{scene, settings, ++m_requested, moves, std::nullopt, std::chrono::steady_clock::now()};
-    if (m_fastMotion && !m_continuous && (moves || scene->mesh.faceCount() >= kLargeScene))
+    if (m_fastMotion && !m_continuous && (moves || takesLong(*scene)))
         request.fast = fastSettings(*scene, settings);
+    if (!m_scene || m_scene->id != scene->id)
+        m_lastMs = 0;
     m_scene = std::move(scene);
     m_settings = settings;
     m_task.post([this, request = std::move(request)](const std::stop_token& stop) { work(request, stop); },
@@ -77,6 +80,12 @@ void RenderWorker::setContinuous(bool on)
     m_continuous = on;
     if (on && m_scene)
         request(m_scene, m_settings);
+}
+
+bool RenderWorker::takesLong(const Scene& scene) const
+{
+    const bool isTimed = m_scene && m_scene->id == scene.id && m_lastMs > 0;
+    return isTimed ? m_lastMs >= kLongMs : scene.mesh.faceCount() >= kLargeScene;
 }
 
 bool RenderWorker::onlyCameraMoves(const std::shared_ptr<const Scene>& scene, const Settings& settings) const
@@ -182,6 +191,9 @@ void RenderWorker::deliver(FramePtr frame, quint64 serial)
             const bool wasBusy = busy();
             if (frame->counted)
                 m_delivered = serial;
+            const bool byTiled = frame->fast || frame->settings.algorithm == Algorithm::Tiled;
+            if (!byTiled && frame->scene->id == m_scene->id)
+                m_lastMs = frame->frame.times.total;
             Q_EMIT frameReady(frame);
             if (wasBusy && !busy())
                 Q_EMIT busyChanged(false);

@@ -30,7 +30,8 @@ using FramePtr = std::shared_ptr<const RenderedFrame>;
 
 /// Draws frames on a background thread; the latest request wins.
 ///
-/// order   while the camera moves, and for large scenes, first a picture by the tiled algorithm where that is the same;
+/// order   while the camera moves, and where pictures take long, first a picture by the tiled algorithm where that is
+/// the same;
 ///         then, once nothing newer comes, the picture by the chosen algorithm at full speed; then the same counted,
 ///         with depth and face ids for the pixel read-out, and with the times of a further picture at full speed: the
 ///         first one after a change had memory to take and threads to start. Camera moves let the first picture finish,
@@ -46,7 +47,7 @@ public:
     /// in   settings for which unsupported() is empty
     void request(std::shared_ptr<const Scene> scene, const Settings& settings);
 
-    /// Whether the tiled algorithm stands in for the chosen one while the camera moves and for large scenes.
+    /// Whether the tiled algorithm draws first while the camera moves and where pictures take long.
     void setFastMotion(bool on) { m_fastMotion = on; }
     [[nodiscard]] bool hasFastMotion() const { return m_fastMotion; }
 
@@ -82,6 +83,7 @@ private:
     void withTiled(Frame& frame, Draw&& draw);
     [[nodiscard]] std::shared_ptr<RenderedFrame> newFrame(const Request& request);
     void deliver(FramePtr frame, quint64 serial);
+    [[nodiscard]] bool takesLong(const Scene& scene) const;
     [[nodiscard]] bool onlyCameraMoves(const std::shared_ptr<const Scene>& scene, const Settings& settings) const;
 
     std::shared_ptr<Pool> m_pool;
@@ -90,6 +92,7 @@ private:
     quint64 m_requested = 0;
     quint64 m_delivered = 0;
     bool m_fastMotion = true;
+    double m_lastMs = 0; ///< of the last picture of m_scene by an algorithm that is not tiled; 0 none yet
     std::shared_ptr<TiledContext> m_tiled; ///< of every picture, whichever frame it goes to
     std::atomic<bool> m_shown = false;     ///< the request at work has had its first picture
     std::atomic<bool> m_continuous = false;

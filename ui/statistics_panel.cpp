@@ -307,7 +307,8 @@ QString StatisticsPanel::shown(const QString& counter) const
 void StatisticsPanel::explainRate()
 {
     QString text = tr("Frames per second: counted while frames keep coming, else what the last frame's time allows. "
-                      "While the camera moves the tiled algorithm draws the same picture.");
+                      "While the camera moves, and first where pictures take long, the tiled algorithm draws the same "
+                      "picture.");
     if (!m_latencies.empty())
         text += QLatin1Char(' ') + tr("From a move to its picture on the screen: %1 ms, the median of %2.")
                                        .arg(milliseconds(latency()))

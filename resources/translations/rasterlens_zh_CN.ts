@@ -3757,6 +3757,14 @@
         <translation>深色主题</translation>
     </message>
     <message>
+        <source>fast first picture</source>
+        <translation>先快速出图</translation>
+    </message>
+    <message>
+        <source>Menu View</source>
+        <translation>“视图”菜单</translation>
+    </message>
+    <message>
         <source>draw continuously</source>
         <translation>连续绘制</translation>
     </message>
@@ -3901,8 +3909,8 @@
         <translation>错误</translation>
     </message>
     <message>
-        <source>Fast drawing while the camera moves</source>
-        <translation>相机移动时快速绘制</translation>
+        <source>Fast first picture (camera moves, slow scenes)</source>
+        <translation>先快速出图（相机移动、绘制较慢时）</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -4611,8 +4619,8 @@
         <translation>FPS，分块算法</translation>
     </message>
     <message>
-        <source>Frames per second: counted while frames keep coming, else what the last frame&apos;s time allows. While the camera moves the tiled algorithm draws the same picture.</source>
-        <translation>每秒帧数：连续绘制时为实际计数，否则由最近一帧的时间推算。相机移动时由分块算法绘制同一画面。</translation>
+        <source>Frames per second: counted while frames keep coming, else what the last frame&apos;s time allows. While the camera moves, and first where pictures take long, the tiled algorithm draws the same picture.</source>
+        <translation>每秒帧数：连续绘制时为实际计数，否则由最近一帧的时间推算。相机移动时，以及绘制较慢时的第一幅画面，由分块算法绘制，画面相同。</translation>
     </message>
     <message>
         <source>From a move to its picture on the screen: %1 ms, the median of %2.</source>
