@@ -15,6 +15,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QSpinBox>
 
@@ -232,6 +233,20 @@ private Q_SLOTS:
             QCoreApplication::processEvents();
             for (const QLabel* label : panel.findChildren<QLabel*>())
                 QVERIFY2(label->width() >= label->sizeHint().width(), qPrintable(label->text()));
+        }
+    }
+
+    /// Also beside a scroll bar, and with the longest numbers.
+    void countersAreNotCutOffByTheScrollBar()
+    {
+        QVERIFY(open(QStringLiteral("stress:tiny")));
+        StatisticsPanel& panel = m_window->statisticsPanel();
+        const auto* scroll = panel.findChild<QScrollArea*>();
+        for (const QSize& size : {QSize(1280, 800), QSize(1024, 768), QSize(1280, 560)}) {
+            m_window->resize(size);
+            QCoreApplication::processEvents();
+            QVERIFY2(scroll->viewport()->width() >= scroll->widget()->width(),
+                     qPrintable(QString::number(scroll->viewport()->width())));
         }
     }
 

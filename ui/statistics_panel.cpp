@@ -226,6 +226,7 @@ double StatisticsPanel::latency() const
 void StatisticsPanel::keepWideEnough()
 {
     constexpr int kScrollBarRoom = 12;
+    m_scroll->widget()->layout()->activate(); // the lines within do not know of the new texts before
     const int needed = m_scroll->widget()->sizeHint().width() + kScrollBarRoom;
     m_scroll->setMinimumWidth(std::max(m_scroll->minimumWidth(), needed));
 }
