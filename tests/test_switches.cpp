@@ -173,6 +173,20 @@ private Q_SLOTS:
             key(keyOfField);
         QCOMPARE(field.get(settings()), first);
     }
+
+    /// A key that finds no other value says why.
+    void keysWithoutAnotherValueSayWhy()
+    {
+        QVERIFY(openSmall(QStringLiteral("builtin:cube")));
+        QVERIFY(change([](Settings& s) { s.algorithm = Algorithm::Tiled; }));
+        for (const Qt::Key stuck : {Qt::Key_N, Qt::Key_W}) {
+            const Settings before = settings();
+            key(stuck);
+            QVERIFY(settings() == before);
+            QVERIFY(m_window->message().contains(stuck == Qt::Key_N ? QLatin1String("number-type")
+                                                                    : QLatin1String("fill solid")));
+        }
+    }
 };
 
 QTEST_MAIN(TestSwitches)

@@ -310,6 +310,13 @@ void MainWindow::stepField(const SettingsField& field)
     Settings next = withNextValue(field, m_document.settings());
     for (int i = field.minimum; i < field.maximum && unsupported(*m_document.scene(), next); ++i)
         next = withNextValue(field, next);
+    if (next == m_document.settings()) {
+        if (const auto why = unsupported(*m_document.scene(), withNextValue(field, next)))
+            m_message->show(
+                MessageKind::Info,
+                tr("%1 stays: %2").arg(QCoreApplication::translate("Settings", field.title), whyUnsupported(*why)));
+        return;
+    }
     m_document.setSettings(next);
 }
 

@@ -375,6 +375,8 @@ QString TransportDock::noticeText() const
     const auto& log = m_session.log();
     if (log && log->truncated())
         return tr("truncated at %1 events: record less").arg(grouped(log->filter().cap));
+    if (log && m_session.document().settings().algorithm == Algorithm::Tiled)
+        return tr("recorded by edge equation: the same pixels as tiled");
     return {};
 }
 

@@ -3425,6 +3425,10 @@
         <translation>正在绘制 …</translation>
     </message>
     <message>
+        <source>%1 stays: %2</source>
+        <translation>%1保持不变：%2</translation>
+    </message>
+    <message>
         <source>These settings cannot be drawn together: %1</source>
         <translation>这些设置不能一起使用：%1</translation>
     </message>
@@ -4826,6 +4830,10 @@
     <message>
         <source>recording …</source>
         <translation>正在记录 …</translation>
+    </message>
+    <message>
+        <source>recorded by edge equation: the same pixels as tiled</source>
+        <translation>由边方程算法录制：像素与分块算法相同</translation>
     </message>
     <message>
         <source>truncated at %1 events: record less</source>
