@@ -174,6 +174,23 @@ private Q_SLOTS:
         QCOMPARE(field.get(settings()), first);
     }
 
+    /// Neither depth order nor stepping changes what the tiled algorithm draws or counts, and the panel says so.
+    void tiledHasItsOwnOrderAndStepping()
+    {
+        QVERIFY(openSmall(QStringLiteral("builtin:head")));
+        QVERIFY(change([](Settings& s) { s.algorithm = Algorithm::Tiled; }));
+        const QImage pictureBefore = picture();
+        const Statistics statisticsBefore = viewport().frame()->statistics;
+        for (const char* id : {"depth-order", "stepping"}) {
+            const SettingsField& field = *findSettingsField(QLatin1String(id));
+            QVERIFY(whyWithoutEffect(field, settings()));
+            QVERIFY(!m_window->pipelinePanel().editor(QLatin1String(id))->isEnabled());
+            QVERIFY(change([&](Settings& s) { s = withNextValue(field, s); }));
+            QCOMPARE(picture(), pictureBefore);
+            QVERIFY(viewport().frame()->statistics == statisticsBefore);
+        }
+    }
+
     /// A key that finds no other value says why.
     void keysWithoutAnotherValueSayWhy()
     {

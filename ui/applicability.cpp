@@ -15,7 +15,8 @@ struct Rule {
 
 bool notSolid(const Settings& s) { return s.fill != Fill::Solid; }
 bool noDepthBuffer(const Settings& s) { return s.visibility != Visibility::ZBuffer; }
-bool notTiled(const Settings& s) { return s.algorithm != Algorithm::Tiled; }
+bool tiled(const Settings& s) { return s.algorithm == Algorithm::Tiled; }
+bool notTiled(const Settings& s) { return !tiled(s); }
 
 bool withoutAttributes(const Settings& s)
 {
@@ -37,6 +38,8 @@ constexpr Rule kRules[] = {
     {"tie-rule", notSolid, QT_TRANSLATE_NOOP("Applicability", "Only filled triangles share pixels at their edges.")},
     {"stepping", [](const Settings& s) { return s.algorithm == Algorithm::EdgeWalking; },
      QT_TRANSLATE_NOOP("Applicability", "Edge walking evaluates no edge functions.")},
+    {"stepping", tiled,
+     QT_TRANSLATE_NOOP("Applicability", "The tiled algorithm steps through blocks of samples in its own way.")},
     {"line", [](const Settings& s) { return s.fill != Fill::Wireframe; },
      QT_TRANSLATE_NOOP("Applicability", "Lines are drawn by the wireframe only.")},
     {"winding", [](const Settings& s) { return s.culling == Culling::None; },
@@ -49,6 +52,8 @@ constexpr Rule kRules[] = {
     {"depth-order",
      [](const Settings& s) { return s.depthTest == DepthTest::None || s.depthTest == DepthTest::Always; },
      QT_TRANSLATE_NOOP("Applicability", "Every fragment passes the depth test.")},
+    {"depth-order", tiled,
+     QT_TRANSLATE_NOOP("Applicability", "The tiled algorithm shades visible samples only, each once.")},
     {"attribute-path", [](const Settings& s) { return s.algorithm != Algorithm::EdgeWalking; },
      QT_TRANSLATE_NOOP("Applicability", "Only edge walking interpolates along edges and spans.")},
     {"attribute-path", withoutAttributes,

@@ -307,11 +307,11 @@ QWidget* TransportDock::buildBody()
     auto* row = new QHBoxLayout;
     row->setContentsMargins(6, 0, 4, 0);
     m_legend = new QLabel;
-    m_keys = new ElidedLabel;
+    m_hint = new ElidedLabel;
     m_legend->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-    m_keys->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     row->addWidget(m_legend);
-    row->addWidget(m_keys, 1);
+    row->addWidget(m_hint, 1);
     column->addLayout(row);
     return m_body;
 }
@@ -319,7 +319,6 @@ QWidget* TransportDock::buildBody()
 void TransportDock::setBrief(bool on)
 {
     m_brief = on;
-    m_keys->setVisible(!on);
     sync();
 }
 
@@ -330,8 +329,6 @@ void TransportDock::retranslate()
     m_menu->setTitle(tr("S&tep"));
     for (const Translated& entry : m_texts)
         entry.action->setText(tr(entry.text));
-    m_keys->setText(
-        tr("Space play \u00b7 \u2190 \u2192 step \u00b7 Shift row \u00b7 Ctrl face \u00b7 Ctrl+Shift stage"));
     m_runLink->setText(tr("run until \u25be"));
     const auto word = [](PipKind kind, const QString& text) {
         return QStringLiteral("<span style='color:%1'>%2</span>")
@@ -375,8 +372,6 @@ QString TransportDock::noticeText() const
     const auto& log = m_session.log();
     if (log && log->truncated())
         return tr("truncated at %1 events: record less").arg(grouped(log->filter().cap));
-    if (log && m_session.document().settings().algorithm == Algorithm::Tiled)
-        return tr("recorded by edge equation: the same pixels as tiled");
     return {};
 }
 
@@ -410,6 +405,11 @@ void TransportDock::sync()
     for (QToolButton* link : {m_speedLink, m_runLink})
         link->setVisible(open);
     m_scopeLink->setVisible(open && !m_brief);
+    const bool another = m_session.log() && m_session.document().settings().algorithm == Algorithm::Tiled;
+    m_hint->setText(
+        another ? tr("recorded by edge equation: the same pixels as tiled")
+                : tr("Space play \u00b7 \u2190 \u2192 step \u00b7 Shift row \u00b7 Ctrl face \u00b7 Ctrl+Shift stage"));
+    m_hint->setVisible(another || !m_brief);
     m_scrubber->setPosition(position);
 }
 

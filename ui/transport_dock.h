@@ -97,7 +97,7 @@ private:
     bool m_brief = false;
     QLabel* m_notice = nullptr;
     QLabel* m_legend = nullptr;
-    QLabel* m_keys = nullptr;
+    QLabel* m_hint = nullptr; ///< the keys, or who records in place of the chosen algorithm
     QToolButton* m_speedLink = nullptr;
     QToolButton* m_runLink = nullptr;
     QToolButton* m_scopeLink = nullptr;

@@ -40,6 +40,14 @@
         <translation>所有片元都通过深度测试。</translation>
     </message>
     <message>
+        <source>The tiled algorithm steps through blocks of samples in its own way.</source>
+        <translation>分块算法以自己的方式逐块处理样本。</translation>
+    </message>
+    <message>
+        <source>The tiled algorithm shades visible samples only, each once.</source>
+        <translation>分块算法只为可见样本着色，每个一次。</translation>
+    </message>
+    <message>
         <source>Only edge walking interpolates along edges and spans.</source>
         <translation>只有边步进才沿边、再沿扫描段插值。</translation>
     </message>
@@ -2648,8 +2656,8 @@
         <translation>已测试</translation>
     </message>
     <message>
-        <source>Positions at which coverage was decided.</source>
-        <translation>判断过是否覆盖的位置。</translation>
+        <source>Positions at which coverage was decided. The tiled algorithm decides for several at once.</source>
+        <translation>判断过是否覆盖的位置。分块算法一次判断多个。</translation>
     </message>
     <message>
         <source>covered</source>
@@ -2680,16 +2688,16 @@
         <translation>已着色</translation>
     </message>
     <message>
-        <source>Fragments whose colour was computed.</source>
-        <translation>计算过颜色的片元。</translation>
+        <source>Fragments whose colour was computed. The tiled algorithm shades visible ones only.</source>
+        <translation>计算过颜色的片元。分块算法只为可见的片元着色。</translation>
     </message>
     <message>
         <source>written</source>
         <translation>已写入</translation>
     </message>
     <message>
-        <source>Fragments stored in the image.</source>
-        <translation>存入图像的片元。</translation>
+        <source>Fragments stored in the image. The tiled algorithm stores visible ones only.</source>
+        <translation>存入图像的片元。分块算法只存入可见的片元。</translation>
     </message>
     <message>
         <source>hit twice</source>
