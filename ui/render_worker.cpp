@@ -2,6 +2,7 @@
 
 #include <mutex>
 #include <new>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -172,15 +173,22 @@ void RenderWorker::work(const Request& request, const std::stop_token& stop)
             counted = true;
         } while (m_continuous && !m_task.superseded() && !stop.stop_requested());
     } catch (const std::bad_alloc&) {
-        QMetaObject::invokeMethod(
-            this,
-            [this, serial] {
-                m_delivered = serial;
-                Q_EMIT failed(tr("There is not enough memory for a picture of this size."));
-                Q_EMIT busyChanged(busy());
-            },
-            Qt::QueuedConnection);
+        giveUp(serial, tr("There is not enough memory for a picture of this size."));
+    } catch (const std::system_error&) {
+        giveUp(serial, tr("The system does not start so many threads."));
     }
+}
+
+void RenderWorker::giveUp(quint64 serial, const QString& why)
+{
+    QMetaObject::invokeMethod(
+        this,
+        [this, serial, why] {
+            m_delivered = serial;
+            Q_EMIT failed(why);
+            Q_EMIT busyChanged(busy());
+        },
+        Qt::QueuedConnection);
 }
 
 void RenderWorker::deliver(FramePtr frame, quint64 serial)

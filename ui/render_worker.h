@@ -83,6 +83,7 @@ private:
     void withTiled(Frame& frame, Draw&& draw);
     [[nodiscard]] std::shared_ptr<RenderedFrame> newFrame(const Request& request);
     void deliver(FramePtr frame, quint64 serial);
+    void giveUp(quint64 serial, const QString& why);
     [[nodiscard]] bool takesLong(const Scene& scene) const;
     [[nodiscard]] bool onlyCameraMoves(const std::shared_ptr<const Scene>& scene, const Settings& settings) const;
 

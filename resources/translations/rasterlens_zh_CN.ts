@@ -4517,6 +4517,10 @@
 <context>
     <name>rasterlens::RenderWorker</name>
     <message>
+        <source>The system does not start so many threads.</source>
+        <translation>系统无法启动这么多线程。</translation>
+    </message>
+    <message>
         <source>There is not enough memory for a picture of this size.</source>
         <translation>内存不足，无法绘制这么大的图像。</translation>
     </message>
