@@ -19,7 +19,16 @@ struct BuiltinScene {
 /// The scene of that name (without the `builtin:` prefix), or an error that lists the names there are.
 [[nodiscard]] SceneLoad makeBuiltinScene(const QString& name);
 
-/// The stress scenes of the benchmark: tiny, medium, large, fill-front-to-back, fill-back-to-front.
+struct StressScene {
+    const char* name;    ///< stable id, used as `stress:NAME`
+    const char* title;   ///< marked with QT_TRANSLATE_NOOP("StressScene", ...)
+    Mesh (*make)(QSize); ///< laid out for so many pixels
+};
+
+/// The scenes of the benchmark, in the order of the menu.
+[[nodiscard]] std::span<const StressScene> stressScenes();
+
+/// Likewise of a stress scene (without the `stress:` prefix).
 ///
 /// in   the size in pixels the triangles are laid out for
 [[nodiscard]] SceneLoad makeStressScene(const QString& name, QSize size);

@@ -103,12 +103,6 @@ Mesh fillQuads(Order order, QSize size)
     return mesh;
 }
 
-struct StressScene {
-    const char* name;
-    const char* title;
-    Mesh (*make)(QSize);
-};
-
 constexpr StressScene kStressScenes[] = {
     {"tiny", QT_TRANSLATE_NOOP("StressScene", "1,000,000 triangles of 1 to 4 pixels"),
      [](QSize size) {
@@ -128,6 +122,8 @@ constexpr StressScene kStressScenes[] = {
      [](QSize size) { return fillQuads(Order::BackToFront, size); }}};
 
 } // namespace
+
+std::span<const StressScene> stressScenes() { return kStressScenes; }
 
 SceneLoad makeStressScene(const QString& name, QSize size)
 {

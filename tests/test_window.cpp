@@ -281,6 +281,7 @@ private Q_SLOTS:
     void stageStripTellsAndScrolls()
     {
         QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+        QCOMPARE(StageStrip().figure(Stage::Cover), QStringLiteral("\u2013"));
         StageStrip& strip = m_window->stageStrip();
         QCOMPARE(strip.figure(Stage::Scene), QStringLiteral("2 faces"));
         QCOMPARE(strip.figure(Stage::Cover), QStringLiteral("64 px"));
@@ -322,6 +323,8 @@ private Q_SLOTS:
             QVERIFY2(isChinese(QCoreApplication::translate("Settings", field.title)), field.title);
             QVERIFY2(isChinese(QCoreApplication::translate("Settings", field.help)), field.help);
         }
+        for (const StressScene& scene : stressScenes())
+            QVERIFY2(isChinese(QCoreApplication::translate("StressScene", scene.title)), scene.title);
         for (const BuiltinScene& scene : builtinScenes()) {
             QVERIFY2(isChinese(QCoreApplication::translate("BuiltinScene", scene.title)), scene.title);
             QVERIFY2(isChinese(QCoreApplication::translate("BuiltinScene", scene.note)), scene.note);
@@ -344,6 +347,20 @@ private Q_SLOTS:
             if (action->text().contains(QRegularExpression(QStringLiteral("[a-z]{4}"))))
                 QVERIFY2(isChinese(action->text()) || action->text() == QLatin1String("English"),
                          qPrintable(action->text()));
+    }
+
+    /// The scene box holds them, translated, and finds the present one.
+    void stressScenesAreInTheBox()
+    {
+        QVERIFY(open(QStringLiteral("stress:large")));
+        speak(LanguageKind::Chinese);
+        const QComboBox* box = m_window->pipelinePanel().sceneBox();
+        QCOMPARE(box->currentData().toString(), document().scene()->id);
+        for (const StressScene& scene : stressScenes()) {
+            const int index = box->findData(QStringLiteral("stress:") + QLatin1String(scene.name));
+            QVERIFY2(index >= 0, scene.name);
+            QCOMPARE(box->itemText(index), QCoreApplication::translate("StressScene", scene.title));
+        }
     }
 
     void toolTipsHaveBothLanguages()

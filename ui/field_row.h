@@ -43,6 +43,7 @@ Q_SIGNALS:
     void aboutToShowPopup();
 
 protected:
+    void paintEvent(QPaintEvent* event) override; ///< a text without room ends in dots
     void showPopup() override;
     void wheelEvent(QWheelEvent* event) override;
 };

@@ -318,6 +318,12 @@ void MainWindow::fillBuiltinMenu()
         const QString name = QStringLiteral("builtin:") + QLatin1String(scene.name);
         connect(action, &QAction::triggered, this, [this, name] { m_document.open(name); });
     }
+    m_builtinMenu->addSeparator();
+    for (const StressScene& scene : stressScenes()) {
+        QAction* action = m_builtinMenu->addAction(QCoreApplication::translate("StressScene", scene.title));
+        const QString name = QStringLiteral("stress:") + QLatin1String(scene.name);
+        connect(action, &QAction::triggered, this, [this, name] { m_document.open(name); });
+    }
     m_builtinMenu->setToolTipsVisible(true);
     m_builtinMenu->menuAction()->setEnabled(!builtinScenes().empty());
 }

@@ -294,16 +294,18 @@ void PipelinePanel::syncScene()
     for (const BuiltinScene& builtin : builtinScenes())
         m_sceneBox->addItem(QCoreApplication::translate("BuiltinScene", builtin.title),
                             QStringLiteral("builtin:") + QLatin1String(builtin.name));
+    m_sceneBox->insertSeparator(m_sceneBox->count());
+    for (const StressScene& stress : stressScenes())
+        m_sceneBox->addItem(QCoreApplication::translate("StressScene", stress.title),
+                            QStringLiteral("stress:") + QLatin1String(stress.name));
     int index = m_sceneBox->findData(scene.id);
-    QString title = scene.title.isEmpty() ? QFileInfo(scene.id).fileName() : scene.title;
     QString note = caseNoteText(scene.note);
     if (index < 0 && !scene.id.isEmpty()) {
-        m_sceneBox->insertItem(0, title, scene.id);
+        m_sceneBox->insertItem(0, scene.title.isEmpty() ? QFileInfo(scene.id).fileName() : scene.title, scene.id);
         m_sceneBox->insertSeparator(1);
         index = 0;
-    } else if (index >= 0) {
-        const BuiltinScene& builtin = builtinScenes()[static_cast<std::size_t>(index)];
-        note = QCoreApplication::translate("BuiltinScene", builtin.note);
+    } else if (index >= 0 && std::size_t(index) < builtinScenes().size()) {
+        note = QCoreApplication::translate("BuiltinScene", builtinScenes()[std::size_t(index)].note);
     }
     m_sceneBox->setCurrentIndex(index);
     m_sceneBox->setToolTip(scene.id);

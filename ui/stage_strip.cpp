@@ -23,6 +23,12 @@ constexpr std::array kStages{Stage::Scene, Stage::Clip,  Stage::Screen, Stage::C
 constexpr int kArrowWidth = 14;
 constexpr int kWidthWithArrows = 690;
 
+/// Whether its figure is a counter of the picture.
+bool isCounted(Stage stage)
+{
+    return stage == Stage::Clip || stage == Stage::Cull || stage == Stage::Cover || stage == Stage::Depth;
+}
+
 } // namespace
 
 /// One stage: a name, a figure below it, and the arrow to the next.
@@ -57,7 +63,7 @@ public:
     {
         return {96, QFontMetrics(nameFont()).height() + QFontMetrics(figureFont()).height() + 12};
     }
-    QSize minimumSizeHint() const override { return {48, sizeHint().height()}; }
+    QSize minimumSizeHint() const override { return {m_last ? 58 : 48, sizeHint().height()}; } // the last: 3840x2160
 
 protected:
     void paintEvent(QPaintEvent*) override
@@ -147,7 +153,7 @@ StageStrip::StageStrip(QWidget* parent) : QWidget(parent)
     updateTexts();
 }
 
-QSize StageStrip::minimumSizeHint() const { return {static_cast<int>(kStages.size()) * 52 + 16, sizeHint().height()}; }
+QSize StageStrip::minimumSizeHint() const { return {static_cast<int>(kStages.size()) * 51 + 16, sizeHint().height()}; }
 
 void StageStrip::setScene(const Scene& scene)
 {
@@ -179,8 +185,9 @@ void StageStrip::setCurrent(std::optional<Stage> stage)
 
 QString StageStrip::figure(Stage stage) const
 {
-    static const Statistics kNothing;
-    const Statistics& counts = m_counted ? m_counted->statistics : kNothing;
+    if (!m_counted && isCounted(stage))
+        return QStringLiteral("\u2013");
+    const Statistics counts = m_counted ? m_counted->statistics : Statistics{};
     const auto shading = findSettingsField(QStringLiteral("shading"));
     switch (stage) {
     case Stage::Scene: return m_faceCount == 1 ? tr("1 face") : tr("%1 faces").arg(grouped(m_faceCount));
@@ -197,24 +204,30 @@ QString StageStrip::figure(Stage stage) const
     return {};
 }
 
+QString StageStrip::shortFigure(Stage stage) const
+{
+    if (!m_counted && isCounted(stage))
+        return figure(stage);
+    const Statistics counts = m_counted ? m_counted->statistics : Statistics{};
+    switch (stage) {
+    case Stage::Scene: return shortened(m_faceCount);
+    case Stage::Clip: return shortened(counts.faces.clipped);
+    case Stage::Screen: return QStringLiteral("1/%1").arg(1 << m_settings.subpixelBits);
+    case Stage::Cull: return shortened(counts.faces.culledBack + counts.faces.culledFront);
+    case Stage::Cover: return shortened(counts.pixels.covered);
+    case Stage::Depth: return shortened(counts.pixels.depthPassed);
+    case Stage::Image: return figure(stage).remove(QLatin1Char(' '));
+    case Stage::Shade: break;
+    }
+    return figure(stage);
+}
+
 void StageStrip::updateTexts()
 {
-    const Statistics counts = m_counted ? m_counted->statistics : Statistics{};
     for (const Stage stage : kStages) {
         StageChip* chip = m_chips[static_cast<std::size_t>(stage)];
-        QString shortFigure = figure(stage);
-        switch (stage) {
-        case Stage::Scene: shortFigure = shortened(m_faceCount); break;
-        case Stage::Clip: shortFigure = shortened(counts.faces.clipped); break;
-        case Stage::Screen: shortFigure = QStringLiteral("1/%1").arg(1 << m_settings.subpixelBits); break;
-        case Stage::Cull: shortFigure = shortened(counts.faces.culledBack + counts.faces.culledFront); break;
-        case Stage::Cover: shortFigure = shortened(counts.pixels.covered); break;
-        case Stage::Depth: shortFigure = shortened(counts.pixels.depthPassed); break;
-        case Stage::Shade:
-        case Stage::Image: break;
-        }
         const QString shortName = stage == Stage::Clip ? tr("Clip", "short for clip space") : stageTitle(stage);
-        chip->setTexts(stageTitle(stage), shortName, figure(stage), shortFigure);
+        chip->setTexts(stageTitle(stage), shortName, figure(stage), shortFigure(stage));
         chip->setToolTip(QStringLiteral("%1: %2").arg(stageTitle(stage), figure(stage)));
     }
 }

@@ -27,7 +27,7 @@ public:
     void setCurrent(std::optional<Stage> stage);
     [[nodiscard]] std::optional<Stage> current() const { return m_current; }
 
-    /// The figure shown under a stage.
+    /// The figure shown under a stage; a dash where nothing is counted yet.
     [[nodiscard]] QString figure(Stage stage) const;
 
     QSize minimumSizeHint() const override;
@@ -39,6 +39,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    [[nodiscard]] QString shortFigure(Stage stage) const;
     void updateTexts();
 
     std::vector<StageChip*> m_chips;

@@ -94,7 +94,7 @@ StatisticsPanel::StatisticsPanel(QWidget* parent)
       }
 {
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(12, 2, 12, 8);
+    column->setContentsMargins(12, 2, 8, 8);
     column->setSpacing(2);
 
     auto* rate = new QHBoxLayout;
@@ -119,7 +119,7 @@ StatisticsPanel::StatisticsPanel(QWidget* parent)
     content->setObjectName(QStringLiteral("panelContent"));
     auto* grid = new QGridLayout(content);
     grid->setContentsMargins(0, 0, 2, 0);
-    grid->setHorizontalSpacing(12);
+    grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(0);
     grid->setColumnStretch(0, 1);
     int line = 0;
@@ -229,7 +229,7 @@ double StatisticsPanel::latency() const
 /// No counter is ever cut off: the panel is as wide as its widest row.
 void StatisticsPanel::keepWideEnough()
 {
-    constexpr int kScrollBarRoom = 12;
+    constexpr int kScrollBarRoom = 9;
     m_scroll->widget()->layout()->activate(); // the lines within do not know of the new texts before
     const int needed = m_scroll->widget()->sizeHint().width() + kScrollBarRoom;
     m_scroll->setMinimumWidth(std::max(m_scroll->minimumWidth(), needed));
