@@ -224,7 +224,9 @@ private Q_SLOTS:
         row("remarks.obj", "foo\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
             "%1:1: warning: \"foo\" is not a statement of the OBJ format; ignored",
             "%1:1：警告：\"foo\" 不是 OBJ 格式的语句；已忽略");
-        row("session.json", "{\n", "%1:2: broken JSON: unterminated object", "%1:2：JSON 有误：unterminated object");
+        row("session.json", "[1]",
+            R"(%1:1: a JSON object is expected: {"rasterlens": 1, "scene": NAME, "settings": {..}})",
+            R"(%1:1：应为 JSON 对象：{"rasterlens": 1, "scene": 名称, "settings": {..}})");
         row("value.json", R"({"rasterlens": 1, "scene": "builtin:cube", "settings": {"subpixel-bits": 9}})",
             "%1: \"9\" is not a value of subpixel-bits, which takes: 0 to 8",
             "%1：\"9\" 不是 subpixel-bits 的值；可用的值：0 到 8");
@@ -360,6 +362,7 @@ private Q_SLOTS:
             QVERIFY2(isChinese(QCoreApplication::translate("BuiltinScene", scene.title)), scene.title);
             QVERIFY2(isChinese(QCoreApplication::translate("BuiltinScene", scene.note)), scene.note);
         }
+        QVERIFY2(isChinese(QCoreApplication::translate("QFileDialog", "Look in:")), "texts of Qt's dialogs");
         Scene inClipSpace;
         inClipSpace.space = SceneSpace::Clip;
         int refusals = 0;
