@@ -206,9 +206,12 @@ SceneLoad makeBuiltinScene(const QString& name)
     QStringList names;
     for (const BuiltinScene& scene : kScenes)
         names << QLatin1String(scene.name);
-    const QString message =
-        QStringLiteral("there is no such built-in scene; expected one of: %1").arg(names.join(QStringLiteral(", ")));
-    return {std::nullopt, {{Severity::Error, QStringLiteral("builtin:") + name, 0, message}}};
+    return {std::nullopt,
+            {{Severity::Error,
+              QStringLiteral("builtin:") + name,
+              0,
+              {QT_TRANSLATE_NOOP("Diagnostic", "there is no such built-in scene; expected one of: %1"),
+               {names.join(QStringLiteral(", "))}}}}};
 }
 
 } // namespace rasterlens

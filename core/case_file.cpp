@@ -93,18 +93,20 @@ private:
         for (const Directive& directive : kDirectives)
             if (directive.name == m_directive)
                 return (this->*directive.handle)();
-        m_diagnostics.error(m_line,
-                            QStringLiteral("%1 is not a directive; size, subpixel_bits, exact, cull, depth_test, "
-                                           "depth_format, clear, ssaa, zrange, window, tri, note or expect expected")
-                                .arg(quotedWord(m_directive)));
+        m_diagnostics.error(
+            m_line,
+            {QT_TRANSLATE_NOOP("Diagnostic", "%1 is not a directive; size, subpixel_bits, exact, cull, depth_test, "
+                                             "depth_format, clear, ssaa, zrange, window, tri, note or expect expected"),
+             {quotedWord(m_directive)}});
     }
 
-    void fault(const QString& message)
+    void fault(Reason message)
     {
-        m_diagnostics.error(m_line, QStringLiteral("%1: %2").arg(text(m_directive), message));
+        m_diagnostics.error(m_line,
+                            {QT_TRANSLATE_NOOP("Diagnostic", "%1: %2"), {text(m_directive), std::move(message)}});
     }
 
-    /// All the words that are left, if there are as many as there must be.
+    /// All the words that are left, if there are as many as there must be; `expected` says how many.
     template <std::size_t N>
     std::optional<std::array<std::string_view, N>> words(const char* expected)
     {
@@ -115,7 +117,7 @@ private:
                 found[count] = word;
         if (count == N)
             return found;
-        fault(QStringLiteral("%1 values; %2 expected").arg(count).arg(QLatin1String(expected)));
+        fault({QT_TRANSLATE_NOOP("Diagnostic", "%1 values; %2 expected"), {count, expected}});
         return std::nullopt;
     }
 
@@ -131,10 +133,8 @@ private:
             const auto parsed = std::from_chars(word.data(), word.data() + word.size(), values[i]);
             if (parsed.ec != std::errc() || parsed.ptr != word.data() + word.size() || values[i] < minimum ||
                 values[i] > maximum) {
-                fault(QStringLiteral("%1 is not a whole number from %2 to %3")
-                          .arg(quotedWord(word))
-                          .arg(minimum)
-                          .arg(maximum));
+                fault({QT_TRANSLATE_NOOP("Diagnostic", "%1 is not a whole number from %2 to %3"),
+                       {quotedWord(word), minimum, maximum}});
                 return std::nullopt;
             }
         }
@@ -148,7 +148,7 @@ private:
         for (const Word<Enum>& choice : choices)
             names << QString::fromLatin1(choice.text);
         const QString expected = names.join(QStringLiteral(", "));
-        const auto found = words<1>("one");
+        const auto found = words<1>(QT_TRANSLATE_NOOP("Diagnostic", "one"));
         if (!found)
             return;
         for (const Word<Enum>& choice : choices)
@@ -156,12 +156,12 @@ private:
                 value = choice.value;
                 return;
             }
-        fault(QStringLiteral("%1 is not one of %2").arg(quotedWord((*found)[0]), expected));
+        fault({QT_TRANSLATE_NOOP("Diagnostic", "%1 is not one of %2"), {quotedWord((*found)[0]), expected}});
     }
 
     void size()
     {
-        if (const auto v = integers<2>("width and height", 1, kMaxViewport)) {
+        if (const auto v = integers<2>(QT_TRANSLATE_NOOP("Diagnostic", "width and height"), 1, kMaxViewport)) {
             m_scene.defaults.size = {(*v)[0], (*v)[1]};
             m_sized = true;
         }
@@ -170,13 +170,13 @@ private:
 
     void subpixelBits()
     {
-        if (const auto v = integers<1>("one", 0, 8))
+        if (const auto v = integers<1>(QT_TRANSLATE_NOOP("Diagnostic", "one"), 0, 8))
             m_scene.defaults.subpixelBits = (*v)[0];
     }
 
     void exact()
     {
-        if (words<0>("none"))
+        if (words<0>(QT_TRANSLATE_NOOP("Diagnostic", "none")))
             m_scene.exact = true;
     }
 
@@ -187,27 +187,27 @@ private:
 
     void ssaa()
     {
-        if (const auto v = integers<1>("one", 1, 4))
+        if (const auto v = integers<1>(QT_TRANSLATE_NOOP("Diagnostic", "one"), 1, 4))
             m_scene.defaults.samples = static_cast<Samples>((*v)[0] - 1);
     }
 
     void clear()
     {
-        const auto found = words<3>("red, green and blue");
+        const auto found = words<3>(QT_TRANSLATE_NOOP("Diagnostic", "red, green and blue"));
         for (int i = 0; found && i < 3; ++i) {
             const std::string_view word = (*found)[static_cast<std::size_t>(i)];
             const NumberText number = numberFromText(word);
             if (number.fault != NumberFault::None)
                 return fault(describe(number.fault, word));
             if (number.value < 0 || number.value > 1)
-                return fault(QStringLiteral("%1 is not from 0 to 1").arg(quotedWord(word)));
+                return fault({QT_TRANSLATE_NOOP("Diagnostic", "%1 is not from 0 to 1"), {quotedWord(word)}});
             m_scene.background[i] = number.value;
         }
     }
 
     void window()
     {
-        if (const auto v = integers<4>("x, y, width and height", 0, kMaxViewport)) {
+        if (const auto v = integers<4>(QT_TRANSLATE_NOOP("Diagnostic", "x, y, width and height"), 0, kMaxViewport)) {
             m_scene.window = PixelRect{(*v)[0], (*v)[1], (*v)[2], (*v)[3]};
             m_windowLine = m_line;
         }
@@ -218,7 +218,8 @@ private:
     {
         constexpr std::size_t kPerCorner = 7;
         constexpr std::size_t kPosition = 4;
-        const auto found = words<3 * kPerCorner>("21 (x y z w r g b of three corners)");
+        const auto found =
+            words<3 * kPerCorner>(QT_TRANSLATE_NOOP("Diagnostic", "21 (x y z w r g b of three corners)"));
         if (!found)
             return;
         std::array<float, 3 * kPerCorner> v{};
@@ -243,7 +244,7 @@ private:
         const std::string_view key = nextWord(m_rest);
         const std::string_view value = trimmed(m_rest);
         if (value.empty())
-            fault(QStringLiteral("a key and a value are expected"));
+            fault(QT_TRANSLATE_NOOP("Diagnostic", "a key and a value are expected"));
         else
             m_scene.expectations.emplace_back(text(key), text(value));
     }
@@ -251,14 +252,16 @@ private:
     void finish(int lastLine)
     {
         if (!m_sizeSeen)
-            m_diagnostics.error(lastLine, QStringLiteral("the file ends without a size; \"size W H\" is expected"));
+            m_diagnostics.error(
+                lastLine, QT_TRANSLATE_NOOP("Diagnostic", "the file ends without a size; \"size W H\" is expected"));
         if (m_scene.window && m_sized) {
             const PixelRect& w = *m_scene.window;
             const QSize viewport = m_scene.defaults.size;
             if (w.width < 1 || w.height < 1 || w.x + w.width > viewport.width() || w.y + w.height > viewport.height())
-                m_diagnostics.error(m_windowLine, QStringLiteral("window: it is empty or not within the size %1 x %2")
-                                                      .arg(viewport.width())
-                                                      .arg(viewport.height()));
+                m_diagnostics.error(
+                    m_windowLine,
+                    {QT_TRANSLATE_NOOP("Diagnostic", "window: it is empty or not within the size %1 x %2"),
+                     {viewport.width(), viewport.height()}});
         }
         m_scene.note = m_notes.isEmpty() ? m_firstComment : m_notes.join(QLatin1Char('\n'));
         m_scene.bounds = boundingSphere(m_scene.mesh);
@@ -281,8 +284,8 @@ private:
 SceneLoad loadCase(const QString& path)
 {
     InputBytes input = readInput(path);
-    if (!input.problem.isEmpty())
-        return {std::nullopt, {{Severity::Error, path, 0, input.problem}}};
+    if (input.problem)
+        return {std::nullopt, {{Severity::Error, path, 0, *input.problem}}};
     return parseCase(input.bytes, path);
 }
 

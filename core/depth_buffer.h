@@ -22,7 +22,7 @@ public:
     [[nodiscard]] const float* end() const { return data() + size(); }
     [[nodiscard]] float operator[](std::size_t pixel) const { return m_depths[pixel]; }
 
-    /// out  so many depths, those that there were among them, to be written to until the next call
+    /// out  so many depths, as many of the old ones as there is room for first; to be written to until the next call
     [[nodiscard]] float* write(std::size_t count);
     void assign(std::size_t count, float depth);
     void clear() { assign(0, 0); }

@@ -5,11 +5,12 @@
 namespace rasterlens
 {
 
-QString Diagnostic::text() const
+QString Diagnostic::text(Translate translate) const
 {
-    const QString place = line > 0 ? QStringLiteral("%1:%2").arg(file).arg(line) : file;
-    return severity == Severity::Warning ? QStringLiteral("%1: warning: %2").arg(place, message)
-                                         : QStringLiteral("%1: %2").arg(place, message);
+    const QString place = line > 0 ? QStringLiteral("%1:%2").arg(file, QString::number(line)) : file;
+    const char* words = severity == Severity::Warning ? QT_TRANSLATE_NOOP("Diagnostic", "%1: warning: %2")
+                                                      : QT_TRANSLATE_NOOP("Diagnostic", "%1: %2");
+    return textOf(Reason{words, {place, message}}, translate);
 }
 
 bool hasErrors(const Diagnostics& diagnostics)

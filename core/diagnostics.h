@@ -1,4 +1,6 @@
 #pragma once
+#include "core/reason.h"
+
 #include <QString>
 
 #include <vector>
@@ -12,11 +14,11 @@ enum class Severity { Warning, Error };
 struct Diagnostic {
     Severity severity = Severity::Error;
     QString file;
-    int line = 0; ///< counted from 1; 0 = the file as a whole
-    QString message;
+    int line = 0;   ///< counted from 1; 0 = the file as a whole
+    Reason message; ///< texts of the context "Diagnostic"
 
-    /// `FILE:LINE: message`, or `FILE: message` where no line is known. Not translated.
-    [[nodiscard]] QString text() const;
+    /// `FILE:LINE: message`, or `FILE: message` where no line is known; in English without `translate`.
+    [[nodiscard]] QString text(Translate translate = nullptr) const;
 };
 
 using Diagnostics = std::vector<Diagnostic>;

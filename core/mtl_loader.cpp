@@ -49,14 +49,15 @@ private:
         if (!material && keyword != "Kd" && keyword != "Ks" && keyword != "Ns" && keyword != "map_Kd")
             return false;
         if (material && trimmed(rest).empty()) {
-            m_diagnostics.warning(m_line, QStringLiteral("newmtl takes a name; ignored"));
+            m_diagnostics.warning(m_line, QT_TRANSLATE_NOOP("Diagnostic", "newmtl takes a name; ignored"));
             return false;
         }
         if (material)
             m_found.emplace_back();
         if (m_found.empty()) {
             m_diagnostics.warning(
-                m_line, QStringLiteral("%1 stands before the first newmtl; ignored").arg(quotedWord(keyword)));
+                m_line,
+                {QT_TRANSLATE_NOOP("Diagnostic", "%1 stands before the first newmtl; ignored"), {quotedWord(keyword)}});
             return false;
         }
         return material ? true : property(keyword, rest);
@@ -70,7 +71,7 @@ private:
             if (named)
                 found.textureLine = m_line;
             else
-                m_diagnostics.warning(m_line, QStringLiteral("map_Kd takes a file name; ignored"));
+                m_diagnostics.warning(m_line, QT_TRANSLATE_NOOP("Diagnostic", "map_Kd takes a file name; ignored"));
             return named;
         }
         const bool good = numbers(keyword, rest, keyword == "Ns" ? 1 : 3);
@@ -86,13 +87,14 @@ private:
             const NumberText number = decimalFromText(word);
             if (number.fault == NumberFault::None && number.value >= 0)
                 continue;
-            const QString problem = number.fault == NumberFault::None
-                                        ? QStringLiteral("%1 is negative").arg(quotedWord(word))
-                                        : describe(number.fault, word);
-            m_diagnostics.warning(
-                m_line, QStringLiteral("%1: %2; %3 expected, ignored")
-                            .arg(QString::fromLatin1(keyword.data(), static_cast<qsizetype>(keyword.size())), problem,
-                                 count == 1 ? QStringLiteral("a number") : QStringLiteral("red, green and blue")));
+            const Reason problem = number.fault == NumberFault::None
+                                       ? Reason(QT_TRANSLATE_NOOP("Diagnostic", "%1 is negative"), {quotedWord(word)})
+                                       : describe(number.fault, word);
+            const char* expected = count == 1 ? QT_TRANSLATE_NOOP("Diagnostic", "a number")
+                                              : QT_TRANSLATE_NOOP("Diagnostic", "red, green and blue");
+            m_diagnostics.warning(m_line, {QT_TRANSLATE_NOOP("Diagnostic", "%1: %2; %3 expected, ignored"),
+                                           {QString::fromLatin1(keyword.data(), static_cast<qsizetype>(keyword.size())),
+                                            problem, expected}});
             return false;
         }
         return true;
@@ -118,7 +120,7 @@ QString texturePath(const QString& mtlPath, QString name)
 std::vector<MtlMaterial> parseMtl(QByteArray text, const QString& path, DiagnosticSink& diagnostics)
 {
     if (text.contains('\0')) {
-        diagnostics.warning(0, QStringLiteral("binary data (a zero byte); an MTL file is text"));
+        diagnostics.warning(0, QT_TRANSLATE_NOOP("Diagnostic", "binary data (a zero byte); an MTL file is text"));
         return {};
     }
     const std::vector<Found> found = Checker(diagnostics).run(text);

@@ -107,8 +107,10 @@ public:
         const auto found = m_library.find(reference.name);
         if (found == m_library.end() && !m_libraryMissing)
             m_objDiagnostics.warning(
-                reference.line, QStringLiteral("usemtl: no material %1 in the MTL files; the default material is used")
-                                    .arg(quotedWord(reference.name.toStdString())));
+                reference.line,
+                {QT_TRANSLATE_NOOP("Diagnostic",
+                                   "usemtl: no material %1 in the MTL files; the default material is used"),
+                 {quotedWord(reference.name.toStdString())}});
         const std::uint32_t index = found == m_library.end() ? useDefault() : add(*found);
         m_used.insert(reference.name, index);
         return index;
@@ -151,10 +153,11 @@ private:
             return;
         m_read.insert(path);
         InputBytes input = readInput(path);
-        if (!input.problem.isEmpty()) {
+        if (input.problem) {
             m_libraryMissing = true;
-            m_objDiagnostics.warning(
-                line, QStringLiteral("mtllib %1: %2; the default material is used").arg(path, input.problem));
+            m_objDiagnostics.warning(line,
+                                     {QT_TRANSLATE_NOOP("Diagnostic", "mtllib %1: %2; the default material is used"),
+                                      {path, *input.problem}});
             return;
         }
         DiagnosticSink diagnostics(path);
@@ -189,9 +192,11 @@ private:
             index = static_cast<int>(m_scene.textures.size());
             m_scene.textures.push_back(std::move(*load.texture));
         } else {
-            m_otherDiagnostics.push_back(
-                {Severity::Warning, mtl.file, mtl.textureLine,
-                 QStringLiteral("map_Kd %1: %2; drawn without texture").arg(mtl.diffuseTexture, load.problem)});
+            m_otherDiagnostics.push_back({Severity::Warning,
+                                          mtl.file,
+                                          mtl.textureLine,
+                                          {QT_TRANSLATE_NOOP("Diagnostic", "map_Kd %1: %2; drawn without texture"),
+                                           {mtl.diffuseTexture, *load.problem}}});
         }
         m_textures.insert(mtl.diffuseTexture, index);
         return index;
@@ -409,8 +414,8 @@ SceneLoad loadObj(const QString& path, const LoadOptions& options)
 {
     DiagnosticSink diagnostics(path);
     InputBytes input = readInput(path);
-    if (!input.problem.isEmpty())
-        diagnostics.error(0, input.problem);
+    if (input.problem)
+        diagnostics.error(0, *input.problem);
     ObjText text;
     if (!diagnostics.hasErrors())
         text = checkObjText(std::move(input.bytes), diagnostics);
@@ -423,7 +428,7 @@ SceneLoad loadObj(const QString& path, const LoadOptions& options)
     if (!options.texture.isEmpty()) {
         TextureLoad texture = loadTexture(options.texture);
         if (!texture.texture)
-            return {std::nullopt, {{Severity::Error, options.texture, 0, texture.problem}}};
+            return {std::nullopt, {{Severity::Error, options.texture, 0, *texture.problem}}};
         scene.textures.push_back(std::move(*texture.texture));
     }
     Diagnostics all = diagnostics.take();

@@ -23,7 +23,12 @@ constexpr std::size_t kLongestNumber = 300;
 
 enum Kind { Position, TexCoord, Normal };
 constexpr std::size_t kKinds = 3;
-constexpr std::array<const char*, kKinds> kKindNames = {"v", "vt", "vn"};
+
+QString nameOf(Kind kind)
+{
+    constexpr std::array<const char*, kKinds> kNames = {"v", "vt", "vn"};
+    return QString::fromLatin1(kNames[kind]);
+}
 
 class Checker
 {
@@ -38,7 +43,7 @@ public:
         if (const auto zero = m_out.geometry.indexOf('\0'); zero >= 0) {
             const auto line = 1 + std::count(m_out.geometry.begin(), m_out.geometry.begin() + zero, '\n');
             m_diagnostics.error(static_cast<int>(line),
-                                QStringLiteral("binary data (a zero byte); an OBJ file is text"));
+                                QT_TRANSLATE_NOOP("Diagnostic", "binary data (a zero byte); an OBJ file is text"));
             return {};
         }
         LineCursor lines(m_out.geometry, Continuation::Backslash);
@@ -46,7 +51,8 @@ public:
             statement(*line);
         checkForwardReferences();
         if (m_out.faceCount == 0 && !m_diagnostics.hasErrors())
-            m_diagnostics.error(0, QStringLiteral("there are no faces; at least one \"f\" statement is expected"));
+            m_diagnostics.error(
+                0, QT_TRANSLATE_NOOP("Diagnostic", "there are no faces; at least one \"f\" statement is expected"));
         return std::move(m_out);
     }
 
@@ -95,7 +101,8 @@ private:
         const auto reference = [&](std::vector<ObjReference>& list) {
             const std::string_view name = trimmed(rest);
             if (name.empty())
-                m_diagnostics.warning(m_line, QStringLiteral("%1 takes a name").arg(quotedWord(keyword)));
+                m_diagnostics.warning(m_line,
+                                      {QT_TRANSLATE_NOOP("Diagnostic", "%1 takes a name"), {quotedWord(keyword)}});
             else
                 list.push_back(
                     {QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())), m_line, m_out.faceCount});
@@ -105,8 +112,9 @@ private:
         else if (keyword == "usemtl")
             reference(m_out.materialUses);
         else if (!keyword.empty() && std::find(std::begin(kIgnored), std::end(kIgnored), keyword) == std::end(kIgnored))
-            m_diagnostics.warning(
-                m_line, QStringLiteral("%1 is not a statement of the OBJ format; ignored").arg(quotedWord(keyword)));
+            m_diagnostics.warning(m_line,
+                                  {QT_TRANSLATE_NOOP("Diagnostic", "%1 is not a statement of the OBJ format; ignored"),
+                                   {quotedWord(keyword)}});
     }
 
     /// The numbers of a v, vt or vn statement. Those that are there are in m_numbers.
@@ -117,23 +125,22 @@ private:
         for (std::string_view word = nextWord(rest); !word.empty(); word = nextWord(rest)) {
             const NumberText number = decimalFromText(word);
             if (number.fault != NumberFault::None)
-                m_diagnostics.error(m_line, QStringLiteral("%1: %2; a finite number is expected")
-                                                .arg(QLatin1String(kKindNames[kind]), describe(number.fault, word)));
+                m_diagnostics.error(m_line, {QT_TRANSLATE_NOOP("Diagnostic", "%1: %2; a finite number is expected"),
+                                             {nameOf(kind), describe(number.fault, word)}});
             else if (word.size() > kLongestNumber)
-                m_diagnostics.error(m_line, QStringLiteral("%1: a number of %2 characters; at most %3 are expected")
-                                                .arg(QLatin1String(kKindNames[kind]))
-                                                .arg(word.size())
-                                                .arg(kLongestNumber));
+                m_diagnostics.error(
+                    m_line, {QT_TRANSLATE_NOOP("Diagnostic", "%1: a number of %2 characters; at most %3 are expected"),
+                             {nameOf(kind), word.size(), kLongestNumber}});
             if (m_numberCount < m_numbers.size())
                 m_numbers[m_numberCount] = number.value;
             ++m_numberCount;
         }
         if (m_numberCount < least || m_numberCount > most)
-            m_diagnostics.error(m_line, QStringLiteral("%1: %2 numbers; %3 expected")
-                                            .arg(QLatin1String(kKindNames[kind]))
-                                            .arg(m_numberCount)
-                                            .arg(least == most ? QString::number(least)
-                                                               : QStringLiteral("%1 to %2").arg(least).arg(most)));
+            m_diagnostics.error(
+                m_line,
+                {QT_TRANSLATE_NOOP("Diagnostic", "%1: %2 numbers; %3 expected"),
+                 {nameOf(kind), m_numberCount,
+                  least == most ? Reason(least) : Reason(QT_TRANSLATE_NOOP("Diagnostic", "%1 to %2"), {least, most})}});
     }
 
     /// x y z, then w, or r g b, or both kinds of extras of some programs: r g b a.
@@ -141,7 +148,8 @@ private:
     {
         numbers(Position, rest, 3, 7);
         if (m_numberCount == 5)
-            m_diagnostics.error(m_line, QStringLiteral("v: 5 numbers; x y z, x y z w or x y z r g b expected"));
+            m_diagnostics.error(
+                m_line, QT_TRANSLATE_NOOP("Diagnostic", "v: 5 numbers; x y z, x y z w or x y z r g b expected"));
         const bool colored = m_numberCount >= 6;
         if (colored)
             m_out.colors.resize(m_counts[Position] - 1, glm::vec3(1));
@@ -157,7 +165,8 @@ private:
             ++corners;
         }
         if (corners < 3)
-            m_diagnostics.error(m_line, QStringLiteral("f: %1 corners; at least 3 expected").arg(corners));
+            m_diagnostics.error(m_line,
+                                {QT_TRANSLATE_NOOP("Diagnostic", "f: %1 corners; at least 3 expected"), {corners}});
         ++m_out.faceCount;
     }
 
@@ -182,7 +191,8 @@ private:
     void badCorner(std::string_view word)
     {
         m_diagnostics.error(
-            m_line, QStringLiteral("f: %1 is not a corner; v, v/vt, v//vn or v/vt/vn expected").arg(quotedWord(word)));
+            m_line, {QT_TRANSLATE_NOOP("Diagnostic", "f: %1 is not a corner; v, v/vt, v//vn or v/vt/vn expected"),
+                     {quotedWord(word)}});
     }
 
     /// One index of a corner; false if something was wrong with it.
@@ -211,14 +221,13 @@ private:
     void outOfRange(int line, Kind kind, const QString& value)
     {
         const std::size_t count = m_counts[static_cast<std::size_t>(kind)];
-        const QString expected =
-            value == QLatin1String("0") ? QStringLiteral("indices count from 1")
+        const Reason expected =
+            value == QLatin1String("0") ? Reason(QT_TRANSLATE_NOOP("Diagnostic", "indices count from 1"))
             : value.startsWith(QLatin1Char('-'))
-                ? QStringLiteral("%1 \"%2\" come before it").arg(count).arg(QLatin1String(kKindNames[kind]))
-                : QStringLiteral("the file has %1 \"%2\"").arg(count).arg(QLatin1String(kKindNames[kind]));
-        m_diagnostics.error(
-            line,
-            QStringLiteral("f: %1 index %2 is out of range; %3").arg(QLatin1String(kKindNames[kind]), value, expected));
+                ? Reason(QT_TRANSLATE_NOOP("Diagnostic", "%1 \"%2\" come before it"), {count, nameOf(kind)})
+                : Reason(QT_TRANSLATE_NOOP("Diagnostic", "the file has %1 \"%2\""), {count, nameOf(kind)});
+        m_diagnostics.error(line, {QT_TRANSLATE_NOOP("Diagnostic", "f: %1 index %2 is out of range; %3"),
+                                   {nameOf(kind), value, expected}});
     }
 
     void checkForwardReferences()

@@ -71,9 +71,11 @@ SceneLoad loadScene(const QString& name, const LoadOptions& options)
         return loadObj(name, options);
     if (name.endsWith(QLatin1String(".case"), Qt::CaseInsensitive))
         return loadCase(name);
-    return {std::nullopt,
-            {{Severity::Error, name, 0,
-              QStringLiteral("this is not a scene; an .obj or .case file, builtin:NAME or stress:NAME is expected")}}};
+    return {
+        std::nullopt,
+        {{Severity::Error, name, 0,
+          QT_TRANSLATE_NOOP("Diagnostic",
+                            "this is not a scene; an .obj or .case file, builtin:NAME or stress:NAME is expected")}}};
 }
 
 } // namespace rasterlens

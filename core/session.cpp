@@ -34,10 +34,13 @@ QJsonObject parse(const QByteArray& text, DiagnosticSink& diagnostics)
     QJsonParseError error;
     const QJsonDocument document = QJsonDocument::fromJson(text, &error);
     if (error.error != QJsonParseError::NoError)
-        diagnostics.error(lineOf(text, error.offset), QStringLiteral("broken JSON: %1").arg(error.errorString()));
+        diagnostics.error(lineOf(text, error.offset),
+                          {QT_TRANSLATE_NOOP("Diagnostic", "broken JSON: %1"), {error.errorString()}});
     else if (!document.isObject())
         diagnostics.error(
-            1, QStringLiteral("a JSON object is expected: {\"rasterlens\": 1, \"scene\": NAME, \"settings\": {..}}"));
+            1,
+            QT_TRANSLATE_NOOP("Diagnostic",
+                              "a JSON object is expected: {\"rasterlens\": 1, \"scene\": NAME, \"settings\": {..}}"));
     return document.object();
 }
 
@@ -45,7 +48,7 @@ std::map<std::uint32_t, glm::vec4> verticesOf(const QJsonValue& json, Diagnostic
 {
     std::map<std::uint32_t, glm::vec4> vertices;
     if (!json.isObject() && !json.isUndefined())
-        diagnostics.error(0, QStringLiteral("\"vertices\" takes an object"));
+        diagnostics.error(0, QT_TRANSLATE_NOOP("Diagnostic", "\"vertices\" takes an object"));
     const QJsonObject object = json.toObject();
     for (auto it = object.begin(); it != object.end(); ++it) {
         bool isIndex = false;
@@ -56,8 +59,9 @@ std::map<std::uint32_t, glm::vec4> verticesOf(const QJsonValue& json, Diagnostic
                                 });
         if (!isIndex || !isPosition) {
             diagnostics.error(
-                0, QStringLiteral("\"vertices\" takes an index and a position: \"0\": [x, y, z, w], not \"%1\"")
-                       .arg(it.key()));
+                0, {QT_TRANSLATE_NOOP("Diagnostic",
+                                      "\"vertices\" takes an index and a position: \"0\": [x, y, z, w], not \"%1\""),
+                    {it.key()}});
             continue;
         }
         for (int i = 0; i < 4; ++i)
@@ -80,23 +84,26 @@ Session sessionOf(const QJsonObject& json, const QDir& folder, DiagnosticSink& d
     for (const QString& key : json.keys())
         if (!QStringList{"rasterlens", "scene", "settings", "vertices"}.contains(key))
             diagnostics.error(
-                0, QStringLiteral("there is no key \"%1\"; rasterlens, scene, settings and vertices are expected")
-                       .arg(key));
+                0, {QT_TRANSLATE_NOOP("Diagnostic",
+                                      "there is no key \"%1\"; rasterlens, scene, settings and vertices are expected"),
+                    {key}});
     if (json[QLatin1String("rasterlens")] != kFormatVersion)
-        diagnostics.error(0, QStringLiteral("this is not a session of this program; \"rasterlens\": %1 is expected")
-                                 .arg(kFormatVersion));
+        diagnostics.error(
+            0,
+            {QT_TRANSLATE_NOOP("Diagnostic", "this is not a session of this program; \"rasterlens\": %1 is expected"),
+             {kFormatVersion}});
 
     session.scene = json[QLatin1String("scene")].toString();
     if (session.scene.isEmpty())
-        diagnostics.error(0, QStringLiteral("\"scene\" takes the name of a scene"));
+        diagnostics.error(0, QT_TRANSLATE_NOOP("Diagnostic", "\"scene\" takes the name of a scene"));
     else if (isPath(session.scene))
         session.scene = QDir::cleanPath(folder.absoluteFilePath(session.scene));
 
     const QJsonValue settings = json[QLatin1String("settings")];
     if (!settings.isObject() && !settings.isUndefined())
-        diagnostics.error(0, QStringLiteral("\"settings\" takes an object"));
+        diagnostics.error(0, QT_TRANSLATE_NOOP("Diagnostic", "\"settings\" takes an object"));
     session.settings = settings.toObject();
-    for (const QString& error : settingsFromJson(session.settings).errors)
+    for (const Reason& error : settingsFromJson(session.settings).errors)
         diagnostics.error(0, error);
     session.vertices = verticesOf(json[QLatin1String("vertices")], diagnostics);
     return session;
@@ -119,8 +126,8 @@ SessionLoad loadSession(const QString& path)
     DiagnosticSink diagnostics(path);
     const InputBytes input = readInput(path);
     Session session;
-    if (!input.problem.isEmpty()) {
-        diagnostics.error(0, input.problem);
+    if (input.problem) {
+        diagnostics.error(0, *input.problem);
     } else {
         const QJsonObject json = parse(input.bytes, diagnostics);
         if (!diagnostics.hasErrors())
@@ -154,13 +161,13 @@ Diagnostics moveVertices(Scene& scene, const Session& session, const QString& se
         if (vertex < vertices.size())
             vertices[vertex].position = position;
         else
-            diagnostics.error(0, QStringLiteral("\"vertices\" names vertex %1; the scene has %2, counted from 0")
-                                     .arg(vertex)
-                                     .arg(vertices.size()));
+            diagnostics.error(
+                0, {QT_TRANSLATE_NOOP("Diagnostic", "\"vertices\" names vertex %1; the scene has %2, counted from 0"),
+                    {vertex, vertices.size()}});
     return diagnostics.take();
 }
 
-std::optional<QString> saveSession(const Session& session, const QString& path)
+std::optional<Reason> saveSession(const Session& session, const QString& path)
 {
     QJsonObject json{{"rasterlens", kFormatVersion},
                      {"scene", storedScene(session.scene, QFileInfo(path).absoluteDir())},
@@ -170,7 +177,7 @@ std::optional<QString> saveSession(const Session& session, const QString& path)
     const QByteArray text = QJsonDocument(json).toJson();
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
-        return QStringLiteral("%1 cannot be written: %2").arg(path, file.errorString());
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "the file cannot be written: %1"), {file.errorString()});
     return std::nullopt;
 }
 

@@ -38,7 +38,7 @@ struct SessionLoad {
 
 /// Writes the file whole or not at all.
 ///
-/// errors  a sentence why it could not be written
-[[nodiscard]] std::optional<QString> saveSession(const Session& session, const QString& path);
+/// errors  why it could not be written: a sentence without the file name, of the context "Diagnostic"
+[[nodiscard]] std::optional<Reason> saveSession(const Session& session, const QString& path);
 
 } // namespace rasterlens

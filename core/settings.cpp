@@ -219,11 +219,12 @@ constexpr SettingsField kFields[] = {
                      QT_TRANSLATE_NOOP("Settings", "The instruction set of the tiled algorithm.")),
 };
 
-QString valueList(const SettingsField& field)
+Reason valueList(const SettingsField& field)
 {
     switch (field.kind) {
     case SettingsField::Kind::Flag: return QStringLiteral("true, false");
-    case SettingsField::Kind::Integer: return QStringLiteral("%1 to %2").arg(field.minimum).arg(field.maximum);
+    case SettingsField::Kind::Integer:
+        return {QT_TRANSLATE_NOOP("Diagnostic", "%1 to %2"), {field.minimum, field.maximum}};
     case SettingsField::Kind::Choice: break;
     }
     QStringList ids;
@@ -254,7 +255,7 @@ QJsonObject viewToJson(const View& view)
 
 /// Reads one JSON value after the other and collects what is wrong with them.
 struct Reader {
-    QStringList errors;
+    std::vector<Reason> errors;
 
     void number(const QString& key, const QJsonValue& value, double& out, double minimum, double maximum)
     {
@@ -262,7 +263,8 @@ struct Reader {
             value.toDouble() <= maximum)
             out = value.toDouble();
         else
-            errors << QStringLiteral("\"%1\" takes a number from %2 to %3").arg(key).arg(minimum).arg(maximum);
+            errors.push_back({QT_TRANSLATE_NOOP("Diagnostic", "\"%1\" takes a number from %2 to %3"),
+                              {key, QString::number(minimum), QString::number(maximum)}});
     }
 
     template <int N>
@@ -278,7 +280,7 @@ struct Reader {
         if (good)
             out = v;
         else
-            errors << QStringLiteral("\"%1\" takes an array of %2 numbers").arg(key).arg(N);
+            errors.push_back({QT_TRANSLATE_NOOP("Diagnostic", "\"%1\" takes an array of %2 numbers"), {key, N}});
     }
 
     void view(const QJsonObject& json, View& view)
@@ -313,16 +315,16 @@ struct Reader {
                 number(key, value, distance, 1e-30, kHuge);
                 view.far = distance;
             } else
-                errors << QStringLiteral("\"view\" has no key \"%1\" of this kind").arg(key);
+                errors.push_back({QT_TRANSLATE_NOOP("Diagnostic", "\"view\" has no key \"%1\" of this kind"), {key}});
         }
         if (view.near && view.far && !(*view.near < *view.far))
-            errors << QStringLiteral("\"near\" must be smaller than \"far\"");
+            errors.emplace_back(QT_TRANSLATE_NOOP("Diagnostic", "\"near\" must be smaller than \"far\""));
     }
 
     void mistakes(const QJsonValue& value, QStringList& out)
     {
         if (!value.isArray()) {
-            errors << QStringLiteral("\"mistakes\" takes an array of mistake ids");
+            errors.emplace_back(QT_TRANSLATE_NOOP("Diagnostic", "\"mistakes\" takes an array of mistake ids"));
             return;
         }
         out.clear();
@@ -337,7 +339,7 @@ struct Reader {
                              : value.isDouble() ? QString::number(value.toDouble())
                                                 : value.toString();
         if (const auto error = setFromText(field, text, settings))
-            errors << *error;
+            errors.push_back(*error);
     }
 };
 
@@ -364,7 +366,7 @@ QString valueId(const SettingsField& field, const Settings& settings)
     return QString::fromLatin1(field.choices[static_cast<std::size_t>(value)].id);
 }
 
-std::optional<QString> setFromText(const SettingsField& field, const QString& text, Settings& settings)
+std::optional<Reason> setFromText(const SettingsField& field, const QString& text, Settings& settings)
 {
     bool good = false;
     int value = 0;
@@ -382,8 +384,8 @@ std::optional<QString> setFromText(const SettingsField& field, const QString& te
             }
     }
     if (!good || value < field.minimum || value > field.maximum)
-        return QStringLiteral("\"%1\" is not a value of %2, which takes: %3")
-            .arg(text, QString::fromLatin1(field.id), valueList(field));
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "\"%1\" is not a value of %2, which takes: %3"),
+                      {text, QString::fromLatin1(field.id), valueList(field)});
     field.set(settings, value);
     return std::nullopt;
 }
@@ -413,21 +415,23 @@ SettingsParse settingsFromJson(const QJsonObject& json, const Settings& base)
             if (const auto size = parseSize(it.value().toString()))
                 settings.size = *size;
             else
-                reader.errors << QStringLiteral("\"size\" takes \"WIDTHxHEIGHT\" with 1 to %1 each").arg(kMaxViewport);
+                reader.errors.push_back(
+                    {QT_TRANSLATE_NOOP("Diagnostic", "\"size\" takes \"WIDTHxHEIGHT\" with 1 to %1 each"),
+                     {kMaxViewport}});
         } else if (it.key() == QLatin1String("view")) {
             if (it.value().isObject())
                 reader.view(it.value().toObject(), settings.view);
             else
-                reader.errors << QStringLiteral("\"view\" takes an object");
+                reader.errors.emplace_back(QT_TRANSLATE_NOOP("Diagnostic", "\"view\" takes an object"));
         } else if (it.key() == QLatin1String("mistakes")) {
             reader.mistakes(it.value(), settings.mistakes);
         } else if (const SettingsField* field = findSettingsField(it.key())) {
             reader.field(*field, it.value(), settings);
         } else {
-            reader.errors << QStringLiteral("there is no setting \"%1\"").arg(it.key());
+            reader.errors.push_back({QT_TRANSLATE_NOOP("Diagnostic", "there is no setting \"%1\""), {it.key()}});
         }
     }
-    return {reader.errors.isEmpty() ? settings : base, reader.errors};
+    return {reader.errors.empty() ? settings : base, reader.errors};
 }
 
 std::optional<QSize> parseSize(const QString& text)

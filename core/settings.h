@@ -1,4 +1,6 @@
 #pragma once
+#include "core/reason.h"
+
 #include <QJsonObject>
 #include <QSize>
 #include <QString>
@@ -131,18 +133,19 @@ struct SettingsField {
 
 /// Sets a field from text.
 ///
-/// errors  a sentence that names the field and the values it takes; `settings` is then unchanged
-[[nodiscard]] std::optional<QString> setFromText(const SettingsField& field, const QString& text, Settings& settings);
+/// errors  names the field and the values it takes, a text of the context "Diagnostic"; `settings` is then unchanged
+[[nodiscard]] std::optional<Reason> setFromText(const SettingsField& field, const QString& text, Settings& settings);
 
 /// All fields, also those at their default. `size` is "WxH", `view` an object, `mistakes` an array.
 [[nodiscard]] QJsonObject toJson(const Settings& settings);
 
 /// Reads what toJson writes; keys that are absent keep the value of `base`.
 ///
-/// errors  sentences (unknown key, value of the wrong kind or out of range); the result is then `base`
+/// errors  texts of the context "Diagnostic" (unknown key, value of the wrong kind or out of range); the result is then
+///         `base`
 struct SettingsParse {
     Settings settings;
-    QStringList errors;
+    std::vector<Reason> errors;
 };
 [[nodiscard]] SettingsParse settingsFromJson(const QJsonObject& json, const Settings& base = {});
 

@@ -130,9 +130,11 @@ SceneLoad makeStressScene(const QString& name, QSize size)
     const QString id = QStringLiteral("stress:") + name;
     const auto inRange = [](int pixels) { return pixels >= 1 && pixels <= kMaxViewport; };
     if (!inRange(size.width()) || !inRange(size.height()))
-        return {
-            std::nullopt,
-            {{Severity::Error, id, 0, QStringLiteral("a size of 1 to %1 pixels each is expected").arg(kMaxViewport)}}};
+        return {std::nullopt,
+                {{Severity::Error,
+                  id,
+                  0,
+                  {QT_TRANSLATE_NOOP("Diagnostic", "a size of 1 to %1 pixels each is expected"), {kMaxViewport}}}}};
     QStringList names;
     for (const StressScene& stress : kStressScenes) {
         names << QString::fromLatin1(stress.name);
@@ -150,8 +152,11 @@ SceneLoad makeStressScene(const QString& name, QSize size)
         return {std::move(scene), {}};
     }
     return {std::nullopt,
-            {{Severity::Error, id, 0,
-              QStringLiteral("there is no such stress scene; expected: %1").arg(names.join(QStringLiteral(", ")))}}};
+            {{Severity::Error,
+              id,
+              0,
+              {QT_TRANSLATE_NOOP("Diagnostic", "there is no such stress scene; expected: %1"),
+               {names.join(QStringLiteral(", "))}}}}};
 }
 
 } // namespace rasterlens

@@ -63,10 +63,10 @@ NumberText signedFromText(std::string_view word, bool hexAllowed)
 
 } // namespace
 
-void DiagnosticSink::add(Severity severity, int line, const QString& message)
+void DiagnosticSink::add(Severity severity, int line, Reason message)
 {
     if (++m_counts[static_cast<int>(severity)] <= kDiagnosticsKept)
-        m_kept.push_back({severity, m_file, line, message});
+        m_kept.push_back({severity, m_file, line, std::move(message)});
 }
 
 Diagnostics DiagnosticSink::take()
@@ -76,29 +76,30 @@ Diagnostics DiagnosticSink::take()
                      [&](const Diagnostic& a, const Diagnostic& b) { return lineOrLast(a) < lineOrLast(b); });
     for (const Severity severity : {Severity::Error, Severity::Warning})
         if (const int more = m_counts[static_cast<int>(severity)] - kDiagnosticsKept; more > 0)
-            m_kept.push_back({severity, m_file, 0, QStringLiteral("and %1 more").arg(more)});
+            m_kept.push_back({severity, m_file, 0, {QT_TRANSLATE_NOOP("Diagnostic", "and %1 more"), {more}}});
     return std::move(m_kept);
 }
 
 InputBytes readInput(const QString& path)
 {
+    const auto failed = [](Reason why) { return InputBytes{{}, std::move(why)}; };
     const QFileInfo info(path);
     if (!info.exists())
-        return {{}, QStringLiteral("there is no such file")};
+        return failed(QT_TRANSLATE_NOOP("Diagnostic", "there is no such file"));
     if (info.isDir())
-        return {{}, QStringLiteral("this is a directory; a file is expected")};
+        return failed(QT_TRANSLATE_NOOP("Diagnostic", "this is a directory; a file is expected"));
     if (!info.isFile())
-        return {{}, QStringLiteral("this is a device or a pipe; a file is expected")};
+        return failed(QT_TRANSLATE_NOOP("Diagnostic", "this is a device or a pipe; a file is expected"));
     if (info.size() > kLargestFile)
-        return {{}, QStringLiteral("the file is larger than 2 GB")};
+        return failed(QT_TRANSLATE_NOOP("Diagnostic", "the file is larger than 2 GB"));
     QFile file(path);
     InputBytes input;
     if (file.open(QIODevice::ReadOnly))
         input.bytes = file.readAll();
     if (file.error() != QFileDevice::NoError)
-        return {{}, QStringLiteral("the file cannot be read: %1").arg(file.errorString())};
+        return failed({QT_TRANSLATE_NOOP("Diagnostic", "the file cannot be read: %1"), {file.errorString()}});
     if (input.bytes.isEmpty())
-        input.problem = QStringLiteral("the file is empty");
+        return failed(QT_TRANSLATE_NOOP("Diagnostic", "the file is empty"));
     return input;
 }
 
@@ -160,16 +161,18 @@ NumberText decimalFromText(std::string_view word) { return signedFromText(word, 
 
 NumberText numberFromText(std::string_view word) { return signedFromText(word, true); }
 
-QString describe(NumberFault fault, std::string_view word)
+Reason describe(NumberFault fault, std::string_view word)
 {
     switch (fault) {
-    case NumberFault::NotFinite: return QStringLiteral("%1 is not finite").arg(quotedWord(word));
-    case NumberFault::OutOfRange: return QStringLiteral("%1 is beyond the range of float32").arg(quotedWord(word));
+    case NumberFault::NotFinite: return {QT_TRANSLATE_NOOP("Diagnostic", "%1 is not finite"), {quotedWord(word)}};
+    case NumberFault::OutOfRange:
+        return {QT_TRANSLATE_NOOP("Diagnostic", "%1 is beyond the range of float32"), {quotedWord(word)}};
     case NumberFault::NotANumber:
     case NumberFault::None: break;
     }
-    return word.empty() ? QStringLiteral("a number is missing")
-                        : QStringLiteral("%1 is not a number").arg(quotedWord(word));
+    if (word.empty())
+        return QT_TRANSLATE_NOOP("Diagnostic", "a number is missing");
+    return {QT_TRANSLATE_NOOP("Diagnostic", "%1 is not a number"), {quotedWord(word)}};
 }
 
 } // namespace rasterlens

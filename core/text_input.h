@@ -15,8 +15,8 @@ class DiagnosticSink
 public:
     explicit DiagnosticSink(QString file) : m_file(std::move(file)) {}
 
-    void error(int line, const QString& message) { add(Severity::Error, line, message); }
-    void warning(int line, const QString& message) { add(Severity::Warning, line, message); }
+    void error(int line, Reason message) { add(Severity::Error, line, std::move(message)); }
+    void warning(int line, Reason message) { add(Severity::Warning, line, std::move(message)); }
     [[nodiscard]] bool hasErrors() const { return m_counts[static_cast<int>(Severity::Error)] > 0; }
     [[nodiscard]] const QString& file() const { return m_file; }
 
@@ -26,7 +26,7 @@ public:
     [[nodiscard]] Diagnostics take();
 
 private:
-    void add(Severity severity, int line, const QString& message);
+    void add(Severity severity, int line, Reason message);
 
     QString m_file;
     Diagnostics m_kept;
@@ -35,7 +35,7 @@ private:
 
 struct InputBytes {
     QByteArray bytes;
-    QString problem; ///< why there are none: a sentence without the file name
+    std::optional<Reason> problem; ///< why there are none: a sentence without the file name
 };
 
 /// The bytes of a file.
@@ -99,6 +99,6 @@ struct NumberText {
 [[nodiscard]] NumberText numberFromText(std::string_view word);
 
 /// What is wrong with `word`, as a sentence; `fault` is not None.
-[[nodiscard]] QString describe(NumberFault fault, std::string_view word);
+[[nodiscard]] Reason describe(NumberFault fault, std::string_view word);
 
 } // namespace rasterlens

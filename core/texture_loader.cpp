@@ -17,26 +17,22 @@ namespace
 
 constexpr int kMostTexels = 16384;
 
-/// Why an image of that size is not read; empty if it is. The size comes from the file's header.
-QString sizeProblem(QSize size)
+/// Why an image of that size is not read, or nothing. The size comes from the file's header.
+std::optional<Reason> sizeProblem(QSize size)
 {
     if (!size.isValid())
         return {};
     if (size.isEmpty())
-        return QStringLiteral("the image is empty");
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "the image is empty"));
     if (size.width() > kMostTexels || size.height() > kMostTexels)
-        return QStringLiteral("the image has %1 x %2 texels; at most %3 x %3 are read")
-            .arg(size.width())
-            .arg(size.height())
-            .arg(kMostTexels);
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "the image has %1 x %2 texels; at most %3 x %3 are read"),
+                      {size.width(), size.height(), kMostTexels});
     const int limitMegabytes = QImageReader::allocationLimit();
     const qint64 megabytes = (qint64{4} * size.width() * size.height()) >> 20;
     if (limitMegabytes > 0 && megabytes >= limitMegabytes)
-        return QStringLiteral("the image has %1 x %2 texels and would take %3 MB; at most %4 MB are read")
-            .arg(size.width())
-            .arg(size.height())
-            .arg(megabytes)
-            .arg(limitMegabytes);
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic",
+                                        "the image has %1 x %2 texels and would take %3 MB; at most %4 MB are read"),
+                      {size.width(), size.height(), megabytes, limitMegabytes});
     return {};
 }
 
@@ -44,28 +40,33 @@ bool isTga(const QString& path) { return path.endsWith(QLatin1String(".tga"), Qt
 
 struct ImageLoad {
     QImage image;
-    QString problem;
+    std::optional<Reason> problem;
 };
+
+Reason unreadable(Reason why)
+{
+    return {QT_TRANSLATE_NOOP("Diagnostic", "the image cannot be read: %1"), {std::move(why)}};
+}
 
 ImageLoad loadTga(const QByteArray& bytes)
 {
-    if (const QString problem = sizeProblem(tgaSize(bytes).value_or(QSize())); !problem.isEmpty())
+    if (const auto problem = sizeProblem(tgaSize(bytes).value_or(QSize())))
         return {{}, problem};
-    TgaImage tga = readTga(bytes);
-    if (!tga.problem.isEmpty())
-        tga.problem.prepend(QStringLiteral("the image cannot be read: "));
-    return {tga.image, tga.problem};
+    const TgaImage tga = readTga(bytes);
+    if (tga.problem)
+        return {{}, unreadable(*tga.problem)};
+    return {tga.image, {}};
 }
 
 ImageLoad loadWithQt(QByteArray& bytes)
 {
     QBuffer buffer(&bytes);
     QImageReader reader(&buffer);
-    if (const QString problem = sizeProblem(reader.size()); !problem.isEmpty())
+    if (const auto problem = sizeProblem(reader.size()))
         return {{}, problem};
     ImageLoad load{reader.read(), {}};
     if (load.image.isNull())
-        load.problem = QStringLiteral("the image cannot be read: %1").arg(reader.errorString());
+        load.problem = unreadable(reader.errorString());
     return load;
 }
 
@@ -88,10 +89,10 @@ Texture textureOf(const QImage& image, const QString& path)
 TextureLoad loadTexture(const QString& path)
 {
     InputBytes input = readInput(path);
-    if (!input.problem.isEmpty())
+    if (input.problem)
         return {std::nullopt, input.problem};
     const ImageLoad load = isTga(path) ? loadTga(input.bytes) : loadWithQt(input.bytes);
-    if (!load.problem.isEmpty())
+    if (load.problem)
         return {std::nullopt, load.problem};
     return {textureOf(load.image, path), {}};
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/reason.h"
 #include "core/scene.h"
 
 #include <optional>
@@ -8,7 +9,7 @@ namespace rasterlens
 
 struct TextureLoad {
     std::optional<Texture> texture;
-    QString problem; ///< why there is none: a sentence without the file name
+    std::optional<Reason> problem; ///< why there is none: a sentence without the file name
 };
 
 /// Reads a TGA image or one of a format that Qt knows (PNG, JPEG), row 0 to lie at v = 0 (the bottom row of the image).

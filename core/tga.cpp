@@ -65,6 +65,8 @@ QRgb colorAt(const QByteArray& file, qsizetype at, int bits)
     return qRgb(channel(10), channel(5), channel(0));
 }
 
+TgaImage endsEarly() { return {{}, QT_TRANSLATE_NOOP("Diagnostic", "the image ends early")}; }
+
 class Reader
 {
 public:
@@ -74,15 +76,14 @@ public:
     {
         if (!isSupported(m_header))
             return {{},
-                    QStringLiteral("a TGA image of type %1 with %2 bits is not supported")
-                        .arg(m_header.type)
-                        .arg(m_header.bits)};
+                    Reason(QT_TRANSLATE_NOOP("Diagnostic", "a TGA image of type %1 with %2 bits is not supported"),
+                           {m_header.type, m_header.bits})};
         m_at = kHeaderBytes + m_header.idBytes;
         if (!readPalette())
             return endsEarly();
         QImage image(m_header.width, m_header.height, QImage::Format_RGB32);
         if (image.isNull())
-            return {{}, QStringLiteral("there is not enough memory for the image")};
+            return {{}, QT_TRANSLATE_NOOP("Diagnostic", "there is not enough memory for the image")};
         for (int row = 0; row < m_header.height; ++row) {
             const int y = m_header.topToBottom ? row : m_header.height - 1 - row;
             QRgb* const line = reinterpret_cast<QRgb*>(image.scanLine(y));
@@ -97,8 +98,6 @@ public:
     }
 
 private:
-    static TgaImage endsEarly() { return {{}, QStringLiteral("the image ends early")}; }
-
     bool has(qsizetype bytes) const { return m_at + bytes <= m_file.size(); }
 
     bool readPalette()
@@ -172,7 +171,7 @@ std::optional<QSize> tgaSize(const QByteArray& file)
 TgaImage readTga(const QByteArray& file)
 {
     if (file.size() < kHeaderBytes)
-        return {{}, QStringLiteral("the image ends early")};
+        return endsEarly();
     return Reader(file).read();
 }
 

@@ -1,4 +1,6 @@
 #pragma once
+#include "core/reason.h"
+
 #include <QByteArray>
 #include <QImage>
 #include <QSize>
@@ -12,8 +14,8 @@ namespace rasterlens
 [[nodiscard]] std::optional<QSize> tgaSize(const QByteArray& file);
 
 struct TgaImage {
-    QImage image;    ///< Format_RGB32, row 0 on top; null if there is a problem
-    QString problem; ///< a sentence without the file name
+    QImage image;                  ///< Format_RGB32, row 0 on top; null if there is a problem
+    std::optional<Reason> problem; ///< a sentence without the file name
 };
 
 /// Reads a TGA image: Qt's plugin knows neither run-length packed nor grey nor palette images.

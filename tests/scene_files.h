@@ -40,7 +40,7 @@ inline QString textOf(const Diagnostics& diagnostics)
 inline void verifyRemark(const Diagnostics& diagnostics, const QString& prefix, const QString& phrase)
 {
     for (const Diagnostic& diagnostic : diagnostics)
-        if (diagnostic.text().startsWith(prefix) && diagnostic.message.contains(phrase))
+        if (diagnostic.text().startsWith(prefix) && textOf(diagnostic.message).contains(phrase))
             return;
     QFAIL(qPrintable(QStringLiteral("expected \"%1 ..%2..\", got:\n%3").arg(prefix, phrase, textOf(diagnostics))));
 }

@@ -161,7 +161,7 @@ void TestBuiltinScenes::unknownNameListsTheNames()
     QCOMPARE(load.diagnostics[0].severity, Severity::Error);
     QVERIFY(load.diagnostics[0].file.contains("kettle"));
     for (const BuiltinScene& entry : builtinScenes())
-        QVERIFY2(load.diagnostics[0].message.contains(entry.name), entry.name);
+        QVERIFY2(textOf(load.diagnostics[0].message).contains(entry.name), entry.name);
 }
 
 void TestBuiltinScenes::everySceneIsSound()

@@ -128,7 +128,7 @@ private Q_SLOTS:
         for (const QString& assignment : before) {
             const QStringList parts = assignment.split(QLatin1Char('='));
             const auto error = setFromText(*findSettingsField(parts[0]), parts[1], prepared);
-            QVERIFY2(!error, error ? qPrintable(*error) : "");
+            QVERIFY2(!error, error ? qPrintable(textOf(*error)) : "");
         }
         document().setSettings(prepared);
         QVERIFY(settle());

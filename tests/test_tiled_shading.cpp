@@ -38,6 +38,7 @@ private Q_SLOTS:
     void drawsShadingsAlike_data();
     void drawsShadingsAlike();
     void findsTexelsOnTheirBorders();
+    void findsTexelsWhereCoordinatesPassZero();
     void findsTexelsOfAnyTriangle();
     void drawsAttributesThatAreNoNumbers();
     void drawsWOfEitherSign();
@@ -113,6 +114,24 @@ void TestTiledShading::findsTexelsOnTheirBorders()
             const QString d = compareAll(scene, settings, simds(), {1});
             QVERIFY2(d.isEmpty(), qPrintable(d));
         }
+    }
+}
+
+/// Sums in double that should be 0 may be 1e-17 to either side, and float32 keeps the sign.
+void TestTiledShading::findsTexelsWhereCoordinatesPassZero()
+{
+    for (const char* name : {"floor", "tunnel", "torus-knot"}) {
+        const SceneLoad load = makeBuiltinScene(name);
+        QVERIFY(load.scene);
+        for (const Shading shading : {Shading::Texture, Shading::Phong, Shading::Uv})
+            for (const QSize size : {QSize(257, 131), QSize(127, 61)}) {
+                Settings settings = load.scene->defaults;
+                settings.size = size;
+                settings.shading = shading;
+                settings.textureFilter = TextureFilter::Nearest;
+                const QString d = compareAll(*load.scene, settings, simds(), {1});
+                QVERIFY2(d.isEmpty(), qPrintable(QStringLiteral("%1 %2: %3").arg(name).arg(size.width()).arg(d)));
+            }
     }
 }
 

@@ -1,4 +1,5 @@
 #include "core/builtin_scenes.h"
+#include "tests/scene_files.h"
 #include "tests/window_fixture.h"
 #include "ui/applicability.h"
 #include "ui/dock.h"
@@ -31,6 +32,13 @@ private:
     {
         m_window->setLanguage(language);
         QCoreApplication::processEvents();
+    }
+
+    /// Opens a file and waits until all is said about it.
+    bool read(const QString& path)
+    {
+        document().open(path);
+        return waitFor([this] { return !document().isLoading(); });
     }
 
 private Q_SLOTS:
@@ -199,6 +207,77 @@ private Q_SLOTS:
         QVERIFY(settle());
     }
 
+    void remarksAreInTheLanguageOfTheWindow_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("english");
+        QTest::addColumn<QString>("chinese");
+        const auto row = [](const char* name, const QByteArray& text, const char* english, const char* chinese) {
+            QTest::newRow(name) << QString::fromLatin1(name) << text << QString::fromUtf8(english)
+                                << QString::fromUtf8(chinese);
+        };
+        row("corners.obj", "v 0 0 0\nf 1 1\n", "%1:2: f: 2 corners; at least 3 expected",
+            "%1:2：f：2 个顶点；至少 3 个");
+        row("100%2.obj", "v 0 %2\nf 1 1 1\n",
+            "%1:1: v: \"%2\" is not a number; a finite number is expected\n%1:1: v: 2 numbers; 3 to 7 expected",
+            "%1:1：v：\"%2\" 不是数；应为有限数\n%1:1：v：2 个数；要求 3 到 7 个");
+        row("remarks.obj", "foo\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+            "%1:1: warning: \"foo\" is not a statement of the OBJ format; ignored",
+            "%1:1：警告：\"foo\" 不是 OBJ 格式的语句；已忽略");
+        row("session.json", "[1]",
+            R"(%1:1: a JSON object is expected: {"rasterlens": 1, "scene": NAME, "settings": {..}})",
+            R"(%1:1：应为 JSON 对象：{"rasterlens": 1, "scene": 名称, "settings": {..}})");
+        row("value.json", R"({"rasterlens": 1, "scene": "builtin:cube", "settings": {"subpixel-bits": 9}})",
+            "%1: \"9\" is not a value of subpixel-bits, which takes: 0 to 8",
+            "%1：\"9\" 不是 subpixel-bits 的值；可用的值：0 到 8");
+        row("hard.case", "size 8 8\ncull\n", "%1:2: cull: 0 values; one expected",
+            "%1:2：cull：给了 0 个值；要求：一个");
+        row("scene.txt", "", "%1: this is not a scene; an .obj or .case file, builtin:NAME or stress:NAME is expected",
+            "%1：这不是场景；应为 .obj 或 .case 文件、builtin:名称 或 stress:名称");
+    }
+
+    void remarksAreInTheLanguageOfTheWindow()
+    {
+        QFETCH(QString, name);
+        QFETCH(QByteArray, text);
+        QFETCH(QString, english);
+        QFETCH(QString, chinese);
+        const Folder folder;
+        const QString path = folder.write(name, text);
+        speak(LanguageKind::Chinese);
+        QVERIFY(read(path));
+        QCOMPARE(m_window->message(), chinese.replace(QLatin1String("%1"), path));
+        speak(LanguageKind::English);
+        QCOMPARE(m_window->message(), english.replace(QLatin1String("%1"), path));
+    }
+
+    void missingTextureIsToldInTheLanguageOfTheWindow()
+    {
+        const Folder folder;
+        const QString mtl = folder.write(QStringLiteral("a.mtl"), "newmtl a\nmap_Kd none.png\n");
+        const QString obj =
+            folder.write(QStringLiteral("a.obj"), "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
+        const QString texture = folder.path(QStringLiteral("none.png"));
+        speak(LanguageKind::Chinese);
+        QVERIFY(read(obj));
+        QCOMPARE(m_window->message(),
+                 QStringLiteral("%1:2：警告：map_Kd %2：没有这个文件；绘制时不用纹理").arg(mtl, texture));
+        speak(LanguageKind::English);
+        QCOMPARE(
+            m_window->message(),
+            QStringLiteral("%1:2: warning: map_Kd %2: there is no such file; drawn without texture").arg(mtl, texture));
+    }
+
+    void unwritableSessionIsToldInTheLanguageOfTheWindow()
+    {
+        const Folder folder;
+        const QString path = folder.path(QStringLiteral("none/s.json"));
+        speak(LanguageKind::Chinese);
+        QVERIFY(!document().saveSession(path));
+        QVERIFY(m_window->message().startsWith(path + QStringLiteral("：无法写入文件：")));
+    }
+
     void droppedFileOpens()
     {
         QFile file(m_folder.filePath(QStringLiteral("dropped.case")));
@@ -329,6 +408,7 @@ private Q_SLOTS:
             QVERIFY2(isChinese(QCoreApplication::translate("BuiltinScene", scene.title)), scene.title);
             QVERIFY2(isChinese(QCoreApplication::translate("BuiltinScene", scene.note)), scene.note);
         }
+        QVERIFY2(isChinese(QCoreApplication::translate("QFileDialog", "Look in:")), "texts of Qt's dialogs");
         Scene inClipSpace;
         inClipSpace.space = SceneSpace::Clip;
         int refusals = 0;

@@ -142,6 +142,10 @@ inline QString compareAll(const Scene& scene, Settings settings, const std::vect
             return tell("depth with a picture");
         if (alone.image != all.image)
             return tell("colours differ where nobody asks for numbers");
+        Frame picture;
+        render(scene, settings, picture, {});
+        if (picture.image != all.image)
+            return tell("colours differ where nobody asks for more");
         Frame depth;
         render(scene, settings, depth, {.depth = true, .picture = false});
         if (!depth.image.isNull() || !sameBits(expected.depth, depth.depth))

@@ -182,7 +182,7 @@ Comparison::Pair Comparison::draw(Pair pair, const Settings& other, bool withHea
         const auto a = std::make_shared<RenderedFrame>();
         a->scene = pair.b->scene;
         a->settings = other;
-        a->frame.tiled = m_context;
+        a->frame.tiled = std::exchange(m_context, nullptr);
         render(*a->scene, other, a->frame, {}, stop);
         m_context = std::exchange(a->frame.tiled, nullptr);
         pair.a = a;

@@ -1,22 +1,28 @@
 #include "ui/language.h"
 
 #include <QCoreApplication>
+#include <QLibraryInfo>
 #include <QLocale>
 
 namespace rasterlens
 {
 
-Language::Language() { (void)m_chinese.load(QStringLiteral(":/rasterlens/translations/rasterlens_zh_CN.qm")); }
+Language::Language()
+{
+    (void)m_chinese.load(QStringLiteral(":/rasterlens/translations/rasterlens_zh_CN.qm"));
+    (void)m_chineseOfQt.load(QStringLiteral("qtbase_zh_CN"), QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+}
 
 void Language::use(LanguageKind kind)
 {
     if (kind == m_kind)
         return;
     m_kind = kind;
-    if (kind == LanguageKind::Chinese)
-        QCoreApplication::installTranslator(&m_chinese);
-    else
-        QCoreApplication::removeTranslator(&m_chinese);
+    for (QTranslator* texts : {&m_chinese, &m_chineseOfQt})
+        if (kind == LanguageKind::Chinese)
+            QCoreApplication::installTranslator(texts);
+        else
+            QCoreApplication::removeTranslator(texts);
 }
 
 QString Language::inOther(const char* context, const char* source) const

@@ -25,6 +25,7 @@ public:
 
 private:
     QTranslator m_chinese;
+    QTranslator m_chineseOfQt; ///< file dialogs, and why files cannot be read
     LanguageKind m_kind = LanguageKind::English;
 };
 

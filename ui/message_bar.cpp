@@ -2,6 +2,7 @@
 
 #include "ui/theme.h"
 
+#include <QCoreApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -11,6 +12,22 @@
 
 namespace rasterlens
 {
+namespace
+{
+
+/// The first few, and how many more there are.
+QString wordsOf(const Diagnostics& diagnostics)
+{
+    constexpr std::size_t kShown = 4;
+    QStringList lines;
+    for (std::size_t i = 0; i < std::min(kShown, diagnostics.size()); ++i)
+        lines << diagnostics[i].text([](const char* text) { return QCoreApplication::translate("Diagnostic", text); });
+    if (diagnostics.size() > kShown)
+        lines << MessageBar::tr("and %n more", nullptr, static_cast<int>(diagnostics.size() - kShown));
+    return lines.join(QLatin1Char('\n'));
+}
+
+} // namespace
 
 MessageBar::MessageBar(QWidget* parent) : QFrame(parent)
 {
@@ -43,6 +60,7 @@ void MessageBar::setClosable(bool closable) { m_close->setVisible(closable); }
 void MessageBar::show(MessageKind kind, const QString& text)
 {
     m_kind = kind;
+    m_diagnostics.clear();
     m_text->setText(text);
     applyColors();
     setVisible(true);
@@ -54,13 +72,8 @@ void MessageBar::show(MessageKind kind, const QString& text)
 
 void MessageBar::show(const Diagnostics& diagnostics)
 {
-    constexpr std::size_t kShown = 4;
-    QStringList lines;
-    for (std::size_t i = 0; i < std::min(kShown, diagnostics.size()); ++i)
-        lines << diagnostics[i].text();
-    if (diagnostics.size() > kShown)
-        lines << tr("and %n more", nullptr, static_cast<int>(diagnostics.size() - kShown));
-    show(hasErrors(diagnostics) ? MessageKind::Error : MessageKind::Warning, lines.join(QLatin1Char('\n')));
+    show(hasErrors(diagnostics) ? MessageKind::Error : MessageKind::Warning, wordsOf(diagnostics));
+    m_diagnostics = diagnostics;
 }
 
 QString MessageBar::text() const { return m_text->text(); }
@@ -87,6 +100,8 @@ void MessageBar::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::LanguageChange)
         applyColors();
+    if (event->type() == QEvent::LanguageChange && !m_diagnostics.empty())
+        m_text->setText(wordsOf(m_diagnostics));
     QFrame::changeEvent(event);
 }
 

@@ -21,6 +21,7 @@ public:
     explicit MessageBar(QWidget* parent = nullptr);
 
     void show(MessageKind kind, const QString& text);
+    /// In the language in use, also in the one that it is changed to.
     void show(const Diagnostics& diagnostics);
     [[nodiscard]] QString text() const;
     [[nodiscard]] MessageKind kind() const { return m_kind; }
@@ -33,6 +34,7 @@ private:
     void applyColors();
 
     MessageKind m_kind = MessageKind::Info;
+    Diagnostics m_diagnostics; ///< those that are shown
     QLabel* m_sign = nullptr;
     QLabel* m_text = nullptr;
     QToolButton* m_close = nullptr;

@@ -251,7 +251,7 @@ Settings withOptions(Settings settings, const Arguments& arguments)
         if (const auto text = arguments.value(optionName(field)))
             if (const auto error =
                     setFromText(field, isAutoThreads(field, *text) ? QStringLiteral("0") : *text, settings))
-                failArguments(optionName(field) + QStringLiteral(": ") + *error);
+                failArguments(optionName(field) + QStringLiteral(": ") + textOf(*error));
     readMistakes(arguments.values(QStringLiteral("--mistake")), settings.mistakes);
     return settings;
 }

@@ -24,7 +24,6 @@ constexpr int kVaryingPosition = 8; ///< world space: phong
 // The light of every scene.
 constexpr float kAmbient = 0.2F;
 constexpr float kDiffuse = 0.8F;
-[[nodiscard]] glm::vec3 lightDirection();
 
 /// What the vertex stage computes for this shading: lit colour (gouraud, texture), attributes (the others).
 ///

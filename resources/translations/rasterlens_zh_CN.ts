@@ -352,6 +352,337 @@
     </message>
 </context>
 <context>
+    <name>Diagnostic</name>
+    <message>
+        <source>there is no such built-in scene; expected one of: %1</source>
+        <translation>没有这个内置场景；应为其中之一：%1</translation>
+    </message>
+    <message>
+        <source>%1 is not a directive; size, subpixel_bits, exact, cull, depth_test, depth_format, clear, ssaa, zrange, window, tri, note or expect expected</source>
+        <translation>%1 不是指令；应为 size、subpixel_bits、exact、cull、depth_test、depth_format、clear、ssaa、zrange、window、tri、note 或 expect</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1 values; %2 expected</source>
+        <translation>给了 %1 个值；要求：%2</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number from %2 to %3</source>
+        <translation>%1 不是 %2 到 %3 之间的整数</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>一个</translation>
+    </message>
+    <message>
+        <source>%1 is not one of %2</source>
+        <translation>%1 不在可用的值之中：%2</translation>
+    </message>
+    <message>
+        <source>width and height</source>
+        <translation>宽和高</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>red, green and blue</source>
+        <translation>红、绿、蓝</translation>
+    </message>
+    <message>
+        <source>%1 is not from 0 to 1</source>
+        <translation>%1 不在 0 到 1 之间</translation>
+    </message>
+    <message>
+        <source>x, y, width and height</source>
+        <translation>x、y、宽和高</translation>
+    </message>
+    <message>
+        <source>21 (x y z w r g b of three corners)</source>
+        <translation>21 个（三个顶点的 x y z w r g b）</translation>
+    </message>
+    <message>
+        <source>a key and a value are expected</source>
+        <translation>应为一个键和一个值</translation>
+    </message>
+    <message>
+        <source>the file ends without a size; &quot;size W H&quot; is expected</source>
+        <translation>直到文件结束也没有尺寸；应有 &quot;size 宽 高&quot;</translation>
+    </message>
+    <message>
+        <source>window: it is empty or not within the size %1 x %2</source>
+        <translation>window：窗口为空，或不在尺寸 %1 x %2 之内</translation>
+    </message>
+    <message>
+        <source>%1: warning: %2</source>
+        <translation>%1：警告：%2</translation>
+    </message>
+    <message>
+        <source>newmtl takes a name; ignored</source>
+        <translation>newmtl 需要一个名称；已忽略</translation>
+    </message>
+    <message>
+        <source>%1 stands before the first newmtl; ignored</source>
+        <translation>%1 出现在第一个 newmtl 之前；已忽略</translation>
+    </message>
+    <message>
+        <source>map_Kd takes a file name; ignored</source>
+        <translation>map_Kd 需要一个文件名；已忽略</translation>
+    </message>
+    <message>
+        <source>%1 is negative</source>
+        <translation>%1 是负数</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>一个数</translation>
+    </message>
+    <message>
+        <source>%1: %2; %3 expected, ignored</source>
+        <translation>%1：%2；要求%3，已忽略</translation>
+    </message>
+    <message>
+        <source>binary data (a zero byte); an MTL file is text</source>
+        <translation>二进制数据（含零字节）；MTL 文件应为文本</translation>
+    </message>
+    <message>
+        <source>usemtl: no material %1 in the MTL files; the default material is used</source>
+        <translation>usemtl：MTL 文件中没有材质 %1；使用默认材质</translation>
+    </message>
+    <message>
+        <source>mtllib %1: %2; the default material is used</source>
+        <translation>mtllib %1：%2；使用默认材质</translation>
+    </message>
+    <message>
+        <source>map_Kd %1: %2; drawn without texture</source>
+        <translation>map_Kd %1：%2；绘制时不用纹理</translation>
+    </message>
+    <message>
+        <source>binary data (a zero byte); an OBJ file is text</source>
+        <translation>二进制数据（含零字节）；OBJ 文件应为文本</translation>
+    </message>
+    <message>
+        <source>there are no faces; at least one &quot;f&quot; statement is expected</source>
+        <translation>没有面；至少应有一条 &quot;f&quot; 语句</translation>
+    </message>
+    <message>
+        <source>%1 takes a name</source>
+        <translation>%1 需要一个名称</translation>
+    </message>
+    <message>
+        <source>%1 is not a statement of the OBJ format; ignored</source>
+        <translation>%1 不是 OBJ 格式的语句；已忽略</translation>
+    </message>
+    <message>
+        <source>%1: %2; a finite number is expected</source>
+        <translation>%1：%2；应为有限数</translation>
+    </message>
+    <message>
+        <source>%1: a number of %2 characters; at most %3 are expected</source>
+        <translation>%1：一个数长达 %2 个字符；最多 %3 个</translation>
+    </message>
+    <message>
+        <source>%1: %2 numbers; %3 expected</source>
+        <translation>%1：%2 个数；要求 %3 个</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 到 %2</translation>
+    </message>
+    <message>
+        <source>v: 5 numbers; x y z, x y z w or x y z r g b expected</source>
+        <translation>v：5 个数；要求 x y z、x y z w 或 x y z r g b</translation>
+    </message>
+    <message>
+        <source>f: %1 corners; at least 3 expected</source>
+        <translation>f：%1 个顶点；至少 3 个</translation>
+    </message>
+    <message>
+        <source>f: %1 is not a corner; v, v/vt, v//vn or v/vt/vn expected</source>
+        <translation>f：%1 不是顶点；应为 v、v/vt、v//vn 或 v/vt/vn</translation>
+    </message>
+    <message>
+        <source>indices count from 1</source>
+        <translation>索引从 1 开始</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot; come before it</source>
+        <translation>在它之前有 %1 个 &quot;%2&quot;</translation>
+    </message>
+    <message>
+        <source>the file has %1 &quot;%2&quot;</source>
+        <translation>文件中有 %1 个 &quot;%2&quot;</translation>
+    </message>
+    <message>
+        <source>f: %1 index %2 is out of range; %3</source>
+        <translation>f：%1 索引 %2 超出范围；%3</translation>
+    </message>
+    <message>
+        <source>this is not a scene; an .obj or .case file, builtin:NAME or stress:NAME is expected</source>
+        <translation>这不是场景；应为 .obj 或 .case 文件、builtin:名称 或 stress:名称</translation>
+    </message>
+    <message>
+        <source>broken JSON: %1</source>
+        <translation>JSON 有误：%1</translation>
+    </message>
+    <message>
+        <source>a JSON object is expected: {&quot;rasterlens&quot;: 1, &quot;scene&quot;: NAME, &quot;settings&quot;: {..}}</source>
+        <translation>应为 JSON 对象：{&quot;rasterlens&quot;: 1, &quot;scene&quot;: 名称, &quot;settings&quot;: {..}}</translation>
+    </message>
+    <message>
+        <source>&quot;vertices&quot; takes an object</source>
+        <translation>&quot;vertices&quot; 应为对象</translation>
+    </message>
+    <message>
+        <source>&quot;vertices&quot; takes an index and a position: &quot;0&quot;: [x, y, z, w], not &quot;%1&quot;</source>
+        <translation>&quot;vertices&quot; 应为索引和位置：&quot;0&quot;: [x, y, z, w]，而不是 &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>there is no key &quot;%1&quot;; rasterlens, scene, settings and vertices are expected</source>
+        <translation>没有 &quot;%1&quot; 这个键；应为 rasterlens、scene、settings 和 vertices</translation>
+    </message>
+    <message>
+        <source>this is not a session of this program; &quot;rasterlens&quot;: %1 is expected</source>
+        <translation>这不是本程序的会话；应有 &quot;rasterlens&quot;: %1</translation>
+    </message>
+    <message>
+        <source>&quot;scene&quot; takes the name of a scene</source>
+        <translation>&quot;scene&quot; 应为场景的名称</translation>
+    </message>
+    <message>
+        <source>&quot;settings&quot; takes an object</source>
+        <translation>&quot;settings&quot; 应为对象</translation>
+    </message>
+    <message>
+        <source>&quot;vertices&quot; names vertex %1; the scene has %2, counted from 0</source>
+        <translation>&quot;vertices&quot; 中有顶点 %1；场景共有 %2 个顶点，从 0 开始计数</translation>
+    </message>
+    <message>
+        <source>the file cannot be written: %1</source>
+        <translation>无法写入文件：%1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; takes a number from %2 to %3</source>
+        <translation>&quot;%1&quot; 应为 %2 到 %3 之间的数</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; takes an array of %2 numbers</source>
+        <translation>&quot;%1&quot; 应为 %2 个数的数组</translation>
+    </message>
+    <message>
+        <source>&quot;view&quot; has no key &quot;%1&quot; of this kind</source>
+        <translation>&quot;view&quot; 中没有这种类型的键 &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;near&quot; must be smaller than &quot;far&quot;</source>
+        <translation>&quot;near&quot; 必须小于 &quot;far&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;mistakes&quot; takes an array of mistake ids</source>
+        <translation>&quot;mistakes&quot; 应为错误 id 的数组</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a value of %2, which takes: %3</source>
+        <translation>&quot;%1&quot; 不是 %2 的值；可用的值：%3</translation>
+    </message>
+    <message>
+        <source>&quot;size&quot; takes &quot;WIDTHxHEIGHT&quot; with 1 to %1 each</source>
+        <translation>&quot;size&quot; 应为 &quot;宽x高&quot;，各为 1 到 %1</translation>
+    </message>
+    <message>
+        <source>&quot;view&quot; takes an object</source>
+        <translation>&quot;view&quot; 应为对象</translation>
+    </message>
+    <message>
+        <source>there is no setting &quot;%1&quot;</source>
+        <translation>没有 &quot;%1&quot; 这项设置</translation>
+    </message>
+    <message>
+        <source>a size of 1 to %1 pixels each is expected</source>
+        <translation>宽和高应各为 1 到 %1 像素</translation>
+    </message>
+    <message>
+        <source>there is no such stress scene; expected: %1</source>
+        <translation>没有这个压力测试场景；应为其中之一：%1</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>还有 %1 条</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>没有这个文件</translation>
+    </message>
+    <message>
+        <source>this is a directory; a file is expected</source>
+        <translation>这是目录；应为文件</translation>
+    </message>
+    <message>
+        <source>this is a device or a pipe; a file is expected</source>
+        <translation>这是设备或管道；应为文件</translation>
+    </message>
+    <message>
+        <source>the file is larger than 2 GB</source>
+        <translation>文件大于 2 GB</translation>
+    </message>
+    <message>
+        <source>the file cannot be read: %1</source>
+        <translation>无法读取文件：%1</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>文件为空</translation>
+    </message>
+    <message>
+        <source>%1 is not finite</source>
+        <translation>%1 不是有限数</translation>
+    </message>
+    <message>
+        <source>%1 is beyond the range of float32</source>
+        <translation>%1 超出 float32 的范围</translation>
+    </message>
+    <message>
+        <source>a number is missing</source>
+        <translation>缺少一个数</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 不是数</translation>
+    </message>
+    <message>
+        <source>the image is empty</source>
+        <translation>图像为空</translation>
+    </message>
+    <message>
+        <source>the image has %1 x %2 texels; at most %3 x %3 are read</source>
+        <translation>图像有 %1 x %2 个纹素；最多读取 %3 x %3 个</translation>
+    </message>
+    <message>
+        <source>the image has %1 x %2 texels and would take %3 MB; at most %4 MB are read</source>
+        <translation>图像有 %1 x %2 个纹素，需要 %3 MB；最多读取 %4 MB</translation>
+    </message>
+    <message>
+        <source>the image cannot be read: %1</source>
+        <translation>无法读取图像：%1</translation>
+    </message>
+    <message>
+        <source>the image ends early</source>
+        <translation>图像数据不完整</translation>
+    </message>
+    <message>
+        <source>a TGA image of type %1 with %2 bits is not supported</source>
+        <translation>不支持 %2 位的 %1 型 TGA 图像</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for the image</source>
+        <translation>内存不足，放不下这幅图像</translation>
+    </message>
+</context>
+<context>
     <name>Experiment</name>
     <message>
         <source>wrong pixels: missing, extra or hit twice</source>

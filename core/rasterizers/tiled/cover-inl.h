@@ -371,7 +371,7 @@ HWY_INLINE void CoverTriangle(const TileTriangle& t, const ColorPlanes& planes, 
 
 /// Samples of a triangle beyond the numbers of the fast path, one by one.
 template <class Policy>
-inline void CoverExactly(const FrameJob& job, const Piece& piece, const Policy&, std::uint32_t number,
+inline void CoverExactly(const FrameJob& job, const ScreenTriangle& piece, const Policy&, std::uint32_t number,
                          TileOrigin origin, Worker& worker)
 {
     TileSamples& samples = worker.samples;

@@ -42,13 +42,6 @@ ProcessedVertex processedVertex(const FrameJob& job, std::size_t vertex)
     return job.stages->processVertex(shadeVertexAt(*job.scene, job.matrices, job.rules, vertex));
 }
 
-bool rejectsByOutcode(Clipping mode)
-{
-    return clipVerdict(mode, {1, 1}, {1, 1}, {1, 1}) == ClipVerdict::Reject &&
-           (mode == Clipping::Frustum || mode == Clipping::FrustumW || mode == Clipping::GuardBand ||
-            mode == Clipping::CohenSutherland);
-}
-
 } // namespace
 
 std::int32_t planesOutside(const FrameJob& job, std::size_t vertex)
@@ -60,13 +53,12 @@ std::int32_t planesOutside(const FrameJob& job, std::size_t vertex)
 void processOutsideFace(const FrameJob& job, Chunk& chunk, std::uint32_t face, std::array<std::int32_t, 3> codes)
 {
     chunk.clipped.clear();
-    const std::int32_t any = codes[0] | codes[1] | codes[2];
-    const std::int32_t all = codes[0] & codes[1] & codes[2];
-    if ((any & kNotFinite) != 0) {
+    if (((codes[0] | codes[1] | codes[2]) & kNotFinite) != 0) {
         count(chunk.faces, FaceFate::NonFinite);
         return;
     }
-    if (all != 0 && rejectsByOutcode(job.rules.clipping)) {
+    const auto seen = [&](std::size_t k) { return Outcode{static_cast<ClipPlanes>(codes[k]), 0}; };
+    if (clipVerdict(job.rules.clipping, seen(0), seen(1), seen(2)) == ClipVerdict::Reject) {
         count(chunk.faces, FaceFate::Rejected);
         return;
     }
@@ -80,7 +72,7 @@ void processOutsideFace(const FrameJob& job, Chunk& chunk, std::uint32_t face, s
 ScreenTriangle screenTriangle(const FrameJob& job, const Chunk& chunk, std::uint32_t source)
 {
     if ((source & kPiece) != 0)
-        return chunk.pieces[source & ~kPiece].triangle;
+        return chunk.pieces[source & ~kPiece];
     ScreenTriangle triangle;
     triangle.face = source;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -91,13 +83,14 @@ ScreenTriangle screenTriangle(const FrameJob& job, const Chunk& chunk, std::uint
     return triangle;
 }
 
-void coverExactly(const FrameJob& job, const Piece& piece, std::uint32_t number, TileOrigin origin, Worker& worker)
+void coverExactly(const FrameJob& job, const ScreenTriangle& piece, std::uint32_t number, TileOrigin origin,
+                  Worker& worker)
 {
-    const auto setup = setupTriangle<std::int64_t>(piece.triangle, job.rules);
+    const auto setup = setupTriangle<std::int64_t>(piece, job.rules);
     if (!setup)
         return;
-    const auto& [a, b, c] = piece.triangle.vertices;
-    const FaceInterpolation interpolation(piece.triangle, twiceArea(a.position, b.position, c.position), job.rules);
+    const auto& [a, b, c] = piece.vertices;
+    const FaceInterpolation interpolation(piece, twiceArea(a.position, b.position, c.position), job.rules);
     const PixelRect& box = setup->bounds;
     const int yEnd = std::min({box.y + box.height, origin.y + job.grid.pitch, job.rules.rows()});
     const int xEnd = std::min({box.x + box.width, origin.x + job.grid.pitch, job.rules.columns()});

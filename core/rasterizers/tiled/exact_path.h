@@ -22,7 +22,7 @@ void processOutsideFace(const FrameJob& job, Chunk& chunk, std::uint32_t face, s
 /// The face of the mesh behind a triangle.
 [[nodiscard]] inline std::uint32_t faceOf(const Chunk& chunk, std::uint32_t source)
 {
-    return (source & kPiece) != 0 ? chunk.pieces[source & ~kPiece].triangle.face : source;
+    return (source & kPiece) != 0 ? chunk.pieces[source & ~kPiece].face : source;
 }
 
 /// A tile's first sample.
@@ -34,13 +34,14 @@ struct TileOrigin {
 /// Coverage and depth of a piece, sample by sample.
 ///
 /// in   number of the triangle in the tile
-void coverExactly(const FrameJob& job, const Piece& piece, std::uint32_t number, TileOrigin origin, Worker& worker);
+void coverExactly(const FrameJob& job, const ScreenTriangle& piece, std::uint32_t number, TileOrigin origin,
+                  Worker& worker);
 
 /// Colours the samples that a triangle won, one by one.
 void shadeExactly(const FrameJob& job, const VisibleTriangle& triangle, const BlockShare& share, TileOrigin origin,
                   TileSamples& samples);
 
-/// A depth as the tile stores it, and back.
+/// What the bits of a depth are xored with in a tile, so that smaller is nearer.
 [[nodiscard]] inline std::int32_t depthFlip(DepthCompare compare)
 {
     return compare == DepthCompare::Greater || compare == DepthCompare::GreaterEqual

@@ -113,7 +113,7 @@ inline void QueueOutsideFace(const FrameJob& job, Chunk& chunk, std::uint32_t fa
             queue.depth[k][at] = v.depth;
         }
         queue.source[at] = kPiece | static_cast<std::uint32_t>(chunk.pieces.size());
-        chunk.pieces.push_back({triangle});
+        chunk.pieces.push_back(triangle);
     }
 }
 
@@ -133,7 +133,8 @@ struct alignas(64) SetupLanes {
     std::array<std::uint32_t, kDoubles> varyings{};                  ///< numbers of VaryingPlanes
     std::uint32_t used;                                              ///< a bit for each lane whose bounds hold samples
     std::uint32_t alone;                                             ///< that lies in one tile
-    std::uint32_t exact;                                             ///< that the fast path cannot draw
+    std::uint32_t exact;                                             ///< that the fast path cannot draw everywhere
+    std::uint32_t needles;                                           ///< of these, those without a plane of depth
 
     [[nodiscard]] HWY_INLINE std::int32_t nearest(std::size_t lane) const
     {
@@ -155,16 +156,8 @@ struct alignas(64) SetupLanes {
     }
 };
 
-/// How much nearer than its corners a sample may come out: rounding of the plane and of the depth format.
-inline double DepthSlack(DepthFormat format)
-{
-    switch (format) {
-    case DepthFormat::Float32: break;
-    case DepthFormat::Unorm24: return 0x1p-23;
-    case DepthFormat::Unorm16: return 0x1p-15;
-    }
-    return 0x1p-28;
-}
+/// How much nearer than its corners a sample of a plane may come out. Nobody asks where depths are not float32.
+constexpr double kDepthSlack = 0x1p-28;
 
 /// Tiles of samples along an axis.
 HWY_INLINE HalfInts TilesOf(HalfInts samples, int pitch)
@@ -229,7 +222,7 @@ HWY_INLINE void StageColors(const FrameJob& job, const Chunk& chunk, const Setup
         const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
         const std::uint32_t source = queue.source[at + lane];
         if (HWY_UNLIKELY((source & kPiece) != 0))
-            StagePieceColors(chunk.pieces[source & ~kPiece].triangle, lane, colors);
+            StagePieceColors(chunk.pieces[source & ~kPiece], lane, colors);
         else
             StageFaceColors(job, source, lane, colors);
     }
@@ -246,7 +239,7 @@ inline void SetUpVaryings(const FrameJob& job, Chunk& chunk, const SetupQueue& q
         const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
         const std::uint32_t source = queue.source[at + lane];
         if (HWY_UNLIKELY((source & kPiece) != 0))
-            StagePieceVaryings(chunk.pieces[source & ~kPiece].triangle, lane, stage);
+            StagePieceVaryings(chunk.pieces[source & ~kPiece], lane, stage);
         else
             StageFaceVaryings(job, source, lane, stage);
         lanes.varyings[lane] = chunk.varyingCount++;
@@ -336,9 +329,9 @@ HWY_INLINE void SetUpLanes(const FrameJob& job, Chunk& chunk, const SetupQueue& 
     const Doubles wideY = hn::PromoteTo(wide, anchorY);
     const Doubles inverseArea = hn::Div(hn::Set(wide, 1.0), area);
     const PlaneLanes plane = MakeDepthPlane(corner[0], corner[1], corner[2], inverseArea, rules);
-    const HalfFloats nearest =
-        hn::DemoteTo(HalfFloatTag(), hn::Sub(Min3(corner[0].depth, corner[1].depth, corner[2].depth),
-                                             hn::Set(wide, DepthSlack(rules.depthFormat))));
+    const Doubles nearestCorner = Min3(corner[0].depth, corner[1].depth, corner[2].depth);
+    const HalfFloats nearest = hn::DemoteTo( // needles come out at any depth
+        HalfFloatTag(), hn::IfThenElseZero(plane.plane, hn::Sub(nearestCorner, hn::Set(wide, kDepthSlack))));
     hn::StoreInterleaved4(edges[0].a, edges[1].a, edges[0].b, edges[1].b, tag, out.gradients.data());
     std::array<HalfInts, 3> c;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -349,7 +342,8 @@ HWY_INLINE void SetUpLanes(const FrameJob& job, Chunk& chunk, const SetupQueue& 
     hn::StoreInterleaved4(c[0], c[1], c[2], hn::BitCast(tag, nearest), tag, out.constants.data());
     const Doubles depth = hn::Add(plane.origin, hn::Add(hn::Mul(plane.perX, wideX), hn::Mul(plane.perY, wideY)));
     hn::StoreInterleaved4(SourceAndBounds(queue, at, bounds), depth, plane.perX, plane.perY, wide, out.depth.data());
-    out.exact = BitsOf(tag, tooSteep) | ~BitsOf(wide, plane.plane);
+    out.needles = ~BitsOf(wide, plane.plane);
+    out.exact = BitsOf(tag, tooSteep) | out.needles;
 
     if (job.interpolates()) {
         const auto toCentre = [](HalfInts samples, HalfInts from) HWY_ATTR {
@@ -388,20 +382,19 @@ inline TilePart PartInTile(const FrameJob& job, const SetupLanes& lanes, std::si
     // Of the locals: the compiler would read two fields in one, which waits for all stores before to reach the cache.
     part.covers = (x0 | y0) == 0 && x1 == std::min(last, job.rules.columns() - originX - 1) &&
                   y1 == std::min(last, job.rules.rows() - originY - 1);
-    if ((lanes.exact >> i & 1) != 0) {
-        part.covers = false;
-        return part;
-    }
     const double width = x1 - anchor(x0);
     const double height = y1 - anchor(y0);
     const std::int32_t* gradients = lanes.gradients.data() + 4 * i;
     const double a[3] = {double(gradients[0]), double(gradients[1]), -double(gradients[0]) - gradients[1]};
     const double b[3] = {double(gradients[2]), double(gradients[3]), -double(gradients[2]) - gradients[3]};
+    // Steep edges have values of up to 2^56, which double rounds a few times.
+    const double doubt = (lanes.exact >> i & 1) != 0 ? 0x1p10 : 0;
     for (std::size_t k = 0; k < 3; ++k) {
         part.c[k] = lanes.c[k][i] + a[k] * toX + b[k] * toY;
-        part.touches &= part.c[k] + std::max(a[k], 0.0) * width + std::max(b[k], 0.0) * height >= 0;
-        part.covers &= part.c[k] + std::min(a[k], 0.0) * width + std::min(b[k], 0.0) * height >= 0;
+        part.touches &= part.c[k] + std::max(a[k], 0.0) * width + std::max(b[k], 0.0) * height >= -doubt;
+        part.covers &= part.c[k] + std::min(a[k], 0.0) * width + std::min(b[k], 0.0) * height >= doubt;
     }
+    part.covers &= (lanes.needles >> i & 1) == 0;
     return part;
 }
 
@@ -431,17 +424,21 @@ inline void EmitToTile(const FrameJob& job, Chunk& chunk, const SetupLanes& lane
     const Chunk::Slot slot = chunk.append(bin, nearest);
     lanes.copyTo(i, job, slot);
     TileTriangle& t = *slot.triangle;
-    for (std::size_t k = 0; k < 3; ++k)
-        t.c[k] = static_cast<std::int32_t>(std::min(part.c[k], double(kFarInside)));
     t.depthOrigin = depthOrigin;
     t.x0 = static_cast<std::uint8_t>(part.x0);
     t.y0 = static_cast<std::uint8_t>(part.y0);
     t.x1 = static_cast<std::uint8_t>(part.x1);
     t.y1 = static_cast<std::uint8_t>(part.y1);
-    if ((lanes.exact >> i & 1) != 0) {
-        t.source = kPiece | static_cast<std::uint32_t>(chunk.pieces.size() - 1);
-        t.makeExact();
+    if ((lanes.exact >> i & 1) == 0) {
+        for (std::size_t k = 0; k < 3; ++k)
+            t.c[k] = static_cast<std::int32_t>(std::min(part.c[k], double(kFarInside)));
+        return;
     }
+    t.source = kPiece | static_cast<std::uint32_t>(chunk.pieces.size() - 1);
+    if (part.covers)
+        t.a = t.b = {}, t.c = {};
+    else
+        t.makeExact();
 }
 
 /// Writes a triangle that the fast path cannot draw, or that lies in several tiles, into their bins.
@@ -449,7 +446,7 @@ inline void EmitToTiles(const FrameJob& job, Chunk& chunk, const SetupLanes& lan
 {
     if ((lanes.exact >> i & 1) != 0) {
         const ScreenTriangle triangle = screenTriangle(job, chunk, source);
-        chunk.pieces.push_back({triangle});
+        chunk.pieces.push_back(triangle);
     }
     const bool hides = job.usualDepth();
     for (int row = lanes.row0[i]; row <= lanes.row1[i]; ++row)

@@ -10,7 +10,6 @@
 #include "core/rasterizers/tiled/exact_path.h"
 #include "core/rasterizers/tiled/kernels.h"
 #include "core/rasterizers/tiled/lanes-inl.h"
-#include "core/rasterizers/tiled/tile_output.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE

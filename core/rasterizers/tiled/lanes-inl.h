@@ -167,6 +167,11 @@ HWY_INLINE Ints ToInts(const WideDoubles& wide)
 template <class Tag, class Mask>
 HWY_INLINE std::uint32_t BitsOf(Tag tag, Mask mask)
 {
+#if HWY_TARGET <= HWY_AVX3
+    // GCC 12 makes comparing and widening one, puts 2 bytes of the outcome aside and reads 4: nobody may know whence
+    // the mask comes.
+    asm("" : "+k"(mask.raw));
+#endif
     // As many bytes as are written are read: compilers then see through the memory.
     using Bits = std::conditional_t<(hn::MaxLanes(Tag()) > 8), std::uint16_t, std::uint8_t>;
     alignas(8) std::array<std::uint8_t, 8> bytes{};

@@ -63,13 +63,14 @@ HWY_INLINE Floats Exp2(Floats x)
     return hn::Mul(Polynomial(hn::Sub(x, whole), kSeries), hn::BitCast(tag, hn::ShiftLeft<23>(exponent)));
 }
 
-/// x^exponent for x >= 0 and exponent >= 1; powers below 2^-126 are 0.
+/// x^exponent for x >= 0 and exponent >= 1; powers below 2^-126 are 0, those above 2^126 that.
 HWY_INLINE Floats Power(Floats x, Floats exponent)
 {
     constexpr FloatTag tag;
     const Floats smallest = hn::Set(tag, -126.0F);
     const Floats log = hn::Mul(exponent, Log2(hn::Max(x, hn::Set(tag, std::numeric_limits<float>::min()))));
-    return hn::IfThenElseZero(hn::Gt(log, smallest), Exp2(hn::Max(log, smallest)));
+    const Floats held = hn::Min(hn::Max(log, smallest), hn::Neg(smallest));
+    return hn::IfThenElseZero(hn::Gt(log, smallest), Exp2(held));
 }
 
 struct VectorLanes {

@@ -18,7 +18,7 @@ namespace rasterlens::tiled::HWY_NAMESPACE
 template <int kGrid>
 HWY_INLINE void ResolveTile(const FrameJob& job, const Worker& worker, TileOrigin origin)
 {
-    averageColor(job, worker.samples, origin);
+    averageColor(job, worker, origin);
 }
 
 #else

@@ -28,7 +28,7 @@ HWY_INLINE void StageTexels(const FrameJob& job, const Chunk& chunk, std::uint32
     const Mesh& mesh = job.scene->mesh;
     const std::uint32_t face = faceOf(chunk, source);
     if (HWY_UNLIKELY((source & kPiece) != 0)) {
-        const ScreenTriangle& triangle = chunk.pieces[source & ~kPiece].triangle;
+        const ScreenTriangle& triangle = chunk.pieces[source & ~kPiece];
         for (std::size_t k = 0; k < 3; ++k) {
             const Varyings& varyings = triangle.vertices[k].varyings;
             stage.uv[k][lane] = {varyings[kVaryingUv], varyings[kVaryingUv + 1]};

@@ -48,11 +48,14 @@ HWY_INLINE RgbLanes Mix(const RgbLanes& a, const RgbLanes& b, Floats part)
     return {Mix(a.red, b.red, part), Mix(a.green, b.green, part), Mix(a.blue, b.blue, part)};
 }
 
-/// Coordinates whose texels have numbers that integers can count; the others are left to the scalar look-up.
+/// Coordinates whose texels have numbers that integers can count, and that are not so close to 0 that float32 shows
+/// what sums in double are off by, and its sign; the others are left to the scalar look-up.
 HWY_INLINE hn::Mask<FloatTag> InReach(Floats coordinate, int size)
 {
     constexpr FloatTag tag;
-    return hn::Lt(hn::Abs(coordinate), hn::Set(tag, 0x1p30F / static_cast<float>(size)));
+    const Floats distance = hn::Abs(coordinate);
+    return hn::And(hn::Gt(distance, hn::Set(tag, 0x1p-12F)),
+                   hn::Lt(distance, hn::Set(tag, 0x1p30F / static_cast<float>(size))));
 }
 
 /// The texel along an axis that holds the point.

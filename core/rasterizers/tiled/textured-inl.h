@@ -180,7 +180,7 @@ struct TexelFinder {
 
     HWY_INLINE PreciseUv precise(std::size_t vector, hn::Mask<FloatTag> wanted)
     {
-        PreciseUv at = FindPrecisely(job, worker, number, BlockPlace(block), vector);
+        PreciseUv at = FindPrecisely(job, worker, number, block, vector);
         left |= BitsOf(FloatTag(), hn::AndNot(at.found, wanted)) << (vector * kPerVector);
         at.found = hn::And(at.found, wanted);
         return at;

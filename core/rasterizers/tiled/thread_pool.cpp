@@ -1,5 +1,7 @@
 #include "core/rasterizers/tiled/thread_pool.h"
 
+#include <utility>
+
 namespace rasterlens::tiled
 {
 
@@ -33,12 +35,21 @@ void ThreadPool::run(const Loop& loop)
     std::unique_lock lock(m_mutex);
     m_done.wait(lock, [this] { return m_busy == 0; });
     m_loop.count = 0;
+    if (m_error)
+        std::rethrow_exception(std::exchange(m_error, nullptr));
 }
 
-void ThreadPool::work(int worker)
+void ThreadPool::work(int worker) noexcept
 {
-    for (std::size_t i = m_next++; i < m_loop.count; i = m_next++)
-        m_loop.call(m_loop.context, worker, i);
+    try {
+        for (std::size_t i = m_next++; i < m_loop.count; i = m_next++)
+            m_loop.call(m_loop.context, worker, i);
+    } catch (...) {
+        m_next = m_loop.count; // the others need not go on
+        const std::lock_guard lock(m_mutex);
+        if (!m_error)
+            m_error = std::current_exception();
+    }
 }
 
 void ThreadPool::workerMain(const std::stop_token& stop, int worker)

@@ -2,6 +2,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
+#include <exception>
 #include <mutex>
 #include <thread>
 #include <type_traits>
@@ -29,7 +30,8 @@ public:
     /// Calls body(worker, i) for every i in [0, count), in any order, each once; worker < threads() is never busy
     /// twice at a time.
     ///
-    /// order  everything the bodies did is visible to the caller
+    /// order   everything the bodies did is visible to the caller
+    /// errors  what a body throws reaches the caller when nobody works any more; then not every i has had its turn
     template <class Body>
     void forEach(std::size_t count, Body&& body)
     {
@@ -48,7 +50,7 @@ private:
     };
 
     void run(const Loop& loop);
-    void work(int worker);
+    void work(int worker) noexcept;
     void workerMain(const std::stop_token& stop, int worker);
 
     std::mutex m_mutex;
@@ -57,6 +59,7 @@ private:
     Loop m_loop;                  ///< written under the mutex while nobody works
     std::size_t m_generation = 0; ///< counts loops
     int m_busy = 0;               ///< threads of the pool inside the present loop
+    std::exception_ptr m_error;   ///< the first that a body of the present loop threw
     alignas(64) std::atomic<std::size_t> m_next = 0;
     std::vector<std::jthread> m_threads;
 };

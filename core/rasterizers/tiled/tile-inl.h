@@ -54,7 +54,7 @@ inline void WriteColor(const FrameJob& job, const Worker& worker, TileOrigin ori
         break;
     case 2: ResolveTile<2>(job, worker, origin); break;
     case 4: ResolveTile<4>(job, worker, origin); break;
-    default: averageColor(job, worker.samples, origin);
+    default: averageColor(job, worker, origin);
     }
 }
 

@@ -93,7 +93,8 @@ struct alignas(64) TileTriangle {
 };
 static_assert(sizeof(TileTriangle) == 64);
 
-/// In a source: see there.
+/// In the source of a triangle that is not a face of the mesh as it stands: a piece, cut by a clip plane or beyond the
+/// numbers of the fast path. The rest of the bits are its place among the pieces of the chunk.
 constexpr std::uint32_t kPiece = 1U << 31;
 
 /// How a triangle's colours are found.
@@ -134,11 +135,6 @@ struct alignas(32) TexelPlanes {
 };
 static_assert(sizeof(TexelPlanes) == 32);
 constexpr int kMostTexels = 1 << 16; ///< along an axis, for TexelPlanes::first
-
-/// A triangle that is not a face of the mesh as it stands: cut by a clip plane, or beyond the numbers of the fast path.
-struct Piece {
-    ScreenTriangle triangle;
-};
 
 constexpr std::uint32_t kNobody = 0xffffffffU;
 constexpr std::uint32_t kEmpty = 0xfffffffeU;
@@ -199,8 +195,8 @@ struct Bin {
     std::int32_t farthest = std::numeric_limits<std::int32_t>::max();
 };
 
-/// Likewise 1/w and any kCount varyings, in double: a sample's come out as the scalar stages round them to float32, so
-/// whatever has a threshold (texels, repeats) falls on the same side of it.
+/// 1/w and any kCount varyings as planes over the target, in double: a sample's come out as the scalar stages round
+/// them to float32, so whatever has a threshold (texels, repeats) falls on the same side of it.
 template <std::size_t kCount>
 struct VaryingPlanes {
     std::array<double, kCount + 1> origin; ///< 1/w, then varyings over w
@@ -214,7 +210,7 @@ struct VaryingPlanes {
 /// A run of consecutive faces, sorted into tiles by one thread.
 struct Chunk {
     std::vector<Bin> bins; ///< one a tile
-    std::vector<Piece> pieces;
+    std::vector<ScreenTriangle> pieces;
     BinArena arena;
     std::uint32_t varyingCount = 0; ///< of VaryingPlanes
     Statistics::Faces faces;
@@ -232,12 +228,12 @@ struct Chunk {
         bin.used = 0;
     }
 
-    /// Room for one more triangle of a tile, no nearer than `nearest`.
     struct Slot {
         TileTriangle* triangle;
         ColorPlanes* colors;
         TexelPlanes* texels; ///< null with other shadings than texture
     };
+    /// Room for one more triangle of a tile, no nearer than `nearest`.
     Slot append(Bin& bin, std::int32_t nearest)
     {
         bin.nearest = std::min(bin.nearest, nearest);

@@ -41,14 +41,13 @@ void copySamples(const FrameJob& job, const T* samples, const PixelBox& box, T* 
         }
 }
 
-/// The mean of a pixel's samples, channel by channel, rounded to nearest; (x, y) is the first of them.
+/// The mean of a pixel's samples, channel by channel, rounded to nearest; (x, y) is the first of them, at `first`.
 template <int kGrid>
-std::uint32_t meanColor(const TileSamples& samples, int x, int y)
+std::uint32_t meanColor(const TileSamples& samples, int x, int y, int first)
 {
     constexpr std::uint32_t kCount = kGrid * kGrid;
     std::uint32_t redBlue = kCount / 2 * 0x10001; // two sums in one number
     std::uint32_t green = kCount / 2;
-    const int first = sampleIndex(x, y);
     for (int j = 0; j < kGrid; ++j)
         for (int i = 0; i < kGrid; ++i) {
             // 2 x 2 and 4 x 4 samples lie in one block.
@@ -69,10 +68,14 @@ void forEachPixel(const PixelBox& box, Write&& write)
 }
 
 template <int kGrid>
-void averageColor(const FrameJob& job, const TileSamples& samples, TileOrigin origin)
+void averageColor(const FrameJob& job, const Worker& worker, TileOrigin origin)
 {
     forEachPixel(pixelsOf(job, origin), [&](int x, int y) {
-        job.color[pixelIndex(job, x, y)] = meanColor<kGrid>(samples, x * kGrid - origin.x, y * kGrid - origin.y);
+        const int column = x * kGrid - origin.x;
+        const int row = y * kGrid - origin.y;
+        const int first = sampleIndex(column, row);
+        if ((worker.resolvedSubtiles >> (first / (kLanes * kLanes)) & 1) == 0)
+            job.color[pixelIndex(job, x, y)] = meanColor<kGrid>(worker.samples, column, row, first);
     });
 }
 
@@ -107,12 +110,12 @@ PixelBox pixelsOf(const FrameJob& job, TileOrigin origin, int tiles)
     return {x, y, std::min(x + side * tiles, job.rules.width), std::min(y + side, job.rules.height)};
 }
 
-void averageColor(const FrameJob& job, const TileSamples& samples, TileOrigin origin)
+void averageColor(const FrameJob& job, const Worker& worker, TileOrigin origin)
 {
     switch (job.rules.sampleGrid) {
-    case 2: averageColor<2>(job, samples, origin); break;
-    case 3: averageColor<3>(job, samples, origin); break;
-    default: averageColor<4>(job, samples, origin);
+    case 2: averageColor<2>(job, worker, origin); break;
+    case 3: averageColor<3>(job, worker, origin); break;
+    default: averageColor<4>(job, worker, origin);
     }
 }
 

@@ -17,9 +17,10 @@ struct PixelBox {
     return std::size_t(y) * std::size_t(job.rules.width) + std::size_t(x);
 }
 
-/// Writes a tile into the picture: with one sample a pixel, and with several by their means.
+/// Writes a tile into the picture: with one sample a pixel, and with several by their means, but for subtiles that are
+/// resolved already.
 void copyColor(const FrameJob& job, const TileSamples& samples, TileOrigin origin);
-void averageColor(const FrameJob& job, const TileSamples& samples, TileOrigin origin);
+void averageColor(const FrameJob& job, const Worker& worker, TileOrigin origin);
 
 /// Writes a tile into the other arrays that were asked for.
 void writeTile(const FrameJob& job, const Worker& worker, TileOrigin origin);

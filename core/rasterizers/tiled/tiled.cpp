@@ -7,6 +7,7 @@
 #include "core/stopwatch.h"
 
 #include <algorithm>
+#include <new>
 
 namespace rasterlens
 {
@@ -19,6 +20,7 @@ constexpr std::size_t kVerticesPerTask = 4096;
 constexpr int kTilesPerTask = 8;
 constexpr std::size_t kFewestFacesPerChunk = 1024;
 constexpr std::size_t kChunksPerThread = 4; ///< so that threads finish about together
+constexpr std::size_t kMostBins = 16384;    ///< in all chunks: the last block of each is half empty
 
 /// The frame's context, made or, where a copy of the frame has it too, made anew.
 TiledContext& contextOf(Frame& frame, int threads)
@@ -30,19 +32,25 @@ TiledContext& contextOf(Frame& frame, int threads)
         context.pool = std::make_unique<ThreadPool>(threads);
     while (context.workers.size() < static_cast<std::size_t>(threads))
         context.workers.push_back(std::make_unique<Worker>());
-    for (const auto& worker : context.workers)
+    std::size_t blocks = 0;
+    std::size_t visible = 0;
+    for (const auto& worker : context.workers) {
+        blocks = std::max(blocks, worker->blocks.capacity());
+        visible = std::max(visible, worker->visible.capacity());
+    }
+    for (const auto& worker : context.workers) { // the fullest tile may be anyone's this time
+        worker->blocks.reserve(blocks);
+        worker->visibleOf.reserve(blocks * BinBlock::kCapacity);
+        worker->visible.reserve(visible);
         worker->pixels = {};
+    }
     return context;
 }
 
 TileGrid tileGrid(const Rules& rules)
 {
     TileGrid grid;
-    // The largest multiple of a block and of a pixel's samples that fits: 48 for 3 x 3 samples.
-    const int unit = rules.sampleGrid == 3 ? 12 : kBlockSide;
-    grid.pitch = kTileSide / unit * unit;
-    if (rules.sampleGrid == 3)
-        grid.pitch = 48;
+    grid.pitch = rules.sampleGrid == 3 ? 48 : kTileSide; // whole subtiles and whole pixels
     grid.columns = (rules.columns() + grid.pitch - 1) / grid.pitch;
     grid.rows = (rules.rows() + grid.pitch - 1) / grid.pitch;
     return grid;
@@ -50,7 +58,9 @@ TileGrid tileGrid(const Rules& rules)
 
 void clearChunks(TiledContext& context, const FrameJob& job, std::size_t faces, int threads)
 {
-    const std::size_t wanted = threads == 1 ? 1 : kChunksPerThread * static_cast<std::size_t>(threads);
+    const auto workers = static_cast<std::size_t>(threads);
+    const std::size_t wanted =
+        workers == 1 ? 1 : std::clamp(kMostBins / job.grid.count(), workers, kChunksPerThread * workers);
     const std::size_t count = std::clamp<std::size_t>(faces / kFewestFacesPerChunk, 1, wanted);
     context.chunks.resize(count);
     for (Chunk& chunk : context.chunks) {
@@ -76,13 +86,10 @@ QImage newPicture(int width, int height)
     auto memory = std::make_unique<Memory>();
     std::uint32_t* pixels = memory->reserve(std::size_t(width) * std::size_t(height));
     const auto release = [](void* owner) { delete static_cast<Memory*>(owner); };
-    return {reinterpret_cast<uchar*>(pixels),
-            width,
-            height,
-            width * qsizetype(sizeof *pixels),
-            QImage::Format_RGB32,
-            release,
-            memory.release()};
+    QImage picture(reinterpret_cast<uchar*>(pixels), width, height, width * qsizetype(sizeof *pixels),
+                   QImage::Format_RGB32, release, memory.get());
+    memory.release(); // it is the picture's now
+    return picture;
 }
 
 /// Whether what is asked for still holds what was drawn, and would be cleared to the same.
@@ -112,8 +119,11 @@ void aim(FrameJob& job, Frame& frame, PictureMemory& picture)
         picture.blank.assign(job.grid.count(), 0);
     job.blank = picture.blank.data();
     const std::size_t pixels = std::size_t(rules.width) * std::size_t(rules.height);
-    if (job.outputs.picture)
+    if (job.outputs.picture) {
         job.color = reinterpret_cast<std::uint32_t*>(frame.image.bits());
+        if (job.color == nullptr) // shared, and no memory for a copy
+            throw std::bad_alloc();
+    }
     if (job.outputs.depth)
         job.depth = frame.depth.write(pixels);
     else
@@ -199,45 +209,8 @@ void drawTiles(const FrameJob& job, const Kernels& kernels, TiledContext& contex
     });
 }
 
-} // namespace
-
-std::optional<Reason> Tiled::supports(const Rules& rules)
-{
-    if (rules.numberType != NumberType::Fixed)
-        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs number-type fixed")};
-    if (rules.fill != Fill::Solid)
-        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs fill solid")};
-    if (rules.painter)
-        return Reason{
-            QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs visibility z-buffer or submission-order")};
-    if (rules.tie.owner != 0 || rules.tie.other != 1)
-        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs tie-rule top-left")};
-    if (rules.attributePath == AttributePath::EdgeThenSpan)
-        return Reason{QT_TRANSLATE_NOOP("Unsupported", "attribute-path edge-then-span needs algorithm edge-walking")};
-    return std::nullopt;
-}
-
-std::optional<Reason> Tiled::supports(const Settings& settings)
-{
-    if (!settings.mistakes.isEmpty())
-        return Reason{
-            QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled makes no mistakes; edge-equation and edge-walking do")};
-    if (kernelsFor(settings.simd) == nullptr)
-        return Reason{QT_TRANSLATE_NOOP("Unsupported", "this machine does not have simd %1"),
-                      {valueId(*findSettingsField(QStringLiteral("simd")), settings)}};
-    return std::nullopt;
-}
-
-int Tiled::threads(const Settings& settings)
-{
-    return settings.threads > 0 ? settings.threads
-                                : std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 256);
-}
-
-Simd Tiled::simd(const Settings& settings) { return simdFor(settings.simd); }
-
-void Tiled::draw(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs, Statistics* statistics,
-                 const std::stop_token& stop)
+void drawFrame(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs, Statistics* statistics,
+               const std::stop_token& stop)
 {
     Stopwatch total;
     Stopwatch watch;
@@ -283,6 +256,54 @@ void Tiled::draw(const Scene& scene, const Settings& settings, Frame& frame, Out
     frame.times = times;
     if (statistics != nullptr)
         *statistics = collect(context);
+}
+
+} // namespace
+
+std::optional<Reason> Tiled::supports(const Rules& rules)
+{
+    if (rules.numberType != NumberType::Fixed)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs number-type fixed")};
+    if (rules.fill != Fill::Solid)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs fill solid")};
+    if (rules.painter)
+        return Reason{
+            QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs visibility z-buffer or submission-order")};
+    if (rules.tie.owner != 0 || rules.tie.other != 1)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs tie-rule top-left")};
+    if (rules.attributePath == AttributePath::EdgeThenSpan)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "attribute-path edge-then-span needs algorithm edge-walking")};
+    return std::nullopt;
+}
+
+std::optional<Reason> Tiled::supports(const Settings& settings)
+{
+    if (!settings.mistakes.isEmpty())
+        return Reason{
+            QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled makes no mistakes; edge-equation and edge-walking do")};
+    if (kernelsFor(settings.simd) == nullptr)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "this machine does not have simd %1"),
+                      {valueId(*findSettingsField(QStringLiteral("simd")), settings)}};
+    return std::nullopt;
+}
+
+int Tiled::threads(const Settings& settings)
+{
+    return settings.threads > 0 ? settings.threads
+                                : std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 256);
+}
+
+Simd Tiled::simd(const Settings& settings) { return simdFor(settings.simd); }
+
+void Tiled::draw(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs, Statistics* statistics,
+                 const std::stop_token& stop)
+{
+    try {
+        drawFrame(scene, settings, frame, outputs, statistics, stop);
+    } catch (...) {
+        frame.tiled = nullptr; // half filled, and no longer what is known of the picture
+        throw;
+    }
 }
 
 } // namespace rasterlens

@@ -29,6 +29,7 @@ struct Tiled {
     ///
     /// in      statistics may be null; counting looks at hidden samples too
     /// cost    linear in vertices, faces and visible samples
+    /// errors  std::bad_alloc, whichever thread has it; the frame is good for another try
     static void draw(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs,
                      Statistics* statistics, const std::stop_token& stop);
 };
