@@ -38,6 +38,14 @@ std::optional<Reason> unsupported(const Scene& scene, const Settings& settings)
     return rasterizerSupports(rulesFor(scene, settings));
 }
 
+Settings withoutAuto(const Settings& settings)
+{
+    Settings actual = settings;
+    actual.threads = Tiled::threads(settings);
+    actual.simd = Tiled::simd(settings);
+    return actual;
+}
+
 std::optional<Settings> fastSettings(const Scene& scene, const Settings& settings)
 {
     Settings fast = settings;

@@ -39,6 +39,9 @@ struct Frame {
 /// Why these settings cannot be drawn, or nothing; a text of the context "Unsupported".
 [[nodiscard]] std::optional<Reason> unsupported(const Scene& scene, const Settings& settings);
 
+/// The settings with what `auto` stands for on this machine: threads and vector instructions.
+[[nodiscard]] Settings withoutAuto(const Settings& settings);
+
 /// The settings with which the tiled algorithm draws the same picture, colours at most one step off, faster; nothing
 /// where the algorithm is part of the picture (mistakes, number types, lines, edge-then-span) or is tiled already.
 [[nodiscard]] std::optional<Settings> fastSettings(const Scene& scene, const Settings& settings);

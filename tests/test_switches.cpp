@@ -1,5 +1,6 @@
 // Every switch of the pipeline panel reaches its field and is seen in the picture or its counters. One window serves
 // all.
+#include "core/render.h"
 #include "tests/window_fixture.h"
 #include "ui/applicability.h"
 #include "ui/pipeline_panel.h"
@@ -189,6 +190,23 @@ private Q_SLOTS:
             QCOMPARE(picture(), pictureBefore);
             QVERIFY(viewport().frame()->statistics == statisticsBefore);
         }
+    }
+
+    /// Threads and instructions left to the machine are told.
+    void automaticValuesAreTold()
+    {
+        QVERIFY(openSmall(QStringLiteral("builtin:cube")));
+        Settings chosen = withoutAuto(settings());
+        QVERIFY(chosen.threads > 0 && chosen.simd != Simd::Auto);
+        const auto* threads = qobject_cast<QSpinBox*>(m_window->pipelinePanel().editor(QStringLiteral("threads")));
+        QCOMPARE(threads->text(), QStringLiteral("auto (%1)").arg(chosen.threads));
+        const auto* simd = qobject_cast<QComboBox*>(m_window->pipelinePanel().editor(QStringLiteral("simd")));
+        const QString best = valueTitle(*findSettingsField(QStringLiteral("simd")), chosen);
+        QVERIFY2(simd->currentText().endsWith(QStringLiteral("(%1)").arg(best)), qPrintable(simd->currentText()));
+        choose(QStringLiteral("threads"), 3);
+        QCOMPARE(threads->text(), QStringLiteral("3"));
+        document().undo();
+        QVERIFY(settle());
     }
 
     /// A key that finds no other value says why.

@@ -1,5 +1,7 @@
 #include "ui/applicability.h"
 
+#include "core/render.h"
+
 #include <QCoreApplication>
 
 namespace rasterlens
@@ -66,6 +68,16 @@ constexpr Rule kRules[] = {
     {"simd", notTiled, QT_TRANSLATE_NOOP("Applicability", "Only the tiled algorithm uses vector instructions.")},
 };
 
+QString plainTitle(const SettingsField& field, int value)
+{
+    if (field.kind == SettingsField::Kind::Choice)
+        return QCoreApplication::translate("Settings", field.choices[static_cast<std::size_t>(value)].title);
+    if (field.kind == SettingsField::Kind::Integer)
+        return QString::number(value);
+    return value != 0 ? QCoreApplication::translate("Applicability", "on")
+                      : QCoreApplication::translate("Applicability", "off");
+}
+
 } // namespace
 
 std::optional<QString> whyWithoutEffect(const SettingsField& field, const Settings& settings)
@@ -91,13 +103,14 @@ Settings withNextValue(const SettingsField& field, const Settings& settings)
 
 QString valueTitle(const SettingsField& field, const Settings& settings)
 {
-    if (field.kind == SettingsField::Kind::Choice)
-        return QCoreApplication::translate("Settings",
-                                           field.choices[static_cast<std::size_t>(field.get(settings))].title);
-    if (field.kind == SettingsField::Kind::Integer)
-        return QString::number(field.get(settings));
-    return field.get(settings) != 0 ? QCoreApplication::translate("Applicability", "on")
-                                    : QCoreApplication::translate("Applicability", "off");
+    const int value = field.get(settings);
+    const int meant = field.get(withoutAuto(settings));
+    const QString title = plainTitle(field, value);
+    if (value == meant)
+        return title;
+    return QStringLiteral("%1 (%2)").arg(
+        field.kind == SettingsField::Kind::Integer ? QCoreApplication::translate("Applicability", "auto") : title,
+        plainTitle(field, meant));
 }
 
 } // namespace rasterlens

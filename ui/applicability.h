@@ -18,7 +18,7 @@ namespace rasterlens
 /// The next value of a field, first after last.
 [[nodiscard]] Settings withNextValue(const SettingsField& field, const Settings& settings);
 
-/// The translated title of the present value.
+/// The translated title of the present value; for `auto` also what it stands for on this machine.
 [[nodiscard]] QString valueTitle(const SettingsField& field, const Settings& settings);
 
 } // namespace rasterlens

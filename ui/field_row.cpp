@@ -106,7 +106,7 @@ void FieldRow::makeEditor()
     case SettingsField::Kind::Choice: {
         auto* box = new PanelCombo;
         for (const Choice& choice : m_field.choices)
-            box->addItem(translated(choice.title), QLatin1String(choice.id));
+            box->addItem(QString(), QLatin1String(choice.id));
         connect(box, &QComboBox::currentIndexChanged, this, &FieldRow::chosen);
         connect(box, &PanelCombo::aboutToShowPopup, this, &FieldRow::popupOpening);
         m_editor = box;
@@ -173,9 +173,16 @@ void FieldRow::retranslate()
 {
     m_name->setText(translated(m_field.title));
     m_editor->setAccessibleName(m_name->text());
+    const auto titleOf = [this](int value) {
+        Settings settings;
+        m_field.set(settings, value);
+        return valueTitle(m_field, settings);
+    };
     if (auto* combo = qobject_cast<QComboBox*>(m_editor))
         for (int i = 0; i < combo->count(); ++i)
-            combo->setItemText(i, translated(m_field.choices[static_cast<std::size_t>(i)].title));
+            combo->setItemText(i, titleOf(i));
+    if (auto* spin = qobject_cast<QSpinBox*>(m_editor))
+        spin->setSpecialValueText(titleOf(m_field.minimum));
     updateToolTip();
 }
 

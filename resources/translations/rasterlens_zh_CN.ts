@@ -68,6 +68,10 @@
         <translation>只有分块算法使用向量指令。</translation>
     </message>
     <message>
+        <source>auto</source>
+        <translation>自动</translation>
+    </message>
+    <message>
         <source>on</source>
         <translation>开</translation>
     </message>
