@@ -105,12 +105,8 @@ QString valueTitle(const SettingsField& field, const Settings& settings)
 {
     const int value = field.get(settings);
     const int meant = field.get(withoutAuto(settings));
-    const QString title = plainTitle(field, value);
-    if (value == meant)
-        return title;
-    return QStringLiteral("%1 (%2)").arg(
-        field.kind == SettingsField::Kind::Integer ? QCoreApplication::translate("Applicability", "auto") : title,
-        plainTitle(field, meant));
+    return value == meant ? plainTitle(field, value)
+                          : QCoreApplication::translate("Applicability", "auto (%1)").arg(plainTitle(field, meant));
 }
 
 } // namespace rasterlens

@@ -68,8 +68,8 @@
         <translation>只有分块算法使用向量指令。</translation>
     </message>
     <message>
-        <source>auto</source>
-        <translation>自动</translation>
+        <source>auto (%1)</source>
+        <translation>自动 (%1)</translation>
     </message>
     <message>
         <source>on</source>
