@@ -47,7 +47,8 @@ struct Frame {
 ///
 /// in      settings for which unsupported() is empty; `frame` may hold an earlier picture, whose memory is used again
 /// cost    linear in faces and covered samples
-/// errors  none; `stop` ends the work early and leaves an unfinished picture
+/// errors  throws std::bad_alloc, and std::system_error where threads cannot be started; `stop` ends the work early and
+///         leaves an unfinished picture
 void render(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs = {},
             std::stop_token stop = {});
 

@@ -26,11 +26,11 @@ struct Run {
     QString err;
 };
 
-Run run(const QStringList& arguments, const QString& folder)
+Run run(const QStringList& arguments, const QString& folder, const QString& program = QStringLiteral(RASTERLENS_CLI))
 {
     QProcess process;
     process.setWorkingDirectory(folder);
-    process.start(QStringLiteral(RASTERLENS_CLI), arguments);
+    process.start(program, arguments);
     if (!process.waitForFinished(-1) || process.exitStatus() != QProcess::NormalExit)
         return {-1, {}, process.errorString() + QString::fromUtf8(process.readAllStandardError())};
     return {process.exitCode(), process.readAllStandardOutput(), QString::fromUtf8(process.readAllStandardError())};
@@ -76,6 +76,8 @@ private Q_SLOTS:
     void badCalls();
     void allOutputsOrNone();
     void fullDiskIsAnError();
+    void littleMemoryIsAnError_data();
+    void littleMemoryIsAnError();
     void pictureGoesToStdout();
     void drawsWithoutAPicture();
     void arraysHaveTheShapeOfThePicture();
@@ -296,6 +298,37 @@ void TestCli::fullDiskIsAnError()
     QVERIFY2(full.err.startsWith(device + QLatin1String(": cannot be written: ")), qPrintable(full.err));
     QVERIFY(!QFile::exists(path("out.png")));
     QVERIFY2(!QFileInfo(device).isFile(), "the device is still a device");
+}
+
+void TestCli::littleMemoryIsAnError_data()
+{
+    QTest::addColumn<int>("kilobytes");
+    QTest::addColumn<QString>("words");
+    QTest::addColumn<QString>("message");
+    const QString memory =
+        QStringLiteral("there is not enough memory; a smaller --size or fewer --samples need less\n");
+    const QString cube = QStringLiteral("render builtin:cube ");
+    QTest::newRow("no room for a picture") << 300'000 << cube + QStringLiteral("--size 8000x8000") << memory;
+    QTest::newRow("no room for samples") << 300'000 << cube + QStringLiteral("--size 2000x2000 --samples 4x4")
+                                         << memory;
+    QTest::newRow("no room for stacks") << 800'000 << cube + QStringLiteral("--algorithm tiled --threads 256")
+                                        << QStringLiteral("threads cannot be started: ");
+}
+
+void TestCli::littleMemoryIsAnError()
+{
+    if (RASTERLENS_SANITIZED)
+        QSKIP("a sanitizer needs more address space than there is memory");
+    QFETCH(int, kilobytes);
+    QFETCH(QString, words);
+    QFETCH(QString, message);
+    const QStringList before = entries();
+    QStringList shell{"-c", QStringLiteral("ulimit -v %1; exec \"$0\" \"$@\"").arg(kilobytes), RASTERLENS_CLI};
+    const Run bad = run(shell + words.split(QLatin1Char(' ')), m_folder->path(), QStringLiteral("sh"));
+    QVERIFY2(bad.err.startsWith(QStringLiteral("rasterlens-cli: ") + message), qPrintable(bad.err));
+    QCOMPARE(bad.exitCode, 2);
+    QCOMPARE(bad.out, QByteArray());
+    QCOMPARE(entries(), before);
 }
 
 void TestCli::pictureGoesToStdout()
