@@ -43,6 +43,12 @@ struct Frame {
 /// where the algorithm is part of the picture (mistakes, number types, lines, edge-then-span) or is tiled already.
 [[nodiscard]] std::optional<Settings> fastSettings(const Scene& scene, const Settings& settings);
 
+/// The settings with the threads and vector instructions that this machine draws them with: never 0, never Auto; one
+/// thread and Scalar where the algorithm has neither.
+///
+/// in      settings for which unsupported() is empty
+[[nodiscard]] Settings withWorkers(Settings settings);
+
 /// Draws one frame at full speed.
 ///
 /// in      settings for which unsupported() is empty; `frame` may hold an earlier picture, whose memory is used again

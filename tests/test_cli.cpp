@@ -86,6 +86,7 @@ private Q_SLOTS:
     void sessionIsTheBase();
     void countersAreConserved_data();
     void countersAreConserved();
+    void statisticsNameWhatWorked();
     void infoAsTextAndJson();
     void diffOfPictures();
     void diffOfArrays();
@@ -490,8 +491,7 @@ void TestCli::countersAreConserved()
 {
     QFETCH(QString, words);
     const QJsonObject statistics = statisticsOf(QStringLiteral("render --size 160x120 ") + words);
-    QCOMPARE(statistics.keys(), QStringList({QStringLiteral("faces"), QStringLiteral("milliseconds"),
-                                             QStringLiteral("pixels"), QStringLiteral("settings")}));
+    QCOMPARE(statistics.keys(), QStringList({"faces", "milliseconds", "pixels", "settings", "simd", "threads"}));
     const auto face = [&](const char* key) { return statistics["faces"][QLatin1String(key)].toInteger(-1); };
     const auto pixel = [&](const char* key) { return statistics["pixels"][QLatin1String(key)].toInteger(-1); };
     QVERIFY(face("submitted") > 0);
@@ -507,6 +507,25 @@ void TestCli::countersAreConserved()
     QVERIFY(pixel("written") >= 0 && pixel("shaded") >= 0);
     for (const char* key : {"vertex", "geometry", "raster", "total"})
         QVERIFY2(statistics["milliseconds"][QLatin1String(key)].toDouble(-1) >= 0, key);
+}
+
+void TestCli::statisticsNameWhatWorked()
+{
+    const QJsonObject one = statisticsOf(QStringLiteral("render a.case --threads 3"));
+    QCOMPARE(one["threads"].toInt(), 1);
+    QCOMPARE(one["simd"].toString(), QStringLiteral("scalar"));
+    QCOMPARE(one["settings"]["threads"].toInt(), 3);
+    const QJsonObject chosen =
+        statisticsOf(QStringLiteral("render a.case --algorithm tiled --threads 3 --simd scalar"));
+    QCOMPARE(chosen["threads"].toInt(), 3);
+    QCOMPARE(chosen["simd"].toString(), QStringLiteral("scalar"));
+    const QJsonObject automatic = statisticsOf(QStringLiteral("render a.case --algorithm tiled"));
+    QVERIFY(automatic["threads"].toInt() >= 1);
+    QCOMPARE(automatic["settings"]["threads"].toInt(-1), 0);
+    QCOMPARE(automatic["settings"]["simd"].toString(), QStringLiteral("auto"));
+    Settings used;
+    QVERIFY(!setFromText(*findSettingsField(QStringLiteral("simd")), automatic["simd"].toString(), used));
+    QVERIFY(used.simd != Simd::Auto);
 }
 
 void TestCli::infoAsTextAndJson()

@@ -31,7 +31,8 @@ Usage usage()
               "The face seen at each pixel: int32, counted from 0 in the order of the file, -1 none."),
          file("--coverage", "F.npy", "How many faces cover each pixel's centre, before the depth test: uint16."),
          file("--stats", "F.json",
-              "Counters, times and settings. The frame is drawn twice: once counted, once timed without counting.")}};
+              "Counters, times, settings, and the threads and vector instructions that worked. The frame is drawn "
+              "twice: once counted, once timed without counting.")}};
     const Option listMistakes{
         QStringLiteral("--list-mistakes"),
         Option::Kind::Switch,
