@@ -87,6 +87,7 @@ private Q_SLOTS:
     void countersAreConserved_data();
     void countersAreConserved();
     void statisticsNameWhatWorked();
+    void missingInstructionsAreNamed();
     void infoAsTextAndJson();
     void diffOfPictures();
     void diffOfArrays();
@@ -179,7 +180,11 @@ void TestCli::badCalls_data()
         "--subpixel-bits: \"-1\" is not a value of subpixel-bits, which takes: 0 to 8");
     row("render a.case --subpixel-bits 1.5", 2,
         "--subpixel-bits: \"1.5\" is not a value of subpixel-bits, which takes: 0 to 8");
-    row("render a.case --threads many", 2, "--threads: \"many\" is not a value of threads, which takes: *");
+    for (const char* threads : {"many", "-1", "257"})
+        QTest::newRow(qPrintable(QStringLiteral("render a.case --threads %1").arg(QLatin1String(threads))))
+            << 2
+            << QStringLiteral("--threads: \"%1\" is not a value of threads, which takes: auto, or 1 to 256")
+                   .arg(QLatin1String(threads));
     for (const char* size : {"0x0", "99999x1", "4", "4x", "-4x4", "4x4x4", "1e1x4", "16385x1", "nan"})
         QTest::newRow(qPrintable(QStringLiteral("render a.case --size %1").arg(QLatin1String(size))))
             << 2
@@ -529,6 +534,21 @@ void TestCli::statisticsNameWhatWorked()
 }
 
 void TestCli::infoAsTextAndJson()
+void TestCli::missingInstructionsAreNamed()
+{
+    // No machine has both.
+    const Run neon = call(QStringLiteral("render a.case --algorithm tiled --simd neon"));
+    const Run avx512 = call(QStringLiteral("render a.case --algorithm tiled --simd avx512"));
+    const Run& bad = neon.exitCode != 0 ? neon : avx512;
+    QCOMPARE(bad.exitCode, 2);
+    QVERIFY2(bad.err.startsWith(QLatin1String("rasterlens-cli render: this machine does not have simd ")),
+             qPrintable(bad.err));
+    const QString list = bad.err.section(QStringLiteral("; it has "), 1).trimmed();
+    QVERIFY(list.startsWith(QLatin1String("scalar")));
+    for (const QString& id : list.split(QStringLiteral(", ")))
+        QCOMPARE(call(QStringLiteral("render a.case --algorithm tiled --simd ") + id).exitCode, 0);
+}
+
 {
     const Run text = call(QStringLiteral("info a.obj"));
     QCOMPARE(text.exitCode, 0);

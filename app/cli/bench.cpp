@@ -169,8 +169,8 @@ std::vector<const Variant*> variantsFor(const Request& request, const Input& inp
     if (request.variants.empty())
         return supportedVariants(input.scene, input.settings);
     for (const Variant* variant : request.variants)
-        if (const auto reason = unsupported(input.scene, settingsOf(*variant, input.settings)))
-            fail(QStringLiteral("%1: %2").arg(QLatin1String(variant->id), textOf(*reason)));
+        if (const auto reason = refusal(input.scene, settingsOf(*variant, input.settings)))
+            fail(QStringLiteral("%1: %2").arg(QLatin1String(variant->id), *reason));
     return request.variants;
 }
 

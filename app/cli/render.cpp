@@ -132,8 +132,8 @@ ExitCode runRender(const QStringList& words)
 
     const OutputNames names(*arguments);
     const Input input = openInput(arguments->operands.first(), *arguments);
-    if (const auto reason = unsupported(input.scene, input.settings))
-        failArguments(QStringLiteral("rasterlens-cli render: %1").arg(textOf(*reason)));
+    if (const auto reason = refusal(input.scene, input.settings))
+        failArguments(QStringLiteral("rasterlens-cli render: %1").arg(*reason));
     renderTo(input.scene, input.settings, names);
     return ExitCode::Fine;
 }

@@ -28,6 +28,10 @@ std::vector<const Variant*> variantsOf(const QString& list, const QString& verb)
     std::vector<const Variant*> chosen;
     for (const QString& id : list.split(QLatin1Char(','))) {
         const Variant* variant = findVariant(id);
+        if (id.isEmpty())
+            failArguments(QStringLiteral("rasterlens-cli %1: --variants: \"%2\" has a comma too many; ids with a comma "
+                                         "between them are expected")
+                              .arg(verb, list));
         if (variant == nullptr)
             failUnknown(id, verb);
         if (std::find(chosen.begin(), chosen.end(), variant) == chosen.end())
