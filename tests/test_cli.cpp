@@ -234,6 +234,7 @@ void TestCli::badCalls_data()
     row("render builtin:nonsense", 3, "builtin:nonsense: *");
     row("render stress:nonsense", 3, "stress:nonsense: *");
     row("render a.obj --texture missing.png", 3, "missing.png: *");
+    row("render missing.obj -o nowhere/out.png", 3, "nowhere/out.png: cannot be written: *"); // said before the work
     row("render a.case -o folder", 3, "folder: cannot be written: it is a folder; the name of a file is expected");
     row("render a.case -o nowhere/out.png", 3, "nowhere/out.png: cannot be written: *");
     row("render a.case -o text.txt/out.png", 3, "text.txt/out.png: cannot be written: *");
@@ -533,7 +534,6 @@ void TestCli::statisticsNameWhatWorked()
     QVERIFY(used.simd != Simd::Auto);
 }
 
-void TestCli::infoAsTextAndJson()
 void TestCli::missingInstructionsAreNamed()
 {
     // No machine has both.
@@ -549,6 +549,7 @@ void TestCli::missingInstructionsAreNamed()
         QCOMPARE(call(QStringLiteral("render a.case --algorithm tiled --simd ") + id).exitCode, 0);
 }
 
+void TestCli::infoAsTextAndJson()
 {
     const Run text = call(QStringLiteral("info a.obj"));
     QCOMPARE(text.exitCode, 0);

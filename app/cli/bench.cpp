@@ -159,7 +159,7 @@ Request requestOf(const Arguments& arguments)
     }
     QStringList names{request.csv, request.json, request.plot};
     names.removeAll(QString());
-    checkOutputNames(names);
+    checkOutputs(names);
     return request;
 }
 

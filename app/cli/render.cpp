@@ -73,7 +73,7 @@ struct OutputNames {
         if (names.isEmpty())
             failArguments(QStringLiteral("rasterlens-cli render: --no-picture leaves nothing to write; one of --depth, "
                                          "--ids, --coverage, --stats is expected"));
-        checkOutputNames(names);
+        checkOutputs(names);
     }
 
 private:

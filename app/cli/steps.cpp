@@ -90,8 +90,11 @@ ExitCode runSteps(const QStringList& words)
     if (const auto limit = wholeOption(*arguments, QStringLiteral("--limit"), 1, kMaxLimit))
         filter.cap = static_cast<std::size_t>(*limit);
 
+    const auto file = arguments->value(QStringLiteral("--json"));
+    if (file)
+        checkOutputs({*file});
     const auto log = renderSteps(input.scene, input.settings, filter);
-    if (const auto file = arguments->value(QStringLiteral("--json"))) {
+    if (file) {
         OutputFiles files;
         files.add(*file, jsonLinesOf(*log));
         files.write();
