@@ -59,10 +59,14 @@ def arguments():
     return given
 
 
+def short_name(scene):
+    return Path(scene).stem.removeprefix("stress:")
+
+
 def scenes(given):
     models = [str(given.models / model) for model in MODELS] if given.models else []
     everything = STRESS_SCENES + [(model, model) for model in models]
-    return [names for names in everything if re.search(given.only, names[0])]
+    return [names for names in everything if re.search(given.only, short_name(names[0]))]
 
 
 def output(command, **environment):
@@ -122,8 +126,7 @@ def main():
         (median, least), (tiled_median, tiled_least) = compare(given, ours, theirs)
         ratios.append((median / tiled_median, least / tiled_least))
         times = f"{median:9.2f} {least:9.2f} {tiled_median:9.3f} {tiled_least:9.3f}"
-        name = Path(ours).stem.removeprefix("stress:")
-        print(f"{name:22} {times} {ratios[-1][0]:7.2f} {ratios[-1][1]:7.2f}", flush=True)
+        print(f"{short_name(ours):22} {times} {ratios[-1][0]:7.2f} {ratios[-1][1]:7.2f}", flush=True)
     if ratios:
         of_medians, of_minima = map(geometric_mean, zip(*ratios))
         print(f"{'geometric mean':22} {'':39} {of_medians:7.2f} {of_minima:7.2f}")
