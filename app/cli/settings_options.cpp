@@ -2,7 +2,7 @@
 
 #include "app/cli/failure.h"
 #include "core/mistakes.h"
-#include "core/rasterizers/tiled/tiled.h"
+#include "core/render.h"
 
 #include <glm/glm.hpp>
 
@@ -199,21 +199,16 @@ void readField(const SettingsField& field, const QString& text, Settings& settin
         failArguments(optionName(field) + QStringLiteral(": ") + *error);
 }
 
-bool machineHas(Simd simd)
-{
-    Settings settings;
-    settings.simd = simd;
-    return !Tiled::supports(settings);
-}
-
-/// The vector instructions of this machine, and scalar.
-QStringList simdIds()
+/// The vector instructions that these settings can be drawn with, and scalar.
+QStringList simdIds(const Scene& scene, Settings settings)
 {
     QStringList ids;
     const SettingsField& field = *findSettingsField(QStringLiteral("simd"));
-    for (int value = field.minimum; value <= field.maximum; ++value)
-        if (const auto simd = static_cast<Simd>(value); simd != Simd::Auto && machineHas(simd))
-            ids << QLatin1String(field.choices[static_cast<std::size_t>(value)].id);
+    for (int value = field.minimum; value <= field.maximum; ++value) {
+        field.set(settings, value);
+        if (settings.simd != Simd::Auto && !unsupported(scene, settings))
+            ids << valueId(field, settings);
+    }
     return ids;
 }
 
@@ -290,9 +285,9 @@ std::optional<QString> refusal(const Scene& scene, const Settings& settings)
     const auto reason = unsupported(scene, settings);
     if (!reason)
         return std::nullopt;
-    const bool lacksSimd = settings.algorithm == Algorithm::Tiled && !machineHas(settings.simd);
+    const QStringList others = simdIds(scene, settings); // none where anything else is in the way
     return textOf(*reason) +
-           (lacksSimd ? QStringLiteral("; it has ") + simdIds().join(QStringLiteral(", ")) : QString());
+           (others.isEmpty() ? QString() : QStringLiteral("; it has ") + others.join(QStringLiteral(", ")));
 }
 
 QStringList unknownMistakes(const Settings& settings)
