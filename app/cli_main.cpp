@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <new>
+#include <system_error>
 
 namespace rasterlens::cli
 {
@@ -76,6 +77,10 @@ ExitCode runGuarded(const QStringList& words)
     } catch (const std::bad_alloc&) {
         std::fputs("rasterlens-cli: there is not enough memory; a smaller --size or fewer --samples need less\n",
                    stderr);
+        return ExitCode::BadArguments;
+    } catch (const std::system_error& error) { // what the standard library's threads throw
+        std::fprintf(stderr, "rasterlens-cli: threads cannot be started: %s; fewer --threads need less\n",
+                     error.code().message().c_str());
         return ExitCode::BadArguments;
     }
 }

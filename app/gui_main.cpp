@@ -60,6 +60,18 @@ ParsedArguments refuse(const QString& why)
     return {std::nullopt, kBadArguments};
 }
 
+/// Of `zh`, `zh_CN`, `zh-Hans`, `en_GB.UTF-8` and the like.
+std::optional<rasterlens::LanguageKind> languageOf(const QString& locale)
+{
+    const QString language =
+        QString(locale).replace(QLatin1Char('-'), QLatin1Char('_')).section(QLatin1Char('_'), 0, 0);
+    if (language == QLatin1String("zh"))
+        return rasterlens::LanguageKind::Chinese;
+    if (language == QLatin1String("en"))
+        return rasterlens::LanguageKind::English;
+    return std::nullopt;
+}
+
 ParsedArguments parseArguments(const QStringList& words)
 {
     QCommandLineParser parser;
@@ -73,7 +85,8 @@ ParsedArguments parseArguments(const QStringList& words)
         QStringLiteral("file"));
     const QCommandLineOption windowSize(QStringLiteral("size-window"), QStringLiteral("Size of the window in pixels."),
                                         QStringLiteral("WxH"));
-    const QCommandLineOption language(QStringLiteral("language"), QStringLiteral("Language of the window: en or zh."),
+    const QCommandLineOption language(QStringLiteral("language"),
+                                      QStringLiteral("Language of the window: en or zh, also zh_CN and the like."),
                                       QStringLiteral("en|zh"));
     const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("Colours of the window: light or dark."),
                                    QStringLiteral("light|dark"));
@@ -129,11 +142,9 @@ ParsedArguments parseArguments(const QStringList& words)
             return refuse(QStringLiteral("--size-window takes WIDTHxHEIGHT"));
     }
     if (parser.isSet(language)) {
-        const QString value = parser.value(language);
-        if (value != QLatin1String("en") && value != QLatin1String("zh"))
-            return refuse(QStringLiteral("--language takes en or zh"));
-        arguments.language =
-            value == QLatin1String("zh") ? rasterlens::LanguageKind::Chinese : rasterlens::LanguageKind::English;
+        arguments.language = languageOf(parser.value(language));
+        if (!arguments.language)
+            return refuse(QStringLiteral("--language takes en or zh, also with a country: zh_CN"));
     }
     if (parser.isSet(theme)) {
         const QString value = parser.value(theme);

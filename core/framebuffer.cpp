@@ -3,6 +3,7 @@
 #include "core/pipeline/shading.h"
 
 #include <algorithm>
+#include <new>
 
 namespace rasterlens
 {
@@ -45,12 +46,16 @@ void pickCentres(const Plane& samples, Plane& plane, int width, int height, int 
 }
 
 /// Makes the frame's picture one of the right size, or none.
+///
+/// errors  throws std::bad_alloc; QImage itself would only be null
 void sizePicture(Frame& frame, const Rules& rules, Outputs outputs)
 {
     if (!outputs.picture)
         frame.image = QImage();
     else if (frame.image.size() != QSize(rules.width, rules.height) || frame.image.format() != QImage::Format_RGB32)
         frame.image = QImage(rules.width, rules.height, QImage::Format_RGB32);
+    if (outputs.picture && frame.image.isNull())
+        throw std::bad_alloc();
 }
 
 } // namespace

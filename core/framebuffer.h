@@ -50,6 +50,8 @@ class Framebuffer
 {
 public:
     /// Clears everything that `rules` and `outputs` call for; memory of an earlier frame of that size is used again.
+    ///
+    /// errors  throws std::bad_alloc
     Framebuffer(Frame& frame, const Rules& rules, Outputs outputs, std::uint32_t clearColor);
 
     [[nodiscard]] const SampleBuffer& samples() const { return m_samples; }

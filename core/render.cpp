@@ -55,6 +55,14 @@ std::optional<Settings> fastSettings(const Scene& scene, const Settings& setting
     return fast;
 }
 
+Settings withWorkers(Settings settings)
+{
+    const bool tiled = settings.algorithm == Algorithm::Tiled;
+    settings.threads = tiled ? Tiled::threads(settings) : 1;
+    settings.simd = tiled ? Tiled::simd(settings) : Simd::Scalar;
+    return settings;
+}
+
 void render(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs, std::stop_token stop)
 {
     if (settings.algorithm == Algorithm::Tiled) {

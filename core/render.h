@@ -46,11 +46,18 @@ struct Frame {
 /// where the algorithm is part of the picture (mistakes, number types, lines, edge-then-span) or is tiled already.
 [[nodiscard]] std::optional<Settings> fastSettings(const Scene& scene, const Settings& settings);
 
+/// The settings with the threads and vector instructions that this machine draws them with: never 0, never Auto; one
+/// thread and Scalar where the algorithm has neither.
+///
+/// in      settings for which unsupported() is empty
+[[nodiscard]] Settings withWorkers(Settings settings);
+
 /// Draws one frame at full speed.
 ///
 /// in      settings for which unsupported() is empty; `frame` may hold an earlier picture, whose memory is used again
 /// cost    linear in faces and covered samples
-/// errors  none; `stop` ends the work early and leaves an unfinished picture
+/// errors  throws std::bad_alloc, and std::system_error where threads cannot be started; `stop` ends the work early and
+///         leaves an unfinished picture
 void render(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs = {},
             std::stop_token stop = {});
 

@@ -26,11 +26,11 @@ struct Run {
     QString err;
 };
 
-Run run(const QStringList& arguments, const QString& folder)
+Run run(const QStringList& arguments, const QString& folder, const QString& program = QStringLiteral(RASTERLENS_CLI))
 {
     QProcess process;
     process.setWorkingDirectory(folder);
-    process.start(QStringLiteral(RASTERLENS_CLI), arguments);
+    process.start(program, arguments);
     if (!process.waitForFinished(-1) || process.exitStatus() != QProcess::NormalExit)
         return {-1, {}, process.errorString() + QString::fromUtf8(process.readAllStandardError())};
     return {process.exitCode(), process.readAllStandardOutput(), QString::fromUtf8(process.readAllStandardError())};
@@ -76,6 +76,8 @@ private Q_SLOTS:
     void badCalls();
     void allOutputsOrNone();
     void fullDiskIsAnError();
+    void littleMemoryIsAnError_data();
+    void littleMemoryIsAnError();
     void pictureGoesToStdout();
     void drawsWithoutAPicture();
     void arraysHaveTheShapeOfThePicture();
@@ -84,6 +86,8 @@ private Q_SLOTS:
     void sessionIsTheBase();
     void countersAreConserved_data();
     void countersAreConserved();
+    void statisticsNameWhatWorked();
+    void missingInstructionsAreNamed();
     void infoAsTextAndJson();
     void diffOfPictures();
     void diffOfArrays();
@@ -176,7 +180,11 @@ void TestCli::badCalls_data()
         "--subpixel-bits: \"-1\" is not a value of subpixel-bits, which takes: 0 to 8");
     row("render a.case --subpixel-bits 1.5", 2,
         "--subpixel-bits: \"1.5\" is not a value of subpixel-bits, which takes: 0 to 8");
-    row("render a.case --threads many", 2, "--threads: \"many\" is not a value of threads, which takes: *");
+    for (const char* threads : {"many", "-1", "257"})
+        QTest::newRow(qPrintable(QStringLiteral("render a.case --threads %1").arg(QLatin1String(threads))))
+            << 2
+            << QStringLiteral("--threads: \"%1\" is not a value of threads, which takes: auto, or 1 to 256")
+                   .arg(QLatin1String(threads));
     for (const char* size : {"0x0", "99999x1", "4", "4x", "-4x4", "4x4x4", "1e1x4", "16385x1", "nan"})
         QTest::newRow(qPrintable(QStringLiteral("render a.case --size %1").arg(QLatin1String(size))))
             << 2
@@ -226,6 +234,7 @@ void TestCli::badCalls_data()
     row("render builtin:nonsense", 3, "builtin:nonsense: *");
     row("render stress:nonsense", 3, "stress:nonsense: *");
     row("render a.obj --texture missing.png", 3, "missing.png: *");
+    row("render missing.obj -o nowhere/out.png", 3, "nowhere/out.png: cannot be written: *"); // said before the work
     row("render a.case -o folder", 3, "folder: cannot be written: it is a folder; the name of a file is expected");
     row("render a.case -o nowhere/out.png", 3, "nowhere/out.png: cannot be written: *");
     row("render a.case -o text.txt/out.png", 3, "text.txt/out.png: cannot be written: *");
@@ -296,6 +305,34 @@ void TestCli::fullDiskIsAnError()
     QVERIFY2(full.err.startsWith(device + QLatin1String(": cannot be written: ")), qPrintable(full.err));
     QVERIFY(!QFile::exists(path("out.png")));
     QVERIFY2(!QFileInfo(device).isFile(), "the device is still a device");
+}
+
+void TestCli::littleMemoryIsAnError_data()
+{
+    QTest::addColumn<QString>("message");
+    const QString memory =
+        QStringLiteral("there is not enough memory; a smaller --size or fewer --samples need less\n");
+    QTest::newRow("--size 16384x16384") << memory;
+    QTest::newRow("--size 16384x16384 --algorithm tiled --threads 1") << memory;
+    QTest::newRow("--size 4000x4000 --samples 4x4") << memory;
+    QTest::newRow("--algorithm tiled --threads 256") << QStringLiteral("threads cannot be started: ");
+}
+
+/// In less address space than the 1 GiB of the largest picture, or 256 stacks of 8 MiB.
+void TestCli::littleMemoryIsAnError()
+{
+    if (RASTERLENS_SANITIZED)
+        QSKIP("a sanitizer needs more address space than there is memory");
+    QFETCH(QString, message);
+    const QStringList before = entries();
+    const QString words = QStringLiteral("render builtin:cube ") + QLatin1String(QTest::currentDataTag());
+    const QString limited = QStringLiteral("ulimit -S -s 8192; ulimit -v 1000000; exec \"$0\" \"$@\"");
+    const Run bad = run(QStringList{"-c", limited, RASTERLENS_CLI} + words.split(QLatin1Char(' ')), m_folder->path(),
+                        QStringLiteral("sh"));
+    QVERIFY2(bad.err.startsWith(QStringLiteral("rasterlens-cli: ") + message), qPrintable(bad.err));
+    QCOMPARE(bad.exitCode, 2);
+    QCOMPARE(bad.out, QByteArray());
+    QCOMPARE(entries(), before);
 }
 
 void TestCli::pictureGoesToStdout()
@@ -457,8 +494,7 @@ void TestCli::countersAreConserved()
 {
     QFETCH(QString, words);
     const QJsonObject statistics = statisticsOf(QStringLiteral("render --size 160x120 ") + words);
-    QCOMPARE(statistics.keys(), QStringList({QStringLiteral("faces"), QStringLiteral("milliseconds"),
-                                             QStringLiteral("pixels"), QStringLiteral("settings")}));
+    QCOMPARE(statistics.keys(), QStringList({"faces", "milliseconds", "pixels", "settings", "simd", "threads"}));
     const auto face = [&](const char* key) { return statistics["faces"][QLatin1String(key)].toInteger(-1); };
     const auto pixel = [&](const char* key) { return statistics["pixels"][QLatin1String(key)].toInteger(-1); };
     QVERIFY(face("submitted") > 0);
@@ -474,6 +510,42 @@ void TestCli::countersAreConserved()
     QVERIFY(pixel("written") >= 0 && pixel("shaded") >= 0);
     for (const char* key : {"vertex", "geometry", "raster", "total"})
         QVERIFY2(statistics["milliseconds"][QLatin1String(key)].toDouble(-1) >= 0, key);
+}
+
+void TestCli::statisticsNameWhatWorked()
+{
+    const QJsonObject one = statisticsOf(QStringLiteral("render a.case --threads 3"));
+    QCOMPARE(one["threads"].toInt(), 1);
+    QCOMPARE(one["simd"].toString(), QStringLiteral("scalar"));
+    QCOMPARE(one["settings"]["threads"].toInt(), 3);
+    const QJsonObject chosen =
+        statisticsOf(QStringLiteral("render a.case --algorithm tiled --threads 3 --simd scalar"));
+    QCOMPARE(chosen["threads"].toInt(), 3);
+    QCOMPARE(chosen["simd"].toString(), QStringLiteral("scalar"));
+    const QJsonObject automatic = statisticsOf(QStringLiteral("render a.case --algorithm tiled"));
+    QVERIFY(automatic["threads"].toInt() >= 1);
+    QCOMPARE(automatic["settings"]["threads"].toInt(-1), 0);
+    QCOMPARE(automatic["settings"]["simd"].toString(), QStringLiteral("auto"));
+    Settings used;
+    QVERIFY(!setFromText(*findSettingsField(QStringLiteral("simd")), automatic["simd"].toString(), used));
+    QVERIFY(used.simd != Simd::Auto);
+}
+
+void TestCli::missingInstructionsAreNamed()
+{
+    // No machine has both.
+    const Run neon = call(QStringLiteral("render a.case --algorithm tiled --simd neon"));
+    const Run avx512 = call(QStringLiteral("render a.case --algorithm tiled --simd avx512"));
+    const Run& bad = neon.exitCode != 0 ? neon : avx512;
+    QCOMPARE(bad.exitCode, 2);
+    QVERIFY2(bad.err.startsWith(QLatin1String("rasterlens-cli render: this machine does not have simd ")),
+             qPrintable(bad.err));
+    const QString list = bad.err.section(QStringLiteral("; it has "), 1).trimmed();
+    QVERIFY(list.startsWith(QLatin1String("scalar")));
+    const Run wired = call(QStringLiteral("render a.case --algorithm tiled --simd neon --fill wireframe"));
+    QVERIFY2(!wired.err.contains(QLatin1String("it has")), "others would not help either");
+    for (const QString& id : list.split(QStringLiteral(", ")))
+        QCOMPARE(call(QStringLiteral("render a.case --algorithm tiled --simd ") + id).exitCode, 0);
 }
 
 void TestCli::infoAsTextAndJson()

@@ -42,6 +42,10 @@ private Q_SLOTS:
     void theFrontierIsPartOfAll();
     void severalScenes();
     void chosenVariants();
+    void asGiven();
+    void whatIsHeededIsTaken();
+    void failsBeforeItMeasures();
+    void saysWhatItMeasures();
     void listsVariants();
     void casesThatPass();
     void casesThatFail();
@@ -101,12 +105,74 @@ void TestCliBench::chosenVariants()
     QVERIFY(rows[0]["error"]["psnr"].isNull());
 }
 
+void TestCliBench::asGiven()
+{
+    const Run result = run(kQuick + QStringList{"--variants", "as-given,tiled", "--algorithm", "tiled", "--samples",
+                                                "3x3", "--depth-format", "unorm16", "--json", "-"});
+    QVERIFY2(result.exitCode == 0, qPrintable(result.err));
+    const QJsonArray rows = QJsonDocument::fromJson(result.out.toUtf8()).array();
+    QCOMPARE(rows.size(), 2);
+    QCOMPARE(rows[0]["variant"].toString(), QStringLiteral("as-given"));
+    QCOMPARE(rows[0]["settings"]["samples"].toString(), QStringLiteral("3x3"));
+    QCOMPARE(rows[0]["settings"]["algorithm"].toString(), QStringLiteral("tiled"));
+    QCOMPARE(rows[0]["settings"]["depth-format"].toString(), QStringLiteral("unorm16"));
+    QCOMPARE(rows[0]["error"]["missing_pixels"].toInt(-1), 0);
+    QVERIFY(rows[0]["error"]["depth_max"].toDouble() > rows[1]["error"]["depth_max"].toDouble());
+    QCOMPARE(rows[1]["settings"]["samples"].toString(), QStringLiteral("1"));
+}
+
+void TestCliBench::whatIsHeededIsTaken()
+{
+    // What all variants agree with, and what one of them leaves open.
+    for (const QStringList& words : {QStringList{"--variants", "tiled,tiled-2x2", "--algorithm", "tiled"},
+                                     QStringList{"--variants", "edge-equation-4x4", "--samples", "4x4"},
+                                     QStringList{"--variants", "tiled,tiled-1-thread", "--threads", "2"}}) {
+        const Run result = run(kQuick + words);
+        QVERIFY2(result.exitCode == 0, qPrintable(result.err));
+        QVERIFY2(!result.err.contains(QStringLiteral("as-given")), qPrintable(result.err));
+    }
+    // These two move the truth, which is worth a warning.
+    const Run result = run(kQuick + QStringList{"--variants", "edge-equation-float64", "--subpixel-bits", "0"});
+    QVERIFY2(result.exitCode == 0, qPrintable(result.err));
+    QVERIFY2(result.err.startsWith(
+                 QStringLiteral("--subpixel-bits 0: every variant measured has its own subpixel-bits, only the exact")),
+             qPrintable(result.err));
+}
+
+void TestCliBench::failsBeforeItMeasures()
+{
+    QTemporaryDir folder;
+    QFile old(folder.filePath(QStringLiteral("old.csv")));
+    QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
+    old.close();
+    for (const QStringList& outputs : {QStringList{"--csv", "old.csv", "--json", "nowhere/b.json"},
+                                       QStringList{"--csv", "old.csv", "--plot", "old.csv/b.svg"}}) {
+        const Run result = run(kQuick + outputs, folder.path());
+        QCOMPARE(result.exitCode, 3);
+        QVERIFY2(result.err.startsWith(outputs.last() + QStringLiteral(": cannot be written")), qPrintable(result.err));
+        QVERIFY(old.open(QIODevice::ReadOnly));
+        QCOMPARE(old.readAll(), QByteArray("old"));
+        old.close();
+        QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot), QStringList{"old.csv"});
+    }
+}
+
+void TestCliBench::saysWhatItMeasures()
+{
+    const Run result = run(kQuick + QStringList{"builtin:triangle", "--variants", "tiled,edge-walking"});
+    QCOMPARE(result.exitCode, 0);
+    const QStringList lines = result.err.split(QLatin1Char('\n')); // between them a line every few seconds
+    QVERIFY2(lines.contains(QStringLiteral("builtin:cube: variants to measure: 2")), qPrintable(result.err));
+    QVERIFY2(lines.contains(QStringLiteral("builtin:triangle: variants to measure: 2")), qPrintable(result.err));
+}
+
 void TestCliBench::listsVariants()
 {
     const Run result = run({"bench", "--list-variants"});
     QCOMPARE(result.exitCode, 0);
     QVERIFY(result.out.count(QLatin1Char('\n')) >= 30);
     QVERIFY(result.out.startsWith(QStringLiteral("edge-equation ")));
+    QVERIFY(result.out.contains(QStringLiteral("\nas-given ")));
 }
 
 void TestCliBench::casesThatPass()
@@ -160,6 +226,16 @@ void TestCliBench::refusals_data()
     row("plot", {"--plot", "b.gif"}, 2, ".svg or .png");
     row("frontier", {"--variants", "frontier", "--reference", "none"}, 2, "needs --reference exact");
     row("same name", {"--csv", "a", "--json", "a"}, 2, "two outputs");
+    row("comma", {"--variants", "tiled,"}, 2, "--variants: \"tiled,\" has a comma too many");
+    row("output", {"--csv", "nowhere/x.csv"}, 3, "nowhere/x.csv: cannot be written: ");
+    row("output of cases", {"cases", "--json", "nowhere/x.json"}, 3, "nowhere/x.json: cannot be written: ");
+    row("not heeded", {"--variants", "tiled", "--samples", "4x4"}, 2,
+        "--samples 4x4: every variant measured has its own samples; --variants as-given measures");
+    row("not heeded by all", {"--depth-format", "unorm16"}, 2, "--depth-format unorm16: every variant");
+    row("not heeded by the frontier", {"--variants", "frontier", "--stepping", "direct"}, 2, "--stepping direct");
+    row("threads not heeded", {"--variants", "tiled-1-thread", "--threads", "2"}, 2, "--threads 2: every variant");
+    row("truth not wanted", {"--variants", "tiled", "--subpixel-bits", "4", "--reference", "none"}, 2,
+        "--subpixel-bits 4: every variant");
     row("no case", {"cases", "--filter", "no-such-case"}, 2, "no case matches");
     row("case variant", {"cases", "--variants", "tild"}, 2, "did you mean tiled?");
     row("case operand", {"cases", "001"}, 2, "one argument too many");

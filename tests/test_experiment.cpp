@@ -62,6 +62,8 @@ class TestExperiment : public QObject
 private Q_SLOTS:
     void thereAreManyVariantsEachItsOwn();
     void variantsKeepTheRestOfTheBase();
+    void asGivenIsTheBase();
+    void whatAVariantDecides();
     void unsupportedOnesAreLeftOut();
     void titlesAreTranslated();
     void exactVariantsHaveNoError();
@@ -105,6 +107,44 @@ void TestExperiment::variantsKeepTheRestOfTheBase()
     expected.algorithm = Algorithm::EdgeWalking;
     expected.subpixelBits = 4;
     QVERIFY(made == expected);
+}
+
+void TestExperiment::asGivenIsTheBase()
+{
+    // Every field at its other end at once.
+    Settings base = plainSettings(kViewport);
+    for (const SettingsField& field : settingsFields())
+        field.set(base, field.get(base) == field.maximum ? field.minimum : field.maximum);
+    const Variant* given = findVariant(QStringLiteral("as-given"));
+    QCOMPARE(given, &asGiven());
+    QVERIFY(settingsOf(*given, base) == base);
+    QVERIFY(changedBy(*given, base) == base);
+    for (const Variant& variant : variants())
+        QVERIFY(&variant != given);
+
+    Settings fine = plainSettings(kViewport);
+    fine.algorithm = Algorithm::Tiled;
+    fine.samples = Samples::Grid3;
+    const auto rows = runExperiment(scene(), fine, std::vector{given}, {1, true});
+    QCOMPARE(rows[0].variant, QStringLiteral("as-given"));
+    QVERIFY(rows[0].settings == fine);
+    QCOMPARE(rows[0].error.coverage->wrong(), 0U); // against the truth of 3 x 3 samples
+}
+
+void TestExperiment::whatAVariantDecides()
+{
+    const auto decided = [](const char* id, const char* field) {
+        return decides(*findVariant(QLatin1String(id)), *findSettingsField(QLatin1String(field)));
+    };
+    for (const char* field : {"algorithm", "number-type", "subpixel-bits", "stepping", "depth-format", "interpolation",
+                              "attribute-path", "samples"}) {
+        for (const Variant& variant : variants())
+            QVERIFY2(decided(variant.id, field), field);
+        QVERIFY2(!decided("as-given", field), field);
+    }
+    QVERIFY(!decided("tiled", "threads") && decided("tiled-1-thread", "threads"));
+    QVERIFY(!decided("tiled", "simd") && decided("tiled-scalar", "simd"));
+    QVERIFY(!decided("tiled", "culling"));
 }
 
 void TestExperiment::unsupportedOnesAreLeftOut()

@@ -9,8 +9,10 @@
 #include "core/render.h"
 #include "core/truth/experiment_export.h"
 
+#include <QElapsedTimer>
 #include <QFileInfo>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <unistd.h>
@@ -42,7 +44,7 @@ Usage usage()
         QStringLiteral("What is measured:"),
         {value("--variants", "LIST",
                QStringLiteral("all (default), frontier (measure all, keep those that no other beats), or ids joined by "
-                              "commas; see --list-variants.")),
+                              "commas; see --list-variants. as-given measures exactly the settings given.")),
          {QStringLiteral("--list-variants"),
           Option::Kind::Switch,
           {},
@@ -78,12 +80,16 @@ Usage usage()
             "sample a pixel; one number a scene). Mtri/s counts submitted faces.\n\n"
             "Errors are those against the exact picture of the settings given, in rational arithmetic, at the full "
             "size: correct clipping, top-left rule, perspective, exact depths; vertices snapped to --subpixel-bits, "
-            "or not at all with --number-type float64. Variants change number type, subpixel bits and the like for "
-            "themselves; a variant with several samples a pixel is compared with the truth of as many. Depth and "
-            "colour are compared where both show the same face, colour in 8-bit steps from the exact value (rounding "
-            "alone: "
-            "0.5); PSNR is that of the whole picture against the exact one rounded to 8 bits. Colours need --shading "
-            "gouraud. A PSNR of %1 in JSON and CSV stands for infinity: equal pictures.\n\n"
+            "or not at all with --number-type float64. A variant with several samples a pixel is compared with the "
+            "truth of as many. Depth and colour are compared where both show the same face, colour in 8-bit steps from "
+            "the exact value (rounding alone: 0.5); PSNR is that of the whole picture against the exact one rounded to "
+            "8 bits. Colours need --shading gouraud. A PSNR of %1 in JSON and CSV stands for infinity: equal "
+            "pictures.\n\n"
+            "Each variant has its own algorithm, number type, subpixel bits, stepping, depth format, interpolation, "
+            "attribute path and samples, some also threads or vector instructions; all else is as given. An option "
+            "that no variant measured heeds is refused; --number-type and --subpixel-bits, which still shape the exact "
+            "picture, are taken with a warning. Any combination of settings is measured as-given:\n"
+            "  rasterlens-cli bench builtin:head --variants as-given --algorithm tiled --samples 3x3\n\n"
             "Variants that the scene, the settings or the machine do not support are left out of `all`.\n\n"
             "Exit codes: 0 measured; 2 bad arguments, or a variant asked for that is not supported; 3 input that "
             "cannot be read, or output that cannot be written.")
@@ -159,7 +165,7 @@ Request requestOf(const Arguments& arguments)
     }
     QStringList names{request.csv, request.json, request.plot};
     names.removeAll(QString());
-    checkOutputNames(names);
+    checkOutputs(names);
     return request;
 }
 
@@ -169,24 +175,96 @@ std::vector<const Variant*> variantsFor(const Request& request, const Input& inp
     if (request.variants.empty())
         return supportedVariants(input.scene, input.settings);
     for (const Variant* variant : request.variants)
-        if (const auto reason = unsupported(input.scene, settingsOf(*variant, input.settings)))
-            fail(QStringLiteral("%1: %2").arg(QLatin1String(variant->id), textOf(*reason)));
+        if (const auto reason = refusal(input.scene, settingsOf(*variant, input.settings)))
+            fail(QStringLiteral("%1: %2").arg(QLatin1String(variant->id), *reason));
     return request.variants;
 }
 
-void showProgress(const ExperimentProgress& progress)
+/// The exact picture snaps to them, whatever variants do.
+bool shapesTheTruth(const SettingsField& field)
 {
-    std::fprintf(stderr, "\r%d of %d frames", progress.done, progress.total);
-    if (progress.done == progress.total)
-        std::fputs("\r\033[K", stderr);
+    return field.id == QLatin1String("number-type") || field.id == QLatin1String("subpixel-bits");
 }
+
+/// Refuses options that change nothing, because every variant measured has a value of its own.
+///
+/// out     warnings about options that change the exact picture alone
+QStringList checkHeeded(const Arguments& arguments, const Request& request, const Input& input)
+{
+    const std::vector<const Variant*> measured = variantsFor(request, input);
+    QStringList warnings;
+    for (const SettingsField& field : settingsFields()) {
+        const QString option = QStringLiteral("--") + QLatin1String(field.id);
+        const auto given = arguments.value(option);
+        const auto overrules = [&](const Variant* variant) { return decides(*variant, field); };
+        const auto agrees = [&](const Variant* variant) {
+            return field.get(settingsOf(*variant, input.settings)) == field.get(input.settings);
+        };
+        if (!given || !std::all_of(measured.begin(), measured.end(), overrules) ||
+            std::all_of(measured.begin(), measured.end(), agrees))
+            continue;
+        const QString text = QStringLiteral("%1 %2: every variant measured has its own %3")
+                                 .arg(option, *given)
+                                 .arg(QLatin1String(field.id));
+        const QString hint = QStringLiteral("--variants as-given measures exactly the settings given");
+        if (!request.options.reference || !shapesTheTruth(field))
+            fail(text + QStringLiteral("; ") + hint);
+        warnings << text + QStringLiteral(", only the exact picture is made with it; ") + hint;
+    }
+    return warnings;
+}
+
+/// Opens the scenes; what is wrong is said before the first frame.
+std::vector<Input> openInputs(const Arguments& arguments, const Request& request)
+{
+    std::vector<Input> inputs;
+    QStringList warnings;
+    for (const QString& scene : request.scenes) {
+        inputs.push_back(openInput(scene, arguments));
+        warnings << checkHeeded(arguments, request, inputs.back());
+    }
+    warnings.removeDuplicates();
+    for (const QString& warning : std::as_const(warnings))
+        std::fprintf(stderr, "%s\n", qUtf8Printable(warning));
+    return inputs;
+}
+
+/// How far a scene is, on stderr: in place on a terminal, elsewhere a line at the start and every few seconds.
+class ProgressLine
+{
+public:
+    ProgressLine(const Input& input, std::size_t variants) : m_scene(input.scene.id)
+    {
+        show(QStringLiteral("variants to measure: %1").arg(variants));
+    }
+
+    void operator()(const ExperimentProgress& progress)
+    {
+        if (m_inPlace || m_sinceShown.hasExpired(kIntervalMs))
+            show(QStringLiteral("%1 of %2 frames").arg(progress.done).arg(progress.total));
+        if (m_inPlace && progress.done == progress.total)
+            std::fputs("\r\033[K", stderr);
+    }
+
+private:
+    static constexpr int kIntervalMs = 5000;
+
+    void show(const QString& text)
+    {
+        std::fprintf(stderr, m_inPlace ? "\r%s: %s\033[K" : "%s: %s\n", qUtf8Printable(m_scene), qUtf8Printable(text));
+        m_sinceShown.start();
+    }
+
+    QString m_scene;
+    bool m_inPlace = isatty(STDERR_FILENO) != 0;
+    QElapsedTimer m_sinceShown;
+};
 
 std::vector<ExperimentRow> measure(const Request& request, const Input& input)
 {
-    const bool watched = isatty(STDERR_FILENO) != 0;
+    const std::vector<const Variant*> variants = variantsFor(request, input);
     std::vector<ExperimentRow> rows =
-        runExperiment(input.scene, input.settings, variantsFor(request, input), request.options,
-                      watched ? showProgress : std::function<void(const ExperimentProgress&)>());
+        runExperiment(input.scene, input.settings, variants, request.options, ProgressLine(input, variants.size()));
     markFrontier(rows, request.measure);
     if (request.frontierOnly)
         std::erase_if(rows, [](const ExperimentRow& row) { return !row.frontier; });
@@ -246,7 +324,7 @@ QString variantList()
     QString text;
     for (const Variant& variant : variants())
         text += QStringLiteral("%1 %2\n").arg(QLatin1String(variant.id), -28).arg(QLatin1String(variant.changes));
-    return text;
+    return text + QStringLiteral("%1 (exactly the settings given)\n").arg(QLatin1String(asGiven().id), -28);
 }
 
 } // namespace
@@ -261,14 +339,8 @@ ExitCode runBench(const QStringList& words)
     if (!arguments)
         return ExitCode::Fine;
     const Request request = requestOf(*arguments);
-    std::vector<Input> inputs;
-    for (const QString& scene : request.scenes) {
-        inputs.push_back(openInput(scene, *arguments));
-        (void)variantsFor(request, inputs.back()); // what is wrong is said before the first frame
-    }
-
     std::vector<ExperimentRow> all;
-    for (const Input& input : inputs) {
+    for (const Input& input : openInputs(*arguments, request)) {
         const std::vector<ExperimentRow> rows = measure(request, input);
         if (!request.usesStdout())
             printText(tableOf(rows, input, request.measure));

@@ -229,6 +229,8 @@ ExitCode runCases(const QStringList& words)
                                                      ? supportedVariants(Scene(), Settings())
                                                      : variantsOf(list, QStringLiteral("cases"));
     const QString json = arguments->value(QStringLiteral("--json")).value_or(QString());
+    if (!json.isEmpty())
+        checkOutputs({json});
     const bool printed = json != QLatin1String("-");
 
     std::vector<Row> rows;

@@ -77,7 +77,7 @@ void OutputFiles::write() const
             failOutput(file->fileName(), file->errorString());
 }
 
-void checkOutputNames(const QStringList& paths)
+void checkOutputs(const QStringList& paths)
 {
     QStringList seen;
     for (const QString& path : paths) {
@@ -86,6 +86,9 @@ void checkOutputNames(const QStringList& paths)
             failArguments(QStringLiteral("%1: two outputs have this name; each needs its own").arg(path));
         seen << name;
     }
+    for (const QString& path : paths)
+        if (!isStream(path))
+            stage(path, {}); // and dropped again
 }
 
 QString imageSuffixes() { return suffixes().join(QStringLiteral(", ")); }

@@ -32,8 +32,10 @@ private:
     std::vector<File> m_files;
 };
 
-/// errors  throws Failure when two of the outputs have one name
-void checkOutputNames(const QStringList& paths);
+/// What can be known of the outputs before the work begins. Files that are there already stay as they are.
+///
+/// errors  throws Failure when two have one name, or one cannot be written
+void checkOutputs(const QStringList& paths);
 
 /// The formats a picture can be written in, by suffix: `png, ppm, bmp, jpg, jpeg`.
 [[nodiscard]] QString imageSuffixes();

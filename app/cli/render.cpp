@@ -31,7 +31,8 @@ Usage usage()
               "The face seen at each pixel: int32, counted from 0 in the order of the file, -1 none."),
          file("--coverage", "F.npy", "How many faces cover each pixel's centre, before the depth test: uint16."),
          file("--stats", "F.json",
-              "Counters, times and settings. The frame is drawn twice: once counted, once timed without counting.")}};
+              "Counters, times, settings, and the threads and vector instructions that worked. The frame is drawn "
+              "twice: once counted, once timed without counting.")}};
     const Option listMistakes{
         QStringLiteral("--list-mistakes"),
         Option::Kind::Switch,
@@ -72,7 +73,7 @@ struct OutputNames {
         if (names.isEmpty())
             failArguments(QStringLiteral("rasterlens-cli render: --no-picture leaves nothing to write; one of --depth, "
                                          "--ids, --coverage, --stats is expected"));
-        checkOutputNames(names);
+        checkOutputs(names);
     }
 
 private:
@@ -131,8 +132,8 @@ ExitCode runRender(const QStringList& words)
 
     const OutputNames names(*arguments);
     const Input input = openInput(arguments->operands.first(), *arguments);
-    if (const auto reason = unsupported(input.scene, input.settings))
-        failArguments(QStringLiteral("rasterlens-cli render: %1").arg(textOf(*reason)));
+    if (const auto reason = refusal(input.scene, input.settings))
+        failArguments(QStringLiteral("rasterlens-cli render: %1").arg(*reason));
     renderTo(input.scene, input.settings, names);
     return ExitCode::Fine;
 }

@@ -2,6 +2,7 @@
 
 #include "app/cli/failure.h"
 #include "core/mistakes.h"
+#include "core/render.h"
 
 #include <glm/glm.hpp>
 
@@ -31,15 +32,17 @@ QStringList mistakeIds()
 QString optionName(const SettingsField& field) { return QStringLiteral("--") + QLatin1String(field.id); }
 
 /// `--threads auto` says what the number 0 means.
-bool isAutoThreads(const SettingsField& field, const QString& text)
+bool isThreads(const SettingsField& field) { return field.id == QLatin1String("threads"); }
+
+QString threadsValues(const SettingsField& field, const char* note = "")
 {
-    return text == QLatin1String("auto") && field.id == QLatin1String("threads");
+    return QStringLiteral("auto%1, or 1 to %2").arg(QLatin1String(note)).arg(field.maximum);
 }
 
 QString valueHelp(const SettingsField& field)
 {
-    if (isAutoThreads(field, QStringLiteral("auto")))
-        return QStringLiteral("auto (default), or 1 to %1").arg(field.maximum);
+    if (isThreads(field))
+        return threadsValues(field, " (default)");
     const QString preset = valueId(field, Settings());
     if (field.kind == SettingsField::Kind::Integer)
         return QStringLiteral("%1 to %2; default %3").arg(field.minimum).arg(field.maximum).arg(preset);
@@ -186,6 +189,29 @@ private:
     }
 };
 
+void readField(const SettingsField& field, const QString& text, Settings& settings)
+{
+    const bool isAuto = isThreads(field) && text == QLatin1String("auto");
+    const auto error = setFromText(field, isAuto ? QStringLiteral("0") : text, settings);
+    if (error && isThreads(field))
+        failValue(optionName(field), text, threadsValues(field));
+    if (error)
+        failArguments(optionName(field) + QStringLiteral(": ") + textOf(*error));
+}
+
+/// The vector instructions that these settings can be drawn with, and scalar.
+QStringList simdIds(const Scene& scene, Settings settings)
+{
+    QStringList ids;
+    const SettingsField& field = *findSettingsField(QStringLiteral("simd"));
+    for (int value = field.minimum; value <= field.maximum; ++value) {
+        field.set(settings, value);
+        if (settings.simd != Simd::Auto && !unsupported(scene, settings))
+            ids << valueId(field, settings);
+    }
+    return ids;
+}
+
 void readMistakes(const QStringList& ids, QStringList& out)
 {
     for (const QString& id : ids) {
@@ -249,11 +275,19 @@ Settings withOptions(Settings settings, const Arguments& arguments)
     settings.view = ViewReader(settings.view, arguments).read();
     for (const SettingsField& field : settingsFields())
         if (const auto text = arguments.value(optionName(field)))
-            if (const auto error =
-                    setFromText(field, isAutoThreads(field, *text) ? QStringLiteral("0") : *text, settings))
-                failArguments(optionName(field) + QStringLiteral(": ") + textOf(*error));
+            readField(field, *text, settings);
     readMistakes(arguments.values(QStringLiteral("--mistake")), settings.mistakes);
     return settings;
+}
+
+std::optional<QString> refusal(const Scene& scene, const Settings& settings)
+{
+    const auto reason = unsupported(scene, settings);
+    if (!reason)
+        return std::nullopt;
+    const QStringList others = simdIds(scene, settings); // none where anything else is in the way
+    return textOf(*reason) +
+           (others.isEmpty() ? QString() : QStringLiteral("; it has ") + others.join(QStringLiteral(", ")));
 }
 
 QStringList unknownMistakes(const Settings& settings)

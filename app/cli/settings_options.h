@@ -1,5 +1,6 @@
 #pragma once
 #include "app/cli/options.h"
+#include "core/scene.h"
 #include "core/settings.h"
 
 namespace rasterlens::cli
@@ -12,6 +13,10 @@ namespace rasterlens::cli
 ///
 /// errors  throws Failure: a value that its option does not take, options that contradict each other
 [[nodiscard]] Settings withOptions(Settings settings, const Arguments& arguments);
+
+/// Why these settings cannot be drawn, or nothing; with the vector instructions there are where those asked for are
+/// not.
+[[nodiscard]] std::optional<QString> refusal(const Scene& scene, const Settings& settings);
 
 /// The mistakes of these settings that are not in the mistake table.
 [[nodiscard]] QStringList unknownMistakes(const Settings& settings);

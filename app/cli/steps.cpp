@@ -6,7 +6,6 @@
 #include "app/cli/settings_options.h"
 #include "app/cli/verbs.h"
 #include "core/observe/step_text.h"
-#include "core/render.h"
 
 #include <QJsonDocument>
 
@@ -79,8 +78,8 @@ ExitCode runSteps(const QStringList& words)
     if (!arguments)
         return ExitCode::Fine;
     const Input input = openInput(arguments->operands.first(), *arguments);
-    if (const auto reason = unsupported(input.scene, input.settings))
-        failArguments(QStringLiteral("rasterlens-cli steps: %1").arg(textOf(*reason)));
+    if (const auto reason = refusal(input.scene, input.settings))
+        failArguments(QStringLiteral("rasterlens-cli steps: %1").arg(*reason));
 
     StepFilter filter;
     const auto lastFace = static_cast<std::int64_t>(input.scene.mesh.faceCount()) - 1;
@@ -91,8 +90,11 @@ ExitCode runSteps(const QStringList& words)
     if (const auto limit = wholeOption(*arguments, QStringLiteral("--limit"), 1, kMaxLimit))
         filter.cap = static_cast<std::size_t>(*limit);
 
+    const auto file = arguments->value(QStringLiteral("--json"));
+    if (file)
+        checkOutputs({*file});
     const auto log = renderSteps(input.scene, input.settings, filter);
-    if (const auto file = arguments->value(QStringLiteral("--json"))) {
+    if (file) {
         OutputFiles files;
         files.add(*file, jsonLinesOf(*log));
         files.write();

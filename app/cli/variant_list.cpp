@@ -15,6 +15,7 @@ namespace
     QStringList known;
     for (const Variant& variant : variants())
         known << QLatin1String(variant.id);
+    known << QLatin1String(asGiven().id);
     const auto similar = mostSimilar(id, known);
     const QString hint = similar ? QStringLiteral("did you mean %1?").arg(*similar)
                                  : QStringLiteral("\"rasterlens-cli bench --list-variants\" lists those there are");
@@ -27,6 +28,10 @@ std::vector<const Variant*> variantsOf(const QString& list, const QString& verb)
 {
     std::vector<const Variant*> chosen;
     for (const QString& id : list.split(QLatin1Char(','))) {
+        if (id.isEmpty())
+            failArguments(QStringLiteral("rasterlens-cli %1: --variants: \"%2\" has a comma too many; ids with a comma "
+                                         "between them are expected")
+                              .arg(verb, list));
         const Variant* variant = findVariant(id);
         if (variant == nullptr)
             failUnknown(id, verb);

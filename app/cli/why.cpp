@@ -6,7 +6,6 @@
 #include "app/cli/settings_options.h"
 #include "app/cli/verbs.h"
 #include "core/observe/step_text.h"
-#include "core/render.h"
 
 #include <QJsonDocument>
 
@@ -56,8 +55,8 @@ ExitCode runWhy(const QStringList& words)
     if (!arguments->has(QStringLiteral("--pixel")))
         failArguments(QStringLiteral("rasterlens-cli why: --pixel x,y is missing"));
     const Input input = openInput(arguments->operands.first(), *arguments);
-    if (const auto reason = unsupported(input.scene, input.settings))
-        failArguments(QStringLiteral("rasterlens-cli why: %1").arg(textOf(*reason)));
+    if (const auto reason = refusal(input.scene, input.settings))
+        failArguments(QStringLiteral("rasterlens-cli why: %1").arg(*reason));
     const QPoint pixel = *pixelOption(*arguments, input.settings.size);
     const WhyReport report = why(input.scene, input.settings, pixel.x(), pixel.y());
     if (const auto file = arguments->value(QStringLiteral("--json"))) {

@@ -1,6 +1,6 @@
 #include "core/observe/statistics.h"
 
-#include "core/settings.h"
+#include "core/render.h"
 
 namespace rasterlens
 {
@@ -36,10 +36,13 @@ QJsonObject toJson(const Statistics& statistics, const StageTimes& times, const 
 {
     const QJsonObject milliseconds{
         {"vertex", times.vertex}, {"geometry", times.geometry}, {"raster", times.raster}, {"total", times.total}};
+    const Settings drawnWith = withWorkers(settings);
     return {{"faces", facesToJson(statistics.faces)},
             {"pixels", pixelsToJson(statistics.pixels)},
             {"milliseconds", milliseconds},
-            {"settings", toJson(settings)}};
+            {"settings", toJson(settings)},
+            {"threads", drawnWith.threads},
+            {"simd", valueId(*findSettingsField(QStringLiteral("simd")), drawnWith)}};
 }
 
 } // namespace rasterlens

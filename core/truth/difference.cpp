@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <new>
 
 namespace rasterlens
 {
@@ -50,13 +51,23 @@ QRgb heatColor(int maxSteps, QRgb background)
     return std::prev(above)->color;
 }
 
+/// Qt makes a null picture where there is no memory for one.
+QImage checked(QImage image)
+{
+    if (image.isNull())
+        throw std::bad_alloc();
+    return image;
+}
+
+QImage rgb32(const QImage& image) { return checked(image.convertToFormat(QImage::Format_RGB32)); }
+
 } // namespace
 
 Difference difference(const QImage& a, const QImage& b)
 {
     assert(a.size() == b.size());
-    const QImage left = a.convertToFormat(QImage::Format_RGB32);
-    const QImage right = b.convertToFormat(QImage::Format_RGB32);
+    const QImage left = rgb32(a);
+    const QImage right = rgb32(b);
     Difference result;
     std::uint64_t sum = 0;
     std::uint64_t sumOfSquares = 0;
@@ -80,9 +91,9 @@ std::span<const HeatClass> heatScale() { return kHeatScale; }
 QImage heatMap(const QImage& a, const QImage& b, int amplification)
 {
     assert(a.size() == b.size());
-    const QImage left = a.convertToFormat(QImage::Format_RGB32);
-    const QImage right = b.convertToFormat(QImage::Format_RGB32);
-    QImage heat(left.size(), QImage::Format_RGB32);
+    const QImage left = rgb32(a);
+    const QImage right = rgb32(b);
+    QImage heat = checked(QImage(left.size(), QImage::Format_RGB32));
     for (int y = 0; y < heat.height(); ++y) {
         auto* out = reinterpret_cast<QRgb*>(heat.scanLine(y));
         for (int x = 0; x < heat.width(); ++x)

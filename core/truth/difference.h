@@ -20,6 +20,7 @@ struct Difference {
 
 /// in      pictures of one size, any format
 /// exact   counts and max; the sums behind mean and psnrDb are integers
+/// errors  throws std::bad_alloc
 [[nodiscard]] Difference difference(const QImage& a, const QImage& b);
 
 /// One class of the heat map: pixels whose largest channel difference is at least `steps`.
@@ -36,6 +37,7 @@ struct HeatClass {
 ///
 /// in      pictures of one size, any format; `amplification`, at least 1, multiplies the steps before they are classed
 /// out     Format_RGB32
+/// errors  throws std::bad_alloc
 [[nodiscard]] QImage heatMap(const QImage& a, const QImage& b, int amplification = 1);
 
 } // namespace rasterlens

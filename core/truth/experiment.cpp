@@ -1,6 +1,6 @@
 #include "core/truth/experiment.h"
 
-#include "core/rasterizers/tiled/tiled.h"
+#include "core/render.h"
 #include "core/truth/coverage_difference.h"
 
 #include <algorithm>
@@ -80,10 +80,9 @@ private:
         row.scene = m_scene.id;
         row.variant = QLatin1String(variant.id);
         row.settings = settingsOf(variant, m_base);
-        if (row.settings.algorithm == Algorithm::Tiled) {
-            row.threads = Tiled::threads(row.settings);
-            row.simd = Tiled::simd(row.settings);
-        }
+        const Settings drawnWith = withWorkers(row.settings);
+        row.threads = drawnWith.threads;
+        row.simd = drawnWith.simd;
         m_rows.push_back(std::move(row));
     }
 

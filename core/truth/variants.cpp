@@ -62,11 +62,13 @@ constexpr Variant kVariants[] = {
     {"tiled-4x4", "algorithm=tiled samples=4x4"},
 };
 
+constexpr Variant kAsGiven{"as-given", ""};
+
 /// Calls visit(field, text of the value) for every change.
 template <class Visit>
 void forEachChange(const Variant& variant, Visit&& visit)
 {
-    for (const QString& change : QString::fromLatin1(variant.changes).split(QLatin1Char(' '))) {
+    for (const QString& change : QString::fromLatin1(variant.changes).split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
         const SettingsField* field = findSettingsField(change.section(QLatin1Char('='), 0, 0));
         assert(field != nullptr);
         visit(*field, change.section(QLatin1Char('='), 1));
@@ -77,8 +79,12 @@ void forEachChange(const Variant& variant, Visit&& visit)
 
 std::span<const Variant> variants() { return kVariants; }
 
+const Variant& asGiven() { return kAsGiven; }
+
 const Variant* findVariant(const QString& id)
 {
+    if (id == QLatin1String(kAsGiven.id))
+        return &kAsGiven;
     const auto found = std::find_if(std::begin(kVariants), std::end(kVariants),
                                     [&](const Variant& v) { return id == QLatin1String(v.id); });
     return found == std::end(kVariants) ? nullptr : found;
@@ -86,6 +92,8 @@ const Variant* findVariant(const QString& id)
 
 Settings settingsOf(const Variant& variant, const Settings& base)
 {
+    if (&variant == &kAsGiven)
+        return base;
     Settings settings = base;
     const Settings defaults;
     for (const char* id : kVariedFields) {
@@ -93,6 +101,15 @@ Settings settingsOf(const Variant& variant, const Settings& base)
         field->set(settings, field->get(defaults));
     }
     return changedBy(variant, settings);
+}
+
+bool decides(const Variant& variant, const SettingsField& field)
+{
+    Settings low;
+    Settings high;
+    field.set(low, field.minimum);
+    field.set(high, field.maximum);
+    return field.get(settingsOf(variant, low)) == field.get(settingsOf(variant, high));
 }
 
 Settings changedBy(const Variant& variant, Settings settings)
