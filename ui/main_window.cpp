@@ -327,8 +327,7 @@ void MainWindow::updatePicture()
     m_viewport->setStale(m_refused);
     if (m_refused) {
         m_statisticsPanel->setStale(true);
-        m_unsupported->show(MessageKind::Warning,
-                            tr("These settings cannot be drawn together: %1").arg(whyUnsupported(*why)));
+        m_unsupported->show(MessageKind::Warning, tr("These settings cannot be drawn: %1").arg(whyUnsupported(*why)));
         Q_EMIT settled();
         return;
     }

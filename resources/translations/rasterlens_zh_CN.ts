@@ -3772,8 +3772,8 @@
         <translation>%1保持不变：%2</translation>
     </message>
     <message>
-        <source>These settings cannot be drawn together: %1</source>
-        <translation>这些设置不能一起使用：%1</translation>
+        <source>These settings cannot be drawn: %1</source>
+        <translation>无法按这些设置绘制：%1</translation>
     </message>
     <message>
         <source>pixel (%1, %2)</source>
