@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <new>
+#include <system_error>
 #include <utility>
 
 namespace rasterlens
@@ -164,6 +165,8 @@ void Comparison::compare()
             try {
                 done = draw(pair, other, withHeat, stop);
             } catch (const std::bad_alloc&) {
+                done = {};
+            } catch (const std::system_error&) { // no more threads
                 done = {};
             }
             if (stop.stop_requested())

@@ -25,6 +25,8 @@
 #include <QToolTip>
 #include <QVBoxLayout>
 
+#include <new>
+#include <system_error>
 #include <utility>
 
 namespace rasterlens
@@ -191,13 +193,33 @@ void ExperimentPanel::run(int frames)
                 deliver(now.rows, now.done, now.total, false);
                 clock.restart();
             };
-            const auto rows =
-                runExperiment(*scene, base, supported, {.frames = frames, .reference = true}, progress, stop);
-            deliver(rows, 1, 1, true);
+            try {
+                const auto rows =
+                    runExperiment(*scene, base, supported, {.frames = frames, .reference = true}, progress, stop);
+                deliver(rows, 1, 1, true);
+            } catch (const std::bad_alloc&) {
+                giveUp(serial, tr("There is not enough memory for a picture of this size."));
+            } catch (const std::system_error&) {
+                giveUp(serial, tr("The system does not start so many threads."));
+            }
         },
         LatestTask::Running::Interrupt);
     show();
     syncState();
+}
+
+/// On the background thread: what has been measured so far stays.
+void ExperimentPanel::giveUp(quint64 serial, const QString& why)
+{
+    QMetaObject::invokeMethod(
+        this,
+        [this, serial, why] {
+            if (serial != m_serial)
+                return;
+            take(serial, m_rows, 1, 1, true);
+            m_note->setText(why);
+        },
+        Qt::QueuedConnection);
 }
 
 void ExperimentPanel::cancel()

@@ -69,6 +69,7 @@ private:
     QWidget* buildControls();
     [[nodiscard]] QWidget* arrangedControls();
     void take(quint64 serial, std::vector<ExperimentRow> rows, int done, int total, bool last);
+    void giveUp(quint64 serial, const QString& why);
     void show();
     void choose(int row);
     void chooseFile(const QString& suffix);

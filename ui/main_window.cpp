@@ -225,8 +225,12 @@ void MainWindow::connectParts()
         m_activity->setText(loading ? tr("opening %1 \u2026").arg(QFileInfo(name).fileName()) : QString());
     });
     connect(&m_worker, &RenderWorker::frameReady, this, &MainWindow::takeFrame);
-    connect(&m_worker, &RenderWorker::failed, this,
-            [this](const QString& message) { m_message->show(MessageKind::Error, message); });
+    connect(&m_worker, &RenderWorker::failed, this, [this](const QString& message) {
+        m_message->show(MessageKind::Error, message);
+        m_gaveUp = true;
+        if (isSettled())
+            Q_EMIT settled();
+    });
     connect(&m_worker, &RenderWorker::busyChanged, this, [this](bool busy) {
         if (busy)
             m_activityDelay.start();
@@ -324,6 +328,7 @@ void MainWindow::updatePicture()
 {
     const auto why = unsupported(*m_document.scene(), m_document.settings());
     m_refused = why.has_value();
+    m_gaveUp = false;
     m_viewport->setStale(m_refused);
     if (m_refused) {
         m_statisticsPanel->setStale(true);
@@ -371,8 +376,9 @@ bool MainWindow::isSettled() const
 {
     if (m_document.isLoading() || !m_stepMode->isSettled())
         return false;
-    return m_refused || (m_lastFrame && m_lastFrame->counted && m_lastFrame->scene == m_document.scene() &&
-                         m_lastFrame->settings == m_document.settings());
+    return m_refused || m_gaveUp ||
+           (m_lastFrame && m_lastFrame->counted && m_lastFrame->scene == m_document.scene() &&
+            m_lastFrame->settings == m_document.settings());
 }
 
 bool MainWindow::isComplete() const

@@ -3726,6 +3726,14 @@
         <source>%1 · no variant has this error here: colours need Gouraud shading, depths a depth test</source>
         <translation>%1 · 这里没有变体具有这种误差：颜色需要 Gouraud 着色，深度需要深度测试</translation>
     </message>
+    <message>
+        <source>There is not enough memory for a picture of this size.</source>
+        <translation>内存不足，无法绘制这么大的图像。</translation>
+    </message>
+    <message>
+        <source>The system does not start so many threads.</source>
+        <translation>系统无法启动这么多线程。</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::FacePicker</name>
