@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 
 namespace rasterlens
@@ -318,13 +319,36 @@ void StepListing::sync()
                 .arg(now ? QStringLiteral("background: %1;").arg(accent)
                          : QStringLiteral("color: %1;").arg(palette().color(QPalette::PlaceholderText).name())));
     }
-    m_formula->setFont(font);
-    QString formula = m_explanation.formula;
-    if (!formula.contains(QLatin1Char('\n')))
-        formula += QLatin1Char('\n'); // the canvas above keeps its height
-    m_formula->setText(formula);
-    m_formula->setToolTip(formula);
     m_formula->setStyleSheet(QStringLiteral("color: %1;").arg(palette().color(QPalette::Link).name()));
+    fitFormula();
+}
+
+/// Long numbers first make the formula smaller, then leave dots in its middle; the tool tip has all of it.
+void StepListing::fitFormula()
+{
+    constexpr double kSmallest = 0.8;
+    const QMargins around = layout()->contentsMargins() + m_formula->contentsMargins();
+    const int room = width() - around.left() - around.right();
+    QStringList lines = m_explanation.formula.split(QLatin1Char('\n'));
+    QFont font = numberFont(-0.5);
+    int longest = 1;
+    for (const QString& line : lines)
+        longest = std::max(longest, QFontMetrics(font).horizontalAdvance(line));
+    font.setPointSizeF(font.pointSizeF() * std::clamp(double(room) / longest, kSmallest, 1.0));
+    for (QString& line : lines)
+        line = QFontMetrics(font).elidedText(line, Qt::ElideMiddle, room);
+    if (lines.size() == 1)
+        lines << QString(); // the canvas above keeps its height
+    m_formula->setFont(font);
+    m_formula->setFixedHeight(int(lines.size()) * QFontMetrics(numberFont(-0.5)).lineSpacing() + 2);
+    m_formula->setText(lines.join(QLatin1Char('\n')));
+    m_formula->setToolTip(m_explanation.formula);
+}
+
+void StepListing::resizeEvent(QResizeEvent* event)
+{
+    QFrame::resizeEvent(event);
+    fitFormula();
 }
 
 QSize StepListing::minimumSizeHint() const

@@ -41,10 +41,12 @@ public:
 protected:
     void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void sync();
+    void fitFormula();
 
     const StepSession& m_session;
     StepExplanation m_explanation;
