@@ -198,7 +198,7 @@ private:
 
     FramePtr m_lastFrame;
     bool m_refused = false;
-    bool m_gaveUp = false; ///< the system had no memory or no threads for the present picture
+    bool m_gaveUp = false;        ///< the system had no memory or no threads for the present picture
     bool m_docksArranged = false; ///< by the user, in this run or an earlier one
     QByteArray m_defaultState;
     QByteArray m_stateBeforePresentation;
