@@ -19,7 +19,7 @@ class WindowFixture : public QObject
     Q_OBJECT
 
 protected:
-    static constexpr int kPatienceMs = 60000;
+    static constexpr int kPatienceMs = RASTERLENS_SANITIZED ? 240000 : 60000;
 
     QTemporaryDir m_folder;
     std::unique_ptr<MainWindow> m_window;
