@@ -57,9 +57,10 @@ std::optional<Settings> fastSettings(const Scene& scene, const Settings& setting
 
 Settings withWorkers(Settings settings)
 {
-    const bool tiled = settings.algorithm == Algorithm::Tiled;
-    settings.threads = tiled ? Tiled::threads(settings) : 1;
-    settings.simd = tiled ? Tiled::simd(settings) : Simd::Scalar;
+    if (settings.algorithm == Algorithm::Tiled)
+        return withoutAuto(settings);
+    settings.threads = 1;
+    settings.simd = Simd::Scalar;
     return settings;
 }
 

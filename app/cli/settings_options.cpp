@@ -31,7 +31,6 @@ QStringList mistakeIds()
 
 QString optionName(const SettingsField& field) { return QStringLiteral("--") + QLatin1String(field.id); }
 
-/// `--threads auto` says what the number 0 means.
 bool isThreads(const SettingsField& field) { return field.id == QLatin1String("threads"); }
 
 QString threadsValues(const SettingsField& field, const char* note = "")
@@ -189,6 +188,7 @@ private:
     }
 };
 
+/// `--threads auto` says what the number 0 means.
 void readField(const SettingsField& field, const QString& text, Settings& settings)
 {
     const bool isAuto = isThreads(field) && text == QLatin1String("auto");
