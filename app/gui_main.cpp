@@ -1,11 +1,11 @@
-#include "ui/cards.h"
-#include "ui/experiment_panel.h"
-#include "ui/image_export.h"
-#include "ui/main_window.h"
-#include "ui/mistakes_section.h"
-#include "ui/pipeline_panel.h"
-#include "ui/step_mode.h"
-#include "ui/truth_mode.h"
+#include "ui/base/image_export.h"
+#include "ui/face/cards.h"
+#include "ui/pipeline/mistakes_section.h"
+#include "ui/pipeline/pipeline_panel.h"
+#include "ui/steps/step_mode.h"
+#include "ui/truth/experiment_panel.h"
+#include "ui/truth/truth_mode.h"
+#include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QCommandLineParser>

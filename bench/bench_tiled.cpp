@@ -1,6 +1,6 @@
 // Milliseconds a frame of the tiled algorithm, in this process: clear + frame into the QImage. Beside the clock on the
 // wall, the processor time of the whole process, which a busy machine disturbs less.
-#include "core/render.h"
+#include "core/render/render.h"
 
 #include <QCommandLineParser>
 #include <QCoreApplication>

@@ -1,8 +1,8 @@
 // How long the window keeps its user waiting, measured in the program: start, orbit, overlay, jumps in the record.
-#include "ui/main_window.h"
-#include "ui/statistics_panel.h"
-#include "ui/step_mode.h"
-#include "ui/viewport_widget.h"
+#include "ui/canvas/viewport_widget.h"
+#include "ui/pipeline/statistics_panel.h"
+#include "ui/steps/step_mode.h"
+#include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QCommandLineParser>

@@ -42,8 +42,9 @@ endfunction()
 function(ui_rule source header)
     if(header MATCHES "^app/")
         set(why "ui stands below app" PARENT_SCOPE)
-    elseif(header MATCHES "^core/" AND NOT header MATCHES "^core/((observe|truth)/)?[^/]+\\.h$")
-        set(why "ui knows core's entry headers only" PARENT_SCOPE)
+    elseif(header MATCHES "^core/" AND NOT header MATCHES "^core/(base|io|observe|questions|render|scene|scenes|settings|truth)/"
+           AND NOT header STREQUAL "core/pipeline/statistics.h")
+        set(why "ui knows neither the stages nor the rasterizers" PARENT_SCOPE)
     endif()
 endfunction()
 

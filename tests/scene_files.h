@@ -1,6 +1,6 @@
 #pragma once
 // Files made for a test, and the diagnostics they lead to.
-#include "core/scene.h"
+#include "core/scene/scene.h"
 
 #include <QFile>
 #include <QTemporaryDir>

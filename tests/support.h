@@ -1,11 +1,11 @@
 #pragma once
 // What several tests need: seeded random numbers, small scenes in clip space, frames and how to compare them.
-#include "core/builtin_scenes.h"
 #include "core/observe/counting_observer.h"
 #include "core/pipeline/geometry.h"
 #include "core/pipeline/interpolation.h"
-#include "core/render.h"
-#include "core/rules.h"
+#include "core/render/render.h"
+#include "core/scenes/builtin_scenes.h"
+#include "core/settings/rules.h"
 #include "tests/seed.h"
 
 #include <QString>

@@ -1,5 +1,5 @@
 // The built-in scenes: the list, sound meshes, closed and outward solids, and the exact numbers of the classroom texts.
-#include "core/builtin_scenes.h"
+#include "core/scenes/builtin_scenes.h"
 
 #include <QSet>
 #include <QTest>

@@ -1,5 +1,5 @@
 // The camera: the peer harness's matrix bit for bit, depth ranges, orbit, and looking along the up vector.
-#include "core/camera.h"
+#include "core/scene/camera.h"
 #include "tests/support.h"
 
 #include <QTest>

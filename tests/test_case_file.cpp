@@ -1,5 +1,5 @@
 // `.case` files: every directive, every kind of number, and what is said about broken ones.
-#include "core/case_file.h"
+#include "core/io/case_file.h"
 #include "scene_files.h"
 
 #include <QDir>

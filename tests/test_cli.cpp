@@ -1,8 +1,8 @@
 // The command line as scripts see it: exit codes, messages, and files that are written whole or not at all.
-#include "core/builtin_scenes.h"
-#include "core/mistakes.h"
-#include "core/npy.h"
-#include "core/settings.h"
+#include "core/io/npy.h"
+#include "core/scenes/builtin_scenes.h"
+#include "core/settings/mistakes.h"
+#include "core/settings/settings.h"
 
 #include <QDir>
 #include <QImage>

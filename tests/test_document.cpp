@@ -1,8 +1,8 @@
-#include "core/builtin_scenes.h"
-#include "core/case_file.h"
-#include "core/session.h"
-#include "ui/document.h"
-#include "ui/vertex_panel.h"
+#include "core/io/case_file.h"
+#include "core/io/session.h"
+#include "core/scenes/builtin_scenes.h"
+#include "ui/document/document.h"
+#include "ui/face/vertex_panel.h"
 
 #include <QFile>
 #include <QSettings>

@@ -1,5 +1,5 @@
 // The exact reference against answers known by hand, against itself, and against the shared results.
-#include "core/case_file.h"
+#include "core/io/case_file.h"
 #include "core/truth/edge_distance.h"
 #include "core/truth/exact_reference.h"
 

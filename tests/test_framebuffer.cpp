@@ -1,5 +1,5 @@
 // The frame buffer: box filter, the sample nearest the centre, clearing, and only the outputs that were asked for.
-#include "core/framebuffer.h"
+#include "core/pipeline/framebuffer.h"
 #include "core/pipeline/shading.h"
 #include "tests/support.h"
 

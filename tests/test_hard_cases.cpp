@@ -1,6 +1,6 @@
 // The catalogue of hard cases: every file says what must hold; the exact reference and the fixed-point rasterizers hold
 // it, and floating point is seen to fail.
-#include "core/case_file.h"
+#include "core/io/case_file.h"
 #include "core/truth/expectations.h"
 #include "core/truth/hard_cases.h"
 #include "core/truth/variants.h"

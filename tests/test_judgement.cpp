@@ -1,5 +1,5 @@
 // The referee in the core: pictures held against the truth, and the bits that edge values need.
-#include "core/number_budget.h"
+#include "core/settings/number_budget.h"
 #include "core/truth/judgement.h"
 #include "tests/support.h"
 

@@ -1,11 +1,11 @@
 // The step mode in the window: every key of the transport, the lens's numbers and what the canvas shows.
 #include "core/observe/step_text.h"
 #include "tests/window_fixture.h"
-#include "ui/lens_overlay.h"
-#include "ui/scrubber.h"
-#include "ui/stage_strip.h"
-#include "ui/step_listing.h"
-#include "ui/transport_dock.h"
+#include "ui/pipeline/stage_strip.h"
+#include "ui/steps/lens_overlay.h"
+#include "ui/steps/scrubber.h"
+#include "ui/steps/step_listing.h"
+#include "ui/steps/transport_dock.h"
 
 #include <QImageReader>
 #include <QMenu>

@@ -1,10 +1,10 @@
 // The numbers overlays and boards show: edge values as text, vertices in every space, curves, the race.
-#include "core/builtin_scenes.h"
-#include "core/case_file.h"
-#include "core/observe/race.h"
+#include "core/io/case_file.h"
 #include "core/observe/step_text.h"
-#include "core/observe/vertex_table.h"
-#include "core/steps.h"
+#include "core/questions/race.h"
+#include "core/questions/vertex_table.h"
+#include "core/render/steps.h"
+#include "core/scenes/builtin_scenes.h"
 #include "core/truth/perspective_curves.h"
 
 #include <QTest>

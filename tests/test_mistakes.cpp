@@ -1,7 +1,7 @@
 // The mistake table: every mistake changes the picture and its counter in its scene, and is gone when it is taken out.
-#include "core/builtin_scenes.h"
-#include "core/mistakes.h"
 #include "core/rasterizers/lines.h"
+#include "core/scenes/builtin_scenes.h"
+#include "core/settings/mistakes.h"
 
 #include <QFile>
 #include <QRegularExpression>

@@ -1,7 +1,7 @@
 // The render worker: who draws the first picture, and what follows once nothing moves.
-#include "core/builtin_scenes.h"
-#include "core/camera.h"
-#include "ui/render_worker.h"
+#include "core/scene/camera.h"
+#include "core/scenes/builtin_scenes.h"
+#include "ui/document/render_worker.h"
 
 #include <QSignalSpy>
 #include <QTest>

@@ -1,5 +1,5 @@
 // NumPy files: the header byte by byte, values there and back, and what is not such a file.
-#include "core/npy.h"
+#include "core/io/npy.h"
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
 // OBJ, MTL and textures: what good files become, and what is said about broken ones.
-#include "core/obj_loader.h"
+#include "core/io/obj_loader.h"
 #include "scene_files.h"
 
 #include <QDir>

@@ -1,6 +1,6 @@
 // Every built-in scene shows what its note promises: the setting it is made for changes the picture, or keeps it right.
-#include "core/builtin_scenes.h"
-#include "core/render.h"
+#include "core/render/render.h"
+#include "core/scenes/builtin_scenes.h"
 
 #include <QTest>
 

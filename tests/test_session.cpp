@@ -1,6 +1,6 @@
 // Session files: what is saved comes back; broken ones are named with their line. And loadScene's choice of a reader.
-#include "core/builtin_scenes.h"
-#include "core/session.h"
+#include "core/io/session.h"
+#include "core/scenes/builtin_scenes.h"
 #include "scene_files.h"
 
 #include <QDir>

@@ -1,5 +1,5 @@
 // The field table: every value of every field survives JSON and text; bad values are named.
-#include "core/settings.h"
+#include "core/settings/settings.h"
 
 #include <QJsonDocument>
 #include <QTest>

@@ -1,7 +1,7 @@
 // The hard cases beside the project: every rasterizer against the exact result, as ../shared/cases/README.md defines
 // it.
-#include "core/case_file.h"
-#include "core/render.h"
+#include "core/io/case_file.h"
+#include "core/render/render.h"
 
 #include <QDir>
 #include <QFile>

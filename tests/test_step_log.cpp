@@ -1,11 +1,11 @@
 // The step log: stepping shows what the plain run does, and every position is a moment of it.
-#include "core/builtin_scenes.h"
-#include "core/case_file.h"
-#include "core/draw.h"
-#include "core/mistakes.h"
+#include "core/io/case_file.h"
 #include "core/observe/counting_observer.h"
-#include "core/render.h"
-#include "core/steps.h"
+#include "core/render/draw.h"
+#include "core/render/render.h"
+#include "core/render/steps.h"
+#include "core/scenes/builtin_scenes.h"
+#include "core/settings/mistakes.h"
 #include "tests/seed.h"
 
 #include <QTest>

@@ -1,5 +1,5 @@
 // The stress scenes are those of the peer harness, bit for bit.
-#include "core/builtin_scenes.h"
+#include "core/scenes/builtin_scenes.h"
 #include "scene_files.h"
 
 #include <QTest>

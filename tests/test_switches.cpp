@@ -1,9 +1,9 @@
 // Every switch of the pipeline panel reaches its field and is seen in the picture or its counters. One window serves
 // all.
-#include "core/render.h"
+#include "core/render/render.h"
 #include "tests/window_fixture.h"
-#include "ui/applicability.h"
-#include "ui/pipeline_panel.h"
+#include "ui/base/applicability.h"
+#include "ui/pipeline/pipeline_panel.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,5 +1,5 @@
 // Polygons become triangles that cover them exactly.
-#include "core/triangulate.h"
+#include "core/scene/triangulate.h"
 #include "tests/seed.h"
 
 #include <QTest>

@@ -1,14 +1,14 @@
 // The window says how right the picture is: referee, comparison, number dial.
-#include "core/builtin_scenes.h"
+#include "core/scenes/builtin_scenes.h"
 #include "tests/window_fixture.h"
-#include "ui/applicability.h"
-#include "ui/compare_bar.h"
-#include "ui/number_dial.h"
-#include "ui/pipeline_panel.h"
-#include "ui/referee_bar.h"
-#include "ui/step_mode.h"
-#include "ui/truth_mode.h"
-#include "ui/wipe.h"
+#include "ui/base/applicability.h"
+#include "ui/canvas/wipe.h"
+#include "ui/pipeline/number_dial.h"
+#include "ui/pipeline/pipeline_panel.h"
+#include "ui/steps/step_mode.h"
+#include "ui/truth/compare_bar.h"
+#include "ui/truth/referee_bar.h"
+#include "ui/truth/truth_mode.h"
 
 #include <QComboBox>
 #include <QLabel>

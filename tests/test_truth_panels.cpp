@@ -1,12 +1,12 @@
 // The panels of the truth that measure: speed against error, and the hard cases.
-#include "core/case_file.h"
+#include "core/io/case_file.h"
 #include "tests/window_fixture.h"
-#include "ui/case_browser.h"
-#include "ui/dock.h"
-#include "ui/experiment_model.h"
-#include "ui/experiment_panel.h"
-#include "ui/step_mode.h"
-#include "ui/truth_mode.h"
+#include "ui/base/dock.h"
+#include "ui/steps/step_mode.h"
+#include "ui/truth/case_browser.h"
+#include "ui/truth/experiment_model.h"
+#include "ui/truth/experiment_panel.h"
+#include "ui/truth/truth_mode.h"
 
 #include <QAbstractItemModelTester>
 #include <QCheckBox>

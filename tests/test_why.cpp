@@ -1,10 +1,10 @@
 // The why-card of a pixel agrees with the picture, and names the number that decided.
-#include "core/builtin_scenes.h"
-#include "core/case_file.h"
-#include "core/mistakes.h"
+#include "core/io/case_file.h"
 #include "core/observe/step_text.h"
-#include "core/observe/why.h"
-#include "core/render.h"
+#include "core/questions/why.h"
+#include "core/render/render.h"
+#include "core/scenes/builtin_scenes.h"
+#include "core/settings/mistakes.h"
 #include "tests/seed.h"
 
 #include <QJsonArray>

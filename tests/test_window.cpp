@@ -1,12 +1,12 @@
-#include "core/builtin_scenes.h"
+#include "core/scenes/builtin_scenes.h"
 #include "tests/scene_files.h"
 #include "tests/window_fixture.h"
-#include "ui/applicability.h"
-#include "ui/dock.h"
-#include "ui/help_overlay.h"
-#include "ui/pipeline_panel.h"
-#include "ui/stage_strip.h"
-#include "ui/statistics_panel.h"
+#include "ui/base/applicability.h"
+#include "ui/base/dock.h"
+#include "ui/pipeline/pipeline_panel.h"
+#include "ui/pipeline/stage_strip.h"
+#include "ui/pipeline/statistics_panel.h"
+#include "ui/window/help_overlay.h"
 
 #include <QCheckBox>
 #include <QClipboard>

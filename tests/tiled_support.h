@@ -1,7 +1,7 @@
 #pragma once
 // What the tests of the tiled algorithm share: the comparison with edge-equation, and triangles that are hard.
-#include "core/builtin_scenes.h"
-#include "core/render.h"
+#include "core/render/render.h"
+#include "core/scenes/builtin_scenes.h"
 
 #include <QString>
 

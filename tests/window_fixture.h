@@ -1,8 +1,8 @@
 #pragma once
 // A main window that remembers nothing, opened anew for each test, and what tests do with it.
-#include "core/case_file.h"
-#include "ui/main_window.h"
-#include "ui/step_mode.h"
+#include "core/io/case_file.h"
+#include "ui/steps/step_mode.h"
+#include "ui/window/main_window.h"
 
 #include <QSettings>
 #include <QStandardPaths>

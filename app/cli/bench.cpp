@@ -6,7 +6,7 @@
 #include "app/cli/settings_options.h"
 #include "app/cli/variant_list.h"
 #include "app/cli/verbs.h"
-#include "core/render.h"
+#include "core/render/render.h"
 #include "core/truth/experiment_export.h"
 
 #include <QElapsedTimer>

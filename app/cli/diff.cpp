@@ -1,7 +1,7 @@
 #include "app/cli/options.h"
 #include "app/cli/output.h"
 #include "app/cli/verbs.h"
-#include "core/npy.h"
+#include "core/io/npy.h"
 #include "core/truth/difference.h"
 
 #include <QFile>

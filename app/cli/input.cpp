@@ -2,8 +2,8 @@
 
 #include "app/cli/failure.h"
 #include "app/cli/settings_options.h"
-#include "core/builtin_scenes.h"
-#include "core/session.h"
+#include "core/io/session.h"
+#include "core/scenes/builtin_scenes.h"
 
 #include <cstdio>
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "app/cli/options.h"
-#include "core/scene.h"
+#include "core/scene/scene.h"
 
 namespace rasterlens::cli
 {

@@ -1,10 +1,10 @@
-#include "core/render.h"
+#include "core/render/render.h"
 #include "app/cli/input.h"
 #include "app/cli/options.h"
 #include "app/cli/output.h"
 #include "app/cli/settings_options.h"
 #include "app/cli/verbs.h"
-#include "core/npy.h"
+#include "core/io/npy.h"
 
 #include <QJsonDocument>
 

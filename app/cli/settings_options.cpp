@@ -1,8 +1,8 @@
 #include "app/cli/settings_options.h"
 
 #include "app/cli/failure.h"
-#include "core/mistakes.h"
-#include "core/render.h"
+#include "core/render/render.h"
+#include "core/settings/mistakes.h"
 
 #include <glm/glm.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "app/cli/options.h"
-#include "core/scene.h"
-#include "core/settings.h"
+#include "core/scene/scene.h"
+#include "core/settings/settings.h"
 
 namespace rasterlens::cli
 {

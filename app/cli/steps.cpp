@@ -1,4 +1,4 @@
-#include "core/steps.h"
+#include "core/render/steps.h"
 #include "app/cli/input.h"
 #include "app/cli/options.h"
 #include "app/cli/output.h"

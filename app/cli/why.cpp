@@ -1,4 +1,4 @@
-#include "core/observe/why.h"
+#include "core/questions/why.h"
 #include "app/cli/input.h"
 #include "app/cli/options.h"
 #include "app/cli/output.h"

@@ -3,8 +3,8 @@
 #include "core/observe/step_log.h"
 #include "core/pipeline/clipping.h"
 #include "core/pipeline/triangle_setup.h"
-#include "core/rules.h"
-#include "core/scene.h"
+#include "core/scene/scene.h"
+#include "core/settings/rules.h"
 
 #include <memory>
 #include <stop_token>

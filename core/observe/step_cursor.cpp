@@ -1,6 +1,6 @@
 #include "core/observe/step_cursor.h"
 
-#include "core/framebuffer.h"
+#include "core/pipeline/framebuffer.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 #pragma once
-#include "core/observe/observer.h"
-#include "core/observe/statistics.h"
-#include "core/settings.h"
+#include "core/pipeline/observer.h"
+#include "core/pipeline/statistics.h"
+#include "core/settings/settings.h"
 
 #include <QImage>
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "core/pipeline/types.h"
-#include "core/rules.h"
-#include "core/scene.h"
+#include "core/scene/scene.h"
+#include "core/settings/rules.h"
 
 #include <span>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/rules.h"
+#include "core/settings/rules.h"
 
 #include <cmath>
 

@@ -1,10 +1,10 @@
 #pragma once
-#include "core/framebuffer.h"
-#include "core/observe/observer.h"
 #include "core/pipeline/depth_test.h"
+#include "core/pipeline/framebuffer.h"
 #include "core/pipeline/interpolation.h"
+#include "core/pipeline/observer.h"
 #include "core/pipeline/shading.h"
-#include "core/rules.h"
+#include "core/settings/rules.h"
 
 namespace rasterlens
 {

@@ -1,11 +1,11 @@
 #pragma once
-#include "core/camera.h"
-#include "core/observe/observer.h"
 #include "core/pipeline/clipping.h"
 #include "core/pipeline/culling.h"
+#include "core/pipeline/observer.h"
 #include "core/pipeline/viewport.h"
-#include "core/rules.h"
-#include "core/scene.h"
+#include "core/scene/camera.h"
+#include "core/scene/scene.h"
+#include "core/settings/rules.h"
 
 #include <algorithm>
 #include <cmath>

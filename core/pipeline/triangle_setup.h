@@ -1,6 +1,6 @@
 #pragma once
 #include "core/pipeline/types.h"
-#include "core/rules.h"
+#include "core/settings/rules.h"
 
 #include <array>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
-#include "core/camera.h"
 #include "core/pipeline/types.h"
-#include "core/rules.h"
-#include "core/scene.h"
+#include "core/scene/camera.h"
+#include "core/scene/scene.h"
+#include "core/settings/rules.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
-#include "core/observe/observer.h"
 #include "core/pipeline/interpolation.h"
+#include "core/pipeline/observer.h"
 #include "core/pipeline/triangle_setup.h"
 #include "core/rasterizers/registry.h"
 

@@ -1,7 +1,7 @@
 #pragma once
-#include "core/observe/observer.h"
+#include "core/pipeline/observer.h"
 #include "core/pipeline/types.h"
-#include "core/rules.h"
+#include "core/settings/rules.h"
 
 #include <algorithm>
 #include <cmath>

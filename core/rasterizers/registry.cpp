@@ -1,6 +1,6 @@
 #include "core/rasterizers/registry.h"
 
-#include "core/rasterizers/list.h"
+#include "core/render/list.h"
 
 namespace rasterlens
 {

@@ -1,6 +1,6 @@
 #pragma once
-#include "core/reason.h"
-#include "core/rules.h"
+#include "core/base/reason.h"
+#include "core/settings/rules.h"
 
 #include <optional>
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "core/pipeline/types.h"
-#include "core/settings.h"
+#include "core/settings/settings.h"
 
 #include <QSize>
 #include <boost/multiprecision/cpp_int.hpp>

@@ -1,7 +1,7 @@
 #include "core/truth/exact_reference.h"
 
-#include "core/camera.h"
 #include "core/pipeline/vertex_stage.h"
+#include "core/scene/camera.h"
 #include "core/truth/edge_distance.h"
 #include "core/truth/exact_face.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 #include "core/pipeline/types.h"
-#include "core/rules.h"
-#include "core/scene.h"
-#include "core/settings.h"
+#include "core/scene/scene.h"
+#include "core/settings/rules.h"
+#include "core/settings/settings.h"
 
 #include <QSize>
 #include <glm/glm.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/render.h"
+#include "core/render/render.h"
 #include "core/truth/exact_reference.h"
 
 #include <QString>

@@ -1,6 +1,6 @@
 #include "core/truth/experiment.h"
 
-#include "core/render.h"
+#include "core/render/render.h"
 #include "core/truth/coverage_difference.h"
 
 #include <algorithm>

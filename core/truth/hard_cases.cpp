@@ -1,6 +1,6 @@
 #include "core/truth/hard_cases.h"
 
-#include "core/observe/statistics.h"
+#include "core/pipeline/statistics.h"
 #include "core/truth/expectations.h"
 
 #include <QCoreApplication>

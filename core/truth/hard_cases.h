@@ -1,5 +1,5 @@
 #pragma once
-#include "core/reason.h"
+#include "core/base/reason.h"
 #include "core/truth/coverage_difference.h"
 
 #include <QStringList>

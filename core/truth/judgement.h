@@ -1,5 +1,5 @@
 #pragma once
-#include "core/scene.h"
+#include "core/scene/scene.h"
 #include "core/truth/coverage_difference.h"
 
 #include <stop_token>

@@ -1,6 +1,6 @@
 #include "core/truth/variants.h"
 
-#include "core/render.h"
+#include "core/render/render.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/settings.h"
+#include "core/settings/settings.h"
 
 #include <span>
 

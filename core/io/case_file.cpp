@@ -1,0 +1,294 @@
+#include "core/io/case_file.h"
+
+#include "core/io/text_input.h"
+
+#include <QFileInfo>
+
+#include <array>
+#include <charconv>
+#include <span>
+
+namespace rasterlens
+{
+namespace
+{
+
+/// A value of a directive and the word that stands for it.
+template <typename Enum>
+struct Word {
+    const char* text;
+    Enum value;
+};
+
+constexpr Word<Culling> kCulling[] = {{"back", Culling::Back}, {"front", Culling::Front}, {"none", Culling::None}};
+constexpr Word<DepthTest> kDepthTest[] = {{"less", DepthTest::Less},
+                                          {"lequal", DepthTest::LessEqual},
+                                          {"greater", DepthTest::Greater},
+                                          {"none", DepthTest::None}};
+constexpr Word<DepthFormat> kDepthFormat[] = {
+    {"float32", DepthFormat::Float32}, {"unorm16", DepthFormat::Unorm16}, {"unorm24", DepthFormat::Unorm24}};
+constexpr Word<ClipZ> kClipZ[] = {{"gl", ClipZ::Gl}, {"d3d", ClipZ::D3d}};
+
+QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
+
+class Parser
+{
+public:
+    explicit Parser(const QString& name) : m_diagnostics(name)
+    {
+        m_scene.id = name;
+        m_scene.title = QFileInfo(name).completeBaseName();
+        m_scene.space = SceneSpace::Clip;
+        m_scene.lit = false;
+        m_scene.background = glm::vec3(0);
+        m_scene.materials = {Material{}};
+        m_scene.defaults.culling = Culling::None;
+    }
+
+    SceneLoad run(QByteArray bytes)
+    {
+        LineCursor lines(bytes, Continuation::None);
+        while (const auto line = lines.next()) {
+            m_line = line->number;
+            statement(line->text());
+        }
+        finish(lines.lastLine());
+        if (m_diagnostics.hasErrors())
+            return {std::nullopt, m_diagnostics.take()};
+        return {std::move(m_scene), m_diagnostics.take()};
+    }
+
+private:
+    using Handler = void (Parser::*)();
+    struct Directive {
+        std::string_view name;
+        Handler handle;
+    };
+
+    void statement(std::string_view line)
+    {
+        const std::size_t hash = std::min(line.find('#'), line.size());
+        m_rest = trimmed(line.substr(0, hash));
+        m_directive = nextWord(m_rest);
+        if (m_directive.empty()) {
+            if (m_firstComment.isEmpty() && hash < line.size())
+                m_firstComment = text(trimmed(line.substr(hash + 1)));
+            return;
+        }
+        static constexpr Directive kDirectives[] = {
+            {"size", &Parser::size},
+            {"subpixel_bits", &Parser::subpixelBits},
+            {"exact", &Parser::exact},
+            {"cull", &Parser::cull},
+            {"depth_test", &Parser::depthTest},
+            {"depth_format", &Parser::depthFormat},
+            {"clear", &Parser::clear},
+            {"ssaa", &Parser::ssaa},
+            {"zrange", &Parser::zRange},
+            {"window", &Parser::window},
+            {"tri", &Parser::tri},
+            {"note", &Parser::note},
+            {"expect", &Parser::expect},
+        };
+        for (const Directive& directive : kDirectives)
+            if (directive.name == m_directive)
+                return (this->*directive.handle)();
+        m_diagnostics.error(
+            m_line,
+            {QT_TRANSLATE_NOOP("Diagnostic", "%1 is not a directive; size, subpixel_bits, exact, cull, depth_test, "
+                                             "depth_format, clear, ssaa, zrange, window, tri, note or expect expected"),
+             {quotedWord(m_directive)}});
+    }
+
+    void fault(Reason message)
+    {
+        m_diagnostics.error(m_line,
+                            {QT_TRANSLATE_NOOP("Diagnostic", "%1: %2"), {text(m_directive), std::move(message)}});
+    }
+
+    /// All the words that are left, if there are as many as there must be; `expected` says how many.
+    template <std::size_t N>
+    std::optional<std::array<std::string_view, N>> words(const char* expected)
+    {
+        std::array<std::string_view, N> found;
+        std::size_t count = 0;
+        for (std::string_view word = nextWord(m_rest); !word.empty(); word = nextWord(m_rest), ++count)
+            if (count < N)
+                found[count] = word;
+        if (count == N)
+            return found;
+        fault({QT_TRANSLATE_NOOP("Diagnostic", "%1 values; %2 expected"), {count, expected}});
+        return std::nullopt;
+    }
+
+    template <std::size_t N>
+    std::optional<std::array<int, N>> integers(const char* expected, int minimum, int maximum)
+    {
+        const auto found = words<N>(expected);
+        if (!found)
+            return std::nullopt;
+        std::array<int, N> values{};
+        for (std::size_t i = 0; i < N; ++i) {
+            const std::string_view word = (*found)[i];
+            const auto parsed = std::from_chars(word.data(), word.data() + word.size(), values[i]);
+            if (parsed.ec != std::errc() || parsed.ptr != word.data() + word.size() || values[i] < minimum ||
+                values[i] > maximum) {
+                fault({QT_TRANSLATE_NOOP("Diagnostic", "%1 is not a whole number from %2 to %3"),
+                       {quotedWord(word), minimum, maximum}});
+                return std::nullopt;
+            }
+        }
+        return values;
+    }
+
+    template <typename Enum>
+    void choice(std::span<const Word<Enum>> choices, Enum& value)
+    {
+        QStringList names;
+        for (const Word<Enum>& choice : choices)
+            names << QString::fromLatin1(choice.text);
+        const QString expected = names.join(QStringLiteral(", "));
+        const auto found = words<1>(QT_TRANSLATE_NOOP("Diagnostic", "one"));
+        if (!found)
+            return;
+        for (const Word<Enum>& choice : choices)
+            if ((*found)[0] == choice.text) {
+                value = choice.value;
+                return;
+            }
+        fault({QT_TRANSLATE_NOOP("Diagnostic", "%1 is not one of %2"), {quotedWord((*found)[0]), expected}});
+    }
+
+    void size()
+    {
+        if (const auto v = integers<2>(QT_TRANSLATE_NOOP("Diagnostic", "width and height"), 1, kMaxViewport)) {
+            m_scene.defaults.size = {(*v)[0], (*v)[1]};
+            m_sized = true;
+        }
+        m_sizeSeen = true;
+    }
+
+    void subpixelBits()
+    {
+        if (const auto v = integers<1>(QT_TRANSLATE_NOOP("Diagnostic", "one"), 0, 8))
+            m_scene.defaults.subpixelBits = (*v)[0];
+    }
+
+    void exact()
+    {
+        if (words<0>(QT_TRANSLATE_NOOP("Diagnostic", "none")))
+            m_scene.exact = true;
+    }
+
+    void cull() { choice<Culling>(kCulling, m_scene.defaults.culling); }
+    void depthTest() { choice<DepthTest>(kDepthTest, m_scene.defaults.depthTest); }
+    void depthFormat() { choice<DepthFormat>(kDepthFormat, m_scene.defaults.depthFormat); }
+    void zRange() { choice<ClipZ>(kClipZ, m_scene.defaults.clipZ); }
+
+    void ssaa()
+    {
+        if (const auto v = integers<1>(QT_TRANSLATE_NOOP("Diagnostic", "one"), 1, 4))
+            m_scene.defaults.samples = static_cast<Samples>((*v)[0] - 1);
+    }
+
+    void clear()
+    {
+        const auto found = words<3>(QT_TRANSLATE_NOOP("Diagnostic", "red, green and blue"));
+        for (int i = 0; found && i < 3; ++i) {
+            const std::string_view word = (*found)[static_cast<std::size_t>(i)];
+            const NumberText number = numberFromText(word);
+            if (number.fault != NumberFault::None)
+                return fault(describe(number.fault, word));
+            if (number.value < 0 || number.value > 1)
+                return fault({QT_TRANSLATE_NOOP("Diagnostic", "%1 is not from 0 to 1"), {quotedWord(word)}});
+            m_scene.background[i] = number.value;
+        }
+    }
+
+    void window()
+    {
+        if (const auto v = integers<4>(QT_TRANSLATE_NOOP("Diagnostic", "x, y, width and height"), 0, kMaxViewport)) {
+            m_scene.window = PixelRect{(*v)[0], (*v)[1], (*v)[2], (*v)[3]};
+            m_windowLine = m_line;
+        }
+    }
+
+    /// Three corners of x y z w r g b. Positions may be non-finite: that is what some cases are about.
+    void tri()
+    {
+        constexpr std::size_t kPerCorner = 7;
+        constexpr std::size_t kPosition = 4;
+        const auto found =
+            words<3 * kPerCorner>(QT_TRANSLATE_NOOP("Diagnostic", "21 (x y z w r g b of three corners)"));
+        if (!found)
+            return;
+        std::array<float, 3 * kPerCorner> v{};
+        for (std::size_t i = 0; i < v.size(); ++i) {
+            const NumberText number = numberFromText((*found)[i]);
+            const bool mayBeNonFinite = i % kPerCorner < kPosition;
+            if (number.fault != NumberFault::None && !(number.fault == NumberFault::NotFinite && mayBeNonFinite))
+                return fault(describe(number.fault, (*found)[i]));
+            v[i] = number.value;
+        }
+        for (std::size_t i = 0; i < v.size(); i += kPerCorner) {
+            m_scene.mesh.indices.push_back(static_cast<std::uint32_t>(m_scene.mesh.vertices.size()));
+            m_scene.mesh.vertices.push_back(
+                {.position = {v[i], v[i + 1], v[i + 2], v[i + 3]}, .color = {v[i + 4], v[i + 5], v[i + 6]}});
+        }
+    }
+
+    void note() { m_notes << text(trimmed(m_rest)); }
+
+    void expect()
+    {
+        const std::string_view key = nextWord(m_rest);
+        const std::string_view value = trimmed(m_rest);
+        if (value.empty())
+            fault(QT_TRANSLATE_NOOP("Diagnostic", "a key and a value are expected"));
+        else
+            m_scene.expectations.emplace_back(text(key), text(value));
+    }
+
+    void finish(int lastLine)
+    {
+        if (!m_sizeSeen)
+            m_diagnostics.error(
+                lastLine, QT_TRANSLATE_NOOP("Diagnostic", "the file ends without a size; \"size W H\" is expected"));
+        if (m_scene.window && m_sized) {
+            const PixelRect& w = *m_scene.window;
+            const QSize viewport = m_scene.defaults.size;
+            if (w.width < 1 || w.height < 1 || w.x + w.width > viewport.width() || w.y + w.height > viewport.height())
+                m_diagnostics.error(
+                    m_windowLine,
+                    {QT_TRANSLATE_NOOP("Diagnostic", "window: it is empty or not within the size %1 x %2"),
+                     {viewport.width(), viewport.height()}});
+        }
+        m_scene.note = m_notes.isEmpty() ? m_firstComment : m_notes.join(QLatin1Char('\n'));
+        m_scene.bounds = boundingSphere(m_scene.mesh);
+    }
+
+    DiagnosticSink m_diagnostics;
+    Scene m_scene;
+    int m_line = 0;
+    std::string_view m_directive;
+    std::string_view m_rest;
+    bool m_sizeSeen = false;
+    bool m_sized = false;
+    int m_windowLine = 0;
+    QString m_firstComment;
+    QStringList m_notes;
+};
+
+} // namespace
+
+SceneLoad loadCase(const QString& path)
+{
+    InputBytes input = readInput(path);
+    if (input.problem)
+        return {std::nullopt, {{Severity::Error, path, 0, *input.problem}}};
+    return parseCase(input.bytes, path);
+}
+
+SceneLoad parseCase(const QByteArray& text, const QString& name) { return Parser(name).run(text); }
+
+} // namespace rasterlens

@@ -1,0 +1,158 @@
+#include "core/io/mtl_loader.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <tiny_obj_loader.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+namespace rasterlens
+{
+namespace
+{
+
+/// What tinyobjloader does not tell about a material: which statements there were, and where.
+struct Found {
+    bool diffuse = false;
+    bool shininess = false;
+    int textureLine = 0;
+};
+
+/// Checks the statements that scenes use; blanks all others and those that are wrong.
+class Checker
+{
+public:
+    explicit Checker(DiagnosticSink& diagnostics) : m_diagnostics(diagnostics) {}
+
+    std::vector<Found> run(QByteArray& text)
+    {
+        LineCursor lines(text, Continuation::Backslash);
+        while (const auto line = lines.next())
+            if (!keep(*line))
+                std::fill(line->begin, line->end, ' ');
+        return std::move(m_found);
+    }
+
+private:
+    bool keep(TextLine line)
+    {
+        m_line = line.number;
+        std::string_view rest = line.text();
+        if (m_line == 1 && rest.starts_with("\xEF\xBB\xBF")) {
+            std::fill_n(line.begin, 3, ' ');
+            rest.remove_prefix(3);
+        }
+        const std::string_view keyword = nextWord(rest);
+        const bool material = keyword == "newmtl";
+        if (!material && keyword != "Kd" && keyword != "Ks" && keyword != "Ns" && keyword != "map_Kd")
+            return false;
+        if (material && trimmed(rest).empty()) {
+            m_diagnostics.warning(m_line, QT_TRANSLATE_NOOP("Diagnostic", "newmtl takes a name; ignored"));
+            return false;
+        }
+        if (material)
+            m_found.emplace_back();
+        if (m_found.empty()) {
+            m_diagnostics.warning(
+                m_line,
+                {QT_TRANSLATE_NOOP("Diagnostic", "%1 stands before the first newmtl; ignored"), {quotedWord(keyword)}});
+            return false;
+        }
+        return material ? true : property(keyword, rest);
+    }
+
+    bool property(std::string_view keyword, std::string_view rest)
+    {
+        Found& found = m_found.back();
+        if (keyword == "map_Kd") {
+            const bool named = !trimmed(rest).empty();
+            if (named)
+                found.textureLine = m_line;
+            else
+                m_diagnostics.warning(m_line, QT_TRANSLATE_NOOP("Diagnostic", "map_Kd takes a file name; ignored"));
+            return named;
+        }
+        const bool good = numbers(keyword, rest, keyword == "Ns" ? 1 : 3);
+        found.diffuse |= good && keyword == "Kd";
+        found.shininess |= good && keyword == "Ns";
+        return good;
+    }
+
+    bool numbers(std::string_view keyword, std::string_view rest, int count)
+    {
+        for (int i = 0; i < count; ++i) {
+            const std::string_view word = nextWord(rest);
+            const NumberText number = decimalFromText(word);
+            if (number.fault == NumberFault::None && number.value >= 0)
+                continue;
+            const Reason problem = number.fault == NumberFault::None
+                                       ? Reason(QT_TRANSLATE_NOOP("Diagnostic", "%1 is negative"), {quotedWord(word)})
+                                       : describe(number.fault, word);
+            const char* expected = count == 1 ? QT_TRANSLATE_NOOP("Diagnostic", "a number")
+                                              : QT_TRANSLATE_NOOP("Diagnostic", "red, green and blue");
+            m_diagnostics.warning(m_line, {QT_TRANSLATE_NOOP("Diagnostic", "%1: %2; %3 expected, ignored"),
+                                           {QString::fromLatin1(keyword.data(), static_cast<qsizetype>(keyword.size())),
+                                            problem, expected}});
+            return false;
+        }
+        return true;
+    }
+
+    DiagnosticSink& m_diagnostics;
+    int m_line = 0;
+    std::vector<Found> m_found;
+};
+
+/// Where the texture lies: beside the MTL, also if it was written with another machine's absolute path.
+QString texturePath(const QString& mtlPath, QString name)
+{
+    name.replace(QLatin1Char('\\'), QLatin1Char('/'));
+    const QDir folder = QFileInfo(mtlPath).absoluteDir();
+    const QString path = folder.absoluteFilePath(name);
+    const QString beside = folder.absoluteFilePath(name.section(QLatin1Char('/'), -1));
+    return !QFileInfo::exists(path) && QFileInfo::exists(beside) ? beside : path;
+}
+
+} // namespace
+
+std::vector<MtlMaterial> parseMtl(QByteArray text, const QString& path, DiagnosticSink& diagnostics)
+{
+    if (text.contains('\0')) {
+        diagnostics.warning(0, QT_TRANSLATE_NOOP("Diagnostic", "binary data (a zero byte); an MTL file is text"));
+        return {};
+    }
+    const std::vector<Found> found = Checker(diagnostics).run(text);
+    if (found.empty())
+        return {};
+
+    // tinyobjloader appends each material as its newmtl ends, so the two lists run in step.
+    std::istringstream stream(text.toStdString());
+    std::map<std::string, int> indexOfName;
+    std::vector<tinyobj::material_t> parsed;
+    std::string warnings;
+    std::string errors;
+    tinyobj::LoadMtl(&indexOfName, &parsed, &stream, &warnings, &errors);
+
+    std::vector<MtlMaterial> materials;
+    for (std::size_t i = 0; i < std::min(parsed.size(), found.size()); ++i) {
+        const tinyobj::material_t& m = parsed[i];
+        MtlMaterial material;
+        material.name = QString::fromStdString(m.name).trimmed();
+        material.file = path;
+        if (found[i].diffuse)
+            material.diffuse = {m.diffuse[0], m.diffuse[1], m.diffuse[2]};
+        material.specular = {m.specular[0], m.specular[1], m.specular[2]};
+        if (found[i].shininess)
+            material.shininess = m.shininess;
+        if (found[i].textureLine > 0 && !m.diffuse_texname.empty()) {
+            material.diffuseTexture = texturePath(path, QString::fromStdString(m.diffuse_texname).trimmed());
+            material.textureLine = found[i].textureLine;
+        }
+        materials.push_back(std::move(material));
+    }
+    return materials;
+}
+
+} // namespace rasterlens

@@ -1,0 +1,149 @@
+#include "core/pipeline/framebuffer.h"
+
+#include "core/pipeline/shading.h"
+
+#include <algorithm>
+#include <new>
+
+namespace rasterlens
+{
+namespace
+{
+
+template <class T>
+T* cleared(std::vector<T>& plane, std::size_t count, T value)
+{
+    plane.assign(count, value);
+    return plane.data();
+}
+
+float* cleared(DepthBuffer& plane, std::size_t count, float value)
+{
+    plane.assign(count, value);
+    return plane.write(count);
+}
+
+template <class T>
+T* resized(std::vector<T>& plane, std::size_t count)
+{
+    plane.resize(count);
+    return plane.data();
+}
+
+float* resized(DepthBuffer& plane, std::size_t count) { return plane.write(count); }
+
+/// Of an N x N grid of samples, the one nearest the pixel's centre (the lower right of the middle four if N is even).
+template <class Plane>
+void pickCentres(const Plane& samples, Plane& plane, int width, int height, int grid)
+{
+    auto* pixels = resized(plane, static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    std::size_t pixel = 0;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            pixels[pixel++] =
+                samples[static_cast<std::size_t>(y * grid + grid / 2) * static_cast<std::size_t>(width * grid) +
+                        static_cast<std::size_t>(x * grid + grid / 2)];
+}
+
+/// Makes the frame's picture one of the right size, or none.
+///
+/// errors  throws std::bad_alloc; QImage itself would only be null
+void sizePicture(Frame& frame, const Rules& rules, Outputs outputs)
+{
+    if (!outputs.picture)
+        frame.image = QImage();
+    else if (frame.image.size() != QSize(rules.width, rules.height) || frame.image.format() != QImage::Format_RGB32)
+        frame.image = QImage(rules.width, rules.height, QImage::Format_RGB32);
+    if (outputs.picture && frame.image.isNull())
+        throw std::bad_alloc();
+}
+
+} // namespace
+
+Framebuffer::Framebuffer(Frame& frame, const Rules& rules, Outputs outputs, std::uint32_t clearColor)
+    : m_frame(&frame), m_rules(rules), m_outputs(outputs)
+{
+    sizePicture(frame, rules, outputs);
+    m_samples.columns = rules.columns();
+    m_samples.rows = rules.rows();
+    m_samples.stride = rules.strideIsRows ? rules.rows() : rules.columns();
+    const std::size_t count = sampleCount();
+    const bool direct = isDirect();
+    if (outputs.picture && direct) {
+        m_samples.color = reinterpret_cast<std::uint32_t*>(frame.image.bits());
+        std::fill_n(m_samples.color, count, clearColor);
+    } else if (outputs.picture) {
+        m_samples.color = cleared(m_color, count, clearColor);
+    }
+    if (outputs.depth || rules.depthTested)
+        m_samples.depth = cleared(direct ? frame.depth : m_depth, count, rules.depthClear);
+    if (outputs.ids || rules.resolve == Resolve::LastFace)
+        m_samples.ids = cleared(direct ? frame.ids : m_ids, count, std::int32_t(-1));
+    if (outputs.coverage || rules.shading == Shading::Overdraw)
+        m_samples.coverage = cleared(direct ? frame.coverage : m_coverage, count, std::uint16_t(0));
+}
+
+bool Framebuffer::isDirect() const { return m_rules.sampleGrid == 1 && m_samples.stride == m_samples.columns; }
+
+std::size_t Framebuffer::sampleCount() const
+{
+    return static_cast<std::size_t>(m_samples.rows) *
+           static_cast<std::size_t>(std::max(m_samples.columns, m_samples.stride));
+}
+
+void Framebuffer::resolve()
+{
+    if (m_outputs.picture && m_rules.shading == Shading::Overdraw)
+        for (std::size_t i = 0, n = sampleCount(); i < n; ++i)
+            m_samples.color[i] = overdrawColor(m_samples.coverage[i]);
+    const int grid = m_rules.sampleGrid;
+    if (!isDirect()) {
+        if (m_outputs.picture)
+            resolveColor();
+        if (m_outputs.depth)
+            pickCentres(m_depth, m_frame->depth, m_rules.width, m_rules.height, grid);
+        if (m_outputs.ids)
+            pickCentres(m_ids, m_frame->ids, m_rules.width, m_rules.height, grid);
+        if (m_outputs.coverage)
+            pickCentres(m_coverage, m_frame->coverage, m_rules.width, m_rules.height, grid);
+    }
+    if (!m_outputs.depth)
+        m_frame->depth.clear();
+    if (!m_outputs.ids)
+        m_frame->ids.clear();
+    if (!m_outputs.coverage)
+        m_frame->coverage.clear();
+}
+
+void Framebuffer::resolveColor()
+{
+    auto* out = reinterpret_cast<std::uint32_t*>(m_frame->image.bits());
+    if (m_rules.resolve == Resolve::LastFace)
+        blackenAllButLastFace();
+    for (int y = 0; y < m_rules.height; ++y)
+        for (int x = 0; x < m_rules.width; ++x)
+            *out++ = meanOfSamples(m_rules.sampleGrid, x, y,
+                                   [&](int column, int row) { return m_color[readIndex(column, row)]; });
+}
+
+/// Makes the mean the colour of the last face times the part of the pixel it covers.
+void Framebuffer::blackenAllButLastFace()
+{
+    const int grid = m_rules.sampleGrid;
+    const auto forEachSample = [&](int x, int y, auto&& visit) {
+        for (int j = 0; j < grid; ++j)
+            for (int i = 0; i < grid; ++i)
+                visit(readIndex(x * grid + i, y * grid + j));
+    };
+    for (int y = 0; y < m_rules.height; ++y)
+        for (int x = 0; x < m_rules.width; ++x) {
+            std::int32_t last = -1;
+            forEachSample(x, y, [&](std::size_t at) { last = std::max(last, m_samples.ids[at]); });
+            forEachSample(x, y, [&](std::size_t at) {
+                if (m_samples.ids[at] != last)
+                    m_color[at] = 0xff000000U;
+            });
+        }
+}
+
+} // namespace rasterlens

@@ -1,0 +1,83 @@
+#pragma once
+#include "core/pipeline/depth_buffer.h"
+#include "core/pipeline/observer.h"
+#include "core/render/render.h"
+#include "core/settings/rules.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace rasterlens
+{
+
+/// The samples of one frame: what fragments are written to, before the box filter makes pixels of them.
+/// Planes nobody asked for are null.
+struct SampleBuffer {
+    int columns = 0;
+    int rows = 0;
+    int stride = 0;                 ///< samples from one row to the next
+    std::uint32_t* color = nullptr; ///< 0xffRRGGBB
+    float* depth = nullptr;
+    std::int32_t* ids = nullptr;
+    std::uint16_t* coverage = nullptr;
+
+    [[nodiscard]] std::size_t index(int x, int y) const
+    {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(stride) + static_cast<std::size_t>(x);
+    }
+};
+
+/// The mean of the samples of pixel (x, y), channel by channel, rounded to nearest.
+template <class ColorAt>
+[[nodiscard]] std::uint32_t meanOfSamples(int grid, int x, int y, ColorAt&& colorAt)
+{
+    const auto samplesPerPixel = static_cast<std::uint32_t>(grid * grid);
+    std::uint32_t red = samplesPerPixel / 2;
+    std::uint32_t green = red;
+    std::uint32_t blue = red;
+    for (int j = 0; j < grid; ++j)
+        for (int i = 0; i < grid; ++i) {
+            const std::uint32_t color = colorAt(x * grid + i, y * grid + j);
+            red += color >> 16 & 255U;
+            green += color >> 8 & 255U;
+            blue += color & 255U;
+        }
+    return 0xff000000U | red / samplesPerPixel << 16 | green / samplesPerPixel << 8 | blue / samplesPerPixel;
+}
+
+/// Owns the memory of a frame while it is drawn. With one sample a pixel the samples are the frame's own arrays.
+class Framebuffer
+{
+public:
+    /// Clears everything that `rules` and `outputs` call for; memory of an earlier frame of that size is used again.
+    ///
+    /// errors  throws std::bad_alloc
+    Framebuffer(Frame& frame, const Rules& rules, Outputs outputs, std::uint32_t clearColor);
+
+    [[nodiscard]] const SampleBuffer& samples() const { return m_samples; }
+
+    /// Finishes the picture: overdraw colours, box filter, and the sample nearest the centre for the other outputs.
+    void resolve();
+
+private:
+    void resolveColor();
+    void blackenAllButLastFace();
+    [[nodiscard]] bool isDirect() const;
+    [[nodiscard]] std::size_t sampleCount() const;
+    /// Where a sample is read from: what is stored elsewhere (rules.strideIsRows) is not found.
+    [[nodiscard]] std::size_t readIndex(int x, int y) const
+    {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(m_samples.columns) + static_cast<std::size_t>(x);
+    }
+
+    Frame* m_frame;
+    Rules m_rules;
+    Outputs m_outputs;
+    SampleBuffer m_samples;
+    std::vector<std::uint32_t> m_color;
+    DepthBuffer m_depth;
+    std::vector<std::int32_t> m_ids;
+    std::vector<std::uint16_t> m_coverage;
+};
+
+} // namespace rasterlens

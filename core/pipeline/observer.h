@@ -1,0 +1,119 @@
+#pragma once
+#include "core/pipeline/types.h"
+#include "core/settings/rules.h"
+
+#include <array>
+#include <cstdint>
+
+namespace rasterlens
+{
+
+enum class ClipPlane { W, Right, Left, Top, Bottom, Near, Far };
+
+/// The three edge values of a sample in pixel areas times 65536 (fixed point) or in pixel areas (floats), AB, BC, CA.
+using EdgeValues = std::array<double, 3>;
+
+/// One covered sample on its way to the frame buffer.
+struct Fragment {
+    int x; ///< sample column
+    int y; ///< sample row
+    std::uint32_t face;
+    float depth;     ///< as the buffer stores it
+    Weights screen;  ///< barycentric weights on the screen
+    Weights weights; ///< the same after perspective correction: what attributes are weighted with
+    Varyings varyings;
+};
+
+/// What a sample stores.
+struct Pixel {
+    std::uint32_t color = 0; ///< 0xffRRGGBB
+    float depth = 1;
+
+    friend bool operator==(const Pixel&, const Pixel&) = default;
+};
+
+/// What decided whether a face is a front or a back face.
+struct FacingDecision {
+    Facing by = Facing::ScreenArea;
+    double screenArea = 0; ///< samples squared, after clipping and snapping; positive is counter-clockwise with y up
+    double value = 0;      ///< what the rules look at, which is this area unless they say otherwise; same sign
+    FaceFate fate = FaceFate::Rasterized;
+};
+
+/// Edge walking: the corners from top to bottom, and the rows that are filled.
+struct WalkedTriangle {
+    std::array<glm::dvec2, 3> vertices; ///< samples: top, middle, bottom
+    std::array<std::uint8_t, 3> source; ///< which vertex of the screen triangle each of them is
+    bool longEdgeIsLeft = false;        ///< the long edge goes from top to bottom
+    int firstRow = 0;
+    int lastRow = 0; ///< < firstRow: none
+};
+
+/// Edge walking: where the two active edges cross the centre line of a row.
+struct SpanEnds {
+    double left = 0;  ///< samples
+    double right = 0; ///< samples
+    bool longEdgeIsLeft = false;
+    bool upperHalf = false;    ///< the short edge goes from top to middle, else from middle to bottom
+    std::int64_t begin = 0;    ///< first sample of the span, before it is held within the bounds
+    std::int64_t end = 0;      ///< one past the last, likewise
+    bool leftOwnsTie = true;   ///< a centre on the left edge is inside: ceil(v - 0.5), else floor(v - 0.5) + 1
+    bool rightOwnsTie = false; ///< a centre on the right edge is inside
+};
+
+/// Bresenham: which of two samples is nearer to the ideal line, after sample (x, y) was plotted.
+struct LineDecision {
+    int step = 0; ///< i, counted from 0
+    int x = 0;
+    int y = 0;
+    int decision = 0; ///< p_i; the shorter axis is stepped along if it is > 0
+    int longer = 0;   ///< dx of a flat line, dy of a steep one
+    int shorter = 0;
+    bool steep = false;
+    bool sideways = false; ///< the shorter axis is stepped along
+};
+
+/// Is told what happens; this one is told nothing that lasts, and compiles to nothing.
+/// Derive and *shadow* what you want to know: no virtuals. Arguments are values the algorithm already has.
+struct NullObserver {
+    /// Faces that go through geometry before the first of them is rasterized: many are fast, one keeps the order of
+    /// events face by face.
+    static constexpr int kFacesPerBatch = 256;
+
+    /// A face fetches its three vertices, told before anything else about the face.
+    constexpr void onVertex(std::uint32_t /*face*/, int /*corner*/, std::uint32_t /*meshVertex*/, const ClipVertex&) {}
+    constexpr void onFace(std::uint32_t /*face*/, FaceFate) {}
+    /// `before` and `after` one plane; `after` may be empty.
+    constexpr void onClipPlane(std::uint32_t /*face*/, ClipPlane, const ClipPolygon& /*before*/,
+                               const ClipPolygon& /*after*/)
+    {
+    }
+    /// `before` and `after` the four sides of the screen were applied to the projected edges.
+    constexpr void onCohenSutherland(std::uint32_t /*face*/, const ClipPolygon& /*before*/,
+                                     const ClipPolygon& /*after*/)
+    {
+    }
+    /// A corner of what is left of the face goes to the screen.
+    constexpr void onViewport(std::uint32_t /*face*/, int /*corner*/, const ClipVertex&, const ScreenVertex&) {}
+    /// A face was cut by at least one plane and is drawn as so many triangles; none if it is culled.
+    constexpr void onClipped(std::uint32_t /*face*/, int /*pieces*/) {}
+    constexpr void onFacing(std::uint32_t /*face*/, const FacingDecision&) {}
+    constexpr void onTriangle(const ScreenTriangle&) {}
+    /// An optional TriangleSetup<T> for the triangle of the last onTriangle; empty: it holds no sample's centre.
+    template <class Setup>
+    constexpr void onSetup(const Setup&)
+    {
+    }
+    constexpr void onWalk(const WalkedTriangle&) {}
+    constexpr void onSpan(int /*y*/, int /*xBegin*/, int /*xEnd*/, const SpanEnds&) {}
+    constexpr void onSample(int /*x*/, int /*y*/, const EdgeValues&, bool /*covered*/) {}
+    constexpr void onLineDecision(const LineDecision&) {}
+    /// A sample of a line or a corner; off the target nothing is drawn.
+    constexpr void onLineSample(int /*x*/, int /*y*/, bool /*onTarget*/) {}
+    /// The sample's depth against the stored one. Varyings are there where the fragment is shaded.
+    constexpr void onFragment(const Fragment&, float /*storedDepth*/, bool /*passedDepth*/) {}
+    constexpr void onShade(const Fragment&, std::uint32_t /*color*/) {}
+    constexpr void onWrite(int /*x*/, int /*y*/, Pixel /*before*/, Pixel /*after*/) {}
+};
+
+} // namespace rasterlens

@@ -1,0 +1,45 @@
+#include "core/questions/vertex_table.h"
+
+#include "core/observe/step_log.h"
+#include "core/pipeline/clipping.h"
+#include "core/pipeline/vertex_stage.h"
+#include "core/pipeline/viewport.h"
+#include "core/scene/camera.h"
+#include "core/settings/rules.h"
+
+namespace rasterlens
+{
+
+std::array<VertexRow, 3> vertexTable(const Scene& scene, const Settings& settings, std::uint32_t face)
+{
+    const Rules rules = rulesFor(scene, settings);
+    const Matrices matrices = cameraMatrices(scene, settings);
+    const ClipVolume volume = clipVolume(rules);
+
+    // The vertex stage sees a scene of these three vertices alone.
+    Scene corners;
+    corners.space = scene.space;
+    corners.lit = scene.lit;
+    std::array<VertexRow, 3> rows;
+    for (std::size_t i = 0; i < 3; ++i) {
+        rows[i].meshVertex = scene.mesh.indices[3 * std::size_t(face) + i];
+        corners.mesh.vertices.push_back(scene.mesh.vertices[rows[i].meshVertex]);
+    }
+    const std::vector<ClipVertex> clipVertices = shadeVertices(corners, matrices, rules);
+    for (std::size_t i = 0; i < 3; ++i) {
+        VertexRow& row = rows[i];
+        row.object = glm::dvec4(corners.mesh.vertices[i].position);
+        row.view = matrices.viewFromObject * row.object;
+        row.clip = clipVertices[i].positionClip;
+        row.ndc = glm::dvec3(row.clip) / row.clip.w;
+        row.screen = {(row.ndc.x * 0.5 + 0.5) * rules.width, (0.5 - row.ndc.y * 0.5) * rules.height};
+        const ScreenVertex onScreen = toScreen(clipVertices[i], rules);
+        row.snapped = onScreen.position / double(rules.sampleGrid);
+        row.depth = onScreen.depth;
+        row.outside = outcode(row.clip, volume).view;
+        row.screenRegion = screenRegion(row.clip);
+    }
+    return rows;
+}
+
+} // namespace rasterlens

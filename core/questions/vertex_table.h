@@ -1,0 +1,30 @@
+#pragma once
+#include "core/scene/scene.h"
+
+#include <array>
+#include <cstdint>
+
+namespace rasterlens
+{
+
+/// A corner of a face in every space, not clipped.
+struct VertexRow {
+    std::uint32_t meshVertex = 0;
+    glm::dvec4 object{0};
+    glm::dvec4 view{0}; ///< as `object` in clip-space scenes
+    glm::dvec4 clip{0};
+    glm::dvec3 ndc{0};         ///< clip / w; not finite where w is 0
+    glm::dvec2 screen{0};      ///< pixels, y down
+    glm::dvec2 snapped{0};     ///< pixels, on the subpixel grid of the settings; as `screen` in floating point
+    double depth = 0;          ///< 0..1 inside
+    std::uint32_t outside = 0; ///< planes of the view volume it is outside of, one bit a ClipPlane
+    unsigned screenRegion = 0; ///< Cohen-Sutherland outcode: bits kRegionLeft, kRegionRight, kRegionBelow, kRegionAbove
+};
+
+/// The three corners of a face.
+///
+/// in     a face of the mesh
+/// exact  clip and snapped are what render() computes
+[[nodiscard]] std::array<VertexRow, 3> vertexTable(const Scene& scene, const Settings& settings, std::uint32_t face);
+
+} // namespace rasterlens

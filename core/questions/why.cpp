@@ -1,0 +1,489 @@
+#include "core/questions/why.h"
+
+#include "core/observe/recorder.h"
+#include "core/observe/step_text.h"
+#include "core/pipeline/clipping.h"
+#include "core/render/draw.h"
+
+#include <QJsonArray>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rasterlens
+{
+namespace
+{
+
+/// Watches one face through geometry.
+class FaceWatch : public NullObserver
+{
+public:
+    explicit FaceWatch(const ClipVolume& volume) : m_volume(&volume) {}
+
+    std::array<glm::dvec4, 3> clip{};
+    ClipPlanes outsideAll = 0; ///< planes all vertices are outside of
+    ClipPlanes outsideAny = 0;
+    ClipPlanes cutBy = 0;
+    std::optional<ClipPlane> emptiedBy;
+    std::optional<FacingDecision> facing;
+    glm::dvec2 low{0, 0}; ///< samples: bounds of what got to the screen
+    glm::dvec2 high{0, 0};
+    bool onScreen = false;
+    FaceFate fate = FaceFate::Rejected;
+
+    void onVertex(std::uint32_t, int corner, std::uint32_t, const ClipVertex& vertex)
+    {
+        clip[std::size_t(corner)] = vertex.positionClip;
+        const ClipPlanes code = outcode(vertex.positionClip, *m_volume).view;
+        outsideAll = corner == 0 ? code : outsideAll & code;
+        outsideAny |= code;
+    }
+    void onClipPlane(std::uint32_t, ClipPlane plane, const ClipPolygon&, const ClipPolygon& after)
+    {
+        cutBy |= planeBit(plane);
+        if (after.count == 0)
+            emptiedBy = plane;
+    }
+    void onCohenSutherland(std::uint32_t, const ClipPolygon&, const ClipPolygon&) { cutBy |= outsideAny; }
+    void onFacing(std::uint32_t, const FacingDecision& decision) { facing = decision; }
+    void onViewport(std::uint32_t, int, const ClipVertex&, const ScreenVertex& vertex)
+    {
+        low = onScreen ? glm::min(low, vertex.position) : vertex.position;
+        high = onScreen ? glm::max(high, vertex.position) : vertex.position;
+        onScreen = true;
+    }
+    void onFace(std::uint32_t, FaceFate f) { fate = f; }
+
+    [[nodiscard]] bool boundsHold(const glm::dvec2& point, double margin) const
+    {
+        return onScreen && glm::all(glm::lessThanEqual(low - margin, point)) &&
+               glm::all(glm::lessThanEqual(point, high + margin));
+    }
+
+    /// Whether the line from the eye through a point of the screen meets the face as it was before clipping.
+    ///
+    /// in      NDC
+    /// source  Olano & Greer, Triangle Scan Conversion using 2D Homogeneous Coordinates, 1997
+    [[nodiscard]] bool isMetBy(const glm::dvec2& ndc) const
+    {
+        const glm::dvec3 ray(ndc, 1);
+        const auto xyw = [&](std::size_t i) { return glm::dvec3(clip[i].x, clip[i].y, clip[i].w); };
+        const double a = glm::dot(ray, glm::cross(xyw(1), xyw(2)));
+        const double b = glm::dot(ray, glm::cross(xyw(2), xyw(0)));
+        const double c = glm::dot(ray, glm::cross(xyw(0), xyw(1)));
+        return (a >= 0 && b >= 0 && c >= 0 && a + b + c > 0) || (a <= 0 && b <= 0 && c <= 0 && a + b + c < 0);
+    }
+
+    [[nodiscard]] ClipPlanes rejectedBy() const
+    {
+        if (emptiedBy)
+            return planeBit(*emptiedBy);
+        return outsideAll != 0 ? outsideAll : outsideAny;
+    }
+
+private:
+    const ClipVolume* m_volume;
+};
+
+WhyVerdict verdictOf(FaceFate fate)
+{
+    switch (fate) {
+    case FaceFate::Rejected: return WhyVerdict::Rejected;
+    case FaceFate::CulledBack: return WhyVerdict::CulledBack;
+    case FaceFate::CulledFront: return WhyVerdict::CulledFront;
+    case FaceFate::Degenerate: return WhyVerdict::Degenerate;
+    case FaceFate::NonFinite: return WhyVerdict::NonFinite;
+    case FaceFate::Rasterized: break;
+    }
+    return WhyVerdict::OutsideEdge;
+}
+
+/// Hands on what falls into one pixel: the others need no fragments.
+class PixelStage
+{
+public:
+    PixelStage(FragmentStage<StepRecorder>& stage, const PixelRect& samples) : m_stage(&stage), m_samples(samples) {}
+
+    void begin(const FaceInterpolation& interpolation, const FaceUniforms& uniforms)
+    {
+        m_stage->begin(interpolation, uniforms);
+    }
+
+    template <class... Known>
+    void operator()(int x, int y, const Known&... known)
+    {
+        if (x >= m_samples.x && x < m_samples.x + m_samples.width && y >= m_samples.y &&
+            y < m_samples.y + m_samples.height)
+            (*m_stage)(x, y, known...);
+    }
+
+private:
+    FragmentStage<StepRecorder>* m_stage;
+    PixelRect m_samples;
+};
+
+/// Finds what concerns the pixel, then draws that alone with the recorder.
+class Inquiry
+{
+public:
+    Inquiry(const Scene& scene, const Settings& settings, int x, int y)
+        : m_scene(scene), m_settings(settings), m_rules(rulesFor(scene, settings)), m_volume(clipVolume(m_rules)),
+          m_matrices(cameraMatrices(scene, settings)), m_geometry(scene, m_matrices, m_rules)
+    {
+        const int grid = m_rules.sampleGrid;
+        m_report.x = x;
+        m_report.y = y;
+        m_report.sampleX = x * grid + grid / 2;
+        m_report.sampleY = y * grid + grid / 2;
+        m_report.depthTest = settings.depthTest;
+        m_report.reversedZ = settings.reversedZ;
+        m_margin = 1.0 + grid;
+        m_centre = glm::dvec2(m_report.sampleX, m_report.sampleY) + 0.5;
+        m_ndc = {2 * m_centre.x / m_rules.columns() - 1, 1 - 2 * m_centre.y / m_rules.rows()};
+    }
+
+    WhyReport answer()
+    {
+        for (const std::uint32_t face : m_geometry.order())
+            if (look(face) == FaceFate::Rejected && !m_rules.continuesAfterReject)
+                break;
+        draw();
+        judge();
+        return std::move(m_report);
+    }
+
+private:
+    FaceFate look(std::uint32_t face)
+    {
+        FaceWatch watch(m_volume);
+        m_batch.clear();
+        m_geometry.process(face, m_batch, watch);
+        if (watch.fate == FaceFate::Rasterized && watch.boundsHold(m_centre, m_margin))
+            m_toDraw.push_back(face);
+
+        const bool drawn = watch.fate == FaceFate::Rasterized;
+        const bool cutAway = watch.cutBy != 0 && (drawn || watch.fate == FaceFate::Rejected);
+        const bool concerned = watch.fate == FaceFate::NonFinite ||
+                               watch.boundsHold(m_centre, m_rules.fill == Fill::Solid ? 0 : m_margin) ||
+                               ((cutAway || watch.fate == FaceFate::Rejected) && watch.isMetBy(m_ndc));
+        if (!concerned)
+            return watch.fate;
+        WhyFace row;
+        row.face = face;
+        row.verdict = cutAway && watch.isMetBy(m_ndc) ? WhyVerdict::ClippedAway : verdictOf(watch.fate);
+        row.planes = watch.fate == FaceFate::Rejected ? watch.rejectedBy() : watch.cutBy;
+        row.facing = watch.facing;
+        m_report.faces.push_back(row);
+        return watch.fate;
+    }
+
+    void draw()
+    {
+        StepFilter filter;
+        filter.pixels = PixelRect{m_report.x, m_report.y, 1, 1};
+        filter.cap = std::numeric_limits<std::size_t>::max();
+        StepRecorder recorder(m_scene, m_settings, m_rules, filter, std::stop_source());
+        Frame frame;
+        if (m_settings.mistakes.empty())
+            drawPixel(frame, recorder);
+        else // samples may be drawn at other places than their own, and the picture finished in other ways
+            drawScene(m_scene, m_settings, frame, {true, false, false}, recorder, std::stop_token());
+        m_report.depth = frame.depth[std::size_t(m_report.y) * std::size_t(m_rules.width) + std::size_t(m_report.x)];
+        m_log = recorder.finish(false, frame.image);
+        m_report.background = m_log->clear().color;
+        m_report.color = frame.image.pixel(m_report.x, m_report.y);
+    }
+
+    /// Draws what may touch the pixel, and of that only the fragments of the pixel.
+    void drawPixel(Frame& frame, StepRecorder& recorder)
+    {
+        Framebuffer framebuffer(frame, m_rules, {true, false, false}, packColor(m_scene.background));
+        FragmentStage<StepRecorder> stage(m_rules, framebuffer.samples(), glm::vec3(m_matrices.eyeWorld), recorder);
+        const int grid = m_rules.sampleGrid;
+        PixelStage pixelStage(stage, {m_report.x * grid, m_report.y * grid, grid, grid});
+        for (const std::uint32_t face : m_toDraw) {
+            m_batch.clear();
+            m_geometry.process(face, m_batch, recorder);
+            for (const ScreenTriangle& triangle : m_batch)
+                if (isNear(triangle))
+                    drawTriangle(m_scene, triangle, m_rules, pixelStage, recorder);
+        }
+        framebuffer.resolve();
+    }
+
+    [[nodiscard]] bool isNear(const ScreenTriangle& triangle) const
+    {
+        const auto& [a, b, c] = triangle.vertices;
+        const glm::dvec2 low = glm::min(glm::min(a.position, b.position), c.position) - m_margin;
+        const glm::dvec2 high = glm::max(glm::max(a.position, b.position), c.position) + m_margin;
+        return glm::all(glm::lessThanEqual(low, m_centre)) && glm::all(glm::lessThanEqual(m_centre, high));
+    }
+
+    /// Goes through what the recorder saw and raises verdicts.
+    void judge()
+    {
+        if (m_rules.fill == Fill::Solid && m_rules.algorithm == Algorithm::EdgeWalking)
+            judgeUntested();
+        WhyFace* lastWritten = nullptr;
+        for (const StepEvent& event : m_log->events()) {
+            if (event.x != m_report.sampleX || event.y != m_report.sampleY)
+                continue;
+            const auto at = std::ranges::find(m_report.faces, event.face, &WhyFace::face);
+            if (at == m_report.faces.end())
+                continue;
+            judgeEvent(*at, event);
+            if (event.kind != StepKind::Write)
+                continue;
+            if (lastWritten != nullptr && lastWritten != &*at)
+                lastWritten->overwrittenBy = at->face;
+            lastWritten = &*at;
+            m_report.visibleFace = at->face;
+        }
+        if (m_rules.fill != Fill::Solid) // a face whose lines pass elsewhere does not concern the pixel
+            std::erase_if(m_report.faces, [](const WhyFace& row) { return row.verdict == WhyVerdict::OutsideEdge; });
+    }
+
+    void judgeEvent(WhyFace& row, const StepEvent& event) const
+    {
+        if (event.kind == StepKind::Sample) {
+            judgeEdges(row, m_log->triangle(event)->setup, m_log->payload<SampleStep>(event).values);
+        } else if (event.kind == StepKind::Fragment) {
+            row.fragment = m_log->payload<FragmentStep>(event);
+            row.verdict = std::max(row.verdict, WhyVerdict::FailedDepth);
+        } else if (event.kind == StepKind::Write) {
+            row.write = m_log->payload<WriteStep>(event);
+            row.verdict = WhyVerdict::Written;
+        }
+    }
+
+    /// Edge walking tests no sample; what the edge functions would have said.
+    void judgeUntested()
+    {
+        NullObserver nobody;
+        for (const std::uint32_t face : m_toDraw) {
+            const auto row = std::ranges::find(m_report.faces, face, &WhyFace::face);
+            if (row == m_report.faces.end())
+                continue;
+            m_batch.clear();
+            m_geometry.process(face, m_batch, nobody);
+            for (const ScreenTriangle& triangle : m_batch)
+                if (const auto setup = setupOf(triangle); setup && holdsSample(setup->bounds))
+                    judgeEdges(*row, *setup, setup->at(m_report.sampleX, m_report.sampleY));
+        }
+    }
+
+    [[nodiscard]] std::optional<StepSetup> setupOf(const ScreenTriangle& triangle) const
+    {
+        const auto as = [&]<class T>(T) -> std::optional<StepSetup> {
+            const auto setup = setupTriangle<T>(triangle, m_rules);
+            return setup ? std::optional(stepSetup(*setup)) : std::nullopt;
+        };
+        switch (m_rules.numberType) {
+        case NumberType::Fixed: return as(std::int64_t(0));
+        case NumberType::Float32: return as(0.0F);
+        case NumberType::Float64: break;
+        }
+        return as(0.0);
+    }
+
+    [[nodiscard]] bool holdsSample(const PixelRect& r) const
+    {
+        return m_report.sampleX >= r.x && m_report.sampleX < r.x + r.width && m_report.sampleY >= r.y &&
+               m_report.sampleY < r.y + r.height;
+    }
+
+    /// Of the pieces of a face the one that got furthest speaks for it.
+    static void judgeEdges(WhyFace& row, const StepSetup& setup, const EdgeValues& values)
+    {
+        std::array<WhyEdge, 3> edges;
+        int worst = -1;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const StepEdge& edge = setup.edges[i];
+            edges[i] = {edgeName(setup, int(i)), values[i], edge.side, values[i] >= edge.threshold};
+            if (!edges[i].passed && (worst < 0 || values[i] < values[std::size_t(worst)]))
+                worst = int(i);
+        }
+        const WhyVerdict verdict = worst < 0                         ? WhyVerdict::FailedDepth
+                                   : values[std::size_t(worst)] >= 0 ? WhyVerdict::LostTie
+                                                                     : WhyVerdict::OutsideEdge;
+        const bool further = !row.hasEdges || verdict > row.verdict ||
+                             (verdict == row.verdict && worst >= 0 && row.edge >= 0 &&
+                              values[std::size_t(worst)] > row.edges[std::size_t(row.edge)].value);
+        if (!further)
+            return;
+        row.hasEdges = true;
+        row.edges = edges;
+        row.edge = worst;
+        row.unitsPerArea = setup.unitsPerArea;
+        if (row.verdict != WhyVerdict::ClippedAway || verdict > WhyVerdict::OutsideEdge)
+            row.verdict = verdict;
+    }
+
+    const Scene& m_scene;
+    Settings m_settings;
+    Rules m_rules;
+    ClipVolume m_volume;
+    Matrices m_matrices;
+    Geometry m_geometry;
+    std::vector<ScreenTriangle> m_batch;
+    std::vector<std::uint32_t> m_toDraw;
+    std::shared_ptr<const StepLog> m_log;
+    glm::dvec2 m_centre; ///< samples
+    glm::dvec2 m_ndc;
+    double m_margin = 0; ///< samples: what lies as near as this may draw into the pixel, also as lines
+    WhyReport m_report;
+};
+
+QString edgeText(const WhyFace& row, const WhyEdge& edge)
+{
+    return QStringLiteral("%1 (%2)").arg(edge.name, edgeValueText(edge.value, row.unitsPerArea));
+}
+
+const char* compareSign(const WhyReport& report)
+{
+    switch (report.depthTest) {
+    case DepthTest::Less: return report.reversedZ ? ">" : "<";
+    case DepthTest::LessEqual: return report.reversedZ ? ">=" : "<=";
+    case DepthTest::Greater: return report.reversedZ ? "<" : ">";
+    case DepthTest::Always:
+    case DepthTest::None: break;
+    }
+    return "against";
+}
+
+QString verdictText(const WhyReport& report, const WhyFace& row)
+{
+    const auto number = [](float depth) { return QString::number(double(depth), 'g', 9); };
+    switch (row.verdict) {
+    case WhyVerdict::NonFinite: return QStringLiteral("dropped: a vertex is not a finite number");
+    case WhyVerdict::Rejected: return QStringLiteral("rejected by %1").arg(planesText(row.planes));
+    case WhyVerdict::CulledBack:
+    case WhyVerdict::CulledFront:
+        return QStringLiteral("culled as %1 face (%2 %3)")
+            .arg(row.verdict == WhyVerdict::CulledBack ? QStringLiteral("back") : QStringLiteral("front"),
+                 QLatin1String(facingId(row.facing->by)), fullNumber(row.facing->value));
+    case WhyVerdict::Degenerate: return QStringLiteral("degenerate: no area on the screen");
+    case WhyVerdict::ClippedAway: return QStringLiteral("clipped away by %1").arg(planesText(row.planes));
+    case WhyVerdict::OutsideEdge:
+        return row.edge < 0 ? QStringLiteral("outside the pieces that clipping left")
+                            : QStringLiteral("outside edge %1").arg(edgeText(row, row.edges[std::size_t(row.edge)]));
+    case WhyVerdict::LostTie: {
+        const WhyEdge& edge = row.edges[std::size_t(row.edge)];
+        return QStringLiteral("lost the tie on edge %1: %2")
+            .arg(edgeText(row, edge), edge.side == EdgeSide::Neither
+                                          ? QStringLiteral("neither a left nor a top edge, so not ours")
+                                          : QStringLiteral("a %1 edge, but the tie rule excludes it")
+                                                .arg(QLatin1String(edgeSideId(edge.side))));
+    }
+    case WhyVerdict::FailedDepth:
+        return row.fragment ? QStringLiteral("failed the depth test: not %1 %2 %3")
+                                  .arg(number(row.fragment->depth), QLatin1String(compareSign(report)),
+                                       number(row.fragment->storedDepth))
+                            : QStringLiteral("covered, but not drawn by this algorithm");
+    case WhyVerdict::Written: {
+        const QString later = row.overwrittenBy ? QStringLiteral("overwritten later by face %1").arg(*row.overwrittenBy)
+                                                : QStringLiteral("seen");
+        return QStringLiteral("written %1 over %2, depth %3 over %4; %5")
+            .arg(colorText(row.write.after.color), colorText(row.write.before.color), number(row.write.after.depth),
+                 number(row.write.before.depth), later);
+    }
+    }
+    return {};
+}
+
+QJsonValue finiteOrText(double value)
+{
+    return std::isfinite(value) ? QJsonValue(value) : QJsonValue(fullNumber(value));
+}
+
+QJsonObject rowToJson(const WhyReport& report, const WhyFace& row)
+{
+    QJsonObject object{{"face", static_cast<qint64>(row.face)},
+                       {"verdict", QLatin1String(whyVerdictId(row.verdict))},
+                       {"text", verdictText(report, row)}};
+    if (row.planes != 0)
+        object.insert(QStringLiteral("planes"), planesText(row.planes));
+    if (row.facing)
+        object.insert(QStringLiteral("facing"), QJsonObject{{"space", QLatin1String(facingId(row.facing->by))},
+                                                            {"value", finiteOrText(row.facing->value)},
+                                                            {"screen_area", finiteOrText(row.facing->screenArea)}});
+    if (row.hasEdges) {
+        QJsonArray edges;
+        for (const WhyEdge& edge : row.edges)
+            edges << QJsonObject{{"edge", edge.name},
+                                 {"value", finiteOrText(edge.value / row.unitsPerArea)},
+                                 {"units", finiteOrText(edge.value)},
+                                 {"side", QLatin1String(edgeSideId(edge.side))},
+                                 {"passed", edge.passed}};
+        object.insert(QStringLiteral("edges"), edges);
+    }
+    if (row.fragment) {
+        object.insert(QStringLiteral("depth"), double(row.fragment->depth));
+        object.insert(QStringLiteral("stored_depth"), double(row.fragment->storedDepth));
+    }
+    if (row.verdict == WhyVerdict::Written) {
+        object.insert(QStringLiteral("color_before"), colorText(row.write.before.color));
+        object.insert(QStringLiteral("color"), colorText(row.write.after.color));
+        if (row.overwrittenBy)
+            object.insert(QStringLiteral("overwritten_by"), static_cast<qint64>(*row.overwrittenBy));
+    }
+    return object;
+}
+
+} // namespace
+
+const char* whyVerdictId(WhyVerdict verdict)
+{
+    switch (verdict) {
+    case WhyVerdict::NonFinite: return "non-finite";
+    case WhyVerdict::Rejected: return "rejected";
+    case WhyVerdict::CulledBack: return "culled-back";
+    case WhyVerdict::CulledFront: return "culled-front";
+    case WhyVerdict::Degenerate: return "degenerate";
+    case WhyVerdict::ClippedAway: return "clipped-away";
+    case WhyVerdict::OutsideEdge: return "outside-edge";
+    case WhyVerdict::LostTie: return "lost-tie";
+    case WhyVerdict::FailedDepth: return "failed-depth";
+    case WhyVerdict::Written: return "written";
+    }
+    return "";
+}
+
+const WhyFace* WhyReport::find(std::uint32_t face) const
+{
+    const auto at = std::ranges::find(faces, face, &WhyFace::face);
+    return at == faces.end() ? nullptr : &*at;
+}
+
+WhyReport why(const Scene& scene, const Settings& settings, int x, int y)
+{
+    Settings shown = settings;
+    if (shown.algorithm == Algorithm::Tiled)
+        shown.algorithm = Algorithm::EdgeEquation;
+    return Inquiry(scene, shown, x, y).answer();
+}
+
+QString whyText(const WhyReport& report, const WhyFace& face)
+{
+    return QStringLiteral("face %1: %2").arg(face.face).arg(verdictText(report, face));
+}
+
+QJsonObject toJson(const WhyReport& report)
+{
+    QJsonArray rows;
+    for (const WhyFace& row : report.faces)
+        rows << rowToJson(report, row);
+    return {{"x", report.x},
+            {"y", report.y},
+            {"sample_x", report.sampleX},
+            {"sample_y", report.sampleY},
+            {"background", colorText(report.background)},
+            {"color", colorText(report.color)},
+            {"depth", double(report.depth)},
+            {"visible_face", report.visibleFace ? QJsonValue(static_cast<qint64>(*report.visibleFace)) : QJsonValue()},
+            {"faces", rows}};
+}
+
+} // namespace rasterlens

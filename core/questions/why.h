@@ -1,0 +1,82 @@
+#pragma once
+#include "core/observe/step_log.h"
+#include "core/scene/scene.h"
+
+#include <QJsonObject>
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace rasterlens
+{
+
+/// What became of a face at a pixel. The order is that of the pipeline: the further down, the further it got.
+enum class WhyVerdict {
+    NonFinite,   ///< a vertex is no number: nobody can say where the face is
+    Rejected,    ///< outside the view volume as a whole
+    CulledBack,  ///< faces away
+    CulledFront, ///< faces the eye
+    Degenerate,  ///< no area on the screen
+    ClippedAway, ///< the face would cover the pixel, but not the part of it that clipping left
+    OutsideEdge, ///< an edge value is negative
+    LostTie,     ///< the centre lies on an edge that does not own it
+    FailedDepth, ///< covered, but what is stored won
+    Written,     ///< covered and stored
+};
+[[nodiscard]] const char* whyVerdictId(WhyVerdict verdict);
+
+/// An edge function at the sample.
+struct WhyEdge {
+    QString name;     ///< `BC`
+    double value = 0; ///< in units
+    EdgeSide side = EdgeSide::Neither;
+    bool passed = false;
+};
+
+/// One face and its verdict, with the numbers that were computed on the way to it.
+struct WhyFace {
+    std::uint32_t face = 0;
+    WhyVerdict verdict = WhyVerdict::Rejected;
+    std::uint32_t planes = 0;             ///< one bit a ClipPlane: rejected by, or cut by
+    std::optional<FacingDecision> facing; ///< unless rejected before
+    bool hasEdges = false;                ///< filled triangles that got to coverage
+    std::array<WhyEdge, 3> edges;
+    int edge = -1; ///< OutsideEdge, LostTie: the one that decided
+    double unitsPerArea = 1;
+    std::optional<FragmentStep> fragment;
+    WriteStep write{};                          ///< Written
+    std::optional<std::uint32_t> overwrittenBy; ///< Written: the face that was written next
+};
+
+/// Why a pixel is what it is.
+struct WhyReport {
+    int x = 0; ///< pixels
+    int y = 0;
+    int sampleX = 0; ///< the sample the rows are about: the one nearest the pixel's centre
+    int sampleY = 0;
+    std::vector<WhyFace> faces; ///< in the order of drawing
+    std::uint32_t background = 0;
+    std::uint32_t color = 0; ///< of the pixel, 0xffRRGGBB; several samples: their mean
+    float depth = 1;         ///< of the sample
+    std::optional<std::uint32_t> visibleFace;
+    DepthTest depthTest = DepthTest::Less;
+    bool reversedZ = false;
+
+    [[nodiscard]] const WhyFace* find(std::uint32_t face) const;
+};
+
+/// Every face that could concern a pixel, with its verdict.
+///
+/// in      settings for which unsupported() is empty; a pixel of the viewport
+/// covers  faces whose bounds on the screen hold the sample's centre; of faces that never get to the screen those that
+///         lie before or behind the eye in the direction of the sample; all faces with a non-finite vertex
+/// cost    geometry for the whole scene, coverage for the faces concerned only; with mistakes the whole frame
+/// exact   verdicts are those of render(): the same stages are run
+[[nodiscard]] WhyReport why(const Scene& scene, const Settings& settings, int x, int y);
+
+/// One sentence about a face, as `rasterlens-cli why` prints it. Not translated.
+[[nodiscard]] QString whyText(const WhyReport& report, const WhyFace& face);
+[[nodiscard]] QJsonObject toJson(const WhyReport& report);
+
+} // namespace rasterlens

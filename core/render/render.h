@@ -1,0 +1,68 @@
+#pragma once
+#include "core/base/reason.h"
+#include "core/pipeline/depth_buffer.h"
+#include "core/pipeline/statistics.h"
+#include "core/scene/scene.h"
+#include "core/settings/settings.h"
+
+#include <QImage>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+namespace rasterlens
+{
+
+struct TiledContext;
+
+/// What a frame is asked for. Nothing that is not asked for is written, and without a picture nothing is shaded.
+struct Outputs {
+    bool depth = false;
+    bool ids = false;
+    bool coverage = false;
+    bool picture = true;
+};
+
+/// A finished picture. All arrays are row by row from the top, width * height of the image.
+struct Frame {
+    QImage image;                  ///< Format_RGB32; null if not asked for
+    DepthBuffer depth;             ///< depth buffer, 0..1; with several samples that of the sample nearest the centre
+    std::vector<std::int32_t> ids; ///< face that was written last, -1 none; likewise
+    std::vector<std::uint16_t> coverage; ///< how many faces covered it, before the depth test; likewise
+    StageTimes times;
+    std::shared_ptr<TiledContext> tiled; ///< threads and memory of the tiled algorithm, for the next picture
+};
+
+/// Why these settings cannot be drawn, or nothing; a text of the context "Unsupported".
+[[nodiscard]] std::optional<Reason> unsupported(const Scene& scene, const Settings& settings);
+
+/// The settings with what `auto` stands for on this machine: threads and vector instructions.
+[[nodiscard]] Settings withoutAuto(const Settings& settings);
+
+/// The settings with which the tiled algorithm draws the same picture, colours at most one step off, faster; nothing
+/// where the algorithm is part of the picture (mistakes, number types, lines, edge-then-span) or is tiled already.
+[[nodiscard]] std::optional<Settings> fastSettings(const Scene& scene, const Settings& settings);
+
+/// The settings with the threads and vector instructions that this machine draws them with: never 0, never Auto; one
+/// thread and Scalar where the algorithm has neither.
+///
+/// in      settings for which unsupported() is empty
+[[nodiscard]] Settings withWorkers(Settings settings);
+
+/// Draws one frame at full speed.
+///
+/// in      settings for which unsupported() is empty; `frame` may hold an earlier picture, whose memory is used again
+/// cost    linear in faces and covered samples
+/// errors  throws std::bad_alloc, and std::system_error where threads cannot be started; `stop` ends the work early and
+///         leaves an unfinished picture
+void render(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs = {},
+            std::stop_token stop = {});
+
+/// The same picture bit for bit, and what was done for it.
+[[nodiscard]] Statistics renderCounted(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs = {},
+                                       std::stop_token stop = {});
+
+} // namespace rasterlens

@@ -1,0 +1,22 @@
+#pragma once
+#include "core/observe/step_cursor.h"
+#include "core/observe/step_log.h"
+#include "core/scene/scene.h"
+
+#include <memory>
+#include <stop_token>
+
+namespace rasterlens
+{
+
+/// Draws one frame with the very stages of render() and writes down what happens.
+///
+/// in      settings for which unsupported() is empty
+/// out     never null
+/// covers  every algorithm; `tiled` is recorded as edge-equation, which draws the same pixels
+/// cost    two to three times that of render(); the drawing ends where the cap is reached
+/// errors  none; `stop` ends the work after the present face, and the log then says so
+[[nodiscard]] std::shared_ptr<const StepLog> renderSteps(const Scene& scene, const Settings& settings,
+                                                         const StepFilter& filter = {}, std::stop_token stop = {});
+
+} // namespace rasterlens

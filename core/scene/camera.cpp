@@ -1,0 +1,91 @@
+#include "core/scene/camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rasterlens
+{
+namespace
+{
+
+/// An orthonormal frame at the eye; `back` points away from what is looked at.
+struct Frame3 {
+    glm::dvec3 right;
+    glm::dvec3 up;
+    glm::dvec3 back;
+    glm::dvec3 eye;
+};
+
+glm::dmat4 viewFromWorld(const Frame3& f)
+{
+    return {glm::dvec4(f.right.x, f.up.x, f.back.x, 0), glm::dvec4(f.right.y, f.up.y, f.back.y, 0),
+            glm::dvec4(f.right.z, f.up.z, f.back.z, 0),
+            glm::dvec4(-glm::dot(f.right, f.eye), -glm::dot(f.up, f.eye), -glm::dot(f.back, f.eye), 1)};
+}
+
+/// Two directions that must not be parallel; a camera that looks along its up vector takes another one.
+Frame3 lookAt(const View& view)
+{
+    glm::dvec3 back = view.eye - view.target;
+    back = glm::length(back) > 0 ? glm::normalize(back) : glm::dvec3(0, 0, 1);
+    glm::dvec3 right = glm::cross(view.up, back);
+    if (!(glm::length(right) > 1e-9))
+        right = glm::cross(std::abs(back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1), back);
+    right = glm::normalize(right);
+    return {right, glm::cross(back, right), back, view.eye};
+}
+
+Frame3 fitted(const View& view, const BoundingSphere& bounds, double distance)
+{
+    const double yaw = glm::radians(view.yaw);
+    const double pitch = glm::radians(view.pitch);
+    const glm::dvec3 right(std::cos(yaw), 0, -std::sin(yaw));
+    const glm::dvec3 up(-std::sin(yaw) * std::sin(pitch), std::cos(pitch), -std::cos(yaw) * std::sin(pitch));
+    const glm::dvec3 back(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch));
+    const glm::dvec3 target = bounds.center + bounds.radius * (view.pan.x * right + view.pan.y * up);
+    return {right, up, back, target + distance * back};
+}
+
+/// Rows z and w of a perspective projection: z_clip = a * z_view + b, w = -z_view.
+struct DepthRow {
+    double a;
+    double b;
+};
+
+DepthRow depthRow(double n, double f, const Settings& settings)
+{
+    if (settings.clipZ == ClipZ::D3d)
+        return settings.reversedZ ? DepthRow{n / (f - n), f * n / (f - n)} : DepthRow{-f / (f - n), -f * n / (f - n)};
+    const DepthRow gl{-(f + n) / (f - n), -2 * f * n / (f - n)};
+    return settings.reversedZ ? DepthRow{-gl.a, -gl.b} : gl;
+}
+
+} // namespace
+
+Matrices cameraMatrices(const Scene& scene, const Settings& settings)
+{
+    Matrices m;
+    if (scene.space == SceneSpace::Clip)
+        return m;
+    const View& view = settings.view;
+    const BoundingSphere& bounds = scene.bounds;
+    const double halfAngle = view.fov / 2 * M_PI / 180;
+    const double fitDistance = bounds.radius / std::sin(halfAngle) * view.distance;
+    const Frame3 frame = view.fit ? fitted(view, bounds, fitDistance) : lookAt(view);
+
+    const double toCenter = view.fit ? fitDistance : glm::length(view.eye - bounds.center);
+    m.near = view.near.value_or(std::max(toCenter - 1.1 * bounds.radius, 0.01 * bounds.radius));
+    m.far = std::max(view.far.value_or(toCenter + 1.1 * bounds.radius), m.near * 1.001);
+
+    const double h = std::tan(halfAngle);
+    const double aspect = double(settings.size.width()) / settings.size.height();
+    const DepthRow z = depthRow(m.near, m.far, settings);
+    m.clipFromView = {glm::dvec4(1 / (h * aspect), 0, 0, 0), glm::dvec4(0, 1 / h, 0, 0), glm::dvec4(0, 0, z.a, -1),
+                      glm::dvec4(0, 0, z.b, 0)};
+    m.viewFromObject = viewFromWorld(frame);
+    m.clipFromObject = glm::mat4(m.clipFromView * m.viewFromObject);
+    m.eyeWorld = frame.eye;
+    return m;
+}
+
+} // namespace rasterlens

@@ -1,0 +1,217 @@
+#include "core/scenes/builtin_scenes.h"
+
+#include "core/scenes/makers.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr BuiltinScene kScenes[] = {
+    {"triangle", QT_TRANSLATE_NOOP("BuiltinScene", "Triangle"),
+     QT_TRANSLATE_NOOP("BuiltinScene", "One triangle with a red, a green and a blue corner."), makeTriangle},
+    {"square-diagonal", QT_TRANSLATE_NOOP("BuiltinScene", "Square cut by its diagonal"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "The diagonal runs through the centres of 8 pixels. Each of them must belong to one triangle, not to both and "
+         "not to none."),
+     makeSquareDiagonal},
+    {"triangle-600", QT_TRANSLATE_NOOP("BuiltinScene", "Triangle on 600 x 600"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "The corners (100, 200), (300, 400) and (400, 100), with y counted upwards as in tinyrenderer. On the screen, "
+         "where y runs down, they are (100, 400), (300, 200) and (400, 500); the order is clockwise."),
+     makeTriangle600},
+    {"games101", QT_TRANSLATE_NOOP("BuiltinScene", "GAMES101: two triangles"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "The front triangle is sent first. Without a depth test the back one is painted over it."),
+     makeGames101},
+    {"tile-square", QT_TRANSLATE_NOOP("BuiltinScene", "4 x 4 tiles in perspective"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "Two triangles. With affine interpolation the tiles and the white middle line break at the diagonal."),
+     makeTileSquare},
+    {"head", QT_TRANSLATE_NOOP("BuiltinScene", "Head with an open mouth"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "Faces are sent from the front to the back. Without the depth test the cavity behind the lips shows through, "
+         "although back faces are culled."),
+     makeHead},
+    {"teapot", QT_TRANSLATE_NOOP("BuiltinScene", "Utah teapot"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "32 Bezier patches. The published model is open between lid and body and at the spout, so back faces are "
+         "kept."),
+     makeTeapot},
+    {"torus-knot", QT_TRANSLATE_NOOP("BuiltinScene", "Torus knot"),
+     QT_TRANSLATE_NOOP("BuiltinScene", "A closed surface that hides itself many times."), makeTorusKnot},
+    {"floor", QT_TRANSLATE_NOOP("BuiltinScene", "Floor to the horizon"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "The floor passes under and behind the camera. Without near clipping the foreground is lost; with the depth "
+         "test off as well, what lies behind hangs upside down in the sky."),
+     makeFloor},
+    {"letter-f", QT_TRANSLATE_NOOP("BuiltinScene", "Letter F"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "Orange in front, blue at the back. An F shows every flip, and every mistake of winding."),
+     makeLetterF},
+    {"leaf", QT_TRANSLATE_NOOP("BuiltinScene", "Leaf"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "An open surface: where the leaf turns its back, back-face culling tears a hole into it. Turn culling off."),
+     makeLeaf},
+    {"fan", QT_TRANSLATE_NOOP("BuiltinScene", "Fan"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "16 triangles meet at the centre of the middle pixel. Under the top-left rule exactly one of them owns it."),
+     makeFan},
+    {"tunnel", QT_TRANSLATE_NOOP("BuiltinScene", "Tunnel through the camera"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "The tube starts behind the camera: its first rings lie behind the eye or cross its plane, where w is 0."),
+     makeTunnel},
+    {"cube", QT_TRANSLATE_NOOP("BuiltinScene", "Cube"),
+     QT_TRANSLATE_NOOP("BuiltinScene", "Closed and convex, one colour a face. Culling alone hides what is hidden."),
+     makeCube},
+    {"sphere", QT_TRANSLATE_NOOP("BuiltinScene", "Sphere"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "Closed and convex, with smooth normals. Compare flat, Gouraud and Phong shading."),
+     makeSphere},
+    {"painter-cycle", QT_TRANSLATE_NOOP("BuiltinScene", "Three blades in a circle"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "Each lies over the next, so no order of painting is right. The depth test decides pixel by pixel."),
+     makePainterCycle},
+    {"piercing", QT_TRANSLATE_NOOP("BuiltinScene", "Two triangles that pierce each other"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "Each is in front in one half. The painter's algorithm shows one of them whole."),
+     makePiercing},
+    {"z-fighting", QT_TRANSLATE_NOOP("BuiltinScene", "Z-fighting"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "The orange panel is in front everywhere. The near plane is so close that depth cannot tell it from the "
+         "wall."),
+     makeZFighting},
+    {"slivers", QT_TRANSLATE_NOOP("BuiltinScene", "Sheaf of needles"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "Triangles thinner than a pixel: most centres fall between them. Try more samples."),
+     makeSlivers},
+    {"behind-camera", QT_TRANSLATE_NOOP("BuiltinScene", "A corner behind the camera"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "The green corner lies behind the eye. The division by its negative w turns the triangle inside out unless it "
+         "is clipped first."),
+     makeBehindCamera},
+    {"covering", QT_TRANSLATE_NOOP("BuiltinScene", "Larger than the screen"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "All corners of the large triangle lie outside, yet it covers the screen. Rejecting faces without a corner "
+         "inside loses it."),
+     makeCovering},
+    {"edge-guardband", QT_TRANSLATE_NOOP("BuiltinScene", "Blades over the border"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "They leave the screen on all sides, every third beyond the guard band. Compare how many faces are clipped."),
+     makeEdgeGuardband},
+    {"lines", QT_TRANSLATE_NOOP("BuiltinScene", "Lines in all directions"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "A star in wireframe: slopes 0, 1/3, 1 and 3 in all octants, from pixel centre to pixel centre."),
+     makeLines},
+    {"four-z", QT_TRANSLATE_NOOP("BuiltinScene", "Board for four z values"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "The board goes from distance 1 on the left to 10 on the right, the markers stand at thirds of the screen. In "
+         "the middle z/w is 0.8938 and the distance 1.818: z/w is linear on the screen, the distance is not. "
+         "Board and markers have equal colours at equal distances, unless interpolation is affine."),
+     makeFourZ},
+    {"square-counted", QT_TRANSLATE_NOOP("BuiltinScene", "The square, hits counted"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "The square cut by its diagonal; colours tell how many triangles cover a pixel. It must be one."),
+     makeSquareCounted},
+    {"thin-gap", QT_TRANSLATE_NOOP("BuiltinScene", "A panel close before a wall"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "As in z-fighting, but with the near plane at 0.5: 32-bit depth can tell panel and wall apart, 16 bits "
+         "cannot."),
+     makeThinGap},
+    {"three-layers", QT_TRANSLATE_NOOP("BuiltinScene", "Near, far, middle"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "Three rectangles, sent in this order: orange in front, blue at the back, green between them."),
+     makeThreeLayers},
+    {"two-windings", QT_TRANSLATE_NOOP("BuiltinScene", "Two squares, two windings"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "The left square is counter-clockwise, the right one clockwise. A rule must treat both alike. "
+                       "Colours tell how many triangles cover a pixel."),
+     makeTwoWindings},
+    {"tiny-tiles", QT_TRANSLATE_NOOP("BuiltinScene", "Tiles smaller than a pixel"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "From half a pixel on the left to several on the right. However small they are, together they cover every "
+         "pixel once."),
+     makeTinyTiles},
+    {"samples", QT_TRANSLATE_NOOP("BuiltinScene", "Edges between samples"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "2 x 2 samples a pixel. The orange triangle is nearer and sent first; the white square is cut by its "
+         "diagonal, of which nothing may be seen."),
+     makeSamples},
+    {"zero-area", QT_TRANSLATE_NOOP("BuiltinScene", "Triangles without area"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "Three triangles are flattened to lines through pixel centres. They must not be seen."),
+     makeZeroArea},
+    {"long-sliver", QT_TRANSLATE_NOOP("BuiltinScene", "Two needles of 4,000 pixels"),
+     QT_TRANSLATE_NOOP("BuiltinScene", "They share a long edge. What is added up along it must not drift."),
+     makeLongSliver},
+    {"huge-triangle", QT_TRANSLATE_NOOP("BuiltinScene", "A triangle of 60,000 pixels"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "Not clipped: on the left half of the screen an edge value needs more than 32 bits."),
+     makeHugeTriangle},
+    {"overhang", QT_TRANSLATE_NOOP("BuiltinScene", "Over the right border"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "With a guard band the triangle is not clipped; the bounding box alone keeps it on the screen."),
+     makeOverhang},
+};
+
+Scene makeWhole(const BuiltinScene& entry)
+{
+    Scene scene = entry.make();
+    scene.id = QStringLiteral("builtin:") + QLatin1String(entry.name);
+    scene.title = QString::fromUtf8(entry.title);
+    scene.note = QString::fromUtf8(entry.note);
+    scene.bounds = boundingSphere(scene.mesh);
+    if (scene.materials.empty()) {
+        Material material;
+        material.name = QLatin1String(entry.name);
+        scene.materials.push_back(material);
+    }
+    return scene;
+}
+
+} // namespace
+
+std::span<const BuiltinScene> builtinScenes() { return kScenes; }
+
+SceneLoad makeBuiltinScene(const QString& name)
+{
+    const auto entry =
+        std::ranges::find_if(kScenes, [&](const BuiltinScene& s) { return name == QLatin1String(s.name); });
+    if (entry != std::end(kScenes))
+        return {makeWhole(*entry), {}};
+    QStringList names;
+    for (const BuiltinScene& scene : kScenes)
+        names << QLatin1String(scene.name);
+    return {std::nullopt,
+            {{Severity::Error,
+              QStringLiteral("builtin:") + name,
+              0,
+              {QT_TRANSLATE_NOOP("Diagnostic", "there is no such built-in scene; expected one of: %1"),
+               {names.join(QStringLiteral(", "))}}}}};
+}
+
+} // namespace rasterlens

@@ -1,0 +1,77 @@
+#pragma once
+#include "core/render/render.h"
+#include "core/scene/scene.h"
+#include "core/settings/rules.h"
+
+#include <span>
+
+namespace rasterlens
+{
+
+/// What proves a mistake. Counters are those of Statistics; measures compare a picture with the right one.
+enum class Proof {
+    CoveredTwice,
+    Covered,
+    Tested,
+    DepthPassed,
+    DepthFailed,
+    Rejected,
+    CulledBack,
+    Degenerate,
+    Rasterized,
+    Holes,        ///< pixels that no face is seen at, though one should be
+    Strays,       ///< pixels that a face is seen at, though none should be
+    WrongFaces,   ///< pixels at which another face is seen than should be
+    WrongPixels,  ///< pixels of another colour
+    DepthError,   ///< largest difference of the depth of a pixel at which the right face is seen
+    Colors,       ///< different colours in the picture
+    MissingLight, ///< brightness that the right picture has more, in white pixels
+};
+
+enum class Change { Rises, Falls };
+
+/// A mistake that people make in a rasterizer: a wrong value of a rule. The texts are marked with
+/// QT_TRANSLATE_NOOP("Mistake", ...).
+struct Mistake {
+    const char* id;     ///< stable: command line, sessions
+    const char* number; ///< of the course's list; several mistakes may share one
+    const char* title;
+    const char* symptom;   ///< what one sees
+    const char* wrongLine; ///< the wrong line of code, in words
+    const char* seed;      ///< why people write it
+    const char* scene;     ///< built-in scene that shows it with its default settings
+    Proof proof;           ///< what changes in that scene
+    Change change;         ///< and how
+    void (*apply)(Rules&); ///< makes the mistake
+};
+
+/// All mistakes, by number.
+[[nodiscard]] std::span<const Mistake> mistakes();
+
+/// The mistake of that id, or null.
+[[nodiscard]] const Mistake* findMistake(const QString& id);
+
+/// The scene of a mistake and the settings in which it shows.
+struct MistakeDemo {
+    Scene scene;
+    Settings right; ///< without the mistake
+    Settings mistaken;
+};
+[[nodiscard]] MistakeDemo mistakeDemo(const Mistake& mistake);
+
+/// A picture with all that proofs look at.
+struct CountedPicture {
+    Frame frame; ///< with depth and ids
+    Statistics statistics;
+};
+[[nodiscard]] CountedPicture drawCounted(const Scene& scene, const Settings& settings);
+
+/// The name of a counter as in the statistics document, or of a measure likewise: `covered_twice`, `holes`.
+[[nodiscard]] const char* proofId(Proof proof);
+
+/// The value of a counter or a measure for a picture.
+///
+/// in   pictures of one size; the right one is not looked at for counters
+[[nodiscard]] double proofValue(Proof proof, const CountedPicture& shown, const CountedPicture& right);
+
+} // namespace rasterlens

@@ -1,0 +1,91 @@
+#include "core/settings/rules.h"
+
+#include "core/pipeline/shading.h"
+#include "core/settings/mistakes.h"
+
+namespace rasterlens
+{
+namespace
+{
+
+DepthCompare compareFor(DepthTest test, bool reversedZ)
+{
+    switch (test) {
+    case DepthTest::Less: return reversedZ ? DepthCompare::Greater : DepthCompare::Less;
+    case DepthTest::LessEqual: return reversedZ ? DepthCompare::GreaterEqual : DepthCompare::LessEqual;
+    case DepthTest::Greater: return reversedZ ? DepthCompare::Less : DepthCompare::Greater;
+    case DepthTest::Always:
+    case DepthTest::None: break;
+    }
+    return DepthCompare::Always;
+}
+
+/// The value every first fragment beats.
+float clearValueFor(DepthTest test, bool reversedZ) { return (test == DepthTest::Greater) != reversedZ ? 0.0F : 1.0F; }
+
+Rules::TieThresholds thresholdsFor(TieRule rule)
+{
+    switch (rule) {
+    case TieRule::Inclusive: return {0, 0};
+    case TieRule::Exclusive: return {1, 1};
+    case TieRule::TopLeft: break;
+    }
+    return {0, 1};
+}
+
+Facing facingFor(CullSpace space)
+{
+    switch (space) {
+    case CullSpace::Clip: return Facing::ClipDeterminant;
+    case CullSpace::View: return Facing::ViewNormal;
+    case CullSpace::Screen: break;
+    }
+    return Facing::ScreenArea;
+}
+
+} // namespace
+
+Rules rulesFor(const Scene& scene, const Settings& settings)
+{
+    Rules rules;
+    rules.shading = settings.shading;
+    rules.textureFilter = settings.textureFilter;
+    rules.lit = scene.lit;
+    rules.varyingCount = varyingCount(settings.shading);
+    rules.mirrorClipZ = settings.reversedZ && scene.space == SceneSpace::Clip;
+
+    rules.clipping = settings.clipping;
+    rules.clipZ = settings.clipZ;
+    rules.width = settings.size.width();
+    rules.height = settings.size.height();
+    rules.sampleGrid = sampleGrid(settings.samples);
+    rules.numberType = settings.numberType;
+    rules.subpixelBits = settings.subpixelBits;
+
+    rules.culling = settings.culling;
+    rules.facing = facingFor(settings.cullSpace);
+    rules.frontSign = settings.winding == Winding::CounterClockwise ? 1 : -1;
+
+    rules.algorithm = settings.algorithm;
+    rules.stepping = settings.stepping;
+    rules.fill = settings.fill;
+    rules.line = settings.line;
+    rules.tie = thresholdsFor(settings.tieRule);
+
+    rules.painter = settings.visibility == Visibility::Painter;
+    rules.depthTested = settings.visibility == Visibility::ZBuffer && settings.depthTest != DepthTest::None;
+    rules.depthCompare = compareFor(settings.depthTest, settings.reversedZ);
+    rules.depthClear = clearValueFor(settings.depthTest, settings.reversedZ);
+    rules.depthFormat = settings.depthFormat;
+    rules.depthBeforeShading = settings.depthOrder == DepthOrder::BeforeShading;
+
+    rules.perspectiveCorrect = settings.interpolation == Interpolation::Perspective;
+    rules.attributePath = settings.attributePath;
+
+    for (const QString& id : settings.mistakes)
+        if (const Mistake* mistake = findMistake(id))
+            mistake->apply(rules);
+    return rules;
+}
+
+} // namespace rasterlens

@@ -1,0 +1,155 @@
+#pragma once
+#include "core/settings/settings.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+
+namespace rasterlens
+{
+
+enum class DepthCompare { Less, LessEqual, Greater, GreaterEqual, Always };
+
+// Of each of these, the first is right.
+
+/// What decides which way a face looks.
+enum class Facing {
+    ScreenArea,          ///< snapped area of what clipping left
+    ClipDeterminant,     ///< det[x y w] before clipping
+    ViewNormal,          ///< normal against gaze
+    LightNormal,         ///< normal against the light
+    AreaWithoutDivide,   ///< area of x and y in clip space, as if all w were the same
+    AreaWithoutClipping, ///< area after the divide of the whole triangle, also where w <= 0
+};
+
+/// What interpolation is told of a vertex's w.
+enum class KeptW {
+    Inverse, ///< 1 / w
+    One,     ///< w has been lost in the divide
+    Itself,  ///< w, as if the near end weighed least
+};
+
+/// Whose depth, w and varyings a corner of a triangle is given.
+enum class CornerData {
+    Own,
+    Next,      ///< those of the corner that follows it
+    Exchanged, ///< B has those of C, C those of B
+    Unsorted,  ///< positions are sorted by y, and only they
+};
+
+/// When a sample counts as inside by its three edge values.
+enum class InsideTest {
+    AllPositive,
+    EitherSign, ///< also all negative, with the same thresholds
+    Wrapped32,  ///< edge values are kept in 32 bits of whole pixel areas, which wrap around
+};
+
+/// The bounding box samples are looked for in.
+enum class Bounds {
+    Clamped,   ///< to the target
+    Unclamped, ///< columns beyond the target fall into the neighbouring rows of memory
+    OneShort,  ///< without the last column and the last row
+};
+
+/// How a line makes its way.
+enum class LineAdvance {
+    LongerAxis, ///< one sample each step along the longer axis
+    Columns,    ///< a column at a time, with dy/dx rows in each
+};
+
+/// What the box filter takes the mean of.
+enum class Resolve {
+    AllSamples,
+    LastFace, ///< the samples of the face drawn last in the pixel; the others are black
+};
+
+/// What the stages read: Settings resolved into numbers and enumerations. Default-constructed = correct graphics.
+/// A mistake is a wrong value in here; no stage knows about mistakes.
+struct Rules {
+    // Vertex stage and shading
+    Shading shading = Shading::Gouraud;
+    TextureFilter textureFilter = TextureFilter::Nearest;
+    bool lit = true;
+    int varyingCount = 3;     ///< floats a vertex hands to the fragments; what no shader reads is not carried
+    bool mirrorClipZ = false; ///< reversed z for a scene that brings its own clip coordinates
+
+    // Clipping
+    Clipping clipping = Clipping::Frustum;
+    ClipZ clipZ = ClipZ::Gl;
+    double clipInset = 0;             ///< planes are moved inward so far, in clip-space units
+    bool clipKeepsCorners = true;     ///< Cohen-Sutherland: corners of the viewport inside the polygon join it
+    bool clipUpdatesW = true;         ///< false: the pieces of a cut face are given the w of its three vertices
+    bool continuesAfterReject = true; ///< false: the first rejected face ends the frame
+
+    // Viewport
+    int width = 0;      ///< pixels
+    int height = 0;     ///< pixels
+    int sampleGrid = 1; ///< samples a pixel along each axis
+    NumberType numberType = NumberType::Fixed;
+    int subpixelBits = 8;           ///< fixed point only: vertices snap to 1/2^bits pixel
+    double screenUp = -1;           ///< which way y of the screen runs while y of NDC runs up
+    double screenShift = 0;         ///< samples that positions are moved right and down
+    bool verticesTruncated = false; ///< positions on the screen lose their fraction
+    KeptW keptW = KeptW::Inverse;
+
+    // Culling
+    Culling culling = Culling::Back;
+    Facing facing = Facing::ScreenArea;
+    double frontSign = 1;        ///< +1: counter-clockwise with y up is front, -1: clockwise
+    bool rejectsZeroArea = true; ///< false: faces without area go on to coverage
+    double smallestArea2 = 0;    ///< faces with less than this twice the area, in samples, are dropped
+
+    // Coverage
+    Algorithm algorithm = Algorithm::EdgeEquation;
+    Stepping stepping = Stepping::Incremental;
+    Fill fill = Fill::Solid;
+    LineAlgorithm line = LineAlgorithm::Bresenham;
+    LineAdvance lineAdvance = LineAdvance::LongerAxis;
+    unsigned lineOctants = 0xff;     ///< the octants lines are drawn in, bit 0: 0 to 45 degrees, counter-clockwise
+    bool rightLineEnds = true;       ///< lines include their right end
+    bool integerLineWeights = false; ///< i / n is divided in integers
+    /// The smallest edge value that counts as inside, in units of the last place: for an edge that owns its points and
+    /// for one that does not. Top-left {0, 1}, inclusive {0, 0}, exclusive {1, 1}.
+    struct TieThresholds {
+        int owner = 0;
+        int other = 1;
+    } tie;
+    double floatTieUnit = 0; ///< what a unit of the thresholds is in float32 and float64; 0: the smallest number
+    InsideTest insideTest = InsideTest::AllPositive;
+    bool triangleOriented = true;  ///< clockwise triangles are turned round before the edge functions are set up
+    bool samplesTruncated = false; ///< all samples of a pixel are tested at the pixel's corner
+    Bounds bounds = Bounds::Clamped;
+    int extraEdgeHeight = 0; ///< edge walking: rows by which edges are taken to be higher than they are
+
+    // Depth
+    bool painter = false;    ///< faces from far to near
+    bool depthTested = true; ///< false: every fragment passes, and depth is kept only if someone asks for it
+    DepthCompare depthCompare = DepthCompare::Less;
+    float depthClear = 1;
+    DepthFormat depthFormat = DepthFormat::Float32;
+    bool depthBeforeShading = true;
+    bool depthWrittenOnFail = false; ///< the depth of a fragment is stored even if it is not drawn
+    bool depthPerPixel = false;      ///< the samples of a pixel share one depth
+    bool depthIsDistance = false;    ///< depth is (w - near) / (far - near): linear in view space, not on the screen
+    bool depthLinear = true;         ///< false: depth goes through the perspective correction of attributes
+
+    // Interpolation
+    bool perspectiveCorrect = true;
+    AttributePath attributePath = AttributePath::Planes;
+    CornerData cornerData = CornerData::Own;
+
+    // Image
+    bool positionInterpolated = false; ///< the fragment's place is interpolated as an attribute, and truncated
+    bool strideIsRows = false;         ///< samples are stored as if a row of them had rows() samples
+    Resolve resolve = Resolve::AllSamples;
+
+    [[nodiscard]] int columns() const { return width * sampleGrid; } ///< samples
+    [[nodiscard]] int rows() const { return height * sampleGrid; }   ///< samples
+};
+
+struct Scene;
+
+/// Resolves the settings for a scene. The mistakes of the settings are applied last.
+[[nodiscard]] Rules rulesFor(const Scene& scene, const Settings& settings);
+
+} // namespace rasterlens

@@ -1,0 +1,451 @@
+#include "core/settings/settings.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <type_traits>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr Choice kAlgorithms[] = {{"edge-equation", QT_TRANSLATE_NOOP("Settings", "Edge equation")},
+                                  {"edge-walking", QT_TRANSLATE_NOOP("Settings", "Edge walking")},
+                                  {"tiled", QT_TRANSLATE_NOOP("Settings", "Tiled (fast)")}};
+constexpr Choice kNumberTypes[] = {{"fixed", QT_TRANSLATE_NOOP("Settings", "Fixed point")},
+                                   {"float32", QT_TRANSLATE_NOOP("Settings", "Float, 32 bit")},
+                                   {"float64", QT_TRANSLATE_NOOP("Settings", "Float, 64 bit")}};
+constexpr Choice kSteppings[] = {{"incremental", QT_TRANSLATE_NOOP("Settings", "Incremental")},
+                                 {"direct", QT_TRANSLATE_NOOP("Settings", "Direct")}};
+constexpr Choice kFills[] = {{"solid", QT_TRANSLATE_NOOP("Settings", "Solid")},
+                             {"wireframe", QT_TRANSLATE_NOOP("Settings", "Wireframe")},
+                             {"points", QT_TRANSLATE_NOOP("Settings", "Points")}};
+constexpr Choice kLines[] = {{"bresenham", QT_TRANSLATE_NOOP("Settings", "Bresenham")},
+                             {"dda", QT_TRANSLATE_NOOP("Settings", "DDA")}};
+constexpr Choice kClippings[] = {{"frustum", QT_TRANSLATE_NOOP("Settings", "Frustum, 6 planes")},
+                                 {"frustum-w", QT_TRANSLATE_NOOP("Settings", "Frustum, 7 planes")},
+                                 {"guard-band", QT_TRANSLATE_NOOP("Settings", "Guard band")},
+                                 {"any-vertex-inside", QT_TRANSLATE_NOOP("Settings", "Any vertex inside")},
+                                 {"near-far-reject", QT_TRANSLATE_NOOP("Settings", "Near / far reject")},
+                                 {"cohen-sutherland", QT_TRANSLATE_NOOP("Settings", "Cohen-Sutherland")},
+                                 {"none", QT_TRANSLATE_NOOP("Settings", "None")}};
+constexpr Choice kCullings[] = {{"back", QT_TRANSLATE_NOOP("Settings", "Back faces")},
+                                {"front", QT_TRANSLATE_NOOP("Settings", "Front faces")},
+                                {"none", QT_TRANSLATE_NOOP("Settings", "None")}};
+constexpr Choice kWindings[] = {{"ccw", QT_TRANSLATE_NOOP("Settings", "Counter-clockwise")},
+                                {"cw", QT_TRANSLATE_NOOP("Settings", "Clockwise")}};
+constexpr Choice kCullSpaces[] = {{"screen", QT_TRANSLATE_NOOP("Settings", "Screen area")},
+                                  {"clip", QT_TRANSLATE_NOOP("Settings", "Clip-space determinant")},
+                                  {"view", QT_TRANSLATE_NOOP("Settings", "Normal against gaze")}};
+constexpr Choice kDepthTests[] = {{"less", QT_TRANSLATE_NOOP("Settings", "Less")},
+                                  {"lequal", QT_TRANSLATE_NOOP("Settings", "Less or equal")},
+                                  {"greater", QT_TRANSLATE_NOOP("Settings", "Greater")},
+                                  {"always", QT_TRANSLATE_NOOP("Settings", "Always")},
+                                  {"none", QT_TRANSLATE_NOOP("Settings", "None")}};
+constexpr Choice kDepthFormats[] = {{"float32", QT_TRANSLATE_NOOP("Settings", "Float, 32 bit")},
+                                    {"unorm24", QT_TRANSLATE_NOOP("Settings", "24 bit")},
+                                    {"unorm16", QT_TRANSLATE_NOOP("Settings", "16 bit")}};
+constexpr Choice kDepthOrders[] = {{"before-shading", QT_TRANSLATE_NOOP("Settings", "Before shading")},
+                                   {"after-shading", QT_TRANSLATE_NOOP("Settings", "After shading")}};
+constexpr Choice kClipZs[] = {{"gl", QT_TRANSLATE_NOOP("Settings", "-w to w (OpenGL)")},
+                              {"d3d", QT_TRANSLATE_NOOP("Settings", "0 to w (Direct3D)")}};
+constexpr Choice kVisibilities[] = {{"z-buffer", QT_TRANSLATE_NOOP("Settings", "Z-buffer")},
+                                    {"painter", QT_TRANSLATE_NOOP("Settings", "Painter's algorithm")},
+                                    {"submission-order", QT_TRANSLATE_NOOP("Settings", "Submission order")}};
+constexpr Choice kInterpolations[] = {{"perspective", QT_TRANSLATE_NOOP("Settings", "Perspective-correct")},
+                                      {"affine", QT_TRANSLATE_NOOP("Settings", "Affine")}};
+constexpr Choice kAttributePaths[] = {{"planes", QT_TRANSLATE_NOOP("Settings", "Barycentric")},
+                                      {"edge-then-span", QT_TRANSLATE_NOOP("Settings", "Edge, then span")}};
+constexpr Choice kTieRules[] = {{"top-left", QT_TRANSLATE_NOOP("Settings", "Top-left")},
+                                {"inclusive", QT_TRANSLATE_NOOP("Settings", "All inclusive")},
+                                {"exclusive", QT_TRANSLATE_NOOP("Settings", "All exclusive")}};
+constexpr Choice kSamples[] = {{"1", QT_TRANSLATE_NOOP("Settings", "1")},
+                               {"2x2", QT_TRANSLATE_NOOP("Settings", "2 x 2")},
+                               {"3x3", QT_TRANSLATE_NOOP("Settings", "3 x 3")},
+                               {"4x4", QT_TRANSLATE_NOOP("Settings", "4 x 4")}};
+constexpr Choice kShadings[] = {{"gouraud", QT_TRANSLATE_NOOP("Settings", "Gouraud")},
+                                {"flat", QT_TRANSLATE_NOOP("Settings", "Flat")},
+                                {"random-flat", QT_TRANSLATE_NOOP("Settings", "Random flat colour")},
+                                {"texture", QT_TRANSLATE_NOOP("Settings", "Texture")},
+                                {"phong", QT_TRANSLATE_NOOP("Settings", "Phong")},
+                                {"depth", QT_TRANSLATE_NOOP("Settings", "Depth")},
+                                {"normals", QT_TRANSLATE_NOOP("Settings", "Normals")},
+                                {"uv", QT_TRANSLATE_NOOP("Settings", "Texture coordinates")},
+                                {"overdraw", QT_TRANSLATE_NOOP("Settings", "Overdraw")},
+                                {"triangle-id", QT_TRANSLATE_NOOP("Settings", "Triangle id")}};
+constexpr Choice kTextureFilters[] = {{"nearest", QT_TRANSLATE_NOOP("Settings", "Nearest")},
+                                      {"bilinear", QT_TRANSLATE_NOOP("Settings", "Bilinear")},
+                                      {"trilinear", QT_TRANSLATE_NOOP("Settings", "Bilinear with mipmaps")}};
+constexpr Choice kSimds[] = {{"auto", QT_TRANSLATE_NOOP("Settings", "Best available")},
+                             {"scalar", QT_TRANSLATE_NOOP("Settings", "Scalar")},
+                             {"sse4", "SSE4"},
+                             {"avx2", "AVX2"},
+                             {"avx512", "AVX-512"},
+                             {"neon", "NEON"}};
+
+/// A row for the member `Member`, whose type tells the kind.
+template <auto Member>
+int getMember(const Settings& settings)
+{
+    return static_cast<int>(settings.*Member);
+}
+
+template <auto Member>
+void setMember(Settings& settings, int value)
+{
+    using Value = std::remove_reference_t<decltype(settings.*Member)>;
+    settings.*Member = static_cast<Value>(value);
+}
+
+template <auto Member>
+constexpr SettingsField choice(const char* id, Stage stage, std::span<const Choice> choices, const char* title,
+                               const char* help)
+{
+    return {id,
+            title,
+            help,
+            stage,
+            SettingsField::Kind::Choice,
+            choices,
+            0,
+            static_cast<int>(choices.size()) - 1,
+            getMember<Member>,
+            setMember<Member>};
+}
+
+template <auto Member>
+constexpr SettingsField integer(const char* id, Stage stage, int minimum, int maximum, const char* title,
+                                const char* help)
+{
+    return {id,
+            title,
+            help,
+            stage,
+            SettingsField::Kind::Integer,
+            {},
+            minimum,
+            maximum,
+            getMember<Member>,
+            setMember<Member>};
+}
+
+template <auto Member>
+constexpr SettingsField flag(const char* id, Stage stage, const char* title, const char* help)
+{
+    return {id, title, help, stage, SettingsField::Kind::Flag, {}, 0, 1, getMember<Member>, setMember<Member>};
+}
+
+using S = Settings;
+
+constexpr SettingsField kFields[] = {
+    choice<&S::clipping>("clipping", Stage::Clip, kClippings, QT_TRANSLATE_NOOP("Settings", "Clipping"),
+                         QT_TRANSLATE_NOOP("Settings", "What happens to triangles that leave the view volume.")),
+    choice<&S::clipZ>("clip-z", Stage::Clip, kClipZs, QT_TRANSLATE_NOOP("Settings", "Depth range in clip space"),
+                      QT_TRANSLATE_NOOP("Settings", "The near plane is z = -w in OpenGL and z = 0 in Direct3D.")),
+    flag<&S::reversedZ>(
+        "reversed-z", Stage::Clip, QT_TRANSLATE_NOOP("Settings", "Reversed z"),
+        QT_TRANSLATE_NOOP(
+            "Settings",
+            "The near plane maps to 1 and the far plane to 0, which spends float's precision where it is needed.")),
+    integer<&S::subpixelBits>(
+        "subpixel-bits", Stage::Screen, 0, 8, QT_TRANSLATE_NOOP("Settings", "Subpixel bits"),
+        QT_TRANSLATE_NOOP("Settings", "Screen vertices snap to 1/2^bits of a pixel before anything is drawn.")),
+    choice<&S::numberType>(
+        "number-type", Stage::Screen, kNumberTypes, QT_TRANSLATE_NOOP("Settings", "Number type"),
+        QT_TRANSLATE_NOOP("Settings", "The numbers that decide which pixels are covered. Fixed point is exact.")),
+    choice<&S::culling>("culling", Stage::Cull, kCullings, QT_TRANSLATE_NOOP("Settings", "Culling"),
+                        QT_TRANSLATE_NOOP("Settings", "Which faces are not drawn.")),
+    choice<&S::winding>(
+        "winding", Stage::Cull, kWindings, QT_TRANSLATE_NOOP("Settings", "Front faces wind"),
+        QT_TRANSLATE_NOOP("Settings", "The order of the vertices of a face that looks at us, with y up.")),
+    choice<&S::cullSpace>(
+        "cull-space", Stage::Cull, kCullSpaces, QT_TRANSLATE_NOOP("Settings", "Facing decided by"),
+        QT_TRANSLATE_NOOP("Settings",
+                          "The sign that tells front from back: snapped screen area, det[x y w] before clipping, "
+                          "or the normal against the gaze.")),
+    choice<&S::fill>("fill", Stage::Cover, kFills, QT_TRANSLATE_NOOP("Settings", "Fill"),
+                     QT_TRANSLATE_NOOP("Settings", "Whole triangles, their outlines, or their corners.")),
+    choice<&S::algorithm>("algorithm", Stage::Cover, kAlgorithms, QT_TRANSLATE_NOOP("Settings", "Algorithm"),
+                          QT_TRANSLATE_NOOP("Settings", "How the covered pixels of a triangle are found.")),
+    choice<&S::stepping>(
+        "stepping", Stage::Cover, kSteppings, QT_TRANSLATE_NOOP("Settings", "Stepping"),
+        QT_TRANSLATE_NOOP("Settings",
+                          "Add A per column and B per row, or evaluate the edge functions anew at every pixel.")),
+    choice<&S::tieRule>("tie-rule", Stage::Cover, kTieRules, QT_TRANSLATE_NOOP("Settings", "Tie rule"),
+                        QT_TRANSLATE_NOOP("Settings", "Who owns a pixel centre that lies exactly on an edge.")),
+    choice<&S::line>("line", Stage::Cover, kLines, QT_TRANSLATE_NOOP("Settings", "Lines"),
+                     QT_TRANSLATE_NOOP("Settings", "How the lines of the wireframe are drawn.")),
+    choice<&S::samples>(
+        "samples", Stage::Cover, kSamples, QT_TRANSLATE_NOOP("Settings", "Samples a pixel"),
+        QT_TRANSLATE_NOOP(
+            "Settings",
+            "Super-sampling: every sample keeps its own colour and depth, and the box filter averages them.")),
+    choice<&S::visibility>(
+        "visibility", Stage::Depth, kVisibilities, QT_TRANSLATE_NOOP("Settings", "Visibility"),
+        QT_TRANSLATE_NOOP(
+            "Settings",
+            "Who is in front: a depth for every pixel, faces sorted from far to near, or the order of the file.")),
+    choice<&S::depthTest>(
+        "depth-test", Stage::Depth, kDepthTests, QT_TRANSLATE_NOOP("Settings", "Depth test"),
+        QT_TRANSLATE_NOOP("Settings", "A fragment is kept if its depth compares like this with the stored one.")),
+    choice<&S::depthFormat>("depth-format", Stage::Depth, kDepthFormats, QT_TRANSLATE_NOOP("Settings", "Depth format"),
+                            QT_TRANSLATE_NOOP("Settings", "The numbers the depth buffer stores.")),
+    choice<&S::depthOrder>(
+        "depth-order", Stage::Depth, kDepthOrders, QT_TRANSLATE_NOOP("Settings", "Depth test happens"),
+        QT_TRANSLATE_NOOP("Settings",
+                          "Testing before shading spares the work for hidden fragments; the picture is the same.")),
+    choice<&S::interpolation>(
+        "interpolation", Stage::Shade, kInterpolations, QT_TRANSLATE_NOOP("Settings", "Interpolation"),
+        QT_TRANSLATE_NOOP("Settings", "Attributes divided by w on the way, or straight across the screen.")),
+    choice<&S::attributePath>(
+        "attribute-path", Stage::Shade, kAttributePaths, QT_TRANSLATE_NOOP("Settings", "Attribute path"),
+        QT_TRANSLATE_NOOP("Settings", "Barycentric weights at every pixel, or along the edges first and then along the "
+                                      "span (edge walking only).")),
+    choice<&S::shading>("shading", Stage::Shade, kShadings, QT_TRANSLATE_NOOP("Settings", "Shading"),
+                        QT_TRANSLATE_NOOP("Settings", "What colours a fragment.")),
+    choice<&S::textureFilter>(
+        "texture-filter", Stage::Shade, kTextureFilters, QT_TRANSLATE_NOOP("Settings", "Texture filter"),
+        QT_TRANSLATE_NOOP("Settings",
+                          "The nearest texel, a blend of the four around the point, or such blends in mipmaps: "
+                          "smaller copies of the texture that keep distant patterns calm.")),
+    integer<&S::threads>(
+        "threads", Stage::Image, 0, 256, QT_TRANSLATE_NOOP("Settings", "Threads"),
+        QT_TRANSLATE_NOOP("Settings", "Threads of the tiled algorithm; 0 takes as many as the machine has.")),
+    choice<&S::simd>("simd", Stage::Image, kSimds, QT_TRANSLATE_NOOP("Settings", "Vector instructions"),
+                     QT_TRANSLATE_NOOP("Settings", "The instruction set of the tiled algorithm.")),
+};
+
+Reason valueList(const SettingsField& field)
+{
+    switch (field.kind) {
+    case SettingsField::Kind::Flag: return QStringLiteral("true, false");
+    case SettingsField::Kind::Integer:
+        return {QT_TRANSLATE_NOOP("Diagnostic", "%1 to %2"), {field.minimum, field.maximum}};
+    case SettingsField::Kind::Choice: break;
+    }
+    QStringList ids;
+    for (const Choice& c : field.choices)
+        ids << QString::fromLatin1(c.id);
+    return ids.join(QStringLiteral(", "));
+}
+
+QJsonArray toArray(glm::dvec3 v) { return {v.x, v.y, v.z}; }
+
+QJsonObject viewToJson(const View& view)
+{
+    QJsonObject json{{"fit", view.fit},
+                     {"yaw", view.yaw},
+                     {"pitch", view.pitch},
+                     {"distance", view.distance},
+                     {"pan", QJsonArray{view.pan.x, view.pan.y}},
+                     {"eye", toArray(view.eye)},
+                     {"target", toArray(view.target)},
+                     {"up", toArray(view.up)},
+                     {"fov", view.fov}};
+    if (view.near)
+        json["near"] = *view.near;
+    if (view.far)
+        json["far"] = *view.far;
+    return json;
+}
+
+/// Reads one JSON value after the other and collects what is wrong with them.
+struct Reader {
+    std::vector<Reason> errors;
+
+    void number(const QString& key, const QJsonValue& value, double& out, double minimum, double maximum)
+    {
+        if (value.isDouble() && std::isfinite(value.toDouble()) && value.toDouble() >= minimum &&
+            value.toDouble() <= maximum)
+            out = value.toDouble();
+        else
+            errors.push_back({QT_TRANSLATE_NOOP("Diagnostic", "\"%1\" takes a number from %2 to %3"),
+                              {key, QString::number(minimum), QString::number(maximum)}});
+    }
+
+    template <int N>
+    void vector(const QString& key, const QJsonValue& value, glm::vec<N, double>& out)
+    {
+        const QJsonArray array = value.toArray();
+        glm::vec<N, double> v{};
+        bool good = value.isArray() && array.size() == N;
+        for (int i = 0; good && i < N; ++i) {
+            good = array[i].isDouble();
+            v[i] = array[i].toDouble();
+        }
+        if (good)
+            out = v;
+        else
+            errors.push_back({QT_TRANSLATE_NOOP("Diagnostic", "\"%1\" takes an array of %2 numbers"), {key, N}});
+    }
+
+    void view(const QJsonObject& json, View& view)
+    {
+        constexpr double kHuge = 1e30;
+        for (auto it = json.begin(); it != json.end(); ++it) {
+            const QString& key = it.key();
+            const QJsonValue value = it.value();
+            double distance = 0;
+            if (key == QLatin1String("fit") && value.isBool())
+                view.fit = value.toBool();
+            else if (key == QLatin1String("yaw"))
+                number(key, value, view.yaw, -1e6, 1e6);
+            else if (key == QLatin1String("pitch"))
+                number(key, value, view.pitch, -90, 90);
+            else if (key == QLatin1String("distance"))
+                number(key, value, view.distance, 1e-6, 1e6);
+            else if (key == QLatin1String("fov"))
+                number(key, value, view.fov, 1e-3, 179.9);
+            else if (key == QLatin1String("pan"))
+                vector(key, value, view.pan);
+            else if (key == QLatin1String("eye"))
+                vector(key, value, view.eye);
+            else if (key == QLatin1String("target"))
+                vector(key, value, view.target);
+            else if (key == QLatin1String("up"))
+                vector(key, value, view.up);
+            else if (key == QLatin1String("near")) {
+                number(key, value, distance, 1e-30, kHuge);
+                view.near = distance;
+            } else if (key == QLatin1String("far")) {
+                number(key, value, distance, 1e-30, kHuge);
+                view.far = distance;
+            } else
+                errors.push_back({QT_TRANSLATE_NOOP("Diagnostic", "\"view\" has no key \"%1\" of this kind"), {key}});
+        }
+        if (view.near && view.far && !(*view.near < *view.far))
+            errors.emplace_back(QT_TRANSLATE_NOOP("Diagnostic", "\"near\" must be smaller than \"far\""));
+    }
+
+    void mistakes(const QJsonValue& value, QStringList& out)
+    {
+        if (!value.isArray()) {
+            errors.emplace_back(QT_TRANSLATE_NOOP("Diagnostic", "\"mistakes\" takes an array of mistake ids"));
+            return;
+        }
+        out.clear();
+        for (const QJsonValue& id : value.toArray())
+            if (!out.contains(id.toString()))
+                out << id.toString();
+    }
+
+    void field(const SettingsField& field, const QJsonValue& value, Settings& settings)
+    {
+        const QString text = value.isBool()     ? (value.toBool() ? QStringLiteral("true") : QStringLiteral("false"))
+                             : value.isDouble() ? QString::number(value.toDouble())
+                                                : value.toString();
+        if (const auto error = setFromText(field, text, settings))
+            errors.push_back(*error);
+    }
+};
+
+} // namespace
+
+std::span<const SettingsField> settingsFields() { return kFields; }
+
+const SettingsField* findSettingsField(const QString& id)
+{
+    for (const SettingsField& field : kFields)
+        if (id == QLatin1String(field.id))
+            return &field;
+    return nullptr;
+}
+
+QString valueId(const SettingsField& field, const Settings& settings)
+{
+    const int value = field.get(settings);
+    switch (field.kind) {
+    case SettingsField::Kind::Flag: return value != 0 ? QStringLiteral("true") : QStringLiteral("false");
+    case SettingsField::Kind::Integer: return QString::number(value);
+    case SettingsField::Kind::Choice: break;
+    }
+    return QString::fromLatin1(field.choices[static_cast<std::size_t>(value)].id);
+}
+
+std::optional<Reason> setFromText(const SettingsField& field, const QString& text, Settings& settings)
+{
+    bool good = false;
+    int value = 0;
+    switch (field.kind) {
+    case SettingsField::Kind::Integer: value = text.toInt(&good); break;
+    case SettingsField::Kind::Flag:
+        value = text == QLatin1String("true") ? 1 : 0;
+        good = value == 1 || text == QLatin1String("false");
+        break;
+    case SettingsField::Kind::Choice:
+        for (std::size_t i = 0; i < field.choices.size(); ++i)
+            if (text == QLatin1String(field.choices[i].id)) {
+                value = static_cast<int>(i);
+                good = true;
+            }
+    }
+    if (!good || value < field.minimum || value > field.maximum)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "\"%1\" is not a value of %2, which takes: %3"),
+                      {text, QString::fromLatin1(field.id), valueList(field)});
+    field.set(settings, value);
+    return std::nullopt;
+}
+
+QJsonObject toJson(const Settings& settings)
+{
+    QJsonObject json{{"size", QStringLiteral("%1x%2").arg(settings.size.width()).arg(settings.size.height())},
+                     {"view", viewToJson(settings.view)},
+                     {"mistakes", QJsonArray::fromStringList(settings.mistakes)}};
+    for (const SettingsField& field : kFields) {
+        const QString key = QString::fromLatin1(field.id);
+        switch (field.kind) {
+        case SettingsField::Kind::Choice: json[key] = valueId(field, settings); break;
+        case SettingsField::Kind::Integer: json[key] = field.get(settings); break;
+        case SettingsField::Kind::Flag: json[key] = field.get(settings) != 0; break;
+        }
+    }
+    return json;
+}
+
+SettingsParse settingsFromJson(const QJsonObject& json, const Settings& base)
+{
+    Reader reader;
+    Settings settings = base;
+    for (auto it = json.begin(); it != json.end(); ++it) {
+        if (it.key() == QLatin1String("size")) {
+            if (const auto size = parseSize(it.value().toString()))
+                settings.size = *size;
+            else
+                reader.errors.push_back(
+                    {QT_TRANSLATE_NOOP("Diagnostic", "\"size\" takes \"WIDTHxHEIGHT\" with 1 to %1 each"),
+                     {kMaxViewport}});
+        } else if (it.key() == QLatin1String("view")) {
+            if (it.value().isObject())
+                reader.view(it.value().toObject(), settings.view);
+            else
+                reader.errors.emplace_back(QT_TRANSLATE_NOOP("Diagnostic", "\"view\" takes an object"));
+        } else if (it.key() == QLatin1String("mistakes")) {
+            reader.mistakes(it.value(), settings.mistakes);
+        } else if (const SettingsField* field = findSettingsField(it.key())) {
+            reader.field(*field, it.value(), settings);
+        } else {
+            reader.errors.push_back({QT_TRANSLATE_NOOP("Diagnostic", "there is no setting \"%1\""), {it.key()}});
+        }
+    }
+    return {reader.errors.empty() ? settings : base, reader.errors};
+}
+
+std::optional<QSize> parseSize(const QString& text)
+{
+    const QStringList parts = text.split(QLatin1Char('x'));
+    if (parts.size() != 2)
+        return std::nullopt;
+    bool goodWidth = false;
+    bool goodHeight = false;
+    const QSize size(parts[0].toInt(&goodWidth), parts[1].toInt(&goodHeight));
+    const auto inRange = [](int v) { return v >= 1 && v <= kMaxViewport; };
+    if (!goodWidth || !goodHeight || !inRange(size.width()) || !inRange(size.height()))
+        return std::nullopt;
+    return size;
+}
+
+} // namespace rasterlens

@@ -1,0 +1,160 @@
+#pragma once
+#include "core/base/reason.h"
+
+#include <QJsonObject>
+#include <QSize>
+#include <QString>
+#include <QStringList>
+#include <glm/glm.hpp>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace rasterlens
+{
+
+// The choices a user has. The order of the enumerators is the order of the choices in the field table (settings.cpp).
+enum class Algorithm { EdgeEquation, EdgeWalking, Tiled };
+enum class NumberType { Fixed, Float32, Float64 };
+enum class Stepping { Incremental, Direct };
+enum class Fill { Solid, Wireframe, Points };
+enum class LineAlgorithm { Bresenham, Dda };
+enum class Clipping { Frustum, FrustumW, GuardBand, AnyVertexInside, NearFarReject, CohenSutherland, None };
+enum class Culling { Back, Front, None };
+enum class Winding { CounterClockwise, Clockwise };
+enum class CullSpace { Screen, Clip, View };
+enum class DepthTest { Less, LessEqual, Greater, Always, None };
+enum class DepthFormat { Float32, Unorm24, Unorm16 };
+enum class DepthOrder { BeforeShading, AfterShading };
+enum class ClipZ { Gl, D3d };
+enum class Visibility { ZBuffer, Painter, SubmissionOrder };
+enum class Interpolation { Perspective, Affine };
+enum class AttributePath { Planes, EdgeThenSpan };
+enum class TieRule { TopLeft, Inclusive, Exclusive };
+enum class Samples { One, Grid2, Grid3, Grid4 };
+enum class Shading { Gouraud, Flat, RandomFlat, Texture, Phong, Depth, Normals, Uv, Overdraw, TriangleId };
+enum class TextureFilter { Nearest, Bilinear, Trilinear };
+enum class Simd { Auto, Scalar, Sse4, Avx2, Avx512, Neon };
+
+/// Pixels [x, x + width) x [y, y + height), origin top left.
+struct PixelRect {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+
+    friend bool operator==(const PixelRect&, const PixelRect&) = default;
+};
+
+/// Where the camera is. `fit` frames the scene's bounding sphere; otherwise eye, target and up are used as they are.
+struct View {
+    bool fit = true;
+    double yaw = 0;             ///< fit: degrees the eye goes round the world's y axis
+    double pitch = 0;           ///< fit: degrees the eye rises, -90..90
+    double distance = 1;        ///< fit: factor on the distance at which the sphere touches the frustum, > 0
+    glm::dvec2 pan{0, 0};       ///< fit: target moves right and up, in bounding-sphere radii
+    glm::dvec3 eye{0, 0, 3};    ///< world space
+    glm::dvec3 target{0, 0, 0}; ///< world space
+    glm::dvec3 up{0, 1, 0};     ///< world space
+    double fov = 45;            ///< full vertical angle, degrees, 0 < fov < 180
+    std::optional<double> near; ///< distance > 0; empty: from the bounding sphere
+    std::optional<double> far;  ///< distance > near; empty: from the bounding sphere
+
+    friend bool operator==(const View&, const View&) = default;
+};
+
+/// The value a user edits. Default-constructed = correct graphics.
+/// A lesson, a command-line run, a benchmark row, a test case and an undo step are each one Settings.
+struct Settings {
+    QSize size{1920, 1080}; ///< viewport in pixels, 1..16384 each
+    View view;
+    Algorithm algorithm = Algorithm::EdgeEquation;
+    NumberType numberType = NumberType::Fixed;
+    int subpixelBits = 8; ///< 0..8
+    Stepping stepping = Stepping::Incremental;
+    Fill fill = Fill::Solid;
+    LineAlgorithm line = LineAlgorithm::Bresenham;
+    Clipping clipping = Clipping::Frustum;
+    Culling culling = Culling::Back;
+    Winding winding = Winding::CounterClockwise;
+    CullSpace cullSpace = CullSpace::Screen;
+    DepthTest depthTest = DepthTest::Less;
+    DepthFormat depthFormat = DepthFormat::Float32;
+    DepthOrder depthOrder = DepthOrder::BeforeShading;
+    bool reversedZ = false;
+    ClipZ clipZ = ClipZ::Gl;
+    Visibility visibility = Visibility::ZBuffer;
+    Interpolation interpolation = Interpolation::Perspective;
+    AttributePath attributePath = AttributePath::Planes;
+    TieRule tieRule = TieRule::TopLeft;
+    Samples samples = Samples::One;
+    Shading shading = Shading::Gouraud;
+    TextureFilter textureFilter = TextureFilter::Nearest;
+    Simd simd = Simd::Auto;
+    int threads = 0;      ///< 0 = as many as the machine has
+    QStringList mistakes; ///< ids of the mistake table, each once, in the order they were switched on
+
+    friend bool operator==(const Settings&, const Settings&) = default;
+};
+
+/// One value a field may take.
+struct Choice {
+    const char* id;    ///< stable: command line, JSON
+    const char* title; ///< QT_TRANSLATE_NOOP("Settings", ...)
+};
+
+/// What the pipeline panel groups by, in pipeline order.
+enum class Stage { Scene, Clip, Screen, Cull, Cover, Depth, Shade, Image };
+
+/// One row of the field table: drives JSON, command line, panel, tool-tips and tests.
+/// A value is the index into `choices`, the number itself, or 0 / 1 for a flag.
+struct SettingsField {
+    enum class Kind { Choice, Integer, Flag };
+
+    const char* id;    ///< JSON key and option name without the dashes
+    const char* title; ///< QT_TRANSLATE_NOOP("Settings", ...)
+    const char* help;  ///< one sentence, QT_TRANSLATE_NOOP("Settings", ...)
+    Stage stage;
+    Kind kind;
+    std::span<const Choice> choices; ///< Kind::Choice only
+    int minimum;
+    int maximum;
+    int (*get)(const Settings&);
+    void (*set)(Settings&, int); ///< in: minimum <= value <= maximum
+};
+
+/// Every field but size, view and mistakes, in pipeline order.
+[[nodiscard]] std::span<const SettingsField> settingsFields();
+[[nodiscard]] const SettingsField* findSettingsField(const QString& id);
+
+/// The id of the present value: `top-left`, `8`, `true`.
+[[nodiscard]] QString valueId(const SettingsField& field, const Settings& settings);
+
+/// Sets a field from text.
+///
+/// errors  names the field and the values it takes, a text of the context "Diagnostic"; `settings` is then unchanged
+[[nodiscard]] std::optional<Reason> setFromText(const SettingsField& field, const QString& text, Settings& settings);
+
+/// All fields, also those at their default. `size` is "WxH", `view` an object, `mistakes` an array.
+[[nodiscard]] QJsonObject toJson(const Settings& settings);
+
+/// Reads what toJson writes; keys that are absent keep the value of `base`.
+///
+/// errors  texts of the context "Diagnostic" (unknown key, value of the wrong kind or out of range); the result is then
+///         `base`
+struct SettingsParse {
+    Settings settings;
+    std::vector<Reason> errors;
+};
+[[nodiscard]] SettingsParse settingsFromJson(const QJsonObject& json, const Settings& base = {});
+
+/// "WIDTHxHEIGHT" with 1..16384 each, or nothing.
+[[nodiscard]] std::optional<QSize> parseSize(const QString& text);
+
+/// The side of the sample grid: 1, 2, 3 or 4.
+[[nodiscard]] constexpr int sampleGrid(Samples samples) { return static_cast<int>(samples) + 1; }
+
+constexpr int kMaxViewport = 16384;
+
+} // namespace rasterlens

@@ -1,0 +1,316 @@
+// Blocks of samples: which of them a triangle covers, and the depth test. Included once for each target.
+#if defined(RASTERLENS_TILED_BLOCKS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RASTERLENS_TILED_BLOCKS_INL_H
+#undef RASTERLENS_TILED_BLOCKS_INL_H
+#else
+#define RASTERLENS_TILED_BLOCKS_INL_H
+#endif
+
+#include "core/tiled/exact_path.h"
+#include "core/tiled/gouraud-inl.h"
+#include "core/tiled/kernels.h"
+#include "core/tiled/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rasterlens::tiled::HWY_NAMESPACE
+{
+
+HWY_INLINE hn::Mask<IntTag> NotNegative(Ints v) { return hn::Gt(v, hn::Set(IntTag(), -1)); }
+
+constexpr std::int32_t kKeyOfOne = 0x3f800000; ///< the bits of 1.0F
+
+/// What a sample keeps of the triangle that won it, beside its depth.
+enum class Keeps {
+    Number, ///< who it is
+    Color,  ///< the interpolated colour: that is less work than to remember who and to come back for it
+    Nothing ///< where only depth is asked for
+};
+
+/// The usual case knows its depth test when it is compiled; every other one reads it from here.
+template <Keeps kKeep>
+struct UsualDepth {
+    static constexpr bool kUsual = true; ///< float32, smaller wins, nobody counts
+    static constexpr Keeps kKeeps = kKeep;
+    UsualDepth(const FrameJob& j, TileOrigin o) : job(j), origin(o) {}
+    const FrameJob& job;
+    TileOrigin origin;
+};
+
+struct AnyDepth {
+    static constexpr bool kUsual = false;
+    static constexpr Keeps kKeeps = Keeps::Number;
+    AnyDepth(const FrameJob& job, TileOrigin origin)
+        : flip(depthFlip(job.rules.depthCompare)), handicap(depthHandicap(job.rules)), format(job.rules.depthFormat),
+          countsCoverage(job.countsCoverage()), width(job.rules.columns() - origin.x),
+          height(job.rules.rows() - origin.y)
+    {
+    }
+    std::int32_t flip;
+    std::int32_t handicap;
+    DepthFormat format;
+    bool countsCoverage;
+    int width; ///< samples of the tile that belong to the target
+    int height;
+};
+
+/// A triangle spread over the lanes: what changes from the first sample of a block (or first block of a subtile...) to
+/// the others.
+struct TriangleLanes {
+    std::array<std::array<Ints, kVectors>, 3> edge;
+    std::array<WideDoubles, kVectors> depth;
+    std::array<std::int32_t, 3> a;
+    std::array<std::int32_t, 3> b;
+    double perX;
+    double perY;
+    std::uint32_t number; ///< in the tile
+    const ColorPlanes* planes;
+    ColorSlopes colors; ///< only if wanted
+};
+
+/// A triangle at a sample: the first of a square of squares.
+struct SampleValues {
+    std::array<std::int32_t, 3> edge;
+    double depth;
+};
+
+/// A triangle at sample (x, y) of the tile.
+HWY_INLINE SampleValues ValuesAt(const TriangleLanes& lanes, const TileTriangle& t, int x, int y)
+{
+    const int toX = x - t.anchorX();
+    const int toY = y - t.anchorY();
+    SampleValues at;
+    for (std::size_t k = 0; k < 3; ++k)
+        at.edge[k] = t.c[k] + lanes.a[k] * toX + lanes.b[k] * toY;
+    at.depth = t.depthOrigin + t.depthPerX * toX + t.depthPerY * toY;
+    return at;
+}
+
+HWY_INLINE WideDoubles DepthOffsets(double perX, double perY, std::size_t first)
+{
+    constexpr DoubleTag tag;
+    WideDoubles offsets;
+    for (std::size_t p = 0; p < kParts; ++p) {
+        const std::size_t at = first + p * kDoubles;
+        offsets.part[p] = hn::Add(hn::Mul(hn::Load(tag, kPattern.doubleX.data() + at), hn::Set(tag, perX)),
+                                  hn::Mul(hn::Load(tag, kPattern.doubleY.data() + at), hn::Set(tag, perY)));
+    }
+    return offsets;
+}
+
+template <class Policy>
+HWY_INLINE TriangleLanes SpreadTriangle(const TileTriangle& t, const ColorPlanes& planes, std::uint32_t number)
+{
+    constexpr IntTag tag;
+    TriangleLanes lanes;
+    lanes.number = number;
+    lanes.planes = &planes;
+    if constexpr (Policy::kKeeps == Keeps::Color)
+        lanes.colors = SpreadColors(planes);
+    lanes.a = {t.a[0], t.a[1], -(t.a[0] + t.a[1])};
+    lanes.b = {t.b[0], t.b[1], -(t.b[0] + t.b[1])};
+    lanes.perX = t.depthPerX;
+    lanes.perY = t.depthPerY;
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        const std::size_t at = v * kPerVector;
+        const Ints x = hn::Load(tag, kPattern.x.data() + at);
+        const Ints y = hn::Load(tag, kPattern.y.data() + at);
+        for (std::size_t k = 0; k < 2; ++k)
+            lanes.edge[k][v] = hn::Add(hn::Mul(x, hn::Set(tag, lanes.a[k])), hn::Mul(y, hn::Set(tag, lanes.b[k])));
+        lanes.edge[2][v] = hn::Neg(hn::Add(lanes.edge[0][v], lanes.edge[1][v]));
+        lanes.depth[v] = DepthOffsets(t.depthPerX, t.depthPerY, at);
+    }
+    return lanes;
+}
+
+/// Depths as stored, 0 to 1, as their bits.
+HWY_INLINE Ints KeyOf(const WideDoubles& depth)
+{
+    constexpr IntTag tag;
+    const Ints bits = hn::BitCast(tag, ToFloats(depth));
+    return hn::Min(hn::Max(bits, hn::Zero(tag)), hn::Set(tag, kKeyOfOne));
+}
+
+/// The nearest values a unorm format stores.
+HWY_INLINE WideDoubles RoundToUnorm(const WideDoubles& depth, double steps)
+{
+    constexpr DoubleTag tag;
+    WideDoubles rounded;
+    for (std::size_t p = 0; p < kParts; ++p) {
+        const Doubles held = hn::Min(hn::Max(depth.part[p], hn::Zero(tag)), hn::Set(tag, 1.0));
+        rounded.part[p] = hn::Div(hn::Round(hn::Mul(held, hn::Set(tag, steps))), hn::Set(tag, steps));
+    }
+    return rounded;
+}
+
+HWY_INLINE Ints StoredKey(const WideDoubles& depth, const AnyDepth& policy)
+{
+    constexpr IntTag tag;
+    const Ints key = policy.format == DepthFormat::Unorm24   ? KeyOf(RoundToUnorm(depth, 0xffffff))
+                     : policy.format == DepthFormat::Unorm16 ? KeyOf(RoundToUnorm(depth, 0xffff))
+                                                             : KeyOf(depth);
+    return hn::Xor(key, hn::Set(tag, policy.flip));
+}
+
+/// What is beyond 1 needs no holding: it loses against everything.
+template <class Policy>
+HWY_INLINE Ints StoredKey(const WideDoubles& depth, const Policy&)
+{
+    constexpr IntTag tag;
+    return hn::Max(hn::BitCast(tag, ToFloats(depth)), hn::Zero(tag));
+}
+
+/// Lanes of a block that are samples of the target: only those are counted.
+HWY_INLINE hn::Mask<IntTag> OnTarget(const AnyDepth& policy, std::size_t block, std::size_t lane)
+{
+    constexpr IntTag tag;
+    const int x = blockColumn(static_cast<int>(block)) * kBlockSide;
+    const int y = blockRow(static_cast<int>(block)) * kBlockSide;
+    return hn::And(hn::Lt(hn::Load(tag, kPattern.x.data() + lane), hn::Set(tag, policy.width - x)),
+                   hn::Lt(hn::Load(tag, kPattern.y.data() + lane), hn::Set(tag, policy.height - y)));
+}
+
+template <class Mask>
+HWY_INLINE void CountSamples(const AnyDepth& policy, Mask inside, Mask passed, std::size_t at, Worker& worker)
+{
+    constexpr IntTag tag;
+    std::uint32_t covered = BitsOf(tag, inside);
+    const auto coveredCount = static_cast<unsigned>(std::popcount(covered));
+    const auto passedCount = static_cast<unsigned>(std::popcount(BitsOf(tag, passed)));
+    worker.pixels.tested += kPerVector;
+    worker.pixels.covered += coveredCount;
+    worker.pixels.depthPassed += passedCount;
+    worker.pixels.depthFailed += coveredCount - passedCount;
+    if (!policy.countsCoverage)
+        return;
+    for (; covered != 0; covered &= covered - 1) {
+        std::uint16_t& count = worker.samples.coverage[at + static_cast<std::size_t>(std::countr_zero(covered))];
+        count = static_cast<std::uint16_t>(count + (count != 0xffff));
+    }
+}
+
+/// A triangle at the first samples of 16 squares, 4 x 4 of them.
+struct alignas(64) SquareCorners {
+    std::array<std::array<std::int32_t, kLanes>, 3> edge;
+    std::array<double, kLanes> depth;
+};
+
+/// Blocks whose samples are still to be tested, in the order of the triangles. They are gathered over several
+/// triangles: a loop whose end is foreseen once in a hundred blocks, not once a triangle.
+struct alignas(64) BlockQueue {
+    static constexpr std::size_t kGroups = 8;
+
+    /// Up to 16 blocks of one triangle.
+    struct alignas(64) Group {
+        SquareCorners corners;
+        SquareCorners offsets; ///< from the first sample of a block to the others
+        ColorSquares colors;
+        std::uint32_t number;
+    };
+    std::array<Group, kGroups> groups;
+    /// Block of the tile, group, place in its 16: a byte each from the top. Whole vectors are written at the end.
+    std::array<std::uint32_t, (kGroups + 1) * kLanes> items;
+    std::size_t groupCount = 0;
+    std::size_t itemCount = 0;
+};
+
+/// Interpolated colours of samples in the scalar way, a bit each.
+inline void ColorExactly(const FrameJob& job, TileOrigin origin, std::uint32_t number, std::size_t block,
+                         std::uint32_t lanes, Worker& worker)
+{
+    shadeExactly(job, {worker.triangle(number).source, &worker.chunkOf(number), nullptr, {}},
+                 {static_cast<std::uint16_t>(block), static_cast<std::uint16_t>(lanes), 0}, origin, worker.samples);
+}
+
+/// The samples of one block: all of them are computed and those that win are blended in, without a branch.
+template <class Policy>
+HWY_INLINE void CoverBlock(const BlockQueue::Group& group, std::size_t square, std::size_t block, const Policy& policy,
+                           Worker& worker)
+{
+    constexpr IntTag tag;
+    constexpr UintTag unsignedTag;
+    constexpr DoubleTag wide;
+    const Doubles depth = hn::Set(wide, group.corners.depth[square]);
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        const std::size_t lane = v * kPerVector;
+        const std::size_t at = block * kLanes + lane;
+        const auto edge = [&](std::size_t k) HWY_ATTR {
+            return hn::Add(hn::Set(tag, group.corners.edge[k][square]),
+                           hn::Load(tag, group.offsets.edge[k].data() + lane));
+        };
+        auto inside = NotNegative(hn::Or3(edge(0), edge(1), edge(2)));
+        if constexpr (!Policy::kUsual)
+            inside = hn::And(inside, OnTarget(policy, block, lane));
+        const Ints key = StoredKey(Add(LoadWide(group.offsets.depth.data() + lane), depth), policy);
+        std::int32_t* keys = worker.samples.key.data() + at;
+        const Ints stored = hn::Load(tag, keys);
+        Ints compared = key;
+        if constexpr (!Policy::kUsual)
+            compared = hn::Sub(key, hn::Set(tag, policy.handicap));
+        const auto passed = hn::And(inside, hn::Lt(compared, stored));
+        hn::Store(hn::IfThenElse(passed, key, stored), tag, keys);
+        const auto won = hn::RebindMask(unsignedTag, passed);
+        if constexpr (Policy::kKeeps == Keeps::Color) {
+            std::uint32_t* colors = worker.samples.color.data() + at;
+            if (HWY_UNLIKELY(group.colors.planes->way == ColorWay::Exact)) {
+                ColorExactly(policy.job, policy.origin, group.number, block, BitsOf(tag, passed) << lane, worker);
+                continue;
+            }
+            hn::Store(hn::IfThenElse(won, group.colors.color(square, lane), hn::Load(unsignedTag, colors)), unsignedTag,
+                      colors);
+        } else if constexpr (Policy::kKeeps == Keeps::Number) {
+            std::uint32_t* ids = worker.samples.ids.data() + at;
+            hn::Store(hn::IfThenElse(won, hn::Set(unsignedTag, group.number), hn::Load(unsignedTag, ids)), unsignedTag,
+                      ids);
+        }
+        if constexpr (!Policy::kUsual)
+            CountSamples(policy, inside, passed, at, worker);
+    }
+}
+
+/// Tests the blocks of the queue and empties it.
+template <class Policy>
+HWY_INLINE void FlushQueue(const Policy& policy, BlockQueue& queue, Worker& worker)
+{
+    for (std::size_t i = 0; i < queue.itemCount; ++i) {
+        const std::uint32_t item = queue.items[i];
+        CoverBlock(queue.groups[item >> 8 & 0xff], item & 0xff, item >> 16, policy, worker);
+    }
+    queue.itemCount = 0;
+    queue.groupCount = 0;
+}
+
+/// The group that comes next, for its corners to be filled in.
+template <class Policy>
+HWY_INLINE BlockQueue::Group& NextGroup(const Policy& policy, BlockQueue& queue, Worker& worker)
+{
+    if (queue.groupCount == BlockQueue::kGroups)
+        FlushQueue(policy, queue, worker);
+    return queue.groups[queue.groupCount];
+}
+
+/// Appends the next group.
+///
+/// in   the blocks of the tile at the group's 16 places, and which of them are wanted
+template <class BlocksAt>
+HWY_INLINE void AppendGroup(const TriangleLanes& t, std::uint32_t wanted, BlockQueue& queue, BlocksAt&& blocksAt)
+{
+    constexpr UintTag tag;
+    const auto index = static_cast<std::uint32_t>(queue.groupCount++);
+    BlockQueue::Group& group = queue.groups[index];
+    group.number = t.number;
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        const std::size_t lane = v * kPerVector;
+        for (std::size_t k = 0; k < 3; ++k)
+            hn::Store(t.edge[k][v], IntTag(), group.offsets.edge[k].data() + lane);
+        Store(t.depth[v], group.offsets.depth.data() + lane);
+        const Uints places = PlacesFrom(index << 8, lane);
+        const Uints items = hn::Or(hn::ShiftLeft<16>(blocksAt(lane)), places);
+        const std::uint32_t bits = wanted >> lane & ((1U << kPerVector) - 1);
+        hn::StoreU(hn::Compress(items, MaskOf(tag, bits)), tag, queue.items.data() + queue.itemCount);
+        queue.itemCount += static_cast<std::size_t>(std::popcount(bits));
+    }
+}
+
+} // namespace rasterlens::tiled::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

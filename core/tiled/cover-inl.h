@@ -1,0 +1,503 @@
+// First phase of a tile: coverage, depth and the number of the nearest triangle. Included once for each target.
+#if defined(RASTERLENS_TILED_COVER_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RASTERLENS_TILED_COVER_INL_H
+#undef RASTERLENS_TILED_COVER_INL_H
+#else
+#define RASTERLENS_TILED_COVER_INL_H
+#endif
+
+#include "core/tiled/blocks-inl.h"
+#include "core/tiled/exact_path.h"
+#include "core/tiled/kernels.h"
+#include "core/tiled/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rasterlens::tiled::HWY_NAMESPACE
+{
+
+/// The state of a tile between its triangles.
+struct TileDepth {
+    std::int32_t farthest;     ///< a key no sample of the tile is farther than
+    std::int32_t nearestSmall; ///< a key no small triangle so far is nearer than
+    int updates = 0;           ///< blocks that came nearer since `farthest` was found
+    bool blank = true;         ///< there are blocks that nobody wrote to
+    bool owners = false;       ///< there may be blocks that belong to one triangle
+};
+
+/// Clears the samples of the blocks that nobody wrote to: all at once, as those to come are anybody's guess.
+template <class Policy>
+inline void WriteBlankBlocks(const Policy& policy, TileSamples& samples, TileDepth& tile)
+{
+    if (!tile.blank)
+        return;
+    tile.blank = false;
+    for (std::size_t block = 0; block < kTileBlocks; ++block) {
+        if (samples.owner[block] != kEmpty)
+            continue;
+        samples.owner[block] = kNobody;
+        for (std::size_t at = block * kLanes; at < (block + 1) * kLanes; at += kPerVector) {
+            hn::Store(hn::Set(IntTag(), samples.clearKey), IntTag(), samples.key.data() + at);
+            if constexpr (Policy::kKeeps == Keeps::Color)
+                hn::Store(hn::Set(UintTag(), policy.job.clearColor), UintTag(), samples.color.data() + at);
+            if constexpr (Policy::kKeeps == Keeps::Number)
+                hn::Store(hn::Set(UintTag(), kNobody), UintTag(), samples.ids.data() + at);
+        }
+    }
+}
+
+/// Interpolated colours of samples of a block, a bit each.
+inline void ColorSamples(const FrameJob& job, TileOrigin origin, std::uint32_t number, std::size_t block,
+                         std::uint32_t lanes, Worker& worker)
+{
+    constexpr UintTag tag;
+    const ColorPlanes& planes = worker.colors(number);
+    if (HWY_UNLIKELY(planes.way == ColorWay::Exact)) {
+        ColorExactly(job, origin, number, block, lanes, worker);
+        return;
+    }
+    const int x = origin.x + blockColumn(static_cast<int>(block)) * kBlockSide;
+    const int y = origin.y + blockRow(static_cast<int>(block)) * kBlockSide;
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        std::uint32_t* colors = worker.samples.color.data() + block * kLanes + v * kPerVector;
+        hn::Store(
+            hn::IfThenElse(MaskOf(tag, lanes >> (v * kPerVector)), BlockColor(planes, x, y, v), hn::Load(tag, colors)),
+            tag, colors);
+    }
+}
+
+/// The keys of blocks of a subtile, a bit each, that one triangle has to itself.
+///
+/// in   the first block of the subtile
+inline void WriteOwnedKeys(Worker& worker, std::size_t first, std::uint32_t number, std::uint32_t blocks)
+{
+    const TileTriangle& t = worker.triangle(number);
+    const int x = blockColumn(static_cast<int>(first)) * kBlockSide - t.anchorX();
+    const int y = blockRow(static_cast<int>(first)) * kBlockSide - t.anchorY();
+    const Doubles corner = hn::Set(DoubleTag(), t.depthOrigin + t.depthPerX * x + t.depthPerY * y);
+    alignas(64) std::array<double, kLanes> corners;
+    std::array<WideDoubles, kVectors> offsets;
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        offsets[v] = DepthOffsets(t.depthPerX, t.depthPerY, v * kPerVector);
+        Store(Add(Mul(offsets[v], hn::Set(DoubleTag(), double(kBlockSide))), corner), corners.data() + v * kPerVector);
+    }
+    for (; blocks != 0; blocks &= blocks - 1) {
+        const auto square = static_cast<std::size_t>(std::countr_zero(blocks));
+        std::int32_t* keys = worker.samples.key.data() + (first + square) * kLanes;
+        for (std::size_t v = 0; v < kVectors; ++v)
+            hn::Store(KeyOf(Add(offsets[v], hn::Set(DoubleTag(), corners[square]))), IntTag(), keys + v * kPerVector);
+    }
+}
+
+/// What blocks of a subtile keep beside their keys.
+template <class Policy>
+inline void WriteOwnedRest(const Policy& policy, Worker& worker, std::size_t first, std::uint32_t number,
+                           std::uint32_t blocks)
+{
+    for (; blocks != 0; blocks &= blocks - 1) {
+        const std::size_t block = first + static_cast<std::size_t>(std::countr_zero(blocks));
+        if constexpr (Policy::kKeeps == Keeps::Color)
+            ColorSamples(policy.job, policy.origin, number, block, 0xffff, worker);
+        if constexpr (Policy::kKeeps == Keeps::Number)
+            std::fill_n(worker.samples.ids.data() + block * kLanes, kLanes, number);
+    }
+}
+
+/// Writes the samples of blocks of a subtile, a bit each, if a triangle has them to itself.
+template <class Policy>
+inline void WriteOwnedBlocks(const Policy& policy, Worker& worker, std::size_t first, std::uint32_t blocks)
+{
+    std::uint32_t* owners = worker.samples.owner.data() + first;
+    for (std::uint32_t left = blocks & ~LanesWith(owners, kNobody); left != 0;) {
+        const std::uint32_t number = owners[std::countr_zero(left)];
+        const std::uint32_t owned = left & LanesWith(owners, number);
+        WriteOwnedKeys(worker, first, number, owned);
+        WriteOwnedRest(policy, worker, first, number, owned);
+        for (std::uint32_t bits = owned; bits != 0; bits &= bits - 1)
+            owners[std::countr_zero(bits)] = kNobody;
+        left &= ~owned;
+    }
+}
+
+template <class Policy>
+inline void WriteOwnedBlocks(const Policy& policy, Worker& worker, TileDepth& tile)
+{
+    WriteBlankBlocks(policy, worker.samples, tile);
+    for (std::size_t first = 0; tile.owners && first < kTileBlocks; first += kLanes)
+        WriteOwnedBlocks(policy, worker, first, 0xffff);
+    tile.owners = false;
+}
+
+/// Which of 16 squares of 2^kSideLog2 samples the triangle touches and covers, a bit each.
+struct SquareVerdicts {
+    std::uint32_t touched = 0;
+    std::uint32_t covered = 0;
+};
+
+template <int kSideLog2>
+HWY_INLINE SquareVerdicts JudgeSquares(const TriangleLanes& t, const std::array<std::int32_t, 3>& first,
+                                       SquareCorners& corners)
+{
+    constexpr IntTag tag;
+    constexpr int kLast = (1 << kSideLog2) - 1;
+    SquareVerdicts verdicts;
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        std::array<Ints, 3> highest;
+        std::array<Ints, 3> lowest;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Ints corner = hn::Add(hn::Set(tag, first[k]), hn::ShiftLeft<kSideLog2>(t.edge[k][v]));
+            hn::Store(corner, tag, corners.edge[k].data() + v * kPerVector);
+            highest[k] = hn::Add(corner, hn::Set(tag, kLast * (std::max(t.a[k], 0) + std::max(t.b[k], 0))));
+            lowest[k] = hn::Add(corner, hn::Set(tag, kLast * (std::min(t.a[k], 0) + std::min(t.b[k], 0))));
+        }
+        const auto bits = [&](const std::array<Ints, 3>& e) HWY_ATTR {
+            return BitsOf(tag, NotNegative(hn::Or3(e[0], e[1], e[2]))) << (v * kPerVector);
+        };
+        verdicts.touched |= bits(highest);
+        verdicts.covered |= bits(lowest);
+    }
+    return verdicts;
+}
+
+inline void RefreshFarthest(const TileSamples& samples, TileDepth& tile)
+{
+    constexpr IntTag tag;
+    Ints farthest = hn::Zero(tag);
+    for (std::size_t i = 0; i < kTileBlocks; i += kPerVector)
+        farthest = hn::Max(farthest, hn::Load(tag, samples.farthest.data() + i));
+    tile.farthest = hn::GetLane(hn::MaxOfLanes(tag, farthest));
+    tile.updates = 0;
+}
+
+/// Depths at the first samples of 16 blocks.
+HWY_INLINE void StoreDepths(const TriangleLanes& t, double first, SquareCorners& corners)
+{
+    constexpr DoubleTag tag;
+    for (std::size_t v = 0; v < kVectors; ++v)
+        Store(Add(Mul(t.depth[v], hn::Set(tag, double(kBlockSide))), hn::Set(tag, first)),
+              corners.depth.data() + v * kPerVector);
+}
+
+/// What is to be done about the blocks of a subtile, a bit each.
+struct BlockWork {
+    std::uint32_t cover;       ///< sample by sample
+    std::uint32_t writeBefore; ///< of these, those that have an owner
+};
+
+HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, double firstDepth, SquareVerdicts verdicts, const AnyDepth&,
+                                  std::size_t, TileSamples&, TileDepth&, SquareCorners& corners)
+{
+    StoreDepths(t, firstDepth, corners);
+    return {verdicts.touched, 0};
+}
+
+/// Drops the blocks behind what is there, and gives those that the triangle covers wholly and in front of everything
+/// to it without looking at their samples.
+///
+/// exact  bounds are depths at corner samples, which the plane gives exactly; rounding to float32 keeps order
+template <class Policy>
+HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, double firstDepth, SquareVerdicts verdicts, const Policy&,
+                                  std::size_t firstBlock, TileSamples& samples, TileDepth& tile, SquareCorners& corners)
+{
+    constexpr IntTag tag;
+    constexpr UintTag unsignedTag;
+    constexpr DoubleTag wide;
+    const Ints nearestSmall = hn::Set(tag, tile.nearestSmall);
+    const Doubles first = hn::Set(wide, firstDepth);
+    const Doubles toNearest = hn::Set(wide, 3 * (std::min(t.perX, 0.0) + std::min(t.perY, 0.0)));
+    const Doubles toFarthest = hn::Set(wide, 3 * (std::max(t.perX, 0.0) + std::max(t.perY, 0.0)));
+    BlockWork work{0, 0};
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        const std::size_t at = firstBlock + v * kPerVector;
+        const std::size_t shift = v * kPerVector;
+        const WideDoubles corner = Add(Mul(t.depth[v], hn::Set(wide, double(kBlockSide))), first);
+        Store(corner, corners.depth.data() + shift);
+        const Ints nearest = KeyOf(Add(corner, toNearest));
+        const Ints farthest = KeyOf(Add(corner, toFarthest));
+        const Ints nearestThere = hn::Min(hn::Load(tag, samples.nearest.data() + at), nearestSmall);
+        const Ints farthestThere = hn::Load(tag, samples.farthest.data() + at);
+        const auto shown = hn::And(MaskOf(tag, verdicts.touched >> shift), hn::Lt(nearest, farthestThere));
+        const auto covered = hn::And(MaskOf(tag, verdicts.covered >> shift), shown);
+        const auto owned = hn::And(covered, hn::Lt(farthest, nearestThere));
+        const Uints owner = hn::Load(unsignedTag, samples.owner.data() + at);
+        hn::Store(hn::IfThenElse(shown, hn::Min(nearest, nearestThere), nearestThere), tag,
+                  samples.nearest.data() + at);
+        hn::Store(hn::IfThenElse(covered, hn::Min(farthest, farthestThere), farthestThere), tag,
+                  samples.farthest.data() + at);
+        hn::Store(hn::IfThenElse(hn::RebindMask(unsignedTag, owned), hn::Set(unsignedTag, t.number), owner),
+                  unsignedTag, samples.owner.data() + at);
+        const std::uint32_t cover = BitsOf(tag, hn::AndNot(owned, shown));
+        work.cover |= cover << shift;
+        work.writeBefore |= (cover & BitsOf(unsignedTag, hn::Ne(owner, hn::Set(unsignedTag, kNobody)))) << shift;
+        tile.updates += std::popcount(BitsOf(tag, covered));
+        tile.owners |= !hn::AllFalse(tag, owned);
+    }
+    return work;
+}
+
+/// Bits of the squares, of 4 x 4, in these columns and rows.
+constexpr std::uint32_t SquaresBetween(int column0, int row0, int column1, int row1)
+{
+    const std::uint32_t columns = (2U << column1) - (1U << column0);
+    const std::uint32_t rows = (16U << row1 * 4) - (1U << row0 * 4);
+    return (columns * 0x1111U) & rows;
+}
+
+/// The colours of a triangle in 4 x 4 blocks from sample (x, y) of the tile on, if they are wanted.
+template <class Policy>
+HWY_INLINE void FillColors(const TriangleLanes& lanes, int x, int y, const Policy& policy, BlockQueue::Group& group)
+{
+    if constexpr (Policy::kKeeps == Keeps::Color)
+        group.colors.fill(*lanes.planes, lanes.colors, policy.origin.x + x - lanes.planes->x0,
+                          policy.origin.y + y - lanes.planes->y0);
+}
+
+/// A triangle that is large in the tile: subtiles first, then their blocks.
+template <class Policy>
+HWY_INLINE void CoverSubtiles(const TriangleLanes& lanes, const TileTriangle& t, const Policy& policy, Worker& worker,
+                              TileDepth& tile, BlockQueue& queue)
+{
+    std::uint32_t subtiles = SquaresBetween(t.x0 / 16, t.y0 / 16, t.x1 / 16, t.y1 / 16);
+    if (std::popcount(subtiles) > 4) {
+        SquareCorners corners;
+        subtiles &= JudgeSquares<4>(lanes, ValuesAt(lanes, t, 0, 0).edge, corners).touched;
+    }
+    for (; subtiles != 0; subtiles &= subtiles - 1) {
+        const int subtile = std::countr_zero(subtiles);
+        const int x = subtile % 4 * 16;
+        const int y = subtile / 4 * 16;
+        BlockQueue::Group& group = NextGroup(policy, queue, worker);
+        const std::size_t firstBlock = static_cast<std::size_t>(subtile) * 16;
+        const SampleValues first = ValuesAt(lanes, t, x, y);
+        const SquareVerdicts verdicts = JudgeSquares<2>(lanes, first.edge, group.corners);
+        BlockWork work =
+            DecideBlocks(lanes, first.depth, verdicts, policy, firstBlock, worker.samples, tile, group.corners);
+        if (work.writeBefore != 0) {
+            WriteBlankBlocks(policy, worker.samples, tile);
+            WriteOwnedBlocks(policy, worker, firstBlock, work.writeBefore);
+        }
+        if (work.cover != 0) {
+            FillColors(lanes, x, y, policy, group);
+            AppendGroup(lanes, work.cover, queue, [&](std::size_t lane) HWY_ATTR {
+                return PlacesFrom(static_cast<std::uint32_t>(firstBlock), lane);
+            });
+        }
+    }
+    if (Policy::kUsual && tile.updates >= kTileBlocks / 4)
+        RefreshFarthest(worker.samples, tile);
+}
+
+/// The columns and rows of blocks that hold the bounds of a triangle.
+struct BlockBounds {
+    int column, row, columns, rows;
+};
+
+HWY_INLINE BlockBounds BoundsInBlocks(const TileTriangle& t)
+{
+    const int column = t.x0 / kBlockSide;
+    const int row = t.y0 / kBlockSide;
+    return {column, row, t.x1 / kBlockSide - column + 1, t.y1 / kBlockSide - row + 1};
+}
+
+/// blockIndex() of the 4 x 4 blocks from column and row on.
+HWY_INLINE Uints BlocksFrom(int column, int row, std::size_t lane)
+{
+    constexpr UintTag tag;
+    const auto along = [](const std::array<std::int32_t, kLanes>& pattern, std::size_t at, int first) HWY_ATTR {
+        return hn::BitCast(UintTag(), hn::Add(hn::Load(IntTag(), pattern.data() + at), hn::Set(IntTag(), first)));
+    };
+    const Uints x = along(kPattern.x, lane, column);
+    const Uints y = along(kPattern.y, lane, row);
+    const Uints three = hn::Set(tag, 3);
+    const Uints inSubtile = hn::Add(hn::ShiftLeft<2>(hn::And(y, three)), hn::And(x, three));
+    const Uints subtile = hn::Add(hn::ShiftLeft<2>(hn::ShiftRight<2>(y)), hn::ShiftRight<2>(x));
+    return hn::Add(hn::ShiftLeft<4>(subtile), inSubtile);
+}
+
+/// Up to 4 x 4 blocks of a triangle: those that it touches, without asking what is in front.
+///
+/// in   the triangle at the first sample of them
+template <class Policy>
+HWY_INLINE void CoverWindow(const TriangleLanes& lanes, const SampleValues& first, const BlockBounds& window,
+                            const Policy& policy, Worker& worker, const TileDepth& tile, BlockQueue& queue)
+{
+    BlockQueue::Group& group = NextGroup(policy, queue, worker);
+    StoreDepths(lanes, first.depth, group.corners);
+    const std::uint32_t inBounds = SquaresBetween(0, 0, window.columns - 1, window.rows - 1);
+    const std::uint32_t touched = JudgeSquares<2>(lanes, first.edge, group.corners).touched & inBounds;
+    if (tile.owners)
+        for (std::uint32_t bits = touched; bits != 0; bits &= bits - 1) {
+            const int square = std::countr_zero(bits);
+            const auto block = static_cast<std::size_t>(
+                blockIndex(window.column + square % kBlockSide, window.row + square / kBlockSide));
+            WriteOwnedBlocks(policy, worker, block & ~std::size_t(kLanes - 1), 1U << block % kLanes);
+        }
+    FillColors(lanes, window.column * kBlockSide, window.row * kBlockSide, policy, group);
+    AppendGroup(lanes, touched, queue,
+                [&](std::size_t lane) HWY_ATTR { return BlocksFrom(window.column, window.row, lane); });
+}
+
+/// A triangle that is small in the tile.
+template <class Policy>
+HWY_INLINE void CoverWindows(const TriangleLanes& lanes, const TileTriangle& t, const BlockBounds& bounds,
+                             const Policy& policy, Worker& worker, TileDepth& tile, BlockQueue& queue)
+{
+    tile.nearestSmall = std::min(tile.nearestSmall, std::max(std::bit_cast<std::int32_t>(t.nearest), 0));
+    WriteBlankBlocks(policy, worker.samples, tile);
+    if (HWY_LIKELY(bounds.columns <= 4 && bounds.rows <= 4)) {
+        CoverWindow(lanes, {t.c, t.depthOrigin}, bounds, policy, worker, tile, queue);
+        return;
+    }
+    for (int row = 0; row < bounds.rows; row += 4)
+        for (int column = 0; column < bounds.columns; column += 4) {
+            const BlockBounds window{bounds.column + column, bounds.row + row, std::min(bounds.columns - column, 4),
+                                     std::min(bounds.rows - row, 4)};
+            const SampleValues first = ValuesAt(lanes, t, window.column * kBlockSide, window.row * kBlockSide);
+            CoverWindow(lanes, first, window, policy, worker, tile, queue);
+        }
+}
+
+template <class Policy>
+HWY_INLINE void CoverTriangle(const TileTriangle& t, const ColorPlanes& planes, const Policy& policy,
+                              std::uint32_t number, Worker& worker, TileDepth& tile, BlockQueue& queue)
+{
+    constexpr int kSmall = 8; // blocks
+    const TriangleLanes lanes = SpreadTriangle<Policy>(t, planes, number);
+    const BlockBounds bounds = BoundsInBlocks(t);
+    if (bounds.columns > kSmall || bounds.rows > kSmall)
+        CoverSubtiles(lanes, t, policy, worker, tile, queue);
+    else
+        CoverWindows(lanes, t, bounds, policy, worker, tile, queue);
+}
+
+/// Samples of a triangle beyond the numbers of the fast path, one by one.
+template <class Policy>
+inline void CoverExactly(const FrameJob& job, const ScreenTriangle& piece, const Policy&, std::uint32_t number,
+                         TileOrigin origin, Worker& worker)
+{
+    TileSamples& samples = worker.samples;
+    if constexpr (Policy::kKeeps != Keeps::Color) {
+        coverExactly(job, piece, number, origin, worker);
+    } else {
+        samples.ids.fill(kNobody);
+        coverExactly(job, piece, number, origin, worker);
+        for (std::size_t block = 0; block < kTileBlocks; ++block) {
+            const std::uint32_t lanes = LanesWith(samples.ids.data() + block * kLanes, number);
+            if (lanes != 0)
+                ColorSamples(job, origin, number, block, lanes, worker);
+        }
+    }
+}
+
+/// Brings a triangle of a bin near; a number beyond the last one does no harm.
+template <class Policy>
+HWY_INLINE void FetchRecord(const TileBlock& block, std::size_t triangle)
+{
+    __builtin_prefetch(block.bin->triangles.data() + triangle);
+    if (Policy::kKeeps == Keeps::Color || block.texels != nullptr)
+        __builtin_prefetch(block.bin->colors.data() + triangle);
+    if (block.texels != nullptr)
+        __builtin_prefetch(block.texels->data() + triangle);
+}
+
+template <class Policy>
+inline void CoverTriangles(const Policy& policy, const FrameJob& job, Worker& worker, TileOrigin origin,
+                           TileDepth& tile)
+{
+    constexpr std::size_t kAhead = 8; // triangles
+    BlockQueue queue;
+    for (std::size_t block = 0; block < worker.blocks.size(); ++block) {
+        const TileBlock& bin = worker.blocks[block];
+        if (block + 1 < worker.blocks.size())
+            for (std::size_t i = 0; i < kAhead; ++i)
+                FetchRecord<Policy>(worker.blocks[block + 1], i);
+        for (std::uint32_t i = 0; i < bin.count; ++i) {
+            const TileTriangle& t = bin.bin->triangles[i];
+            FetchRecord<Policy>(bin, i + kAhead);
+            const std::uint32_t number = static_cast<std::uint32_t>(block) * BinBlock::kCapacity + i;
+            if (Policy::kUsual && std::bit_cast<std::int32_t>(t.nearest) >= tile.farthest)
+                continue;
+            if (HWY_UNLIKELY(t.exact())) {
+                FlushQueue(policy, queue, worker);
+                WriteOwnedBlocks(policy, worker, tile);
+                tile.nearestSmall = 0;
+                CoverExactly(job, bin.chunk->pieces[t.source & ~kPiece], policy, number, origin, worker);
+                continue;
+            }
+            CoverTriangle(t, bin.bin->colors[i], policy, number, worker, tile, queue);
+        }
+    }
+    FlushQueue(policy, queue, worker);
+}
+
+/// Whether a tile has one triangle that covers it all, in front of the background.
+inline bool HasOneForAll(const Worker& worker, const TileDepth& tile)
+{
+    constexpr int kLast = kTileSide - 1;
+    if (worker.blocks.size() != 1 || worker.blocks[0].count != 1)
+        return false;
+    const TileTriangle& t = worker.triangle(0);
+    if ((t.x0 | t.y0) != 0 || t.x1 != kLast || t.y1 != kLast)
+        return false;
+    const auto lowest = [&](std::int32_t c, std::int32_t a, std::int32_t b) {
+        return c + kLast * (std::min(a, 0) + std::min(b, 0));
+    };
+    const double farthest = t.depthOrigin + kLast * (std::max(t.depthPerX, 0.0) + std::max(t.depthPerY, 0.0));
+    return lowest(t.c[0], t.a[0], t.b[0]) >= 0 && lowest(t.c[1], t.a[1], t.b[1]) >= 0 &&
+           lowest(t.c[2], -(t.a[0] + t.a[1]), -(t.b[0] + t.b[1])) >= 0 &&
+           depthKey(static_cast<float>(farthest)) < tile.farthest;
+}
+
+template <class Policy>
+inline void CoverWith(const Policy& policy, const FrameJob& job, Worker& worker, TileOrigin origin, TileDepth& tile)
+{
+    if constexpr (!Policy::kUsual)
+        WriteOwnedBlocks(policy, worker, tile);
+    if (Policy::kUsual && HasOneForAll(worker, tile)) {
+        worker.samples.owner.fill(0);
+        tile.owners = true;
+    } else {
+        CoverTriangles(policy, job, worker, origin, tile);
+    }
+    if (job.depth != nullptr || job.ids != nullptr || job.rules.shading == Shading::Depth)
+        WriteOwnedBlocks(policy, worker, tile);
+}
+
+/// Blocks outside the target are behind everything: they take no time and keep no tile from being full.
+inline void HideOffTarget(const FrameJob& job, TileOrigin origin, TileSamples& samples)
+{
+    const int columns = std::min(job.rules.columns() - origin.x, job.grid.pitch);
+    const int rows = std::min(job.rules.rows() - origin.y, job.grid.pitch);
+    if (columns == kTileSide && rows == kTileSide)
+        return;
+    for (int block = 0; block < kTileBlocks; ++block)
+        if (blockColumn(block) * kBlockSide >= columns || blockRow(block) * kBlockSide >= rows)
+            samples.farthest[static_cast<std::size_t>(block)] = std::numeric_limits<std::int32_t>::min();
+}
+
+/// Fills the samples of a tile from the triangles in worker.blocks.
+inline void CoverTile(const FrameJob& job, Worker& worker, TileOrigin origin)
+{
+    const Rules& rules = job.rules;
+    TileSamples& samples = worker.samples;
+    const std::int32_t clear = std::bit_cast<std::int32_t>(rules.depthClear) ^ depthFlip(rules.depthCompare);
+    samples.clearKey = clear;
+    samples.farthest.fill(clear);
+    samples.nearest.fill(clear);
+    samples.owner.fill(kEmpty);
+    HideOffTarget(job, origin, samples);
+    if (job.countsCoverage())
+        samples.coverage.fill(0);
+    TileDepth tile{clear, clear};
+    if (job.colorsAtOnce())
+        CoverWith(UsualDepth<Keeps::Color>(job, origin), job, worker, origin, tile);
+    else if (job.depthOnly())
+        CoverWith(UsualDepth<Keeps::Nothing>(job, origin), job, worker, origin, tile);
+    else if (job.usualDepth())
+        CoverWith(UsualDepth<Keeps::Number>(job, origin), job, worker, origin, tile);
+    else
+        CoverWith(AnyDepth(job, origin), job, worker, origin, tile);
+}
+
+} // namespace rasterlens::tiled::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,149 @@
+#include "core/tiled/exact_path.h"
+
+#include "core/pipeline/depth_test.h"
+#include "core/pipeline/interpolation.h"
+#include "core/pipeline/shading.h"
+#include "core/pipeline/triangle_setup.h"
+#include "core/pipeline/vertex_stage.h"
+
+#include <bit>
+
+namespace rasterlens::tiled
+{
+namespace
+{
+
+void count(Statistics::Faces& faces, FaceFate fate)
+{
+    ++faces.submitted;
+    switch (fate) {
+    case FaceFate::Rejected: ++faces.rejected; break;
+    case FaceFate::CulledBack: ++faces.culledBack; break;
+    case FaceFate::CulledFront: ++faces.culledFront; break;
+    case FaceFate::Degenerate: ++faces.degenerate; break;
+    case FaceFate::NonFinite: ++faces.nonFinite; break;
+    case FaceFate::Rasterized: ++faces.rasterized; break;
+    }
+}
+
+/// Counts the pieces of cut faces.
+struct PieceCounter : NullObserver {
+    explicit PieceCounter(Statistics::Faces& f) : faces(&f) {}
+    void onClipped(std::uint32_t, int pieces)
+    {
+        ++faces->clipped;
+        faces->createdByClipping += static_cast<std::uint64_t>(pieces);
+    }
+    Statistics::Faces* faces;
+};
+
+ProcessedVertex processedVertex(const FrameJob& job, std::size_t vertex)
+{
+    return job.stages->processVertex(shadeVertexAt(*job.scene, job.matrices, job.rules, vertex));
+}
+
+} // namespace
+
+std::int32_t planesOutside(const FrameJob& job, std::size_t vertex)
+{
+    const ProcessedVertex v = processedVertex(job, vertex);
+    return v.finite ? static_cast<std::int32_t>(v.outcode.view) : kNotFinite;
+}
+
+void processOutsideFace(const FrameJob& job, Chunk& chunk, std::uint32_t face, std::array<std::int32_t, 3> codes)
+{
+    chunk.clipped.clear();
+    if (((codes[0] | codes[1] | codes[2]) & kNotFinite) != 0) {
+        count(chunk.faces, FaceFate::NonFinite);
+        return;
+    }
+    const auto seen = [&](std::size_t k) { return Outcode{static_cast<ClipPlanes>(codes[k]), 0}; };
+    if (clipVerdict(job.rules.clipping, seen(0), seen(1), seen(2)) == ClipVerdict::Reject) {
+        count(chunk.faces, FaceFate::Rejected);
+        return;
+    }
+    std::array<ProcessedVertex, 3> vertices;
+    for (std::size_t k = 0; k < 3; ++k)
+        vertices[k] = processedVertex(job, job.scene->mesh.indices[3 * std::size_t(face) + k]);
+    PieceCounter observer(chunk.faces);
+    count(chunk.faces, job.stages->process(face, {&vertices[0], &vertices[1], &vertices[2]}, chunk.clipped, observer));
+}
+
+ScreenTriangle screenTriangle(const FrameJob& job, const Chunk& chunk, std::uint32_t source)
+{
+    if ((source & kPiece) != 0)
+        return chunk.pieces[source & ~kPiece];
+    ScreenTriangle triangle;
+    triangle.face = source;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const ProcessedVertex v = processedVertex(job, job.scene->mesh.indices[3 * std::size_t(source) + k]);
+        triangle.vertices[k] = v.screen;
+        triangle.vertices[k].varyings = v.clip.varyings;
+    }
+    return triangle;
+}
+
+void coverExactly(const FrameJob& job, const ScreenTriangle& piece, std::uint32_t number, TileOrigin origin,
+                  Worker& worker)
+{
+    const auto setup = setupTriangle<std::int64_t>(piece, job.rules);
+    if (!setup)
+        return;
+    const auto& [a, b, c] = piece.vertices;
+    const FaceInterpolation interpolation(piece, twiceArea(a.position, b.position, c.position), job.rules);
+    const PixelRect& box = setup->bounds;
+    const int yEnd = std::min({box.y + box.height, origin.y + job.grid.pitch, job.rules.rows()});
+    const int xEnd = std::min({box.x + box.width, origin.x + job.grid.pitch, job.rules.columns()});
+    TileSamples& samples = worker.samples;
+    const std::int32_t flip = depthFlip(job.rules.depthCompare);
+    const std::int32_t handicap = depthHandicap(job.rules);
+    for (int y = std::max(box.y, origin.y); y < yEnd; ++y)
+        for (int x = std::max(box.x, origin.x); x < xEnd; ++x) {
+            const auto p = TriangleSetup<std::int64_t>::centre(x, y);
+            ++worker.pixels.tested;
+            const auto inside = [&](const EdgeFunction<std::int64_t>& e) { return e.at(p) >= e.threshold; };
+            if (!std::all_of(setup->edges.begin(), setup->edges.end(), inside))
+                continue;
+            const auto at = static_cast<std::size_t>(sampleIndex(x - origin.x, y - origin.y));
+            const double depth = interpolation.depthAt(x, y, interpolation.weightsAt(x, y));
+            const std::int32_t key = std::bit_cast<std::int32_t>(storedDepth(depth, job.rules.depthFormat)) ^ flip;
+            const bool passed = key - handicap < samples.key[at];
+            ++worker.pixels.covered;
+            ++(passed ? worker.pixels.depthPassed : worker.pixels.depthFailed);
+            if (job.countsCoverage() && samples.coverage[at] != 0xffff)
+                ++samples.coverage[at];
+            if (passed) {
+                samples.key[at] = key;
+                samples.ids[at] = number;
+            }
+        }
+}
+
+void shadeExactly(const FrameJob& job, const VisibleTriangle& visible, const BlockShare& share, TileOrigin origin,
+                  TileSamples& samples)
+{
+    const ScreenTriangle triangle = screenTriangle(job, *visible.chunk, visible.source);
+    const auto& [a, b, c] = triangle.vertices;
+    const FaceInterpolation interpolation(triangle, twiceArea(a.position, b.position, c.position), job.rules);
+    const FaceUniforms uniforms = faceUniforms(*job.scene, triangle.face, job.rules.shading);
+    for (unsigned lanes = share.lanes; lanes != 0; lanes &= lanes - 1) {
+        const int lane = std::countr_zero(lanes);
+        const int x = origin.x + blockColumn(share.block) * kBlockSide + lane % kBlockSide;
+        const int y = origin.y + blockRow(share.block) * kBlockSide + lane / kBlockSide;
+        const std::size_t at = std::size_t(share.block) * kLanes + std::size_t(lane);
+        Varyings varyings;
+        UvGradient gradient;
+        if (job.rules.varyingCount > 0) {
+            const Weights screen = interpolation.weightsAt(x, y);
+            const Weights weights = interpolation.perspective(screen);
+            interpolation.varyings(weights, varyings);
+            if (needsUvGradient(job.rules, uniforms))
+                gradient = interpolation.uvGradient(screen, weights, kVaryingUv);
+        }
+        const float depth = std::bit_cast<float>(samples.key[at] ^ depthFlip(job.rules.depthCompare));
+        samples.color[at] =
+            shadeFragment(job.rules, uniforms, varyings, depth, glm::vec3(job.matrices.eyeWorld), gradient);
+    }
+}
+
+} // namespace rasterlens::tiled

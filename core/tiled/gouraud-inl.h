@@ -1,0 +1,209 @@
+// Interpolated colours: each block of a tile is shaded as it is met, triangle by triangle, in registers. Included once
+// for each target.
+#if defined(RASTERLENS_TILED_GOURAUD_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RASTERLENS_TILED_GOURAUD_INL_H
+#undef RASTERLENS_TILED_GOURAUD_INL_H
+#else
+#define RASTERLENS_TILED_GOURAUD_INL_H
+#endif
+
+#include "core/tiled/exact_path.h"
+#include "core/tiled/kernels.h"
+#include "core/tiled/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rasterlens::tiled::HWY_NAMESPACE
+{
+
+/// Samples of the block that hold the number, a bit each.
+HWY_INLINE std::uint32_t LanesWith(const std::uint32_t* ids, std::uint32_t number)
+{
+    constexpr UintTag tag;
+    std::uint32_t bits = 0;
+    for (std::size_t v = 0; v < kVectors; ++v)
+        bits |= BitsOf(tag, hn::Eq(hn::Load(tag, ids + v * kPerVector), hn::Set(tag, number))) << (v * kPerVector);
+    return bits;
+}
+
+/// Samples of a block that belong to the target.
+inline std::uint32_t LanesOnTarget(const FrameJob& job, TileOrigin origin, int block)
+{
+    const int columns = std::min(job.rules.columns() - origin.x, job.grid.pitch) - blockColumn(block) * kBlockSide;
+    const int rows = std::min(job.rules.rows() - origin.y, job.grid.pitch) - blockRow(block) * kBlockSide;
+    if (columns >= kBlockSide && rows >= kBlockSide)
+        return 0xffff;
+    std::uint32_t bits = 0;
+    for (int y = 0; y < std::min(rows, kBlockSide); ++y)
+        for (int x = 0; x < std::min(columns, kBlockSide); ++x)
+            bits |= 1U << (y * kBlockSide + x);
+    return bits;
+}
+
+/// Colours of 0 to 255 rounded, in the lowest bits: above 2^23 a float counts in ones.
+HWY_INLINE Ints ChannelOf(Floats c) { return hn::BitCast(IntTag(), hn::Add(c, hn::Set(FloatTag(), 0x1p23F))); }
+
+HWY_INLINE Uints PackChannels(Floats red, Floats green, Floats blue)
+{
+    constexpr IntTag tag;
+    // What is above the lowest 8 bits is shifted out, or covered by alpha.
+    const Ints packed = hn::Or3(hn::ShiftLeft<16>(ChannelOf(red)), hn::ShiftLeft<8>(ChannelOf(green)), ChannelOf(blue));
+    return hn::BitCast(UintTag(), hn::Or(packed, hn::Set(tag, static_cast<std::int32_t>(0xff000000U))));
+}
+
+/// The same of colours that may lie outside.
+HWY_INLINE Uints PackHeld(Floats red, Floats green, Floats blue)
+{
+    const auto held = [](Floats c)
+                          HWY_ATTR { return hn::Min(hn::Max(c, hn::Zero(FloatTag())), hn::Set(FloatTag(), 255.0F)); };
+    return PackChannels(held(red), held(green), held(blue));
+}
+
+/// Colours of ColorWay::Perspective at samples relative to the anchor.
+HWY_INLINE Uints PerspectiveColor(const ColorPlanes& planes, Floats x, Floats y)
+{
+    constexpr FloatTag tag;
+    const auto number = [](std::int32_t bits) HWY_ATTR { return hn::Set(FloatTag(), std::bit_cast<float>(bits)); };
+    const auto plane = [&](std::size_t i) HWY_ATTR {
+        return hn::Add(number(planes.origin[i]),
+                       hn::Add(hn::Mul(number(planes.perX[i]), x), hn::Mul(number(planes.perY[i]), y)));
+    };
+    const Floats w = hn::Div(hn::Set(tag, 1.0F), plane(0));
+    return PackHeld(hn::Mul(plane(1), w), hn::Mul(plane(2), w), hn::Mul(plane(3), w));
+}
+
+/// The same of a block whose first sample is at (x, y) relative to the anchor; the vector that starts at `lane`.
+HWY_INLINE Uints PerspectiveColor(const ColorPlanes& planes, int x, int y, std::size_t lane)
+{
+    constexpr FloatTag tag;
+    return PerspectiveColor(planes,
+                            hn::Add(hn::Load(tag, kPattern.floatX.data() + lane), hn::Set(tag, static_cast<float>(x))),
+                            hn::Add(hn::Load(tag, kPattern.floatY.data() + lane), hn::Set(tag, static_cast<float>(y))));
+}
+
+/// Colours of ColorWay::Affine of 16 samples, two channels to a number, in 2^-8 of a step: red and blue, alpha and
+/// green. Sums of two of them are such again.
+struct ChannelPairs {
+    Ints redBlue;
+    Ints alphaGreen;
+};
+
+HWY_INLINE Uints ColorOf(const ChannelPairs& pairs)
+{
+    constexpr UintTag tag;
+    return hn::OrAnd(UpperBytes(hn::BitCast(tag, pairs.redBlue)), hn::BitCast(tag, pairs.alphaGreen),
+                     hn::Set(tag, 0xff00ff00U));
+}
+
+/// What a triangle's channels change by from lane to lane, in the units of its planes.
+struct ColorSlopes {
+    std::array<std::array<Ints, kVectors>, 3> channel;
+};
+
+HWY_INLINE ColorSlopes SpreadColors(const ColorPlanes& planes)
+{
+    constexpr IntTag tag;
+    ColorSlopes slopes;
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        const Ints x = hn::Load(tag, kPattern.x.data() + v * kPerVector);
+        const Ints y = hn::Load(tag, kPattern.y.data() + v * kPerVector);
+        for (std::size_t i = 0; i < 3; ++i)
+            slopes.channel[i][v] =
+                hn::Add(hn::Mul(x, hn::Set(tag, planes.perX[i + 1])), hn::Mul(y, hn::Set(tag, planes.perY[i + 1])));
+    }
+    return slopes;
+}
+
+/// From the first sample of a block to the others.
+HWY_INLINE ChannelPairs PairsInBlock(const ColorSlopes& slopes, std::size_t v)
+{
+    constexpr IntTag tag;
+    const auto& [red, green, blue] = slopes.channel;
+    const Ints high = hn::Set(tag, static_cast<std::int32_t>(0xffff0000U));
+    return {hn::Add(hn::And(red[v], high), hn::ShiftRight<16>(blue[v])), hn::ShiftRight<16>(green[v])};
+}
+
+/// Half a step of alpha to spare: green may take something away.
+constexpr std::uint32_t kOpaque = 0xff800000U;
+
+/// A channel of ColorWay::Affine at (x, y) relative to the anchor.
+HWY_INLINE std::uint32_t ChannelAt(const ColorPlanes& planes, std::size_t channel, int x, int y)
+{
+    const auto bits = [](std::int32_t number) { return static_cast<std::uint32_t>(number); };
+    return bits(planes.origin[channel + 1]) + bits(planes.perX[channel + 1]) * bits(x) +
+           bits(planes.perY[channel + 1]) * bits(y);
+}
+
+/// At the first samples of 4 x 4 blocks, the first of them at (x, y) relative to the anchor.
+HWY_INLINE ChannelPairs PairsOfBlocks(const ColorPlanes& planes, const ColorSlopes& slopes, int x, int y, std::size_t v)
+{
+    constexpr UintTag tag;
+    const auto channel = [&](std::size_t i) HWY_ATTR {
+        return hn::Add(hn::ShiftLeft<2>(hn::BitCast(UintTag(), slopes.channel[i][v])),
+                       hn::Set(UintTag(), ChannelAt(planes, i, x, y)));
+    };
+    const Uints redBlue = hn::OrAnd(hn::ShiftRight<16>(channel(2)), channel(0), hn::Set(tag, 0xffff0000U));
+    const Uints alphaGreen = hn::Or(hn::ShiftRight<16>(channel(1)), hn::Set(tag, kOpaque));
+    return {hn::BitCast(IntTag(), redBlue), hn::BitCast(IntTag(), alphaGreen)};
+}
+
+/// ChannelPairs in memory.
+struct alignas(64) StoredPairs {
+    std::array<std::int32_t, kLanes> redBlue;
+    std::array<std::int32_t, kLanes> alphaGreen;
+
+    HWY_INLINE void store(const ChannelPairs& pairs, std::size_t v)
+    {
+        hn::Store(pairs.redBlue, IntTag(), redBlue.data() + v * kPerVector);
+        hn::Store(pairs.alphaGreen, IntTag(), alphaGreen.data() + v * kPerVector);
+    }
+};
+
+/// Colours of a triangle in 4 x 4 blocks.
+struct ColorSquares {
+    StoredPairs corners;
+    StoredPairs offsets; ///< from the first sample of a block to the others
+    const ColorPlanes* planes;
+    int x, y; ///< the first sample, relative to the anchor
+
+    HWY_INLINE void fill(const ColorPlanes& triangle, const ColorSlopes& slopes, int firstX, int firstY)
+    {
+        planes = &triangle;
+        x = firstX;
+        y = firstY;
+        for (std::size_t v = 0; v < kVectors; ++v) {
+            corners.store(PairsOfBlocks(triangle, slopes, firstX, firstY, v), v);
+            offsets.store(PairsInBlock(slopes, v), v);
+        }
+    }
+
+    /// Of the square-th block, unless the way is Exact; the vector that starts at `lane`.
+    HWY_INLINE Uints color(std::size_t square, std::size_t lane) const
+    {
+        constexpr IntTag tag;
+        if (HWY_UNLIKELY(planes->way != ColorWay::Affine)) {
+            const auto at = static_cast<int>(square);
+            return PerspectiveColor(*planes, x + at % 4 * kBlockSide, y + at / 4 * kBlockSide, lane);
+        }
+        return ColorOf(
+            {hn::Add(hn::Set(tag, corners.redBlue[square]), hn::Load(tag, offsets.redBlue.data() + lane)),
+             hn::Add(hn::Set(tag, corners.alphaGreen[square]), hn::Load(tag, offsets.alphaGreen.data() + lane))});
+    }
+};
+
+/// The samples of one block, its first at (x, y) of the target, unless the way is Exact.
+HWY_INLINE Uints BlockColor(const ColorPlanes& planes, int x, int y, std::size_t v)
+{
+    if (HWY_UNLIKELY(planes.way != ColorWay::Affine))
+        return PerspectiveColor(planes, x - planes.x0, y - planes.y0, v * kPerVector);
+    constexpr IntTag tag;
+    const ChannelPairs offsets = PairsInBlock(SpreadColors(planes), v);
+    const auto channel = [&](std::size_t i) HWY_ATTR { return ChannelAt(planes, i, x - planes.x0, y - planes.y0); };
+    const std::uint32_t redBlue = (channel(0) & 0xffff0000U) | channel(2) >> 16;
+    const std::uint32_t alphaGreen = kOpaque | channel(1) >> 16;
+    return ColorOf({hn::Add(hn::Set(tag, static_cast<std::int32_t>(redBlue)), offsets.redBlue),
+                    hn::Add(hn::Set(tag, static_cast<std::int32_t>(alphaGreen)), offsets.alphaGreen)});
+}
+
+} // namespace rasterlens::tiled::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

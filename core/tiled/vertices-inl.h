@@ -1,0 +1,185 @@
+// The vertex stage: clip space, outcodes, snapped screen positions. Included once for each target.
+#if defined(RASTERLENS_TILED_VERTICES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RASTERLENS_TILED_VERTICES_INL_H
+#undef RASTERLENS_TILED_VERTICES_INL_H
+#else
+#define RASTERLENS_TILED_VERTICES_INL_H
+#endif
+
+#include "core/pipeline/shading.h"
+#include "core/tiled/exact_path.h"
+#include "core/tiled/kernels.h"
+#include "core/tiled/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rasterlens::tiled::HWY_NAMESPACE
+{
+
+struct ClipLanes {
+    HalfFloats x, y, z, w;
+};
+
+/// float32, products summed in pairs, as the vertex stage has it.
+HWY_INLINE HalfFloats TransformRow(const glm::mat4& m, int row, const ClipLanes& p)
+{
+    constexpr HalfFloatTag tag;
+    return hn::Add(hn::Add(hn::Mul(hn::Set(tag, m[0][row]), p.x), hn::Mul(hn::Set(tag, m[1][row]), p.y)),
+                   hn::Add(hn::Mul(hn::Set(tag, m[2][row]), p.z), hn::Mul(hn::Set(tag, m[3][row]), p.w)));
+}
+
+HWY_INLINE ClipLanes ToClipSpace(const FrameJob& job, const ClipLanes& p)
+{
+    if (job.scene->space == SceneSpace::Object) {
+        const glm::mat4& m = job.matrices.clipFromObject;
+        return {TransformRow(m, 0, p), TransformRow(m, 1, p), TransformRow(m, 2, p), TransformRow(m, 3, p)};
+    }
+    ClipLanes clip = p;
+    if (job.rules.mirrorClipZ)
+        clip.z = job.rules.clipZ == ClipZ::Gl ? hn::Neg(p.z) : hn::Sub(p.w, p.z);
+    return clip;
+}
+
+/// Lanes inside the view volume with a w to divide by.
+HWY_INLINE hn::Mask<HalfFloatTag> InsideView(const FrameJob& job, const ClipLanes& p)
+{
+    constexpr HalfFloatTag tag;
+    const HalfFloats zero = hn::Zero(tag);
+    const HalfFloats minusW = hn::Neg(p.w);
+    const HalfFloats near = job.rules.clipZ == ClipZ::Gl ? minusW : zero;
+    const HalfFloats smallestW = hn::Set(tag, job.rules.clipping == Clipping::FrustumW ? 1.1e-5F : 0.0F);
+    const auto x = hn::And(hn::Ge(p.x, minusW), hn::Le(p.x, p.w));
+    const auto y = hn::And(hn::Ge(p.y, minusW), hn::Le(p.y, p.w));
+    const auto z = hn::And(hn::Ge(p.z, near), hn::Le(p.z, p.w));
+    const auto w = hn::And(hn::Gt(p.w, smallestW), hn::Le(p.w, hn::Set(tag, std::numeric_limits<float>::max())));
+    return hn::And(hn::And(x, y), hn::And(z, w));
+}
+
+/// One axis of the viewport.
+struct Axis {
+    int pixels;
+    int subpixelBits;
+    int unitsPerStep; ///< units of the sample grid to a step of the snapping grid
+};
+
+/// Snaps like snapToGrid(); its own rounding decides where the quotient lies close to a tie.
+HWY_INLINE HalfInts Snap(Doubles p, Doubles w, Doubles inverseW, const Axis& axis, hn::Mask<DoubleTag> inside)
+{
+    constexpr DoubleTag tag;
+    constexpr double kNearTie = 0.5 - 1e-6;
+    const Doubles halfSize = hn::Set(tag, axis.pixels * double(1 << axis.subpixelBits) / 2);
+    const Doubles estimate = hn::IfThenElseZero(inside, hn::Mul(hn::Mul(hn::Add(p, w), inverseW), halfSize));
+    const Doubles nearest = hn::Round(estimate);
+    const auto nearTie = hn::Gt(hn::Abs(hn::Sub(estimate, nearest)), hn::Set(tag, kNearTie));
+    Doubles snapped = nearest;
+    if (HWY_UNLIKELY(!hn::AllFalse(tag, nearTie))) {
+        alignas(64) std::array<double, kDoubles> ps, ws, result;
+        hn::Store(p, tag, ps.data());
+        hn::Store(w, tag, ws.data());
+        hn::Store(nearest, tag, result.data());
+        for (std::uint32_t bits = BitsOf(tag, nearTie); bits != 0; bits &= bits - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+            result[lane] = snapToGrid(ps[lane], ws[lane], axis.pixels, axis.subpixelBits);
+        }
+        snapped = hn::Load(tag, result.data());
+    }
+    return hn::DemoteTo(HalfIntTag(), hn::Mul(snapped, hn::Set(tag, double(axis.unitsPerStep))));
+}
+
+/// Colours and w for the tiles; Lambert's light, as the vertex stage has it.
+HWY_INLINE void ColorVertices(const FrameJob& job, const float* floats, HalfInts at, HalfFloats w, std::size_t first,
+                              std::size_t count)
+{
+    constexpr HalfFloatTag tag;
+    constexpr std::size_t kNormal = offsetof(MeshVertex, normal) / sizeof(float);
+    constexpr std::size_t kColor = offsetof(MeshVertex, color) / sizeof(float);
+    const glm::vec3 light = lightDirection();
+    const auto load = [&](std::size_t offset) HWY_ATTR { return hn::GatherIndex(tag, floats + offset, at); };
+    const HalfFloats dot = hn::Add(
+        hn::Add(hn::Mul(load(kNormal), hn::Set(tag, light.x)), hn::Mul(load(kNormal + 1), hn::Set(tag, light.y))),
+        hn::Mul(load(kNormal + 2), hn::Set(tag, light.z)));
+    const HalfFloats lit =
+        hn::Add(hn::Set(tag, kAmbient), hn::Mul(hn::Set(tag, kDiffuse), hn::Max(dot, hn::Zero(tag))));
+    const HalfFloats strength = job.lightsVertices() ? lit : hn::Set(tag, 1.0F);
+    alignas(64) std::array<std::array<float, kDoubles>, 4> color;
+    for (std::size_t k = 0; k < 3; ++k)
+        hn::Store(hn::Mul(load(kColor + k), strength), tag, color[k].data());
+    hn::Store(w, tag, color[3].data());
+    for (std::size_t i = 0; i < count; ++i)
+        job.colors[first + i] = {color[0][i], color[1][i], color[2][i], color[3][i]};
+}
+
+constexpr int kVertexStride = sizeof(MeshVertex) / sizeof(float);
+
+/// As many vertices as a vector has lanes; `count` of them are wanted.
+///
+/// in   where each of them starts, in floats; vertexOf(lane) is its index in the mesh
+/// out  w of clip space
+template <class VertexOf>
+HWY_INLINE HalfFloats ProcessVertexLanes(const FrameJob& job, const float* floats, HalfInts at, std::size_t count,
+                                         VertexOf&& vertexOf, ScreenPoint* out)
+{
+    constexpr HalfFloatTag tag;
+    constexpr DoubleTag wide;
+    const auto load = [&](std::size_t offset) HWY_ATTR { return hn::GatherIndex(tag, floats + offset, at); };
+    const ClipLanes clip = ToClipSpace(job, {load(0), load(1), load(2), load(3)});
+    const auto inside = InsideView(job, clip);
+    const Doubles w = hn::PromoteTo(wide, clip.w);
+    const Doubles inverseW = hn::Div(hn::Set(wide, 1.0), w);
+    const auto insideWide = hn::Gt(hn::PromoteTo(wide, hn::IfThenElseZero(inside, hn::Set(tag, 1.0F))), hn::Zero(wide));
+
+    const Rules& rules = job.rules;
+    const int unitsPerStep = rules.sampleGrid << (8 - rules.subpixelBits);
+    alignas(64) std::array<std::int32_t, kDoubles> x, y;
+    alignas(64) std::array<double, kDoubles> depth;
+    hn::Store(
+        Snap(hn::PromoteTo(wide, clip.x), w, inverseW, {rules.width, rules.subpixelBits, unitsPerStep}, insideWide),
+        HalfIntTag(), x.data());
+    hn::Store(Snap(hn::PromoteTo(wide, hn::Neg(clip.y)), w, inverseW, {rules.height, rules.subpixelBits, unitsPerStep},
+                   insideWide),
+              HalfIntTag(), y.data());
+    const Doubles z = hn::PromoteTo(wide, clip.z);
+    hn::Store(rules.clipZ == ClipZ::Gl ? hn::Div(hn::Add(w, z), hn::Mul(hn::Set(wide, 2.0), w)) : hn::Div(z, w), wide,
+              depth.data());
+    for (std::size_t i = 0; i < count; ++i)
+        out[i] = {{x[i], y[i]}, depth[i]};
+    std::uint32_t outside = ~BitsOf(tag, inside) & ((1U << count) - 1);
+    for (; outside != 0; outside &= outside - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(outside));
+        out[lane] = {{kOutside, planesOutside(job, vertexOf(lane))}, 0};
+    }
+    return clip.w;
+}
+
+/// A run of the mesh's vertices into job.points and job.colors.
+inline void ProcessVertices(const FrameJob& job, std::size_t begin, std::size_t end)
+{
+    for (std::size_t first = begin; first < end; first += kDoubles) {
+        const std::size_t count = std::min(kDoubles, end - first);
+        const auto* floats = reinterpret_cast<const float*>(job.scene->mesh.vertices.data() + first);
+        const HalfInts lanes = hn::Min(hn::Iota(HalfIntTag(), 0), hn::Set(HalfIntTag(), static_cast<int>(count) - 1));
+        const HalfInts at = hn::Mul(lanes, hn::Set(HalfIntTag(), kVertexStride));
+        const HalfFloats w = ProcessVertexLanes(
+            job, floats, at, count, [&](std::size_t lane) { return first + lane; }, job.points + first);
+        if (job.colors != nullptr)
+            ColorVertices(job, floats, at, w, first, count);
+    }
+}
+
+/// The vertices that indices name, in their order.
+inline void ProcessCorners(const FrameJob& job, const std::uint32_t* indices, std::size_t count, ScreenPoint* out)
+{
+    const auto* floats = reinterpret_cast<const float*>(job.scene->mesh.vertices.data());
+    for (std::size_t first = 0; first < count; first += kDoubles) {
+        const std::size_t n = std::min(kDoubles, count - first);
+        alignas(64) std::array<std::int32_t, kDoubles> starts{};
+        for (std::size_t i = 0; i < n; ++i)
+            starts[i] = static_cast<std::int32_t>(indices[first + i]) * kVertexStride;
+        ProcessVertexLanes(
+            job, floats, hn::Load(HalfIntTag(), starts.data()), n,
+            [&](std::size_t lane) { return indices[first + lane]; }, out + first);
+    }
+}
+
+} // namespace rasterlens::tiled::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

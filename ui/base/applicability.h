@@ -1,0 +1,24 @@
+#pragma once
+#include "core/base/reason.h"
+#include "core/settings/settings.h"
+
+#include <QString>
+
+#include <optional>
+
+namespace rasterlens
+{
+
+/// Why changing this field would not change the picture under these settings, in the language in use; or nothing.
+[[nodiscard]] std::optional<QString> whyWithoutEffect(const SettingsField& field, const Settings& settings);
+
+/// What unsupported() says, in the language in use.
+[[nodiscard]] QString whyUnsupported(const Reason& reason);
+
+/// The next value of a field, first after last.
+[[nodiscard]] Settings withNextValue(const SettingsField& field, const Settings& settings);
+
+/// The translated title of the present value; for `auto` also what it stands for on this machine.
+[[nodiscard]] QString valueTitle(const SettingsField& field, const Settings& settings);
+
+} // namespace rasterlens

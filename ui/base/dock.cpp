@@ -1,0 +1,57 @@
+#include "ui/base/dock.h"
+
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace rasterlens
+{
+
+Dock::Dock(const QString& id, QWidget* panel, QWidget* parent) : QDockWidget(parent)
+{
+    setObjectName(id);
+    auto* title = new QWidget;
+    title->setObjectName(QStringLiteral("dockTitle"));
+    title->setAttribute(Qt::WA_StyledBackground);
+    m_titleRow = new QHBoxLayout(title);
+    m_titleRow->setContentsMargins(12, 8, 8, 4);
+    m_titleRow->setSpacing(2);
+    m_title = new QLabel;
+    m_title->setObjectName(QStringLiteral("title"));
+    m_title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long one does not widen the window
+    m_titleRow->addWidget(m_title, 1);
+    m_close = insertLink(1);
+    m_close->setText(QStringLiteral("\u00d7"));
+    connect(m_close, &QToolButton::clicked, this, &QDockWidget::close);
+    setTitleBarWidget(title);
+
+    auto* body = new QFrame;
+    body->setObjectName(QStringLiteral("dockBody"));
+    auto* column = new QVBoxLayout(body);
+    column->setContentsMargins(1, 0, 1, 1);
+    column->addWidget(panel);
+    setWidget(body);
+}
+
+void Dock::setTitle(const QString& title)
+{
+    setWindowTitle(title);
+    m_title->setText(title);
+    m_close->setToolTip(tr("Close this panel; the menu View opens it again"));
+    m_close->setAccessibleName(m_close->toolTip());
+}
+
+QToolButton* Dock::addLink() { return insertLink(m_titleRow->indexOf(m_close)); }
+
+QToolButton* Dock::insertLink(int index)
+{
+    auto* link = new QToolButton;
+    link->setObjectName(QStringLiteral("link"));
+    link->setCursor(Qt::PointingHandCursor);
+    m_titleRow->insertWidget(index, link);
+    return link;
+}
+
+} // namespace rasterlens

@@ -1,0 +1,203 @@
+#include "ui/base/field_row.h"
+
+#include "ui/base/applicability.h"
+
+#include <QAbstractItemView>
+#include <QCheckBox>
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QStandardItemModel>
+#include <QStylePainter>
+#include <QWheelEvent>
+
+namespace rasterlens
+{
+namespace
+{
+
+QString translated(const char* text) { return QCoreApplication::translate("Settings", text); }
+
+} // namespace
+
+ChangeDot::ChangeDot(QWidget* parent) : QAbstractButton(parent)
+{
+    setFocusPolicy(Qt::NoFocus);
+    setFixedWidth(sizeHint().width());
+}
+
+void ChangeDot::setChanged(bool changed)
+{
+    m_changed = changed;
+    setCursor(changed ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    setEnabled(changed);
+    update();
+}
+
+void ChangeDot::paintEvent(QPaintEvent*)
+{
+    if (!m_changed)
+        return;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(palette().color(QPalette::Active, QPalette::Highlight));
+    painter.drawEllipse(QRectF(rect()).center(), 3, 3);
+}
+
+PanelCombo::PanelCombo(QWidget* parent) : QComboBox(parent)
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    setMinimumContentsLength(6);
+}
+
+void PanelCombo::paintEvent(QPaintEvent*)
+{
+    QStylePainter painter(this);
+    QStyleOptionComboBox option;
+    initStyleOption(&option);
+    painter.drawComplexControl(QStyle::CC_ComboBox, option);
+    const int room = style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this).width();
+    option.currentText = fontMetrics().elidedText(option.currentText, Qt::ElideRight, room);
+    painter.drawControl(QStyle::CE_ComboBoxLabel, option);
+}
+
+void PanelCombo::showPopup()
+{
+    Q_EMIT aboutToShowPopup();
+    view()->setMinimumWidth(view()->sizeHintForColumn(0) + 24);
+    QComboBox::showPopup();
+}
+
+void PanelCombo::wheelEvent(QWheelEvent* event) { event->ignore(); }
+
+void PanelSpin::wheelEvent(QWheelEvent* event) { event->ignore(); }
+
+FieldRow::FieldRow(const SettingsField& field, const Language& language, QWidget* parent)
+    : QWidget(parent), m_field(field), m_language(language)
+{
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    m_dot = new ChangeDot;
+    m_name = new QLabel;
+    m_name->setWordWrap(true);
+    m_name->setObjectName(QStringLiteral("muted"));
+    makeEditor();
+    m_editor->setObjectName(QStringLiteral("field-") + QLatin1String(field.id));
+    m_key = new QLabel;
+    m_key->setObjectName(QStringLiteral("keyHint"));
+    m_key->setAlignment(Qt::AlignCenter);
+    m_key->setMinimumWidth(14);
+    row->addWidget(m_dot);
+    row->addWidget(m_name, 9);
+    row->addWidget(m_editor, 13);
+    row->addWidget(m_key);
+    connect(m_dot, &ChangeDot::clicked, this, &FieldRow::resetRequested);
+    retranslate();
+}
+
+void FieldRow::makeEditor()
+{
+    switch (m_field.kind) {
+    case SettingsField::Kind::Choice: {
+        auto* box = new PanelCombo;
+        for (const Choice& choice : m_field.choices)
+            box->addItem(QString(), QLatin1String(choice.id));
+        connect(box, &QComboBox::currentIndexChanged, this, &FieldRow::chosen);
+        connect(box, &PanelCombo::aboutToShowPopup, this, &FieldRow::popupOpening);
+        m_editor = box;
+        break;
+    }
+    case SettingsField::Kind::Integer: {
+        auto* spin = new PanelSpin;
+        spin->setRange(m_field.minimum, m_field.maximum);
+        spin->setKeyboardTracking(false);
+        spin->setFocusPolicy(Qt::StrongFocus);
+        connect(spin, &QSpinBox::valueChanged, this, &FieldRow::chosen);
+        m_editor = spin;
+        break;
+    }
+    case SettingsField::Kind::Flag: {
+        auto* box = new QCheckBox;
+        connect(box, &QCheckBox::toggled, this, [this](bool on) { Q_EMIT chosen(on ? 1 : 0); });
+        m_editor = box;
+        break;
+    }
+    }
+    m_editor->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+}
+
+void FieldRow::setKeyHint(const QString& key)
+{
+    m_key->setText(key);
+    updateToolTip();
+}
+
+void FieldRow::sync(const Settings& settings, const Settings& defaults, bool refused)
+{
+    const QSignalBlocker blocked(m_editor);
+    const int value = m_field.get(settings);
+    if (auto* combo = qobject_cast<QComboBox*>(m_editor))
+        combo->setCurrentIndex(value);
+    else if (auto* spin = qobject_cast<QSpinBox*>(m_editor))
+        spin->setValue(value);
+    else if (auto* check = qobject_cast<QCheckBox*>(m_editor))
+        check->setChecked(value != 0);
+
+    m_dot->setChanged(value != m_field.get(defaults));
+    m_dot->setToolTip(tr("The scene asks for: %1. Click to put it back.").arg(valueTitle(m_field, defaults)));
+    m_whyInert = whyWithoutEffect(m_field, settings).value_or(QString());
+    m_editor->setEnabled(refused || m_whyInert.isEmpty());
+    m_name->setEnabled(m_editor->isEnabled());
+    updateToolTip();
+}
+
+void FieldRow::setValueReasons(const std::function<QString(int)>& why)
+{
+    auto* combo = qobject_cast<QComboBox*>(m_editor);
+    auto* model = combo ? qobject_cast<QStandardItemModel*>(combo->model()) : nullptr;
+    if (!model)
+        return;
+    for (int i = 0; i < model->rowCount(); ++i) {
+        const QString reason = why(i);
+        model->item(i)->setEnabled(reason.isEmpty());
+        model->item(i)->setToolTip(reason);
+    }
+}
+
+void FieldRow::retranslate()
+{
+    m_name->setText(translated(m_field.title));
+    m_editor->setAccessibleName(m_name->text());
+    const auto titleOf = [this](int value) {
+        Settings settings;
+        m_field.set(settings, value);
+        return valueTitle(m_field, settings);
+    };
+    if (auto* combo = qobject_cast<QComboBox*>(m_editor))
+        for (int i = 0; i < combo->count(); ++i)
+            combo->setItemText(i, titleOf(i));
+    if (auto* spin = qobject_cast<QSpinBox*>(m_editor))
+        spin->setSpecialValueText(titleOf(m_field.minimum));
+    updateToolTip();
+}
+
+void FieldRow::updateToolTip()
+{
+    QString text = QStringLiteral("<p><b>%1</b><br/>%2</p><p>%3</p>")
+                       .arg(translated(m_field.title).toHtmlEscaped(),
+                            m_language.inOther("Settings", m_field.title).toHtmlEscaped(),
+                            translated(m_field.help).toHtmlEscaped());
+    if (!m_whyInert.isEmpty())
+        text += QStringLiteral("<p><i>%1</i></p>").arg(tr("No effect now: %1").arg(m_whyInert).toHtmlEscaped());
+    if (!m_key->text().isEmpty())
+        text += QStringLiteral("<p>%1</p>").arg(tr("Key %1 steps through the values.").arg(m_key->text()));
+    m_name->setToolTip(text);
+    m_editor->setToolTip(text);
+}
+
+} // namespace rasterlens

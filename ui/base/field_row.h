@@ -1,0 +1,97 @@
+#pragma once
+#include "core/settings/settings.h"
+#include "ui/base/language.h"
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QSpinBox>
+
+#include <functional>
+
+class QLabel;
+
+namespace rasterlens
+{
+
+/// A dot where a value differs from the scene's; a click on it puts the scene's value back.
+class ChangeDot : public QAbstractButton
+{
+    Q_OBJECT
+
+public:
+    explicit ChangeDot(QWidget* parent = nullptr);
+    void setChanged(bool changed);
+    [[nodiscard]] bool isChanged() const { return m_changed; }
+    QSize sizeHint() const override { return {10, 16}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    bool m_changed = false;
+};
+
+/// A combo box that leaves the wheel to the panel around it.
+class PanelCombo : public QComboBox
+{
+    Q_OBJECT
+
+public:
+    explicit PanelCombo(QWidget* parent = nullptr);
+
+Q_SIGNALS:
+    void aboutToShowPopup();
+
+protected:
+    void paintEvent(QPaintEvent* event) override; ///< a text without room ends in dots
+    void showPopup() override;
+    void wheelEvent(QWheelEvent* event) override;
+};
+
+class PanelSpin : public QSpinBox
+{
+    Q_OBJECT
+
+public:
+    using QSpinBox::QSpinBox;
+
+protected:
+    void wheelEvent(QWheelEvent* event) override;
+};
+
+/// One field of the settings table: dot, name, switch, key.
+class FieldRow : public QWidget
+{
+    Q_OBJECT
+
+public:
+    FieldRow(const SettingsField& field, const Language& language, QWidget* parent = nullptr);
+
+    [[nodiscard]] const SettingsField& field() const { return m_field; }
+    [[nodiscard]] QWidget* editor() const { return m_editor; }
+    void setKeyHint(const QString& key);
+    /// in   whether the settings cannot be drawn: then every switch stays open, to find the way back
+    void sync(const Settings& settings, const Settings& defaults, bool refused);
+    /// Greys out the values that `why` gives a reason against.
+    void setValueReasons(const std::function<QString(int)>& why);
+    void retranslate();
+
+Q_SIGNALS:
+    void chosen(int value);
+    void resetRequested();
+    void popupOpening();
+
+private:
+    void makeEditor();
+    void updateToolTip();
+
+    const SettingsField& m_field;
+    const Language& m_language;
+    ChangeDot* m_dot = nullptr;
+    QLabel* m_name = nullptr;
+    QWidget* m_editor = nullptr;
+    QLabel* m_key = nullptr;
+    QString m_whyInert;
+};
+
+} // namespace rasterlens

@@ -1,0 +1,21 @@
+#include "ui/base/inks.h"
+
+#include <QPalette>
+
+namespace rasterlens
+{
+
+bool isDark(const QPalette& palette)
+{
+    constexpr int kHalf = 128;
+    return palette.color(QPalette::Base).lightness() < kHalf;
+}
+
+Inks inksFor(const QPalette& palette)
+{
+    if (isDark(palette))
+        return {QColor(0x56b4e9), QColor(0xf0883e), QColor(0x5fd3b3)};
+    return {QColor(0x0072b2), QColor(0xc24f00), QColor(0x007a5e)};
+}
+
+} // namespace rasterlens

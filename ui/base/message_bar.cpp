@@ -1,0 +1,108 @@
+#include "ui/base/message_bar.h"
+
+#include "ui/base/theme.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace rasterlens
+{
+namespace
+{
+
+/// The first few, and how many more there are.
+QString wordsOf(const Diagnostics& diagnostics)
+{
+    constexpr std::size_t kShown = 4;
+    QStringList lines;
+    for (std::size_t i = 0; i < std::min(kShown, diagnostics.size()); ++i)
+        lines << diagnostics[i].text([](const char* text) { return QCoreApplication::translate("Diagnostic", text); });
+    if (diagnostics.size() > kShown)
+        lines << MessageBar::tr("and %n more", nullptr, static_cast<int>(diagnostics.size() - kShown));
+    return lines.join(QLatin1Char('\n'));
+}
+
+} // namespace
+
+MessageBar::MessageBar(QWidget* parent) : QFrame(parent)
+{
+    setObjectName(QStringLiteral("messageBar"));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(10, 5, 6, 5);
+    row->setSpacing(8);
+    m_sign = new QLabel;
+    m_text = new QLabel;
+    m_text->setObjectName(QStringLiteral("messageText"));
+    m_text->setWordWrap(true);
+    m_text->setTextFormat(Qt::PlainText);
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_close = new QToolButton;
+    m_close->setObjectName(QStringLiteral("link"));
+    m_close->setText(QStringLiteral("\u2715"));
+    connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
+    row->addWidget(m_sign, 0, Qt::AlignTop);
+    row->addWidget(m_text, 1);
+    row->addWidget(m_close, 0, Qt::AlignTop);
+    constexpr int kReadingTimeMs = 6000;
+    m_farewell.setSingleShot(true);
+    m_farewell.setInterval(kReadingTimeMs);
+    connect(&m_farewell, &QTimer::timeout, this, &QWidget::hide);
+    hide();
+}
+
+void MessageBar::setClosable(bool closable) { m_close->setVisible(closable); }
+
+void MessageBar::show(MessageKind kind, const QString& text)
+{
+    m_kind = kind;
+    m_diagnostics.clear();
+    m_text->setText(text);
+    applyColors();
+    setVisible(true);
+    if (kind == MessageKind::Info)
+        m_farewell.start();
+    else
+        m_farewell.stop();
+}
+
+void MessageBar::show(const Diagnostics& diagnostics)
+{
+    show(hasErrors(diagnostics) ? MessageKind::Error : MessageKind::Warning, wordsOf(diagnostics));
+    m_diagnostics = diagnostics;
+}
+
+QString MessageBar::text() const { return m_text->text(); }
+
+void MessageBar::applyColors()
+{
+    const bool dark = palette().color(QPalette::Base).lightness() < 128;
+    const ThemeColors& colors = themeColors(dark ? ThemeKind::Dark : ThemeKind::Light);
+    const QColor fill = m_kind == MessageKind::Error     ? colors.errorFill
+                        : m_kind == MessageKind::Warning ? colors.warningFill
+                                                         : colors.infoFill;
+    const QColor text = m_kind == MessageKind::Error ? colors.errorText : colors.text;
+    const QString sheet =
+        QStringLiteral("QFrame#messageBar { background: %1; border: 1px solid %2; border-radius: 6px; }"
+                       "QFrame#messageBar QLabel { color: %3; }")
+            .arg(fill.name(), colors.border.name(), text.name());
+    if (sheet != styleSheet())
+        setStyleSheet(sheet);
+    m_sign->setText(m_kind == MessageKind::Info ? QStringLiteral("\u2139") : QStringLiteral("\u26a0"));
+    m_close->setToolTip(tr("Close"));
+}
+
+void MessageBar::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::LanguageChange)
+        applyColors();
+    if (event->type() == QEvent::LanguageChange && !m_diagnostics.empty())
+        m_text->setText(wordsOf(m_diagnostics));
+    QFrame::changeEvent(event);
+}
+
+} // namespace rasterlens

@@ -1,0 +1,255 @@
+#include "ui/canvas/pixel_overlay.h"
+
+#include "ui/base/theme.h"
+#include "ui/canvas/wipe.h"
+
+#include <QFontMetricsF>
+#include <QPaintEngine>
+#include <QPainter>
+#include <QPixmap>
+#include <QPixmapCache>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr std::array kZoomSteps{1.0 / 32, 1.0 / 16, 1.0 / 12, 1.0 / 8, 1.0 / 6, 1.0 / 4, 1.0 / 3, 1.0 / 2,
+                                2.0 / 3,  1.0,      2.0,      3.0,     4.0,     6.0,     8.0,     12.0,
+                                16.0,     24.0,     32.0,     48.0,    64.0,    96.0,    128.0};
+
+/// One pixel's grid lines and sample positions; the overlay of the whole image is this tile, repeated.
+QPixmap cellTile(int zoom, int samples, const OverlayOptions& options)
+{
+    QPixmap tile(zoom, zoom);
+    tile.fill(Qt::transparent);
+    QPainter painter(&tile);
+    if (options.grid) {
+        const QColor line(120, 128, 140, zoom >= kSampleDotsFromZoom ? 150 : 100);
+        const int width = options.thickLines && zoom >= kSampleDotsFromZoom ? 2 : 1;
+        painter.fillRect(0, 0, zoom, width, line);
+        painter.fillRect(0, width, width, zoom - width, line);
+    }
+    if (options.sampleDots && zoom >= kSampleDotsFromZoom) {
+        painter.setRenderHint(QPainter::Antialiasing);
+        const double spacing = static_cast<double>(zoom) / samples;
+        const double radius = std::clamp(spacing / 16 * (options.thickLines ? 1.5 : 1), 1.0, 4.0);
+        for (int j = 0; j < samples; ++j)
+            for (int i = 0; i < samples; ++i) {
+                const QPointF at((i + 0.5) * spacing, (j + 0.5) * spacing);
+                painter.setPen(Qt::NoPen);
+                painter.setBrush(QColor(255, 255, 255, 190));
+                painter.drawEllipse(at, radius + 1, radius + 1);
+                painter.setBrush(QColor(20, 24, 30));
+                painter.drawEllipse(at, radius, radius);
+            }
+    }
+    return tile;
+}
+
+QPixmap cachedCellTile(int zoom, int samples, const OverlayOptions& options)
+{
+    const QString key = QStringLiteral("rasterlens-cell-%1-%2-%3%4%5")
+                            .arg(zoom)
+                            .arg(samples)
+                            .arg(options.grid)
+                            .arg(options.sampleDots)
+                            .arg(options.thickLines);
+    QPixmap tile;
+    if (!QPixmapCache::find(key, &tile)) {
+        tile = cellTile(zoom, samples, options);
+        QPixmapCache::insert(key, tile);
+    }
+    return tile;
+}
+
+/// A drawing of lines and areas, not of pixels.
+bool isDrawing(const QPainter& painter) { return painter.paintEngine()->type() == QPaintEngine::SVG; }
+
+void paintImage(QPainter& painter, const QRect& pixels, const CanvasTransform& transform, const QImage& image)
+{
+    if (isDrawing(painter) && transform.zoom >= kGridFromZoom) {
+        for (int y = pixels.top(); y <= pixels.bottom(); ++y)
+            for (int x = pixels.left(); x <= pixels.right(); ++x)
+                painter.fillRect(transform.toCanvas(QRectF(x, y, 1, 1)), QColor(image.pixel(x, y)));
+        return;
+    }
+    const QRectF target = transform.toCanvas(QRectF(pixels));
+    if (transform.zoom >= 1) {
+        painter.drawImage(target, image, QRectF(pixels));
+        return;
+    }
+    // Every pixel has its share of what is shown: the painter's own filter would skip some, and thin lines with them.
+    const QSize size = (target.size() * painter.device()->devicePixelRatioF()).toSize().expandedTo({1, 1});
+    painter.drawImage(target, image.copy(pixels).scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+}
+
+void paintCells(QPainter& painter, const QRect& pixels, const CanvasTransform& transform, int samples,
+                const OverlayOptions& options)
+{
+    const QRect target = transform.toCanvas(QRectF(pixels)).toRect();
+    if (isDrawing(painter)) {
+        painter.setPen(QColor(120, 128, 140));
+        for (int x = 0; options.grid && x <= pixels.width(); ++x)
+            painter.drawLine(QPointF(target.left() + x * transform.zoom, target.top()),
+                             QPointF(target.left() + x * transform.zoom, target.bottom() + 1));
+        for (int y = 0; options.grid && y <= pixels.height(); ++y)
+            painter.drawLine(QPointF(target.left(), target.top() + y * transform.zoom),
+                             QPointF(target.right() + 1, target.top() + y * transform.zoom));
+        return;
+    }
+    painter.drawTiledPixmap(target, cachedCellTile(static_cast<int>(transform.zoom), samples, options));
+    if (options.grid) {
+        const QColor line(120, 128, 140, 150);
+        painter.fillRect(target.right() + 1, target.top(), 1, target.height() + 1, line);
+        painter.fillRect(target.left(), target.bottom() + 1, target.width(), 1, line);
+    }
+}
+
+/// A font in which `digits` characters fit into a pixel of the canvas.
+QFont cellFont(double zoom, int digits)
+{
+    QFont font = numberFont();
+    constexpr int kReferencePixels = 100;
+    font.setPixelSize(kReferencePixels);
+    const double advance = QFontMetricsF(font).horizontalAdvance(QLatin1Char('0'));
+    const double fitting = (zoom - 6) / digits * kReferencePixels / advance;
+    font.setPixelSize(std::clamp(static_cast<int>(fitting), 5, 15));
+    return font;
+}
+
+/// Black or white, whichever stands out more (WCAG 2.1, relative luminance).
+QColor readableOn(QRgb color)
+{
+    const auto linear = [](int channel) { return std::pow(channel / 255.0, 2.2); };
+    const double luminance =
+        0.2126 * linear(qRed(color)) + 0.7152 * linear(qGreen(color)) + 0.0722 * linear(qBlue(color));
+    constexpr double kEqualContrast = 0.179;
+    return luminance > kEqualContrast ? QColor(10, 12, 16) : QColor(250, 251, 253);
+}
+
+void paintNumbers(QPainter& painter, const QRect& pixels, const CanvasTransform& transform, const Frame& frame)
+{
+    constexpr double kDecimalsFromZoom = 64;
+    constexpr double kDetailsFromZoom = 96;
+    constexpr int kHexDigits = 7;
+    constexpr int kDecimalDigits = 11;
+    const bool decimals = transform.zoom >= kDecimalsFromZoom;
+    const bool details = transform.zoom >= kDetailsFromZoom && !frame.ids.empty();
+    const QFont font = cellFont(transform.zoom, decimals ? kDecimalDigits : kHexDigits);
+    painter.setFont(font);
+    const QFontMetricsF metrics(font);
+    for (int y = pixels.top(); y <= pixels.bottom(); ++y)
+        for (int x = pixels.left(); x <= pixels.right(); ++x) {
+            const QRgb color = frame.image.pixel(x, y);
+            const QRectF cell = transform.toCanvas(QRectF(x, y, 1, 1)).adjusted(2, 3, -2, -3);
+            painter.setPen(readableOn(color));
+            const QString text = decimals
+                                     ? QStringLiteral("%1 %2 %3").arg(qRed(color)).arg(qGreen(color)).arg(qBlue(color))
+                                     : QColor(color).name().toUpper();
+            painter.drawText(cell, Qt::AlignHCenter | Qt::AlignTop, text);
+            if (!details)
+                continue;
+            const auto index = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.image.width()) +
+                               static_cast<std::size_t>(x);
+            const std::int32_t face = frame.ids[index];
+            if (face < 0)
+                continue;
+            painter.drawText(cell, Qt::AlignHCenter | Qt::AlignBottom, QStringLiteral("#%1").arg(face));
+            painter.drawText(cell.adjusted(0, 0, 0, -metrics.lineSpacing()), Qt::AlignHCenter | Qt::AlignBottom,
+                             QString::number(static_cast<double>(frame.depth[index]), 'f', 4));
+        }
+}
+
+void paintPixelFrame(QPainter& painter, QPoint pixel, const CanvasTransform& transform, bool selected, bool thick)
+{
+    const QRectF cell = transform.toCanvas(QRectF(pixel, QSizeF(1, 1)));
+    const double width = (selected ? 3 : 1) * (thick ? 2 : 1);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(255, 255, 255, 220), width + 2, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+    painter.drawRect(cell);
+    painter.setPen(QPen(QColor(10, 12, 16), width, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+    painter.drawRect(cell);
+}
+
+/// One picture with what belongs to its pixels.
+void paintPicture(QPainter& painter, const QRect& canvas, const CanvasTransform& transform, const RenderedFrame& frame,
+                  const OverlayOptions& options)
+{
+    const QRect pixels = transform.pixelsIn(canvas, frame.frame.image.size());
+    if (pixels.isEmpty())
+        return;
+    paintImage(painter, pixels, transform, frame.frame.image);
+    if (transform.zoom >= kGridFromZoom)
+        paintCells(painter, pixels, transform, sampleGrid(frame.settings.samples), options);
+    const bool numbersHidden =
+        std::ranges::any_of(options.layers, [](const CanvasLayer* layer) { return layer->hidesNumbers(); });
+    if (options.numbers && transform.zoom >= kNumbersFromZoom && !numbersHidden)
+        paintNumbers(painter, pixels, transform, frame.frame);
+}
+
+} // namespace
+
+QPoint CanvasTransform::pixelAt(QPointF canvas) const
+{
+    const QPointF image = toImage(canvas);
+    return {static_cast<int>(std::floor(image.x())), static_cast<int>(std::floor(image.y()))};
+}
+
+QRect CanvasTransform::pixelsIn(const QRect& canvas, QSize image) const
+{
+    const QRect visible(pixelAt(canvas.topLeft()), pixelAt(canvas.bottomRight()));
+    return visible.intersected(QRect(QPoint(0, 0), image));
+}
+
+std::span<const double> zoomSteps() { return kZoomSteps; }
+
+double nextZoomStep(double zoom, int direction)
+{
+    constexpr double kSame = 1e-9;
+    if (direction > 0) {
+        const auto next =
+            std::find_if(kZoomSteps.begin(), kZoomSteps.end(), [&](double s) { return s > zoom + kSame; });
+        return next == kZoomSteps.end() ? kZoomSteps.back() : *next;
+    }
+    const auto next = std::find_if(kZoomSteps.rbegin(), kZoomSteps.rend(), [&](double s) { return s < zoom - kSame; });
+    return next == kZoomSteps.rend() ? kZoomSteps.front() : *next;
+}
+
+void paintCanvas(QPainter& painter, const QRect& canvas, const CanvasTransform& transform, const RenderedFrame& frame,
+                 const OverlayOptions& options)
+{
+    const QImage& image = frame.frame.image;
+    painter.save();
+    painter.setPen(QColor(120, 128, 140, 150));
+    const QRect border = transform.toCanvas(QRectF(image.rect())).toRect();
+    painter.drawRect(border.adjusted(-1, -1, 0, 0));
+    paintPicture(painter, canvas, transform, frame, options);
+    const bool wiped = options.wipe && options.wipe->left->frame.image.size() == image.size();
+    const double column = wiped ? wipeColumn(*options.wipe, canvas, transform, image.width()) : 0;
+    if (wiped) {
+        painter.save();
+        const QRectF left(QPointF(canvas.topLeft()), QPointF(column, canvas.bottom() + 1.0));
+        painter.setClipRect(left);
+        paintPicture(painter, canvas, transform, *options.wipe->left, options);
+        painter.restore();
+    }
+    for (const CanvasLayer* layer : options.layers)
+        layer->paint(painter, canvas, transform, options);
+    if (options.hoveredPixel && transform.zoom >= kGridFromZoom && image.rect().contains(*options.hoveredPixel))
+        paintPixelFrame(painter, *options.hoveredPixel, transform, false, options.thickLines);
+    if (options.selectedPixel && transform.zoom >= kGridFromZoom / 2 && image.rect().contains(*options.selectedPixel))
+        paintPixelFrame(painter, *options.selectedPixel, transform, true, options.thickLines);
+    if (wiped)
+        paintWipe(painter, canvas, column, options.thickLines);
+    if (!options.tag.isEmpty())
+        paintTag(painter, canvas, options.tag);
+    painter.restore();
+}
+
+} // namespace rasterlens

@@ -1,0 +1,444 @@
+#include "ui/canvas/viewport_widget.h"
+
+#include "ui/base/image_export.h"
+#include "ui/base/theme.h"
+#include "ui/canvas/wipe.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr int kFitMargin = 18;
+constexpr int kKeptVisible = 40; ///< canvas pixels of the image that panning leaves in sight
+constexpr int kWheelNotch = 120;
+constexpr int kDragThreshold = 3;
+constexpr double kDollyPerNotch = 0.9;
+constexpr double kDollyPerPixel = 1.005;
+constexpr int kMaxFigureSide = 16384;
+constexpr int kWheelPauseMs = 500;
+
+double fittingZoom(QSizeF pixels, QSizeF canvas)
+{
+    const double zoom = std::min(canvas.width() / pixels.width(), canvas.height() / pixels.height());
+    return zoom < 1 ? std::max(zoom, zoomSteps().front()) : std::min(std::floor(zoom), zoomSteps().back());
+}
+
+} // namespace
+
+ViewportWidget::ViewportWidget(QWidget* parent) : QWidget(parent), m_canvasColor(Qt::lightGray)
+{
+    setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    m_wheelGesture.setSingleShot(true);
+    m_wheelGesture.setInterval(kWheelPauseMs);
+    connect(&m_wheelGesture, &QTimer::timeout, this, &ViewportWidget::gestureEnded);
+}
+
+void ViewportWidget::setFrame(const FramePtr& frame)
+{
+    const QSize former = imageSize();
+    m_frameShown = m_frame == frame;
+    m_frame = frame;
+    if (imageSize() != former) {
+        m_fitPixels.reset();
+        m_options.selectedPixel.reset();
+        m_options.hoveredPixel.reset();
+        if (m_fitted || former.isEmpty())
+            fit();
+    }
+    update();
+    Q_EMIT pixelChanged();
+}
+
+void ViewportWidget::setStale(bool stale)
+{
+    m_stale = stale;
+    update();
+}
+
+void ViewportWidget::setCanvasColor(const QColor& color)
+{
+    m_canvasColor = color;
+    update();
+}
+
+void ViewportWidget::setThickLines(bool on)
+{
+    m_options.thickLines = on;
+    update();
+}
+
+void ViewportWidget::setCompared(const FramePtr& left, const QString& tag)
+{
+    if (left)
+        m_wipe.left = left;
+    m_options.wipe = left ? std::optional(m_wipe) : std::nullopt;
+    m_options.tag = tag;
+    update();
+}
+
+bool ViewportWidget::isOnWipe(QPointF canvas) const
+{
+    constexpr double kReach = 8;
+    return m_options.wipe &&
+           std::abs(canvas.x() - wipeColumn(m_wipe, rect(), m_transform, imageSize().width())) <= kReach;
+}
+
+void ViewportWidget::moveWipe(double column)
+{
+    m_wipe.at = std::clamp(m_transform.toImage(QPointF(column, 0)).x() / imageSize().width(), 0.0, 1.0);
+    m_options.wipe = m_wipe;
+    update();
+}
+
+void ViewportWidget::addLayer(const CanvasLayer* layer)
+{
+    m_options.layers.push_back(layer);
+    update();
+}
+
+void ViewportWidget::removeLayer(const CanvasLayer* layer)
+{
+    std::erase(m_options.layers, layer);
+    update();
+}
+
+void ViewportWidget::showPixel(QPoint pixel)
+{
+    const QRect cell = m_transform.toCanvas(QRectF(pixel, QSizeF(1, 1))).toAlignedRect();
+    if (rect().contains(cell))
+        return;
+    m_fitted = false;
+    setTransform({m_transform.zoom, QRectF(rect()).center() - (QPointF(pixel) + QPointF(0.5, 0.5)) * m_transform.zoom});
+}
+
+void ViewportWidget::setOverlays(const OverlayOptions& options)
+{
+    m_options = options;
+    update();
+}
+
+QSize ViewportWidget::imageSize() const { return m_frame ? m_frame->frame.image.size() : QSize(); }
+
+void ViewportWidget::fit(const std::optional<PixelRect>& pixels)
+{
+    m_fitted = true;
+    m_fitPixels = pixels;
+    applyFit();
+}
+
+void ViewportWidget::applyFit()
+{
+    if (imageSize().isEmpty())
+        return;
+    QRectF shown(QPointF(0, 0), imageSize());
+    if (m_fitPixels)
+        shown = QRectF(m_fitPixels->x, m_fitPixels->y, m_fitPixels->width, m_fitPixels->height).intersected(shown);
+    if (shown.isEmpty())
+        return;
+    const QSizeF room(std::max(1, width() - 2 * kFitMargin), std::max(1, height() - 2 * kFitMargin));
+    CanvasTransform transform;
+    transform.zoom = fittingZoom(shown.size(), room);
+    transform.origin = QRectF(rect()).center() - shown.center() * transform.zoom;
+    setTransform(transform);
+}
+
+void ViewportWidget::zoomAt(QPointF canvas, double zoom)
+{
+    const QPointF image = m_transform.toImage(canvas);
+    m_fitted = false;
+    CanvasTransform transform;
+    transform.zoom = zoom;
+    transform.origin = canvas - image * zoom;
+    setTransform(transform);
+}
+
+void ViewportWidget::setTransform(CanvasTransform transform)
+{
+    const QSizeF size = QSizeF(imageSize()) * transform.zoom;
+    const auto keepVisible = [](double origin, double length, int room) {
+        const double kept = std::min<double>(kKeptVisible, length);
+        return std::clamp(origin, std::min(kept - length, room - kept), std::max(kept - length, room - kept));
+    };
+    transform.origin.setX(std::round(keepVisible(transform.origin.x(), size.width(), width())));
+    transform.origin.setY(std::round(keepVisible(transform.origin.y(), size.height(), height())));
+    if (transform == m_transform)
+        return;
+    m_transform = transform;
+    update();
+    Q_EMIT viewChanged();
+}
+
+void ViewportWidget::selectPixel(std::optional<QPoint> pixel)
+{
+    if (pixel == m_options.selectedPixel)
+        return;
+    m_options.selectedPixel = pixel;
+    update();
+    Q_EMIT pixelChanged();
+}
+
+void ViewportWidget::hover(std::optional<QPoint> pixel)
+{
+    if (pixel && !QRect(QPoint(0, 0), imageSize()).contains(*pixel))
+        pixel.reset();
+    if (pixel == m_options.hoveredPixel)
+        return;
+    m_options.hoveredPixel = pixel;
+    update();
+    Q_EMIT pixelChanged();
+}
+
+void ViewportWidget::goToPixel(QPoint pixel)
+{
+    constexpr double kComfortable = 32;
+    m_fitted = false;
+    CanvasTransform transform;
+    transform.zoom = std::max(m_transform.zoom, kComfortable);
+    transform.origin = QRectF(rect()).center() - (QPointF(pixel) + QPointF(0.5, 0.5)) * transform.zoom;
+    setTransform(transform);
+    selectPixel(pixel);
+}
+
+std::optional<PixelReadout> ViewportWidget::readout(QPoint pixel) const
+{
+    if (!QRect(QPoint(0, 0), imageSize()).contains(pixel))
+        return std::nullopt;
+    const Frame& frame = m_frame->frame;
+    PixelReadout readout{pixel, frame.image.pixel(pixel), std::nullopt, std::nullopt};
+    const auto index = static_cast<std::size_t>(pixel.y()) * static_cast<std::size_t>(frame.image.width()) +
+                       static_cast<std::size_t>(pixel.x());
+    if (m_frame->counted && index < frame.depth.size())
+        readout.depth = frame.depth[index];
+    if (m_frame->counted && index < frame.ids.size())
+        readout.face = frame.ids[index];
+    return readout;
+}
+
+QImage ViewportWidget::figure(std::optional<int> zoom) const
+{
+    const auto part = figurePart(zoom);
+    if (!part)
+        return {};
+    QImage image(part->size, QImage::Format_RGB32);
+    if (image.isNull())
+        return {};
+    QPainter painter(&image);
+    paintFigure(painter, *part);
+    return image;
+}
+
+std::optional<QString> ViewportWidget::saveSvgFigure(std::optional<int> zoom, const QString& path) const
+{
+    const auto part = figurePart(zoom);
+    return saveSvg(part ? part->size : QSize(), path, [&](QPainter& painter) { paintFigure(painter, *part); });
+}
+
+std::optional<ViewportWidget::FigurePart> ViewportWidget::figurePart(std::optional<int> zoom) const
+{
+    if (imageSize().isEmpty())
+        return std::nullopt;
+    CanvasTransform transform = m_transform;
+    QRect canvas = m_transform.toCanvas(QRectF(QPointF(0, 0), imageSize())).toAlignedRect().intersected(rect());
+    if (zoom) {
+        transform = {static_cast<double>(*zoom), {0, 0}};
+        const QSizeF size = QSizeF(imageSize()) * *zoom;
+        if (size.width() >= kMaxFigureSide || size.height() >= kMaxFigureSide)
+            return std::nullopt;
+        canvas = QRect(QPoint(0, 0), size.toSize());
+    }
+    transform.origin -= canvas.topLeft();
+    // One more column and row hold the grid lines that close the last pixels.
+    const QSize closing = transform.zoom >= kGridFromZoom ? QSize(1, 1) : QSize(0, 0);
+    return FigurePart{transform, canvas.size() + closing};
+}
+
+void ViewportWidget::paintFigure(QPainter& painter, const FigurePart& part) const
+{
+    OverlayOptions options = m_options;
+    options.hoveredPixel.reset();
+    painter.fillRect(QRect(QPoint(0, 0), part.size), m_canvasColor);
+    paintCanvas(painter, QRect(QPoint(0, 0), part.size), part.transform, *m_frame, options);
+}
+
+void ViewportWidget::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), m_canvasColor);
+    if (imageSize().isEmpty())
+        return;
+    paintCanvas(painter, rect(), m_transform, *m_frame, m_options);
+    if (m_stale)
+        paintStaleMark(painter);
+    if (!std::exchange(m_frameShown, true))
+        Q_EMIT frameShown(m_frame);
+}
+
+void ViewportWidget::paintStaleMark(QPainter& painter) const
+{
+    QColor veil = m_canvasColor;
+    veil.setAlpha(140);
+    painter.fillRect(rect(), veil);
+    painter.setFont(textFont(1, true));
+    const QString text = tr("former picture");
+    const QRectF box = painter.boundingRect(QRectF(rect()), Qt::AlignHCenter | Qt::AlignTop, text)
+                           .adjusted(-12, -5, 12, 5)
+                           .translated(0, 16);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(40, 44, 52));
+    painter.drawRoundedRect(box, 6, 6);
+    painter.setPen(Qt::white);
+    painter.drawText(box, Qt::AlignCenter, text);
+}
+
+void ViewportWidget::resizeEvent(QResizeEvent*)
+{
+    if (m_fitted)
+        applyFit();
+    else
+        setTransform(m_transform);
+}
+
+void ViewportWidget::wheelEvent(QWheelEvent* event)
+{
+    m_wheelRest += event->angleDelta().y();
+    const int notches = m_wheelRest / kWheelNotch;
+    m_wheelRest -= notches * kWheelNotch;
+    event->accept();
+    if (notches == 0)
+        return;
+    if (event->modifiers() & Qt::ControlModifier) {
+        Q_EMIT dollied(std::pow(kDollyPerNotch, notches));
+        m_wheelGesture.start();
+        return;
+    }
+    double zoom = m_transform.zoom;
+    for (int i = 0; i < std::abs(notches); ++i)
+        zoom = nextZoomStep(zoom, notches);
+    zoomAt(event->position(), zoom);
+    hover(m_transform.pixelAt(event->position()));
+}
+
+ViewportWidget::Drag ViewportWidget::dragFor(const QMouseEvent& event) const
+{
+    switch (event.button()) {
+    case Qt::MiddleButton: return Drag::PanCanvas;
+    case Qt::RightButton: return Drag::Dolly;
+    case Qt::LeftButton: break;
+    default: return Drag::None;
+    }
+    if (event.modifiers() & Qt::ShiftModifier)
+        return Drag::PanCanvas;
+    if (m_leftDrag == LeftDrag::PansCanvas)
+        return Drag::PanCanvas;
+    return event.modifiers() & Qt::ControlModifier ? Drag::PanCamera : Drag::Orbit;
+}
+
+void ViewportWidget::mousePressEvent(QMouseEvent* event)
+{
+    m_drag = event->button() == Qt::LeftButton && isOnWipe(event->position()) ? Drag::Wipe : dragFor(*event);
+    m_pressedAt = event->position();
+    m_lastDragAt = event->position();
+    m_moved = false;
+}
+
+void ViewportWidget::mouseMoveEvent(QMouseEvent* event)
+{
+    const QPointF at = event->position();
+    hover(m_transform.pixelAt(at));
+    if (m_drag == Drag::None) {
+        isOnWipe(at) ? setCursor(Qt::SplitHCursor) : unsetCursor();
+        return;
+    }
+    if (!m_moved && (at - m_pressedAt).manhattanLength() < kDragThreshold)
+        return;
+    m_moved = true;
+    const QPointF drag = at - m_lastDragAt;
+    m_lastDragAt = at;
+    // Camera moves are meant in viewport pixels, whatever the zoom; a close-up is not to make the camera creep.
+    const double scale = std::min(m_transform.zoom, 1.0);
+    switch (m_drag) {
+    case Drag::PanCanvas:
+        m_fitted = false;
+        setTransform({m_transform.zoom, m_transform.origin + drag});
+        setCursor(Qt::ClosedHandCursor);
+        break;
+    case Drag::Orbit: Q_EMIT orbited(drag / scale); break;
+    case Drag::PanCamera: Q_EMIT cameraPanned(drag / m_transform.zoom); break;
+    case Drag::Dolly: Q_EMIT dollied(std::pow(kDollyPerPixel, drag.y())); break;
+    case Drag::Wipe: moveWipe(at.x()); break;
+    case Drag::None: break;
+    }
+}
+
+void ViewportWidget::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (m_drag == Drag::None)
+        return;
+    const bool clicked = !m_moved && event->button() == Qt::LeftButton;
+    m_drag = Drag::None;
+    unsetCursor();
+    if (clicked) {
+        const QPoint pixel = m_transform.pixelAt(event->position());
+        if (QRect(QPoint(0, 0), imageSize()).contains(pixel))
+            selectPixel(pixel);
+        else
+            selectPixel(std::nullopt);
+    }
+    Q_EMIT gestureEnded();
+}
+
+void ViewportWidget::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    const QPoint pixel = m_transform.pixelAt(event->position());
+    if (event->button() == Qt::LeftButton && QRect(QPoint(0, 0), imageSize()).contains(pixel))
+        goToPixel(pixel);
+}
+
+void ViewportWidget::nudge(QPoint step)
+{
+    if (imageSize().isEmpty())
+        return;
+    const QPoint from = m_options.selectedPixel.value_or(
+        m_options.hoveredPixel.value_or(m_transform.pixelAt(QRectF(rect()).center()) - step));
+    const QSize size = imageSize();
+    const QPoint to(std::clamp(from.x() + step.x(), 0, size.width() - 1),
+                    std::clamp(from.y() + step.y(), 0, size.height() - 1));
+    selectPixel(to);
+    showPixel(to);
+}
+
+void ViewportWidget::keyPressEvent(QKeyEvent* event)
+{
+    const int step = event->modifiers() & Qt::ShiftModifier ? 10 : 1;
+    switch (event->key()) {
+    case Qt::Key_Left: nudge({-step, 0}); return;
+    case Qt::Key_Right: nudge({step, 0}); return;
+    case Qt::Key_Up: nudge({0, -step}); return;
+    case Qt::Key_Down: nudge({0, step}); return;
+    case Qt::Key_Escape:
+        if (m_options.selectedPixel) {
+            selectPixel(std::nullopt);
+            return;
+        }
+        break;
+    default: break;
+    }
+    QWidget::keyPressEvent(event);
+}
+
+void ViewportWidget::leaveEvent(QEvent*) { hover(std::nullopt); }
+
+} // namespace rasterlens

@@ -1,0 +1,134 @@
+#pragma once
+#include "ui/canvas/pixel_overlay.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <optional>
+
+namespace rasterlens
+{
+
+/// What is known about one pixel of the present picture.
+struct PixelReadout {
+    QPoint pixel;
+    QRgb color = 0;
+    std::optional<float> depth;
+    std::optional<int> face; ///< -1: background
+};
+
+/// The canvas: shows the picture, zooms at the cursor to single pixels, and turns mouse and keys into camera moves.
+class ViewportWidget : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// What the left button drags.
+    enum class LeftDrag { Orbits, PansCanvas };
+
+    explicit ViewportWidget(QWidget* parent = nullptr);
+
+    void setFrame(const FramePtr& frame);
+    [[nodiscard]] const FramePtr& frame() const { return m_frame; }
+    void setLeftDrag(LeftDrag what) { m_leftDrag = what; }
+    /// The picture shown is not of the present settings.
+    void setStale(bool stale);
+    void setCanvasColor(const QColor& color);
+    void setThickLines(bool on);
+    /// Another picture in the left part, and the name of the one shown where there are several.
+    void setCompared(const FramePtr& left, const QString& tag);
+    /// in  painted over the picture and the layers before it, also in figures; until it is removed
+    void addLayer(const CanvasLayer* layer);
+    void removeLayer(const CanvasLayer* layer);
+    /// Brings a pixel that is out of sight into the middle.
+    void showPixel(QPoint pixel);
+
+    [[nodiscard]] const CanvasTransform& transform() const { return m_transform; }
+    [[nodiscard]] bool isFitted() const { return m_fitted; }
+    /// Frames the image, or the given pixels of it, and keeps doing so when the widget is resized.
+    void fit(const std::optional<PixelRect>& pixels = std::nullopt);
+    void setZoom(double zoom) { zoomAt(rect().center(), zoom); }
+    void zoomStep(int direction) { zoomAt(rect().center(), nextZoomStep(m_transform.zoom, direction)); }
+    void zoomAt(QPointF canvas, double zoom);
+
+    [[nodiscard]] std::optional<QPoint> selectedPixel() const { return m_options.selectedPixel; }
+    [[nodiscard]] std::optional<QPoint> hoveredPixel() const { return m_options.hoveredPixel; }
+    void selectPixel(std::optional<QPoint> pixel);
+    /// Selects the pixel and brings it into the middle, large enough to see.
+    void goToPixel(QPoint pixel);
+    [[nodiscard]] std::optional<PixelReadout> readout(QPoint pixel) const;
+
+    [[nodiscard]] const OverlayOptions& overlays() const { return m_options; }
+    void setOverlays(const OverlayOptions& options);
+
+    /// The picture with its overlays: the visible part as it is shown, or the whole image at a zoom.
+    ///
+    /// errors  a null image where the figure would be too large
+    [[nodiscard]] QImage figure(std::optional<int> zoom = std::nullopt) const;
+    /// The same as a drawing of lines and areas.
+    ///
+    /// errors  a sentence in the language in use
+    [[nodiscard]] std::optional<QString> saveSvgFigure(std::optional<int> zoom, const QString& path) const;
+
+    QSize sizeHint() const override { return {640, 480}; }
+    QSize minimumSizeHint() const override { return {160, 120}; }
+
+Q_SIGNALS:
+    void viewChanged();  ///< zoom or origin
+    void pixelChanged(); ///< hovered or selected pixel
+    void orbited(QPointF drag);
+    void cameraPanned(QPointF drag);
+    void dollied(double factor);
+    void gestureEnded();
+    void frameShown(const rasterlens::FramePtr& frame); ///< painted for the first time
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    enum class Drag { None, PanCanvas, Orbit, PanCamera, Dolly, Wipe };
+
+    /// Where a figure is painted to.
+    struct FigurePart {
+        CanvasTransform transform;
+        QSize size;
+    };
+    [[nodiscard]] std::optional<FigurePart> figurePart(std::optional<int> zoom) const;
+    void paintFigure(QPainter& painter, const FigurePart& part) const;
+    [[nodiscard]] Drag dragFor(const QMouseEvent& event) const;
+    [[nodiscard]] QSize imageSize() const;
+    void applyFit();
+    void setTransform(CanvasTransform transform);
+    void hover(std::optional<QPoint> pixel);
+    void nudge(QPoint step);
+    [[nodiscard]] bool isOnWipe(QPointF canvas) const;
+    void moveWipe(double column);
+    void paintStaleMark(QPainter& painter) const;
+
+    FramePtr m_frame;
+    CanvasTransform m_transform;
+    OverlayOptions m_options;
+    Wipe m_wipe;
+    std::optional<PixelRect> m_fitPixels;
+    bool m_fitted = true;
+    bool m_stale = false;
+    bool m_frameShown = true;
+    QColor m_canvasColor;
+    LeftDrag m_leftDrag = LeftDrag::Orbits;
+    Drag m_drag = Drag::None;
+    QPointF m_pressedAt;
+    QPointF m_lastDragAt;
+    bool m_moved = false;
+    int m_wheelRest = 0;   ///< eighths of a degree not yet spent
+    QTimer m_wheelGesture; ///< a pause ends the wheel's gesture
+};
+
+} // namespace rasterlens

@@ -1,0 +1,258 @@
+#include "ui/face/cards.h"
+
+#include "core/questions/race.h"
+#include "core/questions/why.h"
+#include "core/render/render.h"
+#include "core/scene/camera.h"
+#include "ui/base/dock.h"
+#include "ui/face/clip_theatre.h"
+#include "ui/face/curves_panel.h"
+#include "ui/face/pixel_card.h"
+#include "ui/face/race_panel.h"
+#include "ui/face/vertex_handles.h"
+#include "ui/face/vertex_panel.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QMainWindow>
+#include <QToolButton>
+
+#include <algorithm>
+#include <memory>
+
+namespace rasterlens
+{
+namespace
+{
+
+/// How many samples the bounding box of a face holds on the screen, at most.
+double boxSamples(const Scene& scene, const Settings& settings, std::uint32_t face)
+{
+    const glm::dvec2 size(settings.size.width(), settings.size.height());
+    const auto corners = vertexTable(scene, settings, face);
+    glm::dvec2 low = size;
+    glm::dvec2 high(0, 0);
+    for (const VertexRow& corner : corners) {
+        if (corner.clip.w <= 0) // anywhere
+            return size.x * size.y;
+        low = glm::min(low, glm::clamp(corner.screen, glm::dvec2(0, 0), size));
+        high = glm::max(high, glm::clamp(corner.screen, glm::dvec2(0, 0), size));
+    }
+    const double grid = sampleGrid(settings.samples);
+    return std::max(0.0, high.x - low.x) * std::max(0.0, high.y - low.y) * grid * grid;
+}
+
+constexpr double kMostRaceSamples = 3e6; ///< every one is kept, with its counts
+
+/// What the face's panels show, computed in one go.
+struct FaceFindings {
+    std::shared_ptr<const ClipStory> story;
+    std::shared_ptr<const AlgorithmRace> race;
+};
+
+} // namespace
+
+Cards::Cards(Document& document, ViewportWidget& viewport, QMainWindow& window)
+    : m_document(document), m_viewport(viewport), m_window(window), m_pixelCard(new PixelCard),
+      m_vertexPanel(new VertexPanel(document, m_selection)), m_clipTheatre(new ClipTheatre(m_selection)),
+      m_curvesPanel(new CurvesPanel(m_selection)), m_racePanel(new RacePanel(m_selection)),
+      m_handles(new VertexHandles(document, viewport)), m_whyDock(addDock(QStringLiteral("why"), m_pixelCard)),
+      m_vertexDock(addDock(QStringLiteral("vertices"), m_vertexPanel)),
+      m_clipDock(addDock(QStringLiteral("clip"), m_clipTheatre)),
+      m_curvesDock(addDock(QStringLiteral("curves"), m_curvesPanel)),
+      m_raceDock(addDock(QStringLiteral("race"), m_racePanel)), m_copy(m_whyDock->addLink())
+{
+    m_soon.setSingleShot(true);
+    m_soon.setInterval(0);
+    connect(&m_soon, &QTimer::timeout, this, &Cards::refresh);
+    connect(&document, &Document::sceneChanged, this, [this] {
+        m_selection.setCount(static_cast<std::uint32_t>(m_document.scene()->mesh.faceCount()));
+        refreshSoon();
+    });
+    connect(&document, &Document::settingsChanged, this, &Cards::refreshSoon);
+    connect(&m_selection, &FaceSelection::changed, this, &Cards::refreshSoon);
+    connect(&viewport, &ViewportWidget::pixelChanged, this, [this] {
+        if (m_viewport.selectedPixel() == m_pixel)
+            return;
+        m_pixel = m_viewport.selectedPixel();
+        followPixel();
+        refreshSoon();
+    });
+    connect(m_copy, &QToolButton::clicked, this,
+            [this] { QGuiApplication::clipboard()->setText(m_pixelCard->asText()); });
+    connect(m_pixelCard, &PixelCard::rowClicked, this, [this](quint32 face, QPoint pixel) {
+        m_selection.setFace(face);
+        Q_EMIT stepRequested(face, pixel);
+    });
+    retranslate();
+}
+
+Cards::~Cards() = default;
+
+Dock* Cards::addDock(const QString& name, QWidget* panel)
+{
+    auto* dock = new Dock(name + QStringLiteral("Dock"), panel, &m_window);
+    connect(dock, &QDockWidget::visibilityChanged, this, &Cards::refreshSoon);
+    connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool on) {
+        if (on)
+            dock->raise();
+    });
+    m_docks.push_back(dock);
+    return dock;
+}
+
+void Cards::place(Dock* neighbour, QDockWidget* bottom)
+{
+    m_window.addDockWidget(Qt::RightDockWidgetArea, m_whyDock);
+    m_window.splitDockWidget(m_whyDock, neighbour, Qt::Vertical);
+    Dock* former = nullptr;
+    for (Dock* dock : {m_vertexDock, m_clipDock, m_curvesDock, m_raceDock}) {
+        m_window.addDockWidget(Qt::BottomDockWidgetArea, dock);
+        if (!former)
+            m_window.splitDockWidget(dock, bottom, Qt::Vertical);
+        else
+            m_window.tabifyDockWidget(former, dock);
+        former = dock;
+        dock->hide();
+    }
+}
+
+QStringList Cards::names()
+{
+    return {QStringLiteral("why"), QStringLiteral("vertices"), QStringLiteral("clip"), QStringLiteral("curves"),
+            QStringLiteral("race")};
+}
+
+bool Cards::show(const QString& name)
+{
+    const qsizetype index = names().indexOf(name);
+    if (index < 0)
+        return false;
+    Dock* dock = m_docks[static_cast<std::size_t>(index)];
+    dock->show();
+    dock->raise();
+    refreshSoon();
+    return true;
+}
+
+bool Cards::canDraw() const { return !unsupported(*m_document.scene(), m_document.settings()); }
+
+void Cards::refreshSoon() { m_soon.start(); }
+
+bool Cards::isBusy() const { return m_soon.isActive() || m_whySerial != m_whyDone || m_faceSerial != m_faceDone; }
+
+void Cards::followPixel()
+{
+    m_followPending = false;
+    if (!m_pixel)
+        return;
+    const auto readout = m_viewport.readout(*m_pixel);
+    if (readout && readout->face && *readout->face >= 0)
+        m_selection.setFace(static_cast<std::uint32_t>(*readout->face));
+    m_followPending = readout && !readout->face;
+}
+
+void Cards::frameCounted()
+{
+    if (m_followPending)
+        followPixel();
+}
+
+void Cards::refresh()
+{
+    askWhy();
+    if (m_vertexDock->isVisible())
+        m_vertexPanel->refresh();
+    m_handles->setActive(m_vertexDock->isVisible());
+    if (m_curvesDock->isVisible()) {
+        const Scene& scene = *m_document.scene();
+        const Matrices matrices = cameraMatrices(scene, m_document.settings());
+        std::optional<std::array<VertexRow, 3>> corners;
+        if (m_selection.count() > 0)
+            corners = vertexTable(scene, m_document.settings(), m_selection.face());
+        m_curvesPanel->setCorners(corners, matrices.near, matrices.far);
+    }
+    askFace();
+}
+
+void Cards::askWhy()
+{
+    const quint64 serial = ++m_whySerial;
+    const QRect picture(QPoint(0, 0), m_document.settings().size);
+    const bool asked = m_whyDock->isVisible() && m_pixel && picture.contains(*m_pixel) && canDraw();
+    if (!asked) {
+        m_whyDone = serial;
+        if (m_pixelCard->report())
+            m_pixelCard->setReport(nullptr);
+        m_whyDock->setTitle(m_pixelCard->title());
+        m_copy->setVisible(false);
+        return;
+    }
+    m_whyTask.post(
+        [this, serial, pixel = *m_pixel, scene = m_document.scene(),
+         settings = m_document.settings()](std::stop_token) {
+            auto report = std::make_shared<const WhyReport>(why(*scene, settings, pixel.x(), pixel.y()));
+            QMetaObject::invokeMethod(
+                this,
+                [this, serial, report] {
+                    if (serial != m_whySerial)
+                        return;
+                    m_whyDone = serial;
+                    m_pixelCard->setReport(report);
+                    m_whyDock->setTitle(m_pixelCard->title());
+                    m_copy->setVisible(true);
+                },
+                Qt::QueuedConnection);
+        },
+        LatestTask::Running::Finish);
+}
+
+void Cards::askFace()
+{
+    const quint64 serial = ++m_faceSerial;
+    const bool wantsStory = m_clipDock->isVisible();
+    const bool wantsRace = m_raceDock->isVisible();
+    if (!(wantsStory || wantsRace) || m_selection.count() == 0 || !canDraw()) {
+        m_faceDone = serial;
+        m_clipTheatre->setStory(nullptr);
+        m_racePanel->setRace(nullptr);
+        return;
+    }
+    m_faceTask.post(
+        [this, serial, wantsStory, wantsRace, face = m_selection.face(), scene = m_document.scene(),
+         settings = m_document.settings()](std::stop_token) {
+            FaceFindings found;
+            if (wantsStory)
+                found.story = std::make_shared<const ClipStory>(clipStory(*scene, settings, face));
+            const bool tooLarge = boxSamples(*scene, settings, face) > kMostRaceSamples;
+            if (wantsRace && !tooLarge)
+                found.race = std::make_shared<const AlgorithmRace>(raceAlgorithms(*scene, settings, face));
+            QMetaObject::invokeMethod(
+                this,
+                [this, serial, found, tooLarge] {
+                    if (serial != m_faceSerial)
+                        return;
+                    m_faceDone = serial;
+                    m_clipTheatre->setStory(found.story);
+                    m_racePanel->setRace(found.race,
+                                         tooLarge ? RacePanel::Absence::TooLarge : RacePanel::Absence::NotDrawn);
+                },
+                Qt::QueuedConnection);
+        },
+        LatestTask::Running::Finish);
+}
+
+void Cards::retranslate()
+{
+    m_whyDock->setTitle(m_pixelCard->title());
+    m_whyDock->toggleViewAction()->setText(tr("Pixel card: why this pixel?"));
+    m_vertexDock->setTitle(tr("Vertices"));
+    m_clipDock->setTitle(tr("Clip theatre"));
+    m_curvesDock->setTitle(tr("Curves"));
+    m_raceDock->setTitle(tr("Algorithm race"));
+    m_copy->setText(tr("Copy"));
+    m_copy->setToolTip(tr("Copy as text"));
+}
+
+} // namespace rasterlens

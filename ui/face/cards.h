@@ -1,0 +1,103 @@
+#pragma once
+#include "ui/base/latest_task.h"
+#include "ui/canvas/viewport_widget.h"
+#include "ui/document/document.h"
+#include "ui/face/face_picker.h"
+
+#include <QObject>
+#include <QPoint>
+#include <QTimer>
+
+#include <optional>
+#include <vector>
+
+class QDockWidget;
+class QMainWindow;
+class QToolButton;
+
+namespace rasterlens
+{
+
+class ClipTheatre;
+class CurvesPanel;
+class Dock;
+class PixelCard;
+class RacePanel;
+class VertexHandles;
+class VertexPanel;
+
+/// The panels about one pixel or one face, and what they show: computed on background threads for those in sight.
+class Cards : public QObject
+{
+    Q_OBJECT
+
+public:
+    Cards(Document& document, ViewportWidget& viewport, QMainWindow& window);
+    ~Cards() override;
+
+    /// The pixel card goes above `neighbour`, the others are tabs above `bottom`, hidden.
+    void place(Dock* neighbour, QDockWidget* bottom);
+    [[nodiscard]] const std::vector<Dock*>& docks() const { return m_docks; }
+    /// Opens a panel by the short name of the command line: `why`, `vertices`, `clip`, `curves`, `race`.
+    bool show(const QString& name);
+    [[nodiscard]] static QStringList names();
+
+    [[nodiscard]] FaceSelection& selection() { return m_selection; }
+    [[nodiscard]] PixelCard& pixelCard() { return *m_pixelCard; }
+    [[nodiscard]] VertexPanel& vertexPanel() { return *m_vertexPanel; }
+    [[nodiscard]] VertexHandles& vertexHandles() { return *m_handles; }
+    [[nodiscard]] ClipTheatre& clipTheatre() { return *m_clipTheatre; }
+    [[nodiscard]] CurvesPanel& curvesPanel() { return *m_curvesPanel; }
+    [[nodiscard]] RacePanel& racePanel() { return *m_racePanel; }
+
+    /// A counted frame is shown: it knows the faces seen at the pixels.
+    void frameCounted();
+    /// The panels show this face.
+    void followFace(quint32 face) { m_selection.setFace(face); }
+    /// Whether something shown is still being computed.
+    [[nodiscard]] bool isBusy() const;
+    void retranslate();
+
+Q_SIGNALS:
+    /// A row of the pixel card was clicked.
+    void stepRequested(quint32 face, QPoint pixel);
+
+private:
+    Dock* addDock(const QString& name, QWidget* panel);
+    void refreshSoon();
+    void refresh();
+    void followPixel();
+    void askWhy();
+    void askFace();
+    [[nodiscard]] bool canDraw() const;
+
+    Document& m_document;
+    ViewportWidget& m_viewport;
+    QMainWindow& m_window;
+    FaceSelection m_selection;
+    std::vector<Dock*> m_docks;
+    PixelCard* m_pixelCard;
+    VertexPanel* m_vertexPanel;
+    ClipTheatre* m_clipTheatre;
+    CurvesPanel* m_curvesPanel;
+    RacePanel* m_racePanel;
+    VertexHandles* m_handles;
+    Dock* m_whyDock;
+    Dock* m_vertexDock;
+    Dock* m_clipDock;
+    Dock* m_curvesDock;
+    Dock* m_raceDock;
+    QToolButton* m_copy;
+
+    std::optional<QPoint> m_pixel;
+    bool m_followPending = false; ///< the pixel was chosen before its frame was counted
+    QTimer m_soon;
+    quint64 m_whySerial = 0;
+    quint64 m_whyDone = 0;
+    quint64 m_faceSerial = 0;
+    quint64 m_faceDone = 0;
+    LatestTask m_whyTask; ///< last: the threads use the members above
+    LatestTask m_faceTask;
+};
+
+} // namespace rasterlens

@@ -1,0 +1,77 @@
+#include "ui/face/clip_story.h"
+
+#include "core/render/steps.h"
+
+#include <algorithm>
+
+namespace rasterlens
+{
+
+const ClipStep* ClipStory::stepOf(ClipPlane plane) const
+{
+    const auto step = std::ranges::find(steps, plane, &ClipStep::plane);
+    return step == steps.end() ? nullptr : &*step;
+}
+
+std::vector<int> ClipStory::counts() const
+{
+    std::vector<int> counts{static_cast<int>(corners.size())};
+    for (const ClipStep& step : steps)
+        counts.push_back(static_cast<int>(step.after.size()));
+    if (regions)
+        counts.push_back(static_cast<int>(regions->after.size()));
+    return counts;
+}
+
+Scene sceneOfFace(const Scene& scene, std::uint32_t face)
+{
+    Scene one;
+    one.space = scene.space;
+    one.lit = scene.lit;
+    one.background = scene.background;
+    one.bounds = scene.bounds;
+    one.materials.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t vertex = scene.mesh.indices[3 * static_cast<std::size_t>(face) + i];
+        one.mesh.vertices.push_back(scene.mesh.vertices[vertex]);
+        one.mesh.indices.push_back(static_cast<std::uint32_t>(i));
+    }
+    return one;
+}
+
+ClipStory clipStory(const Scene& scene, const Settings& settings, std::uint32_t face)
+{
+    ClipStory story;
+    story.mode = settings.clipping;
+    if (face >= scene.mesh.faceCount())
+        return story;
+    StepFilter filter;
+    filter.kinds = kindBit(StepKind::Vertex) | kindBit(StepKind::ClipPlane) | kindBit(StepKind::CohenSutherland) |
+                   kindBit(StepKind::Clipped) | kindBit(StepKind::Fate);
+    const auto log = renderSteps(sceneOfFace(scene, face), settings, filter);
+    for (const StepEvent& event : log->events()) {
+        switch (event.kind) {
+        case StepKind::Vertex: {
+            const auto& vertex = log->payload<VertexStep>(event);
+            story.corners.push_back(vertex.clip);
+            story.outsideOf |= vertex.outside;
+            break;
+        }
+        case StepKind::ClipPlane: story.steps.push_back(log->payload<ClipStep>(event)); break;
+        case StepKind::CohenSutherland: story.regions = log->payload<CohenSutherlandStep>(event); break;
+        case StepKind::Clipped: story.pieces = log->payload<FanStep>(event).pieces; break;
+        case StepKind::Fate: story.fate = log->payload<FateStep>(event).fate; break;
+        default: break;
+        }
+    }
+    story.result = story.regions          ? story.regions->after
+                   : !story.steps.empty() ? story.steps.back().after
+                                          : story.corners;
+    if (story.fate == FaceFate::Rejected)
+        story.result.clear();
+    else if (story.pieces == 0)
+        story.pieces = std::max(0, static_cast<int>(story.result.size()) - 2);
+    return story;
+}
+
+} // namespace rasterlens

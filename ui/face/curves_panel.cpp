@@ -1,0 +1,242 @@
+#include "ui/face/curves_panel.h"
+
+#include "core/observe/step_text.h"
+#include "ui/base/field_row.h"
+#include "ui/base/inks.h"
+#include "ui/base/plot.h"
+#include "ui/base/theme.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr int kCurvePoints = 129;
+constexpr int kSliderSteps = 1000;
+constexpr int kTextbook = 3;
+
+std::vector<QPointF> points(const std::vector<CurvePoint>& curve)
+{
+    std::vector<QPointF> points;
+    points.reserve(curve.size());
+    for (const CurvePoint& point : curve)
+        points.emplace_back(point.x, point.y);
+    return points;
+}
+
+QString fixed(double value)
+{
+    QString text = QString::number(value, 'f', 4);
+    return text.replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+} // namespace
+
+class CurvesPanel::Canvas : public QWidget
+{
+public:
+    explicit Canvas(CurvesPanel& panel) : m_panel(panel) { setMinimumHeight(170); }
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        m_panel.paint(painter, rect());
+    }
+
+private:
+    CurvesPanel& m_panel;
+};
+
+CurvesPanel::CurvesPanel(FaceSelection& selection, QWidget* parent)
+    : QWidget(parent), m_edge(new PanelCombo), m_slider(new QSlider(Qt::Horizontal)), m_sliderName(new QLabel),
+      m_note(new QLabel), m_canvas(new Canvas(*this))
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(12, 2, 12, 8);
+    column->setSpacing(6);
+    auto* head = new QHBoxLayout;
+    head->setSpacing(10);
+    head->addWidget(new FacePicker(selection));
+    m_edge->addItems({QString(), QString(), QString(), QString()});
+    head->addWidget(m_edge);
+    head->addWidget(m_sliderName);
+    m_slider->setRange(0, kSliderSteps);
+    m_slider->setValue(kSliderSteps / 2);
+    m_slider->setPageStep(kSliderSteps / 20);
+    m_slider->setFixedWidth(150);
+    head->addWidget(m_slider);
+    m_note->setObjectName(QStringLiteral("muted"));
+    m_note->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    head->addWidget(m_note, 1);
+    column->addLayout(head);
+    column->addWidget(m_canvas, 1);
+    connect(m_edge, &QComboBox::currentIndexChanged, this, &CurvesPanel::choose);
+    connect(m_slider, &QSlider::valueChanged, this, &CurvesPanel::choose);
+    retranslate();
+}
+
+void CurvesPanel::setCorners(const std::optional<std::array<VertexRow, 3>>& corners, double near, double far)
+{
+    m_corners = corners;
+    m_near = near;
+    m_far = far;
+    choose();
+}
+
+double CurvesPanel::fraction() const { return static_cast<double>(m_slider->value()) / kSliderSteps; }
+
+FourZ CurvesPanel::board() const { return fourZ(m_input.near, m_input.far, m_input.z1, m_input.z2, fraction()); }
+
+/// The edge's numbers where it has some: both ends before the eye. Otherwise those of the textbook.
+void CurvesPanel::choose()
+{
+    m_input = {};
+    const int edge = m_edge->currentIndex();
+    m_note->clear();
+    if (edge < kTextbook && m_corners) {
+        const double z1 = (*m_corners)[static_cast<std::size_t>(edge)].clip.w;
+        const double z2 = (*m_corners)[static_cast<std::size_t>((edge + 1) % 3)].clip.w;
+        const bool usable = z1 > 0 && z2 > 0 && std::isfinite(z1) && std::isfinite(z2);
+        if (usable) {
+            m_input = {m_near, m_far, z1, z2, true};
+            if (!(m_near > 0 && m_far > m_near)) {
+                m_input.near = std::min(z1, z2) / 2;
+                m_input.far = std::max(z1, z2) * 2;
+                m_note->setText(tr("The scene has no camera: near and far are examples."));
+            }
+        } else {
+            m_note->setText(tr("An end of this edge is behind the eye: the numbers of the textbook are shown."));
+        }
+    }
+    m_sliderName->setText(QStringLiteral("m = %1").arg(fraction(), 0, 'f', 3));
+    m_canvas->update();
+}
+
+QString CurvesPanel::boardText(int row, int column) const
+{
+    const FourZ z = board();
+    const DepthGuess& guess = row == 0 ? z.ndc : z.view;
+    const double values[] = {guess.truth, guess.linear, guess.linearError, guess.corrected, guess.correctedError};
+    return fixed(values[column] == 0 ? 0.0 : values[column]);
+}
+
+void CurvesPanel::paint(QPainter& painter, const QRectF& where) const
+{
+    const Inks inks = inksFor(palette());
+    const double board = std::clamp(where.width() * 0.36, 290.0, 430.0);
+    const double each = (where.width() - board - 28) / 2;
+    const double m = fraction();
+
+    Plot correction;
+    correction.title = tr("Perspective correction n(m)");
+    correction.xName = tr("m, on the screen");
+    correction.yName = tr("n, in space");
+    correction.range = QRectF(0, 0, 1, 1);
+    correction.curves = {{{{0, 0}, {1, 1}}, inks.minus, Qt::DashLine, tr("affine")},
+                         {points(spaceFractionCurve(m_input.z1, m_input.z2, kCurvePoints)), inks.plus, Qt::SolidLine,
+                          QStringLiteral("z1 %1, z2 %2").arg(shortNumber(m_input.z1), shortNumber(m_input.z2))}};
+    const double n = spaceFraction(m, m_input.z1, m_input.z2);
+    correction.marks = {{{m, n}, QStringLiteral("n = %1").arg(fixed(n)), palette().color(QPalette::Text)}};
+    paintPlot(painter, QRectF(where.left(), where.top(), each, where.height()), correction, palette());
+
+    Plot squeeze;
+    squeeze.title = tr("z' = n + f \u2212 nf / z");
+    squeeze.xName = tr("z, distance");
+    squeeze.yName = tr("z'");
+    squeeze.range = QRectF(QPointF(m_input.near, m_input.near), QPointF(m_input.far, m_input.far));
+    squeeze.curves = {
+        {{{m_input.near, m_input.near}, {m_input.far, m_input.far}}, inks.minus, Qt::DashLine, tr("z' = z")},
+        {points(squeezedDepthCurve(m_input.near, m_input.far, kCurvePoints)), inks.plus, Qt::SolidLine, QString()}};
+    const double z = fourZ(m_input.near, m_input.far, m_input.z1, m_input.z2, m).view.truth;
+    const double squeezed = squeezedDepth(z, m_input.near, m_input.far);
+    squeeze.marks = {{{z, squeezed},
+                      QStringLiteral("z %1 \u2192 %2").arg(shortNumber(z), shortNumber(squeezed)),
+                      palette().color(QPalette::Text)}};
+    paintPlot(painter, QRectF(where.left() + each + 14, where.top(), each, where.height()), squeeze, palette());
+    paintBoard(painter, QRectF(where.right() - board, where.top(), board, where.height()));
+}
+
+void CurvesPanel::paintBoard(QPainter& painter, const QRectF& where) const
+{
+    const Inks inks = inksFor(palette());
+    const QColor text = palette().color(QPalette::Text);
+    const QColor muted = palette().color(QPalette::PlaceholderText);
+    painter.setFont(textFont(0, true));
+    painter.setPen(text);
+    painter.drawText(where, Qt::AlignLeft | Qt::AlignTop, tr("Four-z board"));
+    const double line = QFontMetricsF(painter.font()).lineSpacing();
+    painter.setFont(textFont(-1));
+    painter.setPen(muted);
+    painter.drawText(where.adjusted(0, line + 1, 0, 0), Qt::AlignLeft | Qt::AlignTop,
+                     QStringLiteral("n = %1   f = %2   z %3 \u2026 %4   m = %5")
+                         .arg(shortNumber(m_input.near), shortNumber(m_input.far), shortNumber(m_input.z1),
+                              shortNumber(m_input.z2), shortNumber(fraction())));
+    const double column = (where.width() - 8) / 3;
+    const double row = std::clamp((where.height() - 2.4 * line) / 7, line * 0.95, line * 1.45);
+    double y = where.top() + 2.4 * line;
+    const auto cell = [&](int i, const QString& content, const QColor& color, bool bold) {
+        painter.setPen(color);
+        QFont font = i == 0 ? textFont(bold ? 0 : -1, bold) : numberFont(-0.5);
+        font.setBold(bold);
+        painter.setFont(font);
+        const QRectF box(where.left() + i * column, y, column, row);
+        painter.drawText(box, (i == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter, content);
+    };
+    const auto heading = [&](int i, const QString& content) {
+        painter.setPen(text);
+        painter.setFont(textFont(-1, true));
+        painter.drawText(QRectF(where.left() + i * column, y, column, row), Qt::AlignRight | Qt::AlignVCenter, content);
+    };
+    heading(1, tr("NDC z"));
+    heading(2, tr("distance z"));
+    y += row;
+    // z/w is linear on the screen, the distance is not: each has one right column.
+    const QString names[] = {tr("truth"), tr("linear"), tr("  error"), tr("\"corrected\""), tr("  error")};
+    for (int i = 0; i < 5; ++i) {
+        if (i == 1 || i == 3) {
+            painter.setPen(palette().color(QPalette::Mid));
+            painter.drawLine(QPointF(where.left(), y), QPointF(where.right(), y));
+        }
+        cell(0, names[i], i == 0 ? text : muted, i == 0);
+        for (int which = 0; which < 2; ++which) {
+            const bool right = i == 0 || (which == 0) == (i <= 2);
+            cell(1 + which, boardText(which, i), i == 0 ? text : right ? inks.plus : inks.minus, i == 0);
+        }
+        y += row;
+    }
+}
+
+void CurvesPanel::retranslate()
+{
+    const QSignalBlocker blocked(m_edge);
+    m_edge->setItemText(0, tr("Edge AB"));
+    m_edge->setItemText(1, tr("Edge BC"));
+    m_edge->setItemText(2, tr("Edge CA"));
+    m_edge->setItemText(kTextbook, tr("Textbook: n .1, f 50, z 1..10"));
+    m_edge->setAccessibleName(tr("Edge"));
+    m_slider->setAccessibleName(tr("Fraction of the way on the screen"));
+    m_slider->setToolTip(m_slider->accessibleName());
+    choose();
+}
+
+void CurvesPanel::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+} // namespace rasterlens

@@ -1,0 +1,70 @@
+#pragma once
+#include "core/questions/vertex_table.h"
+#include "core/truth/perspective_curves.h"
+#include "ui/face/face_picker.h"
+
+#include <QWidget>
+
+#include <array>
+#include <optional>
+
+class QComboBox;
+class QLabel;
+class QSlider;
+
+namespace rasterlens
+{
+
+/// What the curves are about: the distances of an edge's ends and the near and far planes.
+struct CurveInput {
+    double near = 0.1;
+    double far = 50;
+    double z1 = 1;
+    double z2 = 10;
+    bool ofEdge = false; ///< else the numbers of the textbook
+};
+
+/// Perspective correction n(m) of an edge, the squeezed depth z', and the four-z board.
+class CurvesPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit CurvesPanel(FaceSelection& selection, QWidget* parent = nullptr);
+
+    /// Nothing: no face. near and far are 0 where the scene has no camera.
+    void setCorners(const std::optional<std::array<VertexRow, 3>>& corners, double near, double far);
+
+    [[nodiscard]] QComboBox* edgeBox() const { return m_edge; }
+    [[nodiscard]] QSlider* slider() const { return m_slider; }
+    [[nodiscard]] const CurveInput& input() const { return m_input; }
+    [[nodiscard]] FourZ board() const;
+    /// A cell of the four-z board as it is shown: row 0 NDC z, row 1 distance; truth, linear, error, corrected, error.
+    [[nodiscard]] QString boardText(int row, int column) const;
+
+    QSize sizeHint() const override { return {760, 250}; }
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    class Canvas;
+
+    void choose();
+    void retranslate();
+    [[nodiscard]] double fraction() const;
+    void paint(QPainter& painter, const QRectF& where) const;
+    void paintBoard(QPainter& painter, const QRectF& where) const;
+
+    std::optional<std::array<VertexRow, 3>> m_corners;
+    double m_near = 0;
+    double m_far = 0;
+    CurveInput m_input;
+    QComboBox* m_edge;
+    QSlider* m_slider;
+    QLabel* m_sliderName;
+    QLabel* m_note;
+    Canvas* m_canvas;
+};
+
+} // namespace rasterlens

@@ -1,0 +1,339 @@
+#include "ui/face/pixel_card.h"
+
+#include "core/observe/step_text.h"
+#include "ui/base/inks.h"
+#include "ui/base/theme.h"
+#include "ui/face/clip_theatre.h"
+
+#include <QEvent>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <functional>
+#include <utility>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr std::size_t kMostRows = 100;
+
+QString depthText(float depth) { return QString::number(static_cast<double>(depth), 'f', 6); }
+
+QString signedText(const QString& number)
+{
+    if (number.startsWith(QLatin1Char('-')))
+        return QChar(0x2212) + number.mid(1);
+    return number == QLatin1String("0") ? number : QLatin1Char('+') + number;
+}
+
+QString edgeText(const WhyFace& face, const WhyEdge& edge)
+{
+    return QStringLiteral("%1\u00a0=\u00a0%2").arg(edge.name, signedText(edgeValueText(edge.value, face.unitsPerArea)));
+}
+
+QString sideText(EdgeSide side)
+{
+    switch (side) {
+    case EdgeSide::Left: return PixelCard::tr("left edge");
+    case EdgeSide::Top: return PixelCard::tr("top edge");
+    case EdgeSide::Neither: break;
+    }
+    return PixelCard::tr("neither left nor top");
+}
+
+QString compareSign(const WhyReport& report)
+{
+    switch (report.depthTest) {
+    case DepthTest::Less: return report.reversedZ ? QStringLiteral(">") : QStringLiteral("<");
+    case DepthTest::LessEqual: return report.reversedZ ? QStringLiteral("\u2265") : QStringLiteral("\u2264");
+    case DepthTest::Greater: return report.reversedZ ? QStringLiteral("<") : QStringLiteral(">");
+    case DepthTest::Always:
+    case DepthTest::None: break;
+    }
+    return {};
+}
+
+QString planesWords(std::uint32_t planes) { return planes == 0 ? PixelCard::tr("no plane") : clipPlaneSigns(planes); }
+
+QString verdictWords(const WhyReport& report, const WhyFace& face)
+{
+    switch (face.verdict) {
+    case WhyVerdict::NonFinite: return PixelCard::tr("dropped: a corner is not a finite number");
+    case WhyVerdict::Rejected: return PixelCard::tr("rejected by %1").arg(planesWords(face.planes));
+    case WhyVerdict::CulledBack: return PixelCard::tr("culled: back face");
+    case WhyVerdict::CulledFront: return PixelCard::tr("culled: front face");
+    case WhyVerdict::Degenerate: return PixelCard::tr("no area on the screen");
+    case WhyVerdict::ClippedAway: return PixelCard::tr("clipped away by %1").arg(planesWords(face.planes));
+    case WhyVerdict::OutsideEdge:
+        return face.edge < 0
+                   ? PixelCard::tr("outside of what clipping left")
+                   : PixelCard::tr("%1, outside").arg(edgeText(face, face.edges[static_cast<std::size_t>(face.edge)]));
+    case WhyVerdict::LostTie: {
+        const WhyEdge& edge = face.edges[static_cast<std::size_t>(face.edge)];
+        return PixelCard::tr("%1, lost the tie: %2").arg(edgeText(face, edge), sideText(edge.side));
+    }
+    case WhyVerdict::FailedDepth:
+        return face.fragment ? PixelCard::tr("failed depth: not %1 %2 %3")
+                                   .arg(depthText(face.fragment->depth), compareSign(report),
+                                        depthText(face.fragment->storedDepth))
+                             : PixelCard::tr("covered, but not drawn by this algorithm");
+    case WhyVerdict::Written:
+        return face.overwrittenBy ? PixelCard::tr("written, overwritten later by face %1").arg(*face.overwrittenBy)
+                                  : PixelCard::tr("written: what you see");
+    }
+    return {};
+}
+
+QString edgesLine(const WhyFace& face)
+{
+    QStringList parts;
+    for (const WhyEdge& edge : face.edges)
+        parts << edgeText(face, edge);
+    return parts.join(QStringLiteral("\u00a0\u00a0 "));
+}
+
+QString rgbText(std::uint32_t color)
+{
+    const QColor c{QRgb(color)};
+    return QStringLiteral("(%1,\u00a0%2,\u00a0%3)").arg(c.red()).arg(c.green()).arg(c.blue());
+}
+
+void addFragmentLines(const WhyReport& report, const WhyFace& face, QStringList& lines)
+{
+    const FragmentStep& fragment = *face.fragment;
+    const auto weights = [](const Weights& w) {
+        return QStringLiteral("\u03b1 %1  \u03b2 %2  \u03b3 %3")
+            .arg(w[0], 0, 'f', 4)
+            .arg(w[1], 0, 'f', 4)
+            .arg(w[2], 0, 'f', 4);
+    };
+    lines << weights(fragment.screen);
+    if (fragment.shaded && fragment.weights != fragment.screen)
+        lines << PixelCard::tr("perspective %1").arg(weights(fragment.weights));
+    const QString sign = compareSign(report);
+    if (!sign.isEmpty() && face.verdict == WhyVerdict::Written)
+        lines << PixelCard::tr("z %1 %2 %3, passed")
+                     .arg(depthText(fragment.depth), sign, depthText(fragment.storedDepth));
+}
+
+/// A frame that is clicked as a whole, also by key.
+class ClickableRow : public QFrame
+{
+public:
+    explicit ClickableRow(std::function<void()> run) : m_run(std::move(run))
+    {
+        setObjectName(QStringLiteral("whyRow"));
+        setFocusPolicy(Qt::TabFocus);
+        setCursor(Qt::PointingHandCursor);
+    }
+
+protected:
+    void mouseReleaseEvent(QMouseEvent* event) override
+    {
+        if (event->button() == Qt::LeftButton && rect().contains(event->pos()))
+            m_run();
+    }
+    void keyPressEvent(QKeyEvent* event) override
+    {
+        if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
+            m_run();
+        else
+            QFrame::keyPressEvent(event);
+    }
+
+private:
+    std::function<void()> m_run;
+};
+
+class Swatch : public QWidget
+{
+public:
+    Swatch(std::uint32_t color, int side) : m_color(QRgb(color)) { setFixedSize(side, side); }
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(palette().color(QPalette::Mid));
+        painter.setBrush(m_color);
+        painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), width() / 6.0, width() / 6.0);
+    }
+
+private:
+    QColor m_color;
+};
+
+QLabel* wrapped(const QString& text, const char* look = "")
+{
+    auto* label = new QLabel(text);
+    label->setObjectName(QLatin1String(look));
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    return label;
+}
+
+} // namespace
+
+WhyWords whyWords(const WhyReport& report, const WhyFace& face)
+{
+    WhyWords words{face.face, face.verdict == WhyVerdict::Written, verdictWords(report, face), {}};
+    const bool culled = face.verdict == WhyVerdict::CulledBack || face.verdict == WhyVerdict::CulledFront;
+    if (culled && face.facing)
+        words.details << PixelCard::tr("%1 %2").arg(face.facing->by == Facing::ScreenArea
+                                                        ? PixelCard::tr("screen area")
+                                                        : QLatin1String(facingId(face.facing->by)),
+                                                    signedText(shortNumber(face.facing->value)));
+    if (face.hasEdges)
+        words.details << edgesLine(face);
+    if (face.hasEdges && face.verdict >= WhyVerdict::FailedDepth)
+        for (const WhyEdge& edge : face.edges)
+            if (edge.value == 0)
+                words.details << PixelCard::tr("won the tie on %1: %2").arg(edge.name, sideText(edge.side));
+    if (face.fragment)
+        addFragmentLines(report, face, words.details);
+    if (face.verdict == WhyVerdict::Written)
+        words.details
+            << PixelCard::tr("%1 over %2").arg(rgbText(face.write.after.color), rgbText(face.write.before.color));
+    return words;
+}
+
+PixelCard::PixelCard(QWidget* parent) : QWidget(parent)
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 4);
+    m_scroll = new QScrollArea;
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setFocusPolicy(Qt::NoFocus);
+    column->addWidget(m_scroll);
+    m_rebuildSoon.setSingleShot(true);
+    m_rebuildSoon.setInterval(0);
+    connect(&m_rebuildSoon, &QTimer::timeout, this, &PixelCard::rebuild);
+    rebuild();
+}
+
+void PixelCard::setReport(std::shared_ptr<const WhyReport> report)
+{
+    m_report = std::move(report);
+    rebuild();
+}
+
+QString PixelCard::title() const
+{
+    return m_report ? tr("Why pixel (%1, %2)?").arg(m_report->x).arg(m_report->y) : tr("Why this pixel?");
+}
+
+QString PixelCard::asText() const
+{
+    if (!m_report)
+        return {};
+    QStringList lines{QStringLiteral("%1  %2").arg(title(), colorText(m_report->color))};
+    for (const WhyWords& row : m_rows) {
+        lines << tr("face %1").arg(row.face) + QStringLiteral(": ") + row.verdict;
+        for (const QString& detail : row.details)
+            lines << QStringLiteral("    ") + detail;
+    }
+    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
+QWidget* PixelCard::makeHeader() const
+{
+    auto* header = new QWidget;
+    auto* row = new QHBoxLayout(header);
+    row->setContentsMargins(8, 2, 8, 4);
+    row->setSpacing(10);
+    constexpr int kSide = 38;
+    row->addWidget(new Swatch(m_report->color, kSide), 0, Qt::AlignTop);
+    auto* texts = new QVBoxLayout;
+    texts->setSpacing(1);
+    texts->addWidget(wrapped(m_report->visibleFace ? tr("face %1 is seen").arg(*m_report->visibleFace)
+                                                   : tr("background: no face was written"),
+                             "heading"));
+    QString numbers = QStringLiteral("%1\nz %2").arg(rgbText(m_report->color), depthText(m_report->depth));
+    texts->addWidget(wrapped(numbers, "muted"));
+    row->addLayout(texts, 1);
+    return header;
+}
+
+QWidget* PixelCard::makeRow(std::size_t index)
+{
+    const WhyWords& words = m_rows[index];
+    const WhyFace& face = m_report->faces[index];
+    auto* frame =
+        new ClickableRow([this, index] { Q_EMIT rowClicked(m_rows[index].face, QPoint(m_report->x, m_report->y)); });
+    frame->setToolTip(tr("Show the step at which this was decided"));
+    frame->setAccessibleName(tr("face %1").arg(words.face) + QStringLiteral(": ") + words.verdict);
+    auto* column = new QVBoxLayout(frame);
+    column->setContentsMargins(8, 5, 8, 6);
+    column->setSpacing(2);
+    auto* head = new QHBoxLayout;
+    head->setSpacing(7);
+    auto* pill = new QLabel(tr("face %1").arg(words.face));
+    pill->setObjectName(QStringLiteral("pill"));
+    head->addWidget(pill, 0, Qt::AlignTop);
+    auto* verdict = wrapped(words.verdict);
+    const Inks inks = inksFor(palette());
+    verdict->setStyleSheet(QStringLiteral("color: %1;").arg((words.good ? inks.plus : inks.minus).name()));
+    head->addWidget(verdict, 1);
+    if (face.verdict == WhyVerdict::Written) {
+        constexpr int kSide = 16;
+        head->addWidget(new Swatch(face.write.after.color, kSide), 0, Qt::AlignTop);
+    }
+    column->addLayout(head);
+    if (!words.details.isEmpty())
+        column->addWidget(wrapped(words.details.join(QLatin1Char('\n')), "numbers"));
+    return frame;
+}
+
+void PixelCard::rebuild()
+{
+    m_rows.clear();
+    auto* content = new QWidget;
+    content->setObjectName(QStringLiteral("panelContent"));
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(4, 0, 4, 4);
+    column->setSpacing(3);
+    if (!m_report) {
+        auto* hint = wrapped(tr("Click a pixel of the picture: here you see every face that could concern it, how far "
+                                "it got, and the numbers that decided."),
+                             "muted");
+        hint->setContentsMargins(8, 2, 8, 0);
+        column->addWidget(hint);
+    } else {
+        column->addWidget(makeHeader());
+        for (const WhyFace& face : m_report->faces)
+            m_rows.push_back(whyWords(*m_report, face));
+        for (std::size_t i = 0; i < std::min(m_rows.size(), kMostRows); ++i)
+            column->addWidget(makeRow(i));
+        if (m_rows.size() > kMostRows)
+            column->addWidget(wrapped(
+                tr("and %n more faces; Copy has them all", nullptr, static_cast<int>(m_rows.size() - kMostRows)),
+                "muted"));
+        if (m_rows.empty()) {
+            auto* nothing = wrapped(tr("No face comes near this pixel."), "muted");
+            nothing->setContentsMargins(8, 0, 8, 0);
+            column->addWidget(nothing);
+        }
+    }
+    column->addStretch(1);
+    m_scroll->setWidget(content);
+}
+
+void PixelCard::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
+        m_rebuildSoon.start(); // not now: the application goes through all widgets
+    QWidget::changeEvent(event);
+}
+
+} // namespace rasterlens

@@ -1,0 +1,173 @@
+#include "ui/pipeline/mistake_badge.h"
+
+#include "ui/base/theme.h"
+#include "ui/pipeline/mistakes_section.h"
+
+#include <QEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+
+#include <algorithm>
+#include <utility>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr int kMargin = 10;
+constexpr int kPaddingX = 10;
+constexpr int kPaddingY = 5;
+constexpr qsizetype kShownLines = 5;
+constexpr QRgb kAlarm = 0xffd55e00;
+
+QString number(double value) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(value, 'g', 6); }
+
+} // namespace
+
+QString proofTitle(Proof proof)
+{
+    switch (proof) {
+    case Proof::CoveredTwice: return MistakeBadge::tr("hit twice");
+    case Proof::Covered: return MistakeBadge::tr("covered");
+    case Proof::Tested: return MistakeBadge::tr("tested");
+    case Proof::DepthPassed: return MistakeBadge::tr("depth passed");
+    case Proof::DepthFailed: return MistakeBadge::tr("depth failed");
+    case Proof::Rejected: return MistakeBadge::tr("rejected");
+    case Proof::CulledBack: return MistakeBadge::tr("culled, back");
+    case Proof::Degenerate: return MistakeBadge::tr("degenerate");
+    case Proof::Rasterized: return MistakeBadge::tr("rasterized");
+    case Proof::Holes: return MistakeBadge::tr("holes");
+    case Proof::Strays: return MistakeBadge::tr("stray pixels");
+    case Proof::WrongFaces: return MistakeBadge::tr("pixels of a wrong face");
+    case Proof::WrongPixels: return MistakeBadge::tr("wrong pixels");
+    case Proof::DepthError: return MistakeBadge::tr("depth error");
+    case Proof::Colors: return MistakeBadge::tr("colours");
+    case Proof::MissingLight: return MistakeBadge::tr("white pixels of light lost");
+    }
+    return {};
+}
+
+MistakeBadge::MistakeBadge(QWidget* canvas) : QWidget(canvas)
+{
+    setCursor(Qt::PointingHandCursor);
+    hide();
+}
+
+void MistakeBadge::showFor(const std::shared_ptr<const Scene>& scene, const Settings& settings)
+{
+    std::vector<Evidence> evidence;
+    for (const QString& id : settings.mistakes)
+        if (const Mistake* mistake = findMistake(id)) {
+            // The former number stays until the new one is there: a badge that flickers is not read.
+            const auto former = std::ranges::find(m_evidence, mistake, &Evidence::mistake);
+            evidence.push_back(former == m_evidence.end() ? Evidence{mistake} : *former);
+        }
+    m_evidence = std::move(evidence);
+    setVisible(!m_evidence.empty());
+    fitToText();
+    const quint64 serial = ++m_serial;
+    m_counting = !m_evidence.empty();
+    if (!m_counting)
+        return;
+    m_task.post(
+        [this, scene, settings, serial, evidence = m_evidence](std::stop_token) mutable {
+            weigh(*scene, settings, evidence);
+            QMetaObject::invokeMethod(
+                this,
+                [this, serial, evidence = std::move(evidence)] {
+                    if (serial != m_serial)
+                        return;
+                    m_evidence = evidence;
+                    m_counting = false;
+                    fitToText();
+                    Q_EMIT counted();
+                },
+                Qt::QueuedConnection);
+        },
+        LatestTask::Running::Finish);
+}
+
+void MistakeBadge::weigh(const Scene& scene, const Settings& settings, std::vector<Evidence>& evidence)
+{
+    Settings right = settings;
+    right.mistakes.clear();
+    if (unsupported(scene, settings) || unsupported(scene, right))
+        return;
+    const CountedPicture shownPicture = drawCounted(scene, settings);
+    const CountedPicture rightPicture = drawCounted(scene, right);
+    for (Evidence& one : evidence) {
+        one.known = true;
+        one.shown = proofValue(one.mistake->proof, shownPicture, rightPicture);
+        one.right = proofValue(one.mistake->proof, rightPicture, rightPicture);
+    }
+}
+
+QStringList MistakeBadge::lines() const
+{
+    QStringList lines;
+    for (const Evidence& one : m_evidence) {
+        QString line = mistakeTitle(*one.mistake);
+        if (one.known)
+            line += QStringLiteral(" \u00b7 %1 %2").arg(proofTitle(one.mistake->proof), number(one.shown));
+        if (one.known && one.right != 0)
+            line += tr(", right: %1").arg(number(one.right));
+        lines << line;
+    }
+    if (lines.size() > kShownLines) {
+        const qsizetype more = lines.size() - kShownLines + 1;
+        lines = lines.first(kShownLines - 1);
+        lines << tr("and %n more", nullptr, static_cast<int>(more));
+    }
+    return lines;
+}
+
+void MistakeBadge::fitToText()
+{
+    const QFontMetrics metrics(textFont(0, true));
+    int width = 0;
+    const QStringList shown = lines();
+    for (const QString& line : shown)
+        width = std::max(width, metrics.horizontalAdvance(line));
+    const int room = parentWidget()->width() - 2 * kMargin;
+    setGeometry(kMargin, kMargin, std::min(width + 2 * kPaddingX + 6, room),
+                static_cast<int>(shown.size()) * metrics.lineSpacing() + 2 * kPaddingY);
+    update();
+}
+
+void MistakeBadge::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(QColor(kAlarm), 1.5));
+    painter.setBrush(palette().color(QPalette::Base));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 6, 6);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(kAlarm));
+    painter.drawRoundedRect(QRectF(1, 1, 7, height() - 2), 3, 3);
+    painter.setPen(palette().color(QPalette::Text));
+    painter.setFont(textFont(0, true));
+    const QFontMetrics metrics(painter.font());
+    int y = kPaddingY;
+    for (const QString& line : lines()) {
+        const QRect row(kPaddingX + 4, y, width() - 2 * kPaddingX, metrics.lineSpacing());
+        painter.drawText(row, Qt::AlignVCenter, metrics.elidedText(line, Qt::ElideRight, row.width()));
+        y += metrics.lineSpacing();
+    }
+}
+
+void MistakeBadge::mousePressEvent(QMouseEvent* event)
+{
+    event->accept();
+    Q_EMIT clicked();
+}
+
+void MistakeBadge::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange)
+        fitToText();
+    QWidget::changeEvent(event);
+}
+
+} // namespace rasterlens

@@ -1,0 +1,360 @@
+#include "ui/pipeline/pipeline_panel.h"
+
+#include "core/render/render.h"
+#include "core/scenes/builtin_scenes.h"
+#include "ui/base/applicability.h"
+#include "ui/base/field_row.h"
+#include "ui/pipeline/mistakes_section.h"
+#include "ui/pipeline/number_dial.h"
+#include "ui/pipeline/stage_strip.h"
+#include "ui/truth/case_model.h"
+
+#include <QAbstractItemView>
+#include <QCoreApplication>
+#include <QEvent>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr int kReadableWidth = 288; ///< no name or value is cut off
+
+constexpr std::array kGroups{Stage::Clip,  Stage::Screen, Stage::Cull, Stage::Cover,
+                             Stage::Depth, Stage::Shade,  Stage::Image};
+
+constexpr std::array kSizePresets{QSize(8, 8),       QSize(16, 16),    QSize(64, 64),   QSize(256, 256),
+                                  QSize(320, 240),   QSize(640, 480),  QSize(800, 600), QSize(1280, 720),
+                                  QSize(1920, 1080), QSize(3840, 2160)};
+
+QString sizeText(QSize size) { return QStringLiteral("%1 \u00d7 %2").arg(size.width()).arg(size.height()); }
+
+std::optional<QSize> sizeFromText(QString text)
+{
+    text.remove(QLatin1Char(' '));
+    text.replace(QChar(0xd7), QLatin1Char('x')).replace(QLatin1Char('X'), QLatin1Char('x'));
+    text.replace(QLatin1Char('*'), QLatin1Char('x'));
+    return parseSize(text);
+}
+
+QToolButton* linkButton()
+{
+    auto* button = new QToolButton;
+    button->setObjectName(QStringLiteral("link"));
+    button->setCursor(Qt::PointingHandCursor);
+    return button;
+}
+
+} // namespace
+
+PipelinePanel::PipelinePanel(Document& document, const Language& language, QWidget* parent)
+    : QWidget(parent), m_document(document), m_language(language)
+{
+    setMinimumWidth(kReadableWidth);
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 2, 0, 6);
+    outer->setSpacing(4);
+
+    auto* top = new QVBoxLayout;
+    top->setContentsMargins(12, 0, 12, 0);
+    top->setSpacing(4);
+    addScene(top);
+    auto* header = new QHBoxLayout;
+    m_heading = new QLabel;
+    m_heading->setObjectName(QStringLiteral("title"));
+    m_reset = linkButton();
+    connect(m_reset, &QToolButton::clicked, this, [this] { m_document.resetSettings(); });
+    header->addWidget(m_heading, 1);
+    header->addWidget(m_reset);
+    top->addLayout(header);
+    outer->addLayout(top);
+
+    m_scroll = new QScrollArea;
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setFocusPolicy(Qt::NoFocus);
+    auto* content = new QWidget;
+    content->setObjectName(QStringLiteral("panelContent"));
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(2, 0, 6, 8);
+    column->setSpacing(4);
+    for (const Stage stage : kGroups) {
+        QVBoxLayout* group = addGroup(stage);
+        column->addLayout(group);
+        if (stage == Stage::Image)
+            addSize(group);
+        if (stage == Stage::Screen)
+            addNumberDial(group);
+        for (const SettingsField& field : settingsFields()) {
+            if (field.stage != stage)
+                continue;
+            auto* row = new FieldRow(field, language);
+            connect(row, &FieldRow::chosen, this, [this, &field](int value) {
+                Settings next = m_document.settings();
+                field.set(next, value);
+                m_document.setSettings(next);
+            });
+            connect(row, &FieldRow::resetRequested, this, [this, &field] {
+                Settings next = m_document.settings();
+                field.set(next, field.get(m_document.defaults()));
+                m_document.setSettings(next);
+            });
+            connect(row, &FieldRow::popupOpening, this, [this, row, &field] {
+                row->setValueReasons([this, &field](int value) {
+                    Settings candidate = m_document.settings();
+                    field.set(candidate, value);
+                    const auto reason = unsupported(*m_document.scene(), candidate);
+                    return reason ? whyUnsupported(*reason) : QString();
+                });
+            });
+            group->addWidget(row);
+            m_rows.push_back(row);
+        }
+    }
+    column->addStretch(1);
+    m_scroll->setWidget(content);
+    outer->addWidget(m_scroll, 1);
+    // Below what scrolls: which mistakes are on is always in sight.
+    m_mistakes = new MistakesSection(document, language);
+    connect(m_mistakes, &MistakesSection::opened, this,
+            [this, outer](bool open) { outer->setStretchFactor(m_mistakes, open ? 1 : 0); });
+    outer->addWidget(m_mistakes);
+
+    connect(&document, &Document::sceneChanged, this, &PipelinePanel::syncScene);
+    connect(&document, &Document::settingsChanged, this, &PipelinePanel::syncSettings);
+    retranslate();
+}
+
+QVBoxLayout* PipelinePanel::addGroup(Stage stage)
+{
+    auto* group = new QVBoxLayout;
+    group->setContentsMargins(0, 0, 0, 4);
+    group->setSpacing(3);
+    auto* heading = new QLabel;
+    heading->setContentsMargins(10, 2, 0, 0);
+    heading->setObjectName(QStringLiteral("groupHeading"));
+    group->addWidget(heading);
+    m_groupHeadings[stage] = heading;
+    return group;
+}
+
+void PipelinePanel::addScene(QVBoxLayout* group)
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(4);
+    m_sceneBox = new PanelCombo;
+    m_sceneBox->setObjectName(QStringLiteral("sceneBox"));
+    m_sceneBox->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    connect(m_sceneBox, &QComboBox::activated, this,
+            [this](int index) { Q_EMIT sceneChosen(m_sceneBox->itemData(index).toString()); });
+    m_open = linkButton();
+    connect(m_open, &QToolButton::clicked, this, &PipelinePanel::openRequested);
+    row->addWidget(m_sceneBox, 1);
+    row->addWidget(m_open);
+    group->addLayout(row);
+    m_sceneNote = new QLabel;
+    m_sceneNote->setObjectName(QStringLiteral("muted"));
+    m_sceneNote->setWordWrap(true);
+    m_sceneNote->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    group->addWidget(m_sceneNote);
+}
+
+void PipelinePanel::addNumberDial(QVBoxLayout* group)
+{
+    m_dial = new NumberDial(m_document);
+    group->addWidget(m_dial);
+    m_floatFailures = linkButton();
+    m_floatFailures->setPopupMode(QToolButton::InstantPopup);
+    m_floatFailures->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+    m_failureMenu = new QMenu(m_floatFailures);
+    m_floatFailures->setMenu(m_failureMenu);
+    group->addWidget(m_floatFailures, 0, Qt::AlignHCenter);
+    connect(m_failureMenu, &QMenu::triggered, this,
+            [this](const QAction* action) { Q_EMIT floatFailureChosen(action->data().toString()); });
+}
+
+/// Scenes in which coverage by float32 edge functions is wrong and that by fixed point is right.
+void PipelinePanel::fillFailureMenu()
+{
+    m_floatFailures->setText(tr("Where float32 fails") + QStringLiteral(" \u25be"));
+    m_floatFailures->setToolTip(tr("Opens a scene with float32 and has the referee check it"));
+    m_failureMenu->clear();
+    for (const BuiltinScene& scene : builtinScenes())
+        if (std::ranges::find(kFloatFailures, QLatin1String(scene.name)) != kFloatFailures.end())
+            m_failureMenu->addAction(QCoreApplication::translate("BuiltinScene", scene.title))
+                ->setData(QStringLiteral("builtin:") + QLatin1String(scene.name));
+}
+
+void PipelinePanel::addSize(QVBoxLayout* group)
+{
+    auto* widget = new QWidget;
+    auto* row = new QHBoxLayout(widget);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    auto* dot = new ChangeDot;
+    connect(dot, &ChangeDot::clicked, this, [this] {
+        Settings next = m_document.settings();
+        next.size = m_document.defaults().size;
+        m_document.setSettings(next);
+    });
+    m_sizeDot = dot;
+    m_sizeLabel = new QLabel;
+    m_sizeLabel->setObjectName(QStringLiteral("muted"));
+    m_sizeBox = new PanelCombo;
+    m_sizeBox->setObjectName(QStringLiteral("sizeBox"));
+    m_sizeBox->setEditable(true);
+    m_sizeBox->setInsertPolicy(QComboBox::NoInsert);
+    m_sizeBox->setCompleter(nullptr);
+    m_sizeBox->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    for (const QSize& size : kSizePresets)
+        m_sizeBox->addItem(sizeText(size));
+    connect(m_sizeBox, &QComboBox::activated, this, &PipelinePanel::applySize);
+    connect(m_sizeBox->lineEdit(), &QLineEdit::editingFinished, this, &PipelinePanel::applySize);
+    auto* room = new QLabel;
+    room->setMinimumWidth(14);
+    row->addWidget(dot);
+    row->addWidget(m_sizeLabel, 9);
+    row->addWidget(m_sizeBox, 13);
+    row->addWidget(room);
+    group->addWidget(widget);
+}
+
+void PipelinePanel::applySize()
+{
+    const auto size = sizeFromText(m_sizeBox->currentText());
+    if (!size) {
+        Q_EMIT invalidInput(tr("\"%1\" is not a size. Write WIDTH x HEIGHT with 1 to %2 each.")
+                                .arg(m_sizeBox->currentText())
+                                .arg(kMaxViewport));
+        syncSettings();
+        return;
+    }
+    Settings next = m_document.settings();
+    next.size = *size;
+    m_document.setSettings(next);
+    syncSettings();
+}
+
+void PipelinePanel::setKeyHint(const QString& fieldId, const QString& key)
+{
+    for (FieldRow* row : m_rows)
+        if (fieldId == QLatin1String(row->field().id))
+            row->setKeyHint(key);
+}
+
+void PipelinePanel::scrollTo(Stage stage)
+{
+    if (stage == Stage::Scene) {
+        m_scroll->verticalScrollBar()->setValue(0);
+        m_sceneBox->setFocus(Qt::OtherFocusReason);
+        return;
+    }
+    m_scroll->verticalScrollBar()->setValue(m_groupHeadings[stage]->y() - 2);
+}
+
+QWidget* PipelinePanel::editor(const QString& fieldId) const
+{
+    for (FieldRow* row : m_rows)
+        if (fieldId == QLatin1String(row->field().id))
+            return row->editor();
+    return nullptr;
+}
+
+QString PipelinePanel::sceneNote() const { return m_sceneNote->text(); }
+
+int PipelinePanel::changedCount() const
+{
+    const Settings& now = m_document.settings();
+    const Settings& defaults = m_document.defaults();
+    int changed = (now.size != defaults.size) + !(now.view == defaults.view) + (now.mistakes != defaults.mistakes);
+    for (const SettingsField& field : settingsFields())
+        changed += field.get(now) != field.get(defaults);
+    return changed;
+}
+
+void PipelinePanel::syncScene()
+{
+    const Scene& scene = *m_document.scene();
+    const QSignalBlocker blocked(m_sceneBox);
+    m_sceneBox->clear();
+    for (const BuiltinScene& builtin : builtinScenes())
+        m_sceneBox->addItem(QCoreApplication::translate("BuiltinScene", builtin.title),
+                            QStringLiteral("builtin:") + QLatin1String(builtin.name));
+    m_sceneBox->insertSeparator(m_sceneBox->count());
+    for (const StressScene& stress : stressScenes())
+        m_sceneBox->addItem(QCoreApplication::translate("StressScene", stress.title),
+                            QStringLiteral("stress:") + QLatin1String(stress.name));
+    int index = m_sceneBox->findData(scene.id);
+    QString note = caseNoteText(scene.note);
+    if (index < 0 && !scene.id.isEmpty()) {
+        m_sceneBox->insertItem(0, scene.title.isEmpty() ? QFileInfo(scene.id).fileName() : scene.title, scene.id);
+        m_sceneBox->insertSeparator(1);
+        index = 0;
+    } else if (index >= 0 && std::size_t(index) < builtinScenes().size()) {
+        note = QCoreApplication::translate("BuiltinScene", builtinScenes()[std::size_t(index)].note);
+    }
+    m_sceneBox->setCurrentIndex(index);
+    m_sceneBox->setToolTip(scene.id);
+    m_sceneNote->setText(note);
+    m_sceneNote->setVisible(!note.isEmpty());
+}
+
+void PipelinePanel::syncSettings()
+{
+    const Settings& settings = m_document.settings();
+    const Settings& defaults = m_document.defaults();
+    const bool refused = unsupported(*m_document.scene(), settings).has_value();
+    for (FieldRow* row : m_rows)
+        row->sync(settings, defaults, refused);
+    {
+        const QSignalBlocker blocked(m_sizeBox);
+        const QString text = sizeText(settings.size);
+        m_sizeBox->setCurrentIndex(m_sizeBox->findText(text));
+        m_sizeBox->setEditText(text);
+    }
+    static_cast<ChangeDot*>(m_sizeDot)->setChanged(settings.size != defaults.size);
+    const int changed = changedCount();
+    m_reset->setText(changed == 0 ? tr("as the scene asks") : tr("%n changed \u00b7 reset", nullptr, changed));
+    m_reset->setEnabled(changed != 0);
+}
+
+void PipelinePanel::retranslate()
+{
+    m_heading->setText(tr("Pipeline"));
+    m_open->setText(tr("Open\u2026"));
+    fillFailureMenu();
+    m_reset->setToolTip(tr("Put back every value to what the scene asks for"));
+    m_sizeLabel->setText(tr("Size in pixels"));
+    m_sizeBox->setToolTip(
+        tr("Width and height of the picture, 1 to %1 each. The window only magnifies it.").arg(kMaxViewport));
+    for (const auto& [stage, heading] : m_groupHeadings) {
+        heading->setText(stageTitle(stage));
+    }
+    for (FieldRow* row : m_rows)
+        row->retranslate();
+    syncScene();
+    syncSettings();
+}
+
+void PipelinePanel::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+} // namespace rasterlens

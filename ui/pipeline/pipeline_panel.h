@@ -1,0 +1,93 @@
+#pragma once
+#include "core/settings/settings.h"
+#include "ui/base/language.h"
+#include "ui/document/document.h"
+
+#include <QComboBox>
+#include <QWidget>
+
+#include <array>
+#include <map>
+#include <vector>
+
+class QLabel;
+class QMenu;
+class QScrollArea;
+class QToolButton;
+class QVBoxLayout;
+
+namespace rasterlens
+{
+
+class FieldRow;
+class MistakesSection;
+class NumberDial;
+
+/// Built-in scenes in which float32 edge functions, stepped, cover other samples than they should.
+constexpr std::array<QLatin1String, 5> kFloatFailures{QLatin1String("slivers"), QLatin1String("edge-guardband"),
+                                                      QLatin1String("tile-square"), QLatin1String("cube"),
+                                                      QLatin1String("two-windings")};
+
+/// The scene and every switch of the pipeline, in pipeline order, made from the field table.
+class PipelinePanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    PipelinePanel(Document& document, const Language& language, QWidget* parent = nullptr);
+
+    /// Shows the key that steps a field beside its switch.
+    void setKeyHint(const QString& fieldId, const QString& key);
+    void scrollTo(Stage stage);
+    [[nodiscard]] NumberDial& numberDial() { return *m_dial; }
+    [[nodiscard]] MistakesSection& mistakes() { return *m_mistakes; }
+
+    /// The switch of a field: a QComboBox, QSpinBox or QCheckBox.
+    [[nodiscard]] QWidget* editor(const QString& fieldId) const;
+    [[nodiscard]] QComboBox* sceneBox() const { return m_sceneBox; }
+    [[nodiscard]] QString sceneNote() const;
+    [[nodiscard]] QComboBox* sizeBox() const { return m_sizeBox; }
+    /// How many settings differ from what the scene asks for.
+    [[nodiscard]] int changedCount() const;
+
+Q_SIGNALS:
+    void sceneChosen(const QString& name);
+    void openRequested();
+    void invalidInput(const QString& message);
+    /// A built-in scene that float32 decides wrongly is to be shown.
+    void floatFailureChosen(const QString& name);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    QVBoxLayout* addGroup(Stage stage);
+    void addScene(QVBoxLayout* group);
+    void addSize(QVBoxLayout* group);
+    void addNumberDial(QVBoxLayout* group);
+    void fillFailureMenu();
+    void syncScene();
+    void syncSettings();
+    void applySize();
+    void retranslate();
+
+    Document& m_document;
+    const Language& m_language;
+    QScrollArea* m_scroll = nullptr;
+    QLabel* m_heading = nullptr;
+    QToolButton* m_reset = nullptr;
+    QComboBox* m_sceneBox = nullptr;
+    QLabel* m_sceneNote = nullptr;
+    QToolButton* m_open = nullptr;
+    QComboBox* m_sizeBox = nullptr;
+    QLabel* m_sizeLabel = nullptr;
+    QWidget* m_sizeDot = nullptr;
+    std::map<Stage, QLabel*> m_groupHeadings;
+    std::vector<FieldRow*> m_rows;
+    NumberDial* m_dial = nullptr;
+    QToolButton* m_floatFailures = nullptr;
+    QMenu* m_failureMenu = nullptr;
+    MistakesSection* m_mistakes = nullptr;
+};
+
+} // namespace rasterlens

@@ -1,0 +1,244 @@
+#include "ui/pipeline/stage_strip.h"
+
+#include "ui/base/applicability.h"
+#include "ui/base/numbers.h"
+#include "ui/base/theme.h"
+
+#include <QAbstractButton>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QPainter>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr std::array kStages{Stage::Scene, Stage::Clip,  Stage::Screen, Stage::Cull,
+                             Stage::Cover, Stage::Depth, Stage::Shade,  Stage::Image};
+constexpr int kArrowWidth = 14;
+constexpr int kWidthWithArrows = 690;
+
+/// Whether its figure is a counter of the picture.
+bool isCounted(Stage stage)
+{
+    return stage == Stage::Clip || stage == Stage::Cull || stage == Stage::Cover || stage == Stage::Depth;
+}
+
+} // namespace
+
+/// One stage: a name, a figure below it, and the arrow to the next.
+class StageChip : public QAbstractButton
+{
+public:
+    StageChip(QWidget* parent, bool last) : QAbstractButton(parent), m_last(last)
+    {
+        setCursor(Qt::PointingHandCursor);
+        setFocusPolicy(Qt::TabFocus);
+        setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    }
+
+    /// The short texts are shown where the long ones have no room.
+    void setTexts(const QString& name, const QString& shortName, const QString& figure, const QString& shortFigure)
+    {
+        setText(name);
+        m_shortName = shortName;
+        m_figure = figure;
+        m_shortFigure = shortFigure;
+        setAccessibleDescription(figure);
+        update();
+    }
+
+    void setMarked(bool on)
+    {
+        if (std::exchange(m_marked, on) != on)
+            update();
+    }
+
+    QSize sizeHint() const override
+    {
+        return {96, QFontMetrics(nameFont()).height() + QFontMetrics(figureFont()).height() + 12};
+    }
+    QSize minimumSizeHint() const override { return {m_last ? 58 : 48, sizeHint().height()}; } // the last: 3840x2160
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        const int arrow = m_last ? 0 : (parentWidget()->width() >= kWidthWithArrows ? kArrowWidth : 5);
+        const QRectF box = QRectF(rect()).adjusted(0.5, 0.5, -0.5 - arrow, -0.5);
+        painter.setPen(
+            QPen(hasFocus() || underMouse() ? palette().color(QPalette::Highlight) : palette().color(QPalette::Mid),
+                 hasFocus() ? 2 : 1));
+        painter.setBrush(palette().color(m_marked ? QPalette::Highlight : QPalette::AlternateBase));
+        painter.drawRoundedRect(box, 6, 6);
+
+        const QRectF upper(box.left(), box.top() + 5, box.width(), QFontMetricsF(nameFont()).height());
+        const QRectF lower(box.left(), upper.bottom() + 1, box.width(), QFontMetricsF(figureFont()).height());
+        painter.setPen(palette().color(m_marked ? QPalette::HighlightedText : QPalette::Text));
+        drawFitting(painter, upper, nameFont(), {text(), m_shortName});
+        if (!m_marked)
+            painter.setPen(palette().color(QPalette::PlaceholderText));
+        drawFitting(painter, lower, figureFont(), {m_figure, m_shortFigure});
+
+        if (arrow == kArrowWidth) {
+            painter.setPen(QPen(palette().color(QPalette::PlaceholderText), 1.5));
+            const QPointF tip(width() - 4.5, box.center().y());
+            painter.drawLine(tip, tip + QPointF(-4, -4));
+            painter.drawLine(tip, tip + QPointF(-4, 4));
+        }
+    }
+
+private:
+    static QFont nameFont() { return textFont(0, true); }
+    static QFont figureFont() { return textFont(-1); }
+
+    /// The first of the texts that fits; the last one is narrowed until it does.
+    static void drawFitting(QPainter& painter, const QRectF& box, QFont font, const QStringList& texts)
+    {
+        constexpr double kPadding = 4;
+        const double room = box.width() - kPadding;
+        QString text = texts.last();
+        for (const QString& candidate : texts)
+            if (QFontMetricsF(font).horizontalAdvance(candidate) <= room) {
+                text = candidate;
+                break;
+            }
+        const double width = QFontMetricsF(font).horizontalAdvance(text);
+        if (width > room)
+            font.setPointSizeF(std::max(font.pointSizeF() * room / width, font.pointSizeF() * 0.75));
+        painter.setFont(font);
+        painter.drawText(box, Qt::AlignCenter, QFontMetricsF(font).elidedText(text, Qt::ElideRight, box.width()));
+    }
+
+    QString m_shortName;
+    QString m_figure;
+    QString m_shortFigure;
+    bool m_last;
+    bool m_marked = false;
+};
+
+QString stageTitle(Stage stage)
+{
+    switch (stage) {
+    case Stage::Scene: return StageStrip::tr("Model");
+    case Stage::Clip: return StageStrip::tr("Clip space");
+    case Stage::Screen: return StageStrip::tr("Screen");
+    case Stage::Cull: return StageStrip::tr("Cull");
+    case Stage::Cover: return StageStrip::tr("Cover");
+    case Stage::Depth: return StageStrip::tr("Depth");
+    case Stage::Shade: return StageStrip::tr("Shade");
+    case Stage::Image: return StageStrip::tr("Image");
+    }
+    return {};
+}
+
+StageStrip::StageStrip(QWidget* parent) : QWidget(parent)
+{
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(8, 6, 8, 6);
+    row->setSpacing(2);
+    for (const Stage stage : kStages) {
+        auto* chip = new StageChip(this, stage == kStages.back());
+        chip->setObjectName(QStringLiteral("stage%1").arg(static_cast<int>(stage)));
+        connect(chip, &QAbstractButton::clicked, this, [this, stage] { Q_EMIT stageClicked(stage); });
+        row->addWidget(chip, 1);
+        m_chips.push_back(chip);
+    }
+    updateTexts();
+}
+
+QSize StageStrip::minimumSizeHint() const { return {static_cast<int>(kStages.size()) * 51 + 16, sizeHint().height()}; }
+
+void StageStrip::setScene(const Scene& scene)
+{
+    m_faceCount = scene.mesh.faceCount();
+    m_counted.reset();
+    updateTexts();
+}
+
+void StageStrip::setSettings(const Settings& settings)
+{
+    m_settings = settings;
+    updateTexts();
+}
+
+void StageStrip::setFrame(const FramePtr& frame)
+{
+    if (!frame->counted)
+        return;
+    m_counted = frame;
+    updateTexts();
+}
+
+void StageStrip::setCurrent(std::optional<Stage> stage)
+{
+    m_current = stage;
+    for (std::size_t i = 0; i < m_chips.size(); ++i)
+        m_chips[i]->setMarked(stage == kStages[i]);
+}
+
+QString StageStrip::figure(Stage stage) const
+{
+    if (!m_counted && isCounted(stage))
+        return QStringLiteral("\u2013");
+    const Statistics counts = m_counted ? m_counted->statistics : Statistics{};
+    const auto shading = findSettingsField(QStringLiteral("shading"));
+    switch (stage) {
+    case Stage::Scene: return m_faceCount == 1 ? tr("1 face") : tr("%1 faces").arg(grouped(m_faceCount));
+    case Stage::Clip: return tr("%1 cut").arg(grouped(counts.faces.clipped));
+    case Stage::Screen: return tr("snapped 1/%1").arg(1 << m_settings.subpixelBits);
+    case Stage::Cull: return tr("%1 culled").arg(grouped(counts.faces.culledBack + counts.faces.culledFront));
+    case Stage::Cover:
+        return m_settings.samples == Samples::One ? tr("%1 px").arg(grouped(counts.pixels.covered))
+                                                  : tr("%1 samples").arg(grouped(counts.pixels.covered));
+    case Stage::Depth: return tr("%1 pass").arg(grouped(counts.pixels.depthPassed));
+    case Stage::Shade: return valueTitle(*shading, m_settings);
+    case Stage::Image: return QStringLiteral("%1 \u00d7 %2").arg(m_settings.size.width()).arg(m_settings.size.height());
+    }
+    return {};
+}
+
+QString StageStrip::shortFigure(Stage stage) const
+{
+    if (!m_counted && isCounted(stage))
+        return figure(stage);
+    const Statistics counts = m_counted ? m_counted->statistics : Statistics{};
+    switch (stage) {
+    case Stage::Scene: return shortened(m_faceCount);
+    case Stage::Clip: return shortened(counts.faces.clipped);
+    case Stage::Screen: return QStringLiteral("1/%1").arg(1 << m_settings.subpixelBits);
+    case Stage::Cull: return shortened(counts.faces.culledBack + counts.faces.culledFront);
+    case Stage::Cover: return shortened(counts.pixels.covered);
+    case Stage::Depth: return shortened(counts.pixels.depthPassed);
+    case Stage::Image: return figure(stage).remove(QLatin1Char(' '));
+    case Stage::Shade: break;
+    }
+    return figure(stage);
+}
+
+void StageStrip::updateTexts()
+{
+    for (const Stage stage : kStages) {
+        StageChip* chip = m_chips[static_cast<std::size_t>(stage)];
+        const QString shortName = stage == Stage::Clip ? tr("Clip", "short for clip space") : stageTitle(stage);
+        chip->setTexts(stageTitle(stage), shortName, figure(stage), shortFigure(stage));
+        chip->setToolTip(QStringLiteral("%1: %2").arg(stageTitle(stage), figure(stage)));
+    }
+}
+
+void StageStrip::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        updateTexts();
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::ApplicationFontChange)
+        updateGeometry();
+    QWidget::changeEvent(event);
+}
+
+} // namespace rasterlens

@@ -1,0 +1,57 @@
+#pragma once
+#include "core/settings/settings.h"
+#include "ui/document/render_worker.h"
+
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+namespace rasterlens
+{
+
+class StageChip;
+
+/// The pipeline as a row of chips, with a live figure under each name. A click asks for that stage's switches.
+class StageStrip : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit StageStrip(QWidget* parent = nullptr);
+
+    void setScene(const Scene& scene);
+    void setSettings(const Settings& settings);
+    void setFrame(const FramePtr& frame);
+    /// The stage the present step belongs to; none outside the step mode.
+    void setCurrent(std::optional<Stage> stage);
+    [[nodiscard]] std::optional<Stage> current() const { return m_current; }
+
+    /// The figure shown under a stage; a dash where nothing is counted yet.
+    [[nodiscard]] QString figure(Stage stage) const;
+
+    QSize minimumSizeHint() const override;
+
+Q_SIGNALS:
+    void stageClicked(rasterlens::Stage stage);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    [[nodiscard]] QString shortFigure(Stage stage) const;
+    void updateTexts();
+
+    std::vector<StageChip*> m_chips;
+    std::size_t m_faceCount = 0;
+    Settings m_settings;
+    FramePtr m_counted;
+    std::optional<Stage> m_current;
+};
+
+/// The name of a stage in the language in use.
+[[nodiscard]] QString stageTitle(Stage stage);
+
+} // namespace rasterlens
+
+Q_DECLARE_METATYPE(rasterlens::Stage)

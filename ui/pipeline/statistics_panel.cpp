@@ -1,0 +1,350 @@
+#include "ui/pipeline/statistics_panel.h"
+
+#include "ui/base/numbers.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <chrono>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr qint64 kRateWindowMs = 1000;
+constexpr int kLagMs = 100; ///< counters that follow sooner are not dimmed in between
+
+#define COUNTER(id, member)                                                                                            \
+    {                                                                                                                  \
+        id, [](const Statistics& s) -> std::uint64_t { return s.member; }                                              \
+    }
+
+QLabel* mutedLabel(const QString& text = {})
+{
+    auto* label = new QLabel(text);
+    label->setObjectName(QStringLiteral("muted"));
+    return label;
+}
+
+/// Three digits tell a stage's share.
+QString milliseconds(double ms) { return QString::number(ms, 'f', ms < 10 ? 2 : ms < 100 ? 1 : 0); }
+
+const QString kUnknown = QStringLiteral("\u2013");
+
+} // namespace
+
+StatisticsPanel::StatisticsPanel(QWidget* parent)
+    : QWidget(parent),
+      m_rows{
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "Faces"), nullptr, {}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "submitted"),
+           QT_TRANSLATE_NOOP("StatisticsPanel", "Triangles of the scene."),
+           {COUNTER("submitted", faces.submitted)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "rejected"),
+           QT_TRANSLATE_NOOP("StatisticsPanel", "Wholly outside the view volume."),
+           {COUNTER("rejected", faces.rejected)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "clipped · into pieces"),
+           QT_TRANSLATE_NOOP("StatisticsPanel",
+                             "Cut by at least one plane, and the triangles drawn for the cut faces."),
+           {COUNTER("clipped", faces.clipped), COUNTER("created_by_clipping", faces.createdByClipping)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "culled: back · front"),
+           QT_TRANSLATE_NOOP("StatisticsPanel", "Turned away from us, and turned towards us."),
+           {COUNTER("culled_back", faces.culledBack), COUNTER("culled_front", faces.culledFront)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "no area · not finite"),
+           QT_TRANSLATE_NOOP("StatisticsPanel",
+                             "Without area after snapping, and with a corner that is infinite or not a number."),
+           {COUNTER("degenerate", faces.degenerate), COUNTER("non_finite", faces.nonFinite)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "rasterized"),
+           QT_TRANSLATE_NOOP("StatisticsPanel", "Faces that reached the pixels; a cut face counts once."),
+           {COUNTER("rasterized", faces.rasterized)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "Pixels"), nullptr, {}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "tested"),
+           QT_TRANSLATE_NOOP(
+               "StatisticsPanel",
+               "Positions at which coverage was decided. The tiled algorithm decides for several at once."),
+           {COUNTER("tested", pixels.tested)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "covered"),
+           QT_TRANSLATE_NOOP("StatisticsPanel", "Fragments."),
+           {COUNTER("covered", pixels.covered)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "depth passed"),
+           QT_TRANSLATE_NOOP("StatisticsPanel", "Fragments that passed the depth test."),
+           {COUNTER("depth_passed", pixels.depthPassed)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "depth failed"),
+           QT_TRANSLATE_NOOP("StatisticsPanel", "Fragments hidden behind what was there."),
+           {COUNTER("depth_failed", pixels.depthFailed)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "shaded"),
+           QT_TRANSLATE_NOOP("StatisticsPanel",
+                             "Fragments whose colour was computed. The tiled algorithm shades visible ones only."),
+           {COUNTER("shaded", pixels.shaded)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "written"),
+           QT_TRANSLATE_NOOP("StatisticsPanel",
+                             "Fragments stored in the image. The tiled algorithm stores visible ones only."),
+           {COUNTER("written", pixels.written)}},
+          {QT_TRANSLATE_NOOP("StatisticsPanel", "hit twice"),
+           QT_TRANSLATE_NOOP("StatisticsPanel", "Hit by both faces at the edge they share: 0 under the top-left rule."),
+           {COUNTER("covered_twice", pixels.coveredTwice)}},
+      }
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(12, 2, 8, 8);
+    column->setSpacing(2);
+
+    auto* rate = new QHBoxLayout;
+    m_fps = new QLabel(kUnknown);
+    m_fps->setObjectName(QStringLiteral("fps"));
+    m_fpsUnit = mutedLabel();
+    m_frameTime = mutedLabel();
+    rate->addWidget(m_fps, 0, Qt::AlignBaseline);
+    rate->addWidget(m_fpsUnit, 1, Qt::AlignBaseline);
+    rate->addWidget(m_frameTime, 0, Qt::AlignBaseline);
+    column->addLayout(rate);
+    m_stageTimes = mutedLabel();
+    m_stageTimes->setObjectName(QStringLiteral("mutedSmall"));
+    column->addWidget(m_stageTimes);
+
+    m_scroll = new QScrollArea;
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setFocusPolicy(Qt::NoFocus);
+    auto* content = new QWidget;
+    content->setObjectName(QStringLiteral("panelContent"));
+    auto* grid = new QGridLayout(content);
+    grid->setContentsMargins(0, 0, 2, 0);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(0);
+    grid->setColumnStretch(0, 1);
+    int line = 0;
+    for (Row& row : m_rows) {
+        row.name = row.counters.empty() ? new QLabel : mutedLabel();
+        grid->addWidget(row.name, line, 0);
+        if (row.counters.empty()) {
+            row.name->setObjectName(QStringLiteral("heading"));
+            row.name->setContentsMargins(0, line == 0 ? 0 : 4, 0, 0);
+        } else {
+            grid->addLayout(counterLine(row.counters), line, 1);
+        }
+        ++line;
+    }
+    grid->setRowStretch(line, 1);
+    m_scroll->setWidget(content);
+    column->addWidget(m_scroll, 1);
+
+    m_settle.setSingleShot(true);
+    m_settle.setInterval(static_cast<int>(kRateWindowMs) + 100);
+    connect(&m_settle, &QTimer::timeout, this, &StatisticsPanel::showTimes);
+    m_lag.setSingleShot(true);
+    m_lag.setInterval(kLagMs);
+    connect(&m_lag, &QTimer::timeout, this, [this] { setStale(true); });
+    m_clock.start();
+    retranslate();
+}
+
+#undef COUNTER
+
+/// Right-aligned, with a dot between two.
+QHBoxLayout* StatisticsPanel::counterLine(std::vector<Counter>& counters)
+{
+    auto* line = new QHBoxLayout;
+    line->setSpacing(4);
+    line->addStretch(1);
+    for (Counter& counter : counters) {
+        if (&counter != &counters.front())
+            line->addWidget(mutedLabel(QStringLiteral("\u00b7")));
+        counter.value = new QLabel(kUnknown);
+        counter.value->setObjectName(QStringLiteral("counter"));
+        counter.value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        line->addWidget(counter.value);
+    }
+    return line;
+}
+
+void StatisticsPanel::setFrame(const FramePtr& frame)
+{
+    if (frame->timed) {
+        m_times = frame->frame.times;
+        m_fast = frame->fast;
+    }
+    m_timesLag = !frame->timed;
+    if (frame->counted)
+        showCounters(frame);
+    else
+        noteFinished(frame);
+    showTimes();
+}
+
+void StatisticsPanel::showCounters(const FramePtr& frame)
+{
+    m_counted = frame;
+    for (const Row& row : m_rows)
+        for (const Counter& counter : row.counters)
+            counter.value->setText(grouped(counter.get(frame->statistics)));
+    keepWideEnough();
+    m_lag.stop();
+    setStale(false);
+}
+
+void StatisticsPanel::noteFinished(const FramePtr& frame)
+{
+    const qint64 now = m_clock.elapsed();
+    m_finished.push_back(now);
+    while (now - m_finished.front() > kRateWindowMs)
+        m_finished.pop_front();
+    m_settle.start();
+    const bool counted = m_counted && m_counted->scene == frame->scene && m_counted->settings == frame->settings;
+    if (!counted && !m_lag.isActive())
+        m_lag.start();
+}
+
+void StatisticsPanel::setShown(const FramePtr& frame)
+{
+    if (!frame->fast)
+        return;
+    constexpr std::size_t kLatencies = 50;
+    const std::chrono::duration<double, std::milli> latency = std::chrono::steady_clock::now() - frame->requested;
+    m_latencies.push_back(latency.count());
+    if (m_latencies.size() > kLatencies)
+        m_latencies.pop_front();
+    explainRate();
+}
+
+double StatisticsPanel::latency() const
+{
+    if (m_latencies.empty())
+        return 0;
+    std::vector<double> sorted(m_latencies.begin(), m_latencies.end());
+    const auto middle = sorted.begin() + std::ptrdiff_t(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    return *middle;
+}
+
+/// No counter is ever cut off: the panel is as wide as its widest row.
+void StatisticsPanel::keepWideEnough()
+{
+    constexpr int kScrollBarRoom = 9;
+    m_scroll->widget()->layout()->activate(); // the lines within do not know of the new texts before
+    const int needed = m_scroll->widget()->sizeHint().width() + kScrollBarRoom;
+    m_scroll->setMinimumWidth(std::max(m_scroll->minimumWidth(), needed));
+}
+
+QSize StatisticsPanel::sizeHint() const
+{
+    const int scrolled = m_scroll->widget()->sizeHint().height() - m_scroll->sizeHint().height();
+    return QWidget::sizeHint() + QSize(0, scrolled);
+}
+
+void StatisticsPanel::setStale(bool stale)
+{
+    m_stale = stale;
+    for (const Row& row : m_rows)
+        for (const Counter& counter : row.counters)
+            counter.value->setEnabled(!stale);
+    showTimes();
+}
+
+/// Counted while frames keep coming; what one frame's time allows once they stopped.
+double StatisticsPanel::framesPerSecond() const
+{
+    constexpr std::size_t kEnough = 4;
+    const qint64 now = m_clock.elapsed();
+    if (m_finished.size() >= kEnough && now - m_finished.back() < kRateWindowMs &&
+        m_finished.back() > m_finished.front())
+        return 1000.0 * static_cast<double>(m_finished.size() - 1) /
+               static_cast<double>(m_finished.back() - m_finished.front());
+    return m_times.total > 0 ? 1000.0 / m_times.total : 0;
+}
+
+void StatisticsPanel::showTimes()
+{
+    const double rate = framesPerSecond();
+    m_fps->setText(rate > 0
+                       ? (rate < 10 ? QString::number(rate, 'f', 1) : grouped(static_cast<std::uint64_t>(rate + 0.5)))
+                       : kUnknown);
+    m_fps->setEnabled(!(m_stale && m_timesLag));
+    m_fpsUnit->setText(m_fast ? tr("FPS, tiled") : QStringLiteral("FPS"));
+    const auto shown = [this](double ms) { return m_times.total > 0 ? milliseconds(ms) : kUnknown; };
+    m_frameTime->setText(tr("%1 ms").arg(shown(m_times.total)));
+    m_stageTimes->setText(tr("vertex %1 · geometry %2 · raster %3")
+                              .arg(shown(m_times.vertex), shown(m_times.geometry), shown(m_times.raster)));
+}
+
+QString StatisticsPanel::asJson() const
+{
+    if (!m_counted)
+        return {};
+    return QString::fromUtf8(QJsonDocument(toJson(m_counted->statistics, m_times, m_counted->settings)).toJson());
+}
+
+QString StatisticsPanel::asCsv() const
+{
+    if (!m_counted)
+        return {};
+    const QJsonObject json = toJson(m_counted->statistics, m_times, m_counted->settings);
+    QStringList names;
+    QStringList values;
+    for (const char* group : {"faces", "pixels", "milliseconds"}) {
+        const QJsonObject object = json[QLatin1String(group)].toObject();
+        for (auto it = object.begin(); it != object.end(); ++it) {
+            names << QLatin1String(group) + QLatin1Char('_') + it.key();
+            values << it.value().toVariant().toString();
+        }
+    }
+    return names.join(QLatin1Char(',')) + QLatin1Char('\n') + values.join(QLatin1Char(',')) + QLatin1Char('\n');
+}
+
+QString StatisticsPanel::shown(const QString& counter) const
+{
+    for (const Row& row : m_rows)
+        for (const Counter& candidate : row.counters)
+            if (QLatin1String(candidate.id) == counter)
+                return candidate.value->text();
+    return {};
+}
+
+void StatisticsPanel::explainRate()
+{
+    QString text = tr("Frames per second: counted while frames keep coming, else what the last frame's time allows. "
+                      "While the camera moves, and first where pictures take long, the tiled algorithm draws the same "
+                      "picture.");
+    if (!m_latencies.empty())
+        text += QLatin1Char(' ') + tr("From a move to its picture on the screen: %1 ms, the median of %2.")
+                                       .arg(milliseconds(latency()))
+                                       .arg(m_latencies.size());
+    m_fpsUnit->setToolTip(text);
+    m_fps->setToolTip(text);
+}
+
+void StatisticsPanel::retranslate()
+{
+    const auto translated = [](const char* text) { return QCoreApplication::translate("StatisticsPanel", text); };
+    explainRate();
+    m_frameTime->setToolTip(tr("Time of the last frame."));
+    m_stageTimes->setToolTip(tr("Milliseconds of the last frame in each part of the pipeline."));
+    for (const Row& row : m_rows) {
+        row.name->setText(translated(row.title));
+        if (row.help)
+            row.name->setToolTip(translated(row.help));
+        for (const Counter& counter : row.counters)
+            counter.value->setToolTip(row.name->toolTip());
+    }
+    showTimes();
+    m_scroll->setMinimumWidth(0);
+    keepWideEnough();
+}
+
+void StatisticsPanel::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::StyleChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+} // namespace rasterlens

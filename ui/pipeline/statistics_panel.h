@@ -1,0 +1,86 @@
+#pragma once
+#include "ui/document/render_worker.h"
+
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QTimer>
+#include <QWidget>
+
+#include <deque>
+#include <vector>
+
+class QHBoxLayout;
+class QScrollArea;
+
+namespace rasterlens
+{
+
+/// Frames a second, stage times and every counter of the last counted frame, always shown in full.
+class StatisticsPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit StatisticsPanel(QWidget* parent = nullptr);
+
+    /// Counters that stay behind the picture, as while the camera moves, are dimmed until they are counted.
+    void setFrame(const FramePtr& frame);
+    void setStale(bool stale);
+    [[nodiscard]] bool isStale() const { return m_stale; }
+    /// The frame is on the screen.
+    void setShown(const FramePtr& frame);
+    /// Milliseconds from a camera move to its picture on the screen, the median of the last ones; 0 before the first.
+    [[nodiscard]] double latency() const;
+
+    /// The last counted frame as the statistics document of the command line, and flattened to one row.
+    [[nodiscard]] QString asJson() const;
+    [[nodiscard]] QString asCsv() const;
+    /// The text shown for a counter, by its JSON name: `submitted`, `covered`.
+    [[nodiscard]] QString shown(const QString& counter) const;
+
+    QSize sizeHint() const override; ///< with every row in sight
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Counter {
+        const char* id;
+        std::uint64_t (*get)(const Statistics&);
+        QLabel* value = nullptr;
+    };
+    /// One or two counters on a line; none: a heading.
+    struct Row {
+        const char* title;
+        const char* help;
+        std::vector<Counter> counters;
+        QLabel* name = nullptr;
+    };
+    static QHBoxLayout* counterLine(std::vector<Counter>& counters);
+    void showCounters(const FramePtr& frame);
+    void noteFinished(const FramePtr& frame);
+    [[nodiscard]] double framesPerSecond() const;
+    void retranslate();
+    void explainRate();
+    void showTimes();
+    void keepWideEnough();
+
+    std::vector<Row> m_rows;
+    QScrollArea* m_scroll = nullptr;
+    QLabel* m_fps = nullptr;
+    QLabel* m_fpsUnit = nullptr;
+    QLabel* m_frameTime = nullptr;
+    QLabel* m_stageTimes = nullptr;
+    FramePtr m_counted;
+    StageTimes m_times;
+    bool m_fast = false; ///< m_times are those of the tiled algorithm, while the camera moves
+    std::deque<double> m_latencies;
+    QElapsedTimer m_clock;
+    std::deque<qint64> m_finished; ///< when the last frames were completed, milliseconds
+    QTimer m_settle;               ///< shows the rate again once frames stop coming
+    QTimer m_lag;                  ///< runs while the counters are not those of the picture
+    bool m_stale = false;
+    bool m_timesLag = false; ///< the last picture was not timed
+};
+
+} // namespace rasterlens

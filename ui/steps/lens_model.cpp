@@ -1,0 +1,205 @@
+#include "ui/steps/lens_model.h"
+
+#include "core/observe/step_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace rasterlens
+{
+namespace
+{
+
+QString translated(const char* text) { return QCoreApplication::translate("Lens", text); }
+
+/// The last event at a position that is one of `events`, or null.
+template <class Payload>
+const Payload* lastOf(const StepLog& log, std::span<const std::uint32_t> events, std::size_t position)
+{
+    const auto after = std::lower_bound(events.begin(), events.end(), position);
+    return after == events.begin() ? nullptr : &log.payload<Payload>(log.event(*std::prev(after)));
+}
+
+} // namespace
+
+EdgeSign signOf(double value)
+{
+    if (std::isnan(value))
+        return EdgeSign::NotANumber;
+    if (value == 0)
+        return EdgeSign::Zero;
+    return value > 0 ? EdgeSign::Plus : EdgeSign::Minus;
+}
+
+LensModel::LensModel(const StepLog& log, const StepEvent& triangle, std::size_t position)
+    : m_log(&log), m_triangle(log.triangle(triangle)), m_index(triangle.triangle), m_position(position)
+{
+    const auto setup = eventsOfTriangle(StepKind::Setup);
+    m_hasSetup = m_triangle->hasSetup && !setup.empty() && setup.front() < position;
+    m_walks = log.settings().algorithm == Algorithm::EdgeWalking;
+    m_samples = eventsOfTriangle(StepKind::Sample);
+    m_spans = eventsOfTriangle(StepKind::Span);
+}
+
+std::span<const std::uint32_t> LensModel::eventsOfTriangle(StepKind kind) const
+{
+    const auto events = m_log->eventsOf(kind);
+    const auto first = std::partition_point(events.begin(), events.end(),
+                                            [this](std::uint32_t i) { return m_log->event(i).triangle < m_index; });
+    const auto last = std::partition_point(first, events.end(),
+                                           [this](std::uint32_t i) { return m_log->event(i).triangle == m_index; });
+    return {first, last};
+}
+
+/// The samples of a triangle come row by row, left to right: all of its bounds, unless the record is filtered or cut
+/// off.
+const StepEvent* LensModel::sampleAt(int x, int y) const
+{
+    const PixelRect& bounds = m_triangle->setup.bounds;
+    const auto isIt = [&](const StepEvent& event) { return event.x == x && event.y == y; };
+    const auto guess = std::size_t(y - bounds.y) * std::size_t(bounds.width) + std::size_t(x - bounds.x);
+    if (guess < m_samples.size() && isIt(m_log->event(m_samples[guess])))
+        return &m_log->event(m_samples[guess]);
+    const auto at = std::partition_point(m_samples.begin(), m_samples.end(), [&](std::uint32_t i) {
+        const StepEvent& event = m_log->event(i);
+        return std::tie(event.y, event.x) < std::tie(y, x);
+    });
+    return at != m_samples.end() && isIt(m_log->event(*at)) ? &m_log->event(*at) : nullptr;
+}
+
+void LensModel::readSample(LensCell& cell, int x, int y) const
+{
+    const StepSetup& setup = m_triangle->setup;
+    const StepEvent* sample = sampleAt(x, y);
+    cell.hasValues = true;
+    cell.values = sample ? m_log->payload<SampleStep>(*sample).values : setup.at(x, y);
+    if (sample && sample < &m_log->events().front() + m_position)
+        cell.state = sample->has(StepEvent::kCovered) ? LensCell::State::Covered : LensCell::State::Rejected;
+    bool failed = false;
+    for (int i = 0; i < 3; ++i) {
+        const double value = cell.values[std::size_t(i)];
+        cell.signs[std::size_t(i)] = signOf(value);
+        const bool fails = !(value >= setup.edges[std::size_t(i)].threshold);
+        const bool smaller = value < cell.values[std::size_t(cell.deciding)];
+        if (fails == failed ? smaller : fails)
+            cell.deciding = i;
+        failed = failed || fails;
+    }
+    cell.tie = cell.signs[std::size_t(cell.deciding)] == EdgeSign::Zero;
+}
+
+void LensModel::readSpan(LensCell& cell, int x, int y) const
+{
+    const auto row =
+        std::partition_point(m_spans.begin(), m_spans.end(), [&](std::uint32_t i) { return m_log->event(i).y < y; });
+    if (row == m_spans.end() || *row >= m_position || m_log->event(*row).y != y)
+        return;
+    const SpanStep& span = m_log->payload<SpanStep>(m_log->event(*row));
+    cell.state = x >= span.xBegin && x < span.xEnd ? LensCell::State::Covered : LensCell::State::Rejected;
+}
+
+LensCell LensModel::cell(int x, int y) const
+{
+    LensCell cell;
+    const PixelRect& bounds = m_triangle->setup.bounds;
+    if (!m_hasSetup || x < bounds.x || y < bounds.y || x >= bounds.x + bounds.width || y >= bounds.y + bounds.height)
+        return cell;
+    cell.state = LensCell::State::Waiting;
+    if (m_walks)
+        readSpan(cell, x, y);
+    else
+        readSample(cell, x, y);
+    return cell;
+}
+
+const WalkedTriangle* LensModel::walk() const
+{
+    const auto* step = lastOf<WalkStep>(*m_log, eventsOfTriangle(StepKind::Walk), m_position);
+    return step ? &step->walk : nullptr;
+}
+
+const SpanStep* LensModel::span() const { return lastOf<SpanStep>(*m_log, m_spans, m_position); }
+
+const LineStep* LensModel::line() const
+{
+    return lastOf<LineStep>(*m_log, eventsOfTriangle(StepKind::LineDecision), m_position);
+}
+
+std::optional<std::array<glm::ivec2, 2>> LensModel::lineEnds() const
+{
+    const LineStep* step = line();
+    if (!step)
+        return std::nullopt;
+    const LineDecision& d = step->decision;
+    const auto sampleOf = [&](std::size_t i) {
+        return glm::ivec2(glm::floor(m_triangle->screen.vertices[i].position));
+    };
+    const int axis = d.steep ? 1 : 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::ivec2 from = sampleOf(i);
+        const glm::ivec2 to = sampleOf((i + 1) % 3);
+        const glm::ivec2 size = glm::abs(to - from);
+        if (size[axis] != d.longer || size[1 - axis] != d.shorter)
+            continue;
+        const int now = axis == 0 ? d.x : d.y;
+        if (from[axis] + (to[axis] < from[axis] ? -d.step : d.step) == now)
+            return std::array{from, to};
+    }
+    return std::nullopt;
+}
+
+QString edgeSideText(EdgeSide side)
+{
+    switch (side) {
+    case EdgeSide::Left: return translated(QT_TRANSLATE_NOOP("Lens", "left"));
+    case EdgeSide::Top: return translated(QT_TRANSLATE_NOOP("Lens", "top"));
+    case EdgeSide::Neither: break;
+    }
+    return translated(QT_TRANSLATE_NOOP("Lens", "neither"));
+}
+
+QString lensCellText(const StepSetup& setup, const LensCell& cell)
+{
+    const auto edge = std::size_t(cell.deciding);
+    const double value = cell.values[edge];
+    if (!cell.tie) {
+        const QString text = edgeValueText(value, setup.unitsPerArea);
+        return value > 0 ? QLatin1Char('+') + text : text;
+    }
+    const bool ours = value >= setup.edges[edge].threshold;
+    return QStringLiteral("%1: %2, %3")
+        .arg(translated(QT_TRANSLATE_NOOP("Lens", "tie")), edgeSideText(setup.edges[edge].side),
+             ours ? translated(QT_TRANSLATE_NOOP("Lens", "ours")) : translated(QT_TRANSLATE_NOOP("Lens", "not ours")));
+}
+
+QStringList lensHoverLines(const LensModel& model, int x, int y)
+{
+    const StepSetup& setup = model.triangle().setup;
+    const LensCell cell = model.cell(x, y);
+    if (!cell.hasValues)
+        return {};
+    QStringList lines{translated(QT_TRANSLATE_NOOP("Lens", "sample (%1, %2)")).arg(x).arg(y)};
+    const auto steps = [&](double units) {
+        const QString text = edgeValueText(units, setup.unitsPerArea);
+        return units < 0 ? text : QLatin1Char('+') + text;
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        const StepEdge& edge = setup.edges[i];
+        QString line =
+            QStringLiteral("%1 %2   ").arg(edgeName(setup, int(i)), edgeValueText(cell.values[i], setup.unitsPerArea)) +
+            translated(QT_TRANSLATE_NOOP("Lens", "%1 per x, %2 per y")).arg(steps(edge.perX), steps(edge.perY));
+        if (cell.signs[i] == EdgeSign::Zero)
+            line += QStringLiteral("   ") +
+                    translated(QT_TRANSLATE_NOOP("Lens", "tie: %1, %2"))
+                        .arg(edgeSideText(edge.side), cell.values[i] >= edge.threshold
+                                                          ? translated(QT_TRANSLATE_NOOP("Lens", "ours"))
+                                                          : translated(QT_TRANSLATE_NOOP("Lens", "not ours")));
+        lines << line;
+    }
+    return lines;
+}
+
+} // namespace rasterlens

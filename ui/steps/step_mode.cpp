@@ -1,0 +1,201 @@
+#include "ui/steps/step_mode.h"
+
+#include "ui/canvas/viewport_widget.h"
+#include "ui/steps/step_listing.h"
+#include "ui/steps/transport_dock.h"
+
+#include <QFileDialog>
+#include <QInputDialog>
+#include <QMainWindow>
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <utility>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr std::pair<const char*, StepStop::Kind> kStops[] = {
+    {"sign-change", StepStop::Kind::SignChange}, {"tie", StepStop::Kind::Tie},
+    {"depth-fail", StepStop::Kind::DepthFail},   {"clip", StepStop::Kind::Clip},
+    {"nan", StepStop::Kind::NonFinite},
+};
+
+const StepStop::Kind* stopNamed(const QString& name)
+{
+    for (const auto& [id, kind] : kStops)
+        if (name == QLatin1String(id))
+            return &kind;
+    return nullptr;
+}
+
+} // namespace
+
+StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& window)
+    : m_session(document), m_viewport(viewport), m_transport(new TransportDock(m_session, &window)),
+      m_listing(new StepListing(m_session)), m_window(window)
+{
+    window.addDockWidget(Qt::BottomDockWidgetArea, m_transport);
+    viewport.addLayer(&m_lens);
+    connect(&m_session, &StepSession::logChanged, this, &StepMode::syncLens);
+    connect(&m_session, &StepSession::positionChanged, this, [this] {
+        syncLens();
+        followStep();
+        Q_EMIT frameChanged();
+    });
+    connect(&m_session, &StepSession::openChanged, this, [this](bool open) {
+        if (open)
+            m_transport->show();
+        syncLens();
+        Q_EMIT frameChanged();
+    });
+    connect(&m_session, &StepSession::selectionChanged, this, &StepMode::syncSelection);
+    connect(&m_session, &StepSession::failed, this, &StepMode::message);
+    connect(&m_session, &StepSession::recordingChanged, this, [this](bool recording) {
+        syncLens();
+        Q_EMIT frameChanged();
+        if (!recording && !m_wanted.isEmpty())
+            showStep(std::exchange(m_wanted, {}));
+        if (!recording && m_wantedFace) {
+            const auto [face, pixel] = *std::exchange(m_wantedFace, std::nullopt);
+            showFace(face, pixel);
+        }
+    });
+    connect(&viewport, &ViewportWidget::pixelChanged, this,
+            [this] { m_session.selectPixel(m_viewport.selectedPixel()); });
+    connect(m_transport, &TransportDock::rectangleWanted, this, [this] {
+        if (!m_viewport.frame())
+            return;
+        const QRect seen = m_viewport.transform().pixelsIn(m_viewport.rect(), m_viewport.frame()->frame.image.size());
+        m_session.setRectangle(PixelRect{seen.x(), seen.y(), seen.width(), seen.height()});
+    });
+    connect(m_transport, &TransportDock::stopMissed, this,
+            [this] { Q_EMIT message(tr("The record ends without another such event.")); });
+}
+
+StepMode::~StepMode() { m_viewport.removeLayer(&m_lens); }
+
+/// The model reads the log, which it must not outlive.
+void StepMode::syncLens()
+{
+    std::unique_ptr<const LensModel> model;
+    if (m_session.triangleEvent() && !m_session.isRecording())
+        model = std::make_unique<LensModel>(*m_session.log(), *m_session.triangleEvent(), m_session.position());
+    m_lens.setModel(std::move(model));
+    m_viewport.update();
+}
+
+void StepMode::syncSelection() { m_viewport.selectPixel(m_session.selectedPixel()); }
+
+/// In a close-up the present sample is kept in sight.
+void StepMode::followStep()
+{
+    const StepEvent* now = m_session.event();
+    if (now && now->x >= 0 && now->y >= 0 && m_viewport.transform().zoom >= kGridFromZoom)
+        m_viewport.showPixel({now->x / m_session.log()->grid(), now->y / m_session.log()->grid()});
+}
+
+FramePtr StepMode::frame()
+{
+    const StepCursor* cursor = m_session.cursor();
+    if (!cursor || m_session.isRecording())
+        return nullptr;
+    // The memory of the picture before the last, which nobody shows any more, is used again.
+    std::swap(m_frame, m_formerFrame);
+    if (!m_frame || m_frame.use_count() > 1)
+        m_frame = std::make_shared<RenderedFrame>();
+    RenderedFrame& frame = *m_frame;
+    frame.scene = m_session.document().scene();
+    frame.settings = cursor->log().settings();
+    const QImage& image = cursor->image();
+    if (frame.frame.image.size() != image.size())
+        frame.frame.image = QImage(image.size(), image.format());
+    std::copy_n(image.constBits(), image.sizeInBytes(), frame.frame.image.bits());
+    if (cursor->log().grid() == 1)
+        std::ranges::copy(cursor->sampleDepths(), frame.frame.depth.write(cursor->sampleDepths().size()));
+    else
+        frame.frame.depth.clear();
+    frame.statistics = cursor->counters();
+    frame.counted = true;
+    return m_frame;
+}
+
+bool StepMode::isPlace(const QString& where)
+{
+    bool isNumber = false;
+    (void)where.toULongLong(&isNumber);
+    return isNumber || stopNamed(where);
+}
+
+void StepMode::showStep(const QString& where)
+{
+    const StepStop::Kind* stop = stopNamed(where);
+    m_session.open();
+    if (m_session.isRecording())
+        m_wanted = where;
+    else if (stop)
+        m_session.runUntil({*stop});
+    else
+        m_session.moveTo(std::size_t(where.toULongLong()));
+}
+
+void StepMode::showFace(quint32 face, QPoint pixel)
+{
+    m_session.open();
+    if (m_session.isRecording()) {
+        m_wantedFace = {face, pixel};
+        return;
+    }
+    const auto event = m_session.log() ? m_session.log()->firstEventOf(face, pixel.x(), pixel.y()) : std::nullopt;
+    if (event)
+        m_session.moveTo(*event + 1);
+    else
+        Q_EMIT message(tr("The record holds no step of face %1.").arg(face));
+}
+
+RunExport& StepMode::exportRun(const QString& folder, RunExport::Run run)
+{
+    auto* files = new RunExport(m_session, m_viewport, folder, run, &m_window);
+    connect(files, &RunExport::finished, this, [this, folder](const QString& error) {
+        Q_EMIT message(error.isEmpty() ? tr("Written: %1").arg(folder) : error);
+    });
+    return *files;
+}
+
+void StepMode::chooseRunToExport(std::optional<int> zoom)
+{
+    if (!m_session.log()) {
+        Q_EMIT message(tr("Nothing is recorded."));
+        return;
+    }
+    constexpr std::size_t kSuggested = 50;
+    auto* range = new QInputDialog(&m_window);
+    range->setAttribute(Qt::WA_DeleteOnClose);
+    range->setWindowTitle(tr("Export a run of steps"));
+    range->setLabelText(tr("First and last step, for example 10-60:"));
+    const std::size_t first = m_session.position();
+    range->setTextValue(QStringLiteral("%1-%2").arg(first).arg(std::min(first + kSuggested, m_session.size())));
+    connect(range, &QInputDialog::textValueSelected, this, [this, zoom](const QString& text) {
+        static const QRegularExpression pattern(QStringLiteral("^\\s*(\\d+)\\s*-\\s*(\\d+)\\s*$"));
+        const auto match = pattern.match(text);
+        const qulonglong first = match.captured(1).toULongLong();
+        const qulonglong last = match.captured(2).toULongLong();
+        if (!match.hasMatch() || first > last || last > m_session.size()) {
+            Q_EMIT message(tr("\"%1\" is no run of steps 0 to %2.").arg(text).arg(m_session.size()));
+            return;
+        }
+        auto* folder = new QFileDialog(&m_window, tr("Folder for the pictures"));
+        folder->setAttribute(Qt::WA_DeleteOnClose);
+        folder->setFileMode(QFileDialog::Directory);
+        folder->setOption(QFileDialog::ShowDirsOnly);
+        connect(folder, &QFileDialog::fileSelected, this, [=, this](const QString& path) {
+            exportRun(path, {std::size_t(first), std::size_t(last), zoom});
+        });
+        folder->open();
+    });
+    range->open();
+}
+
+} // namespace rasterlens

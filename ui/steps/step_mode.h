@@ -1,0 +1,79 @@
+#pragma once
+#include "ui/steps/lens_overlay.h"
+#include "ui/steps/run_export.h"
+#include "ui/steps/step_session.h"
+
+#include <QObject>
+
+class QMainWindow;
+class QMenu;
+
+namespace rasterlens
+{
+
+class StepListing;
+class TransportDock;
+class ViewportWidget;
+
+/// Puts the parts of the step mode together: the session, the transport, the lens on the canvas and the listing below.
+class StepMode : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// Adds the transport at the bottom of the window.
+    StepMode(Document& document, ViewportWidget& viewport, QMainWindow& window);
+    ~StepMode() override;
+
+    [[nodiscard]] StepSession& session() { return m_session; }
+    [[nodiscard]] TransportDock& transport() { return *m_transport; }
+    [[nodiscard]] StepListing& listing() { return *m_listing; }
+    [[nodiscard]] const LensOverlay& lens() const { return m_lens; }
+
+    /// The picture at the position, with its counters; null when it is the document's own that is to be shown, as while
+    /// a change is recorded: motion stays visible.
+    [[nodiscard]] FramePtr frame();
+
+    /// Opens the step mode and goes there as soon as the record is there: a position, or the name of a stop.
+    ///
+    /// in  isPlace()
+    void showStep(const QString& where);
+    /// Likewise to the first event of a face at a pixel.
+    void showFace(quint32 face, QPoint pixel);
+    /// A number, `tie`, `sign-change`, `depth-fail`, `clip` or `nan`.
+    [[nodiscard]] static bool isPlace(const QString& where);
+    /// Nothing is being recorded.
+    [[nodiscard]] bool isSettled() const { return !m_session.isRecording(); }
+
+    /// Starts to write one numbered PNG a position, at a whole zoom or as on the screen.
+    ///
+    /// in   session() has a log that holds the run
+    /// out  lives until it has finished
+    RunExport& exportRun(const QString& folder, RunExport::Run run);
+
+    /// Asks for the range and the folder.
+    void chooseRunToExport(std::optional<int> zoom);
+
+Q_SIGNALS:
+    void frameChanged(); ///< another picture is to be shown
+    void message(const QString& text);
+
+private:
+    void syncLens();
+    void syncSelection();
+    void followStep();
+
+    StepSession m_session;
+    ViewportWidget& m_viewport;
+    LensOverlay m_lens;
+    TransportDock* m_transport = nullptr;
+    StepListing* m_listing = nullptr;
+    QMainWindow& m_window;
+    std::shared_ptr<RenderedFrame> m_frame;       ///< last handed out
+    std::shared_ptr<RenderedFrame> m_formerFrame; ///< before that
+    QString m_wanted;                             ///< where to go when the record is there
+    /// Likewise.
+    std::optional<std::pair<quint32, QPoint>> m_wantedFace;
+};
+
+} // namespace rasterlens

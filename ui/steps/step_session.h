@@ -1,0 +1,126 @@
+#pragma once
+#include "core/render/steps.h"
+#include "ui/base/latest_task.h"
+#include "ui/document/document.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QPoint>
+#include <QTimer>
+
+#include <memory>
+#include <optional>
+
+namespace rasterlens
+{
+
+/// What of the frame is recorded.
+enum class StepScope { Frame, SelectedFace, Rectangle };
+
+constexpr double kSlowestSteps = 0.25;
+constexpr double kFastestSteps = 64;
+
+/// The step mode: records the document's frame on a background thread, and holds the position in the record.
+///
+/// Off until open(). While it is open, a change of the document records anew; the latest wins, and the former record
+/// stays until the new one is there unless the scene is another. Panels hold no copy: they listen and ask.
+class StepSession : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit StepSession(Document& document, QObject* parent = nullptr);
+
+    /// Enters the step mode and records; the position is then 0 and nothing plays.
+    void open();
+    /// Leaves the step mode and lets go of the record.
+    void close();
+    [[nodiscard]] bool isOpen() const { return m_open; }
+    [[nodiscard]] bool isRecording() const { return m_asked != m_delivered; }
+
+    [[nodiscard]] const Document& document() const { return m_document; }
+    /// The record; null where there is none (yet).
+    [[nodiscard]] const std::shared_ptr<const StepLog>& log() const { return m_log; }
+    /// The frame at the position; null where there is no record.
+    [[nodiscard]] const StepCursor* cursor() const { return m_cursor.get(); }
+    /// 0 is the cleared frame, size() the end of the record.
+    [[nodiscard]] std::size_t position() const { return m_cursor ? m_cursor->position() : 0; }
+    [[nodiscard]] std::size_t size() const { return m_log ? m_log->size() : 0; }
+    /// What happened last; null at position 0 and without a record.
+    [[nodiscard]] const StepEvent* event() const { return m_cursor ? m_cursor->lastEvent() : nullptr; }
+    /// The screen triangle that is looked at: that of the present event or, before coverage begins, the next triangle
+    /// of the present face; of the selected face where one is selected. Null: none.
+    [[nodiscard]] const StepTriangle* triangle() const { return m_triangle ? m_log->triangle(*m_triangle) : nullptr; }
+    /// The event it begins with.
+    [[nodiscard]] const StepEvent* triangleEvent() const { return m_triangle; }
+
+    void moveTo(std::size_t position);
+    void step(StepLevel level, StepDirection direction);
+    /// Goes to just after the next event that stops the run; to the end if there is none.
+    ///
+    /// out  whether there is one
+    bool runUntil(const StepStop& stop);
+
+    void setPlaying(bool on);
+    [[nodiscard]] bool isPlaying() const { return m_clock.isActive(); }
+    /// in  kSlowestSteps..kFastestSteps; at 1, kStepsPerSecond steps a second
+    void setSpeed(double speed);
+    [[nodiscard]] double speed() const { return m_speed; }
+    void setLooping(bool on);
+    [[nodiscard]] bool isLooping() const { return m_looping; }
+    static constexpr double kStepsPerSecond = 8;
+
+    /// Records anew if that makes a difference.
+    void setScope(StepScope scope);
+    [[nodiscard]] StepScope scope() const { return m_scope; }
+    /// What StepScope::Rectangle records.
+    void setRectangle(const std::optional<PixelRect>& pixels);
+
+    [[nodiscard]] std::optional<QPoint> selectedPixel() const { return m_selectedPixel; }
+    void selectPixel(std::optional<QPoint> pixel);
+    [[nodiscard]] std::optional<std::uint32_t> selectedFace() const { return m_selectedFace; }
+    void selectFace(std::optional<std::uint32_t> face);
+    /// The selected face, else that of the present event; nothing without either.
+    [[nodiscard]] std::optional<std::uint32_t> face() const;
+
+Q_SIGNALS:
+    void openChanged(bool open);
+    void recordingChanged(bool recording);
+    void logChanged();       ///< another record, or none; positionChanged follows
+    void positionChanged();  ///< of the cursor: pixels, counters, event, triangle
+    void playbackChanged();  ///< playing, speed, looping
+    void selectionChanged(); ///< selected pixel or face
+    void failed(const QString& message);
+
+private:
+    void record();
+    void drop();
+    void take(std::shared_ptr<const StepLog> log, quint64 serial);
+    void setBusy(quint64 asked, quint64 delivered);
+    void advance();
+    [[nodiscard]] const StepEvent* currentTriangle() const;
+    [[nodiscard]] StepFilter filter() const;
+
+    Document& m_document;
+    std::shared_ptr<const Scene> m_scene; ///< of the record
+    bool m_open = false;
+    std::shared_ptr<const StepLog> m_log;
+    std::unique_ptr<StepCursor> m_cursor;
+    const StepEvent* m_triangle = nullptr;
+    quint64 m_asked = 0;
+    quint64 m_delivered = 0;
+
+    StepScope m_scope = StepScope::Frame;
+    std::optional<PixelRect> m_rectangle;
+    std::optional<QPoint> m_selectedPixel;
+    std::optional<std::uint32_t> m_selectedFace;
+
+    QTimer m_clock;
+    QElapsedTimer m_sinceTick;
+    double m_owedSteps = 0;
+    double m_speed = 1;
+    bool m_looping = false;
+    LatestTask m_task; ///< last: its thread uses the members above
+};
+
+} // namespace rasterlens

@@ -1,0 +1,439 @@
+#include "ui/steps/transport_dock.h"
+
+#include "ui/base/theme.h"
+#include "ui/steps/scrubber.h"
+#include "ui/steps/step_listing.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QActionGroup>
+#include <QApplication>
+#include <QComboBox>
+#include <QEvent>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QMenu>
+#include <QPainter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <array>
+#include <utility>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr double kSpeeds[] = {0.25, 0.5, 1, 2, 4, 8, 16, 32, 64};
+
+QString grouped(std::size_t number) { return QLocale(QLocale::English).toString(qulonglong(number)); }
+
+QString speedText(double speed) { return QStringLiteral("%1\u00d7").arg(speed); }
+
+/// Keys that a widget needs for itself while it has the focus.
+bool keepsKey(const QObject* widget, int key)
+{
+    const bool isArrow = key == Qt::Key_Left || key == Qt::Key_Right;
+    if (qobject_cast<const QAbstractItemView*>(widget) || qobject_cast<const QAbstractSlider*>(widget) ||
+        qobject_cast<const QAbstractSpinBox*>(widget))
+        return isArrow || key == Qt::Key_Space;
+    return (qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QComboBox*>(widget)) &&
+           key == Qt::Key_Space;
+}
+
+/// A line of text that ends in dots where it has no room.
+class ElidedLabel : public QLabel
+{
+public:
+    ElidedLabel()
+    {
+        setObjectName(QStringLiteral("muted"));
+        setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        painter.setPen(palette().color(foregroundRole()));
+        painter.drawText(rect(), int(alignment()), fontMetrics().elidedText(text(), Qt::ElideRight, width()));
+    }
+};
+
+} // namespace
+
+TransportDock::TransportDock(StepSession& session, QWidget* parent)
+    : QDockWidget(parent), m_session(session), m_menu(new QMenu(this))
+{
+    setObjectName(QStringLiteral("transportDock"));
+    buildActions();
+    setTitleBarWidget(buildTitleRow());
+    setWidget(buildBody());
+    qApp->installEventFilter(this);
+    connect(&session, &StepSession::openChanged, this, &TransportDock::syncLog);
+    connect(&session, &StepSession::logChanged, this, &TransportDock::syncLog);
+    connect(&session, &StepSession::recordingChanged, this, &TransportDock::sync);
+    connect(&session, &StepSession::positionChanged, this, &TransportDock::sync);
+    connect(&session, &StepSession::playbackChanged, this, [this] {
+        sync();
+        syncIcons();
+    });
+    connect(&session, &StepSession::selectionChanged, this, &TransportDock::sync);
+    retranslate();
+}
+
+QAction* TransportDock::add(QMenu* menu, const char* text, const QKeySequence& key, std::function<void()> run)
+{
+    QAction* action = menu->addAction(QString());
+    action->setShortcut(key);
+    connect(action, &QAction::triggered, this, [run = std::move(run)] { run(); });
+    m_texts.push_back({action, text});
+    parentWidget()->addAction(action); // keys work also while the menu bar is hidden
+    return action;
+}
+
+void TransportDock::addStep(const char* text, const QKeySequence& key, StepLevel level, StepDirection direction)
+{
+    m_stepActions << add(m_menu, text, key, [this, level, direction] { m_session.step(level, direction); });
+}
+
+void TransportDock::buildActions()
+{
+    m_record = add(m_menu, QT_TR_NOOP("&Record steps"), Qt::Key_R,
+                   [this] { m_session.isOpen() ? m_session.close() : m_session.open(); });
+    m_record->setCheckable(true);
+    buildScopeMenu();
+    m_menu->addSeparator();
+    m_play = add(m_menu, QT_TR_NOOP("&Play"), Qt::Key_Space, [this] {
+        m_session.open();
+        m_session.setPlaying(!m_session.isPlaying());
+    });
+    const auto key = [](auto modifiers, Qt::Key arrow) { return QKeySequence(modifiers | arrow); };
+    constexpr auto kForth = StepDirection::Forward;
+    constexpr auto kBack = StepDirection::Backward;
+    addStep(QT_TR_NOOP("Step &back"), Qt::Key_Left, StepLevel::Event, kBack);
+    addStep(QT_TR_NOOP("&Step"), Qt::Key_Right, StepLevel::Event, kForth);
+    addStep(QT_TR_NOOP("Row back"), key(Qt::SHIFT, Qt::Key_Left), StepLevel::Row, kBack);
+    addStep(QT_TR_NOOP("Next ro&w"), key(Qt::SHIFT, Qt::Key_Right), StepLevel::Row, kForth);
+    addStep(QT_TR_NOOP("Face back"), key(Qt::CTRL, Qt::Key_Left), StepLevel::Face, kBack);
+    addStep(QT_TR_NOOP("Next &face"), key(Qt::CTRL, Qt::Key_Right), StepLevel::Face, kForth);
+    addStep(QT_TR_NOOP("Stage back"), key(Qt::CTRL | Qt::SHIFT, Qt::Key_Left), StepLevel::Stage, kBack);
+    addStep(QT_TR_NOOP("Next s&tage"), key(Qt::CTRL | Qt::SHIFT, Qt::Key_Right), StepLevel::Stage, kForth);
+    const auto jump = [this](std::size_t position) {
+        m_session.setPlaying(false);
+        m_session.moveTo(position);
+    };
+    m_start = add(m_menu, QT_TR_NOOP("To the st&art"), key(Qt::CTRL, Qt::Key_Home), [jump] { jump(0); });
+    m_end =
+        add(m_menu, QT_TR_NOOP("To the &end"), key(Qt::CTRL, Qt::Key_End), [this, jump] { jump(m_session.size()); });
+    m_onlyOpen = m_stepActions;
+    m_onlyOpen << m_start << m_end;
+    m_menu->addSeparator();
+    buildRunMenu();
+    buildSpeedMenu();
+    m_loop = add(m_menu, QT_TR_NOOP("&Loop"), Qt::Key_L, [this] { m_session.setLooping(!m_session.isLooping()); });
+    m_loop->setCheckable(true);
+}
+
+void TransportDock::buildScopeMenu()
+{
+    m_scopeMenu = m_menu->addMenu(QString());
+    m_texts.push_back({m_scopeMenu->menuAction(), QT_TR_NOOP("Record &what")});
+    const auto addScope = [&](const char* text, StepScope scope) {
+        QAction* action = add(m_scopeMenu, text, {}, [this, scope] {
+            if (scope == StepScope::SelectedFace)
+                selectFaceHere();
+            if (scope == StepScope::Rectangle)
+                Q_EMIT rectangleWanted();
+            m_session.setScope(scope);
+        });
+        action->setCheckable(true);
+        m_scopeActions << action;
+    };
+    addScope(QT_TR_NOOP("The whole frame"), StepScope::Frame);
+    addScope(QT_TR_NOOP("The face at the selected pixel"), StepScope::SelectedFace);
+    addScope(QT_TR_NOOP("What the canvas shows"), StepScope::Rectangle);
+}
+
+void TransportDock::buildRunMenu()
+{
+    m_runMenu = m_menu->addMenu(QString());
+    m_texts.push_back({m_runMenu->menuAction(), QT_TR_NOOP("Run &until")});
+    const auto addStop = [&](const char* text, StepStop::Kind kind) {
+        QAction* action = add(m_runMenu, text, {}, [this, kind] { runUntil(kind); });
+        m_onlyOpen << action;
+        return action;
+    };
+    m_untilPixel = addStop(QT_TR_NOOP("This &pixel"), StepStop::Kind::Pixel);
+    addStop(QT_TR_NOOP("&Sign change"), StepStop::Kind::SignChange);
+    addStop(QT_TR_NOOP("&Tie"), StepStop::Kind::Tie);
+    addStop(QT_TR_NOOP("&Depth test fails"), StepStop::Kind::DepthFail);
+    addStop(QT_TR_NOOP("&Clip"), StepStop::Kind::Clip);
+    addStop(QT_TR_NOOP("&NaN or infinity"), StepStop::Kind::NonFinite);
+}
+
+void TransportDock::buildSpeedMenu()
+{
+    m_speedMenu = m_menu->addMenu(QString());
+    m_texts.push_back({m_speedMenu->menuAction(), QT_TR_NOOP("Spee&d")});
+    for (const double speed : kSpeeds) {
+        QAction* action = m_speedMenu->addAction(speedText(speed));
+        action->setCheckable(true);
+        connect(action, &QAction::triggered, this, [this, speed] {
+            m_session.setSpeed(speed);
+            sync();
+        });
+        m_speedActions << action;
+    }
+    m_speedMenu->addSeparator();
+    const auto next = [this](double factor) { m_session.setSpeed(m_session.speed() * factor); };
+    add(m_speedMenu, QT_TR_NOOP("Slower"), Qt::Key_BracketLeft, [next] { next(0.5); });
+    add(m_speedMenu, QT_TR_NOOP("Faster"), Qt::Key_BracketRight, [next] { next(2); });
+}
+
+void TransportDock::runUntil(StepStop::Kind kind)
+{
+    StepStop stop{kind};
+    if (kind == StepStop::Kind::Pixel) {
+        if (!m_session.selectedPixel())
+            return;
+        stop.x = m_session.selectedPixel()->x();
+        stop.y = m_session.selectedPixel()->y();
+    }
+    if (!m_session.runUntil(stop))
+        Q_EMIT stopMissed();
+}
+
+/// The face that was last at work at the selected pixel, else the present one.
+void TransportDock::selectFaceHere()
+{
+    const auto pixel = m_session.selectedPixel();
+    const auto& log = m_session.log();
+    if (!log)
+        return;
+    std::optional<std::size_t> at;
+    if (pixel)
+        at = log->findStop(log->size(), StepDirection::Backward, {StepStop::Kind::Pixel, pixel->x(), pixel->y()});
+    m_session.selectFace(at ? std::optional(log->event(*at).face) : m_session.face());
+}
+
+QToolButton* TransportDock::addButton(QAction* action, TransportSign sign, bool backward)
+{
+    auto* button = new QToolButton;
+    button->setObjectName(QStringLiteral("flat"));
+    button->setFocusPolicy(Qt::NoFocus); // Space plays
+    button->setIconSize({20, 20});
+    button->setFixedSize(31, 28);
+    button->setStyleSheet(QStringLiteral("padding: 0;"));
+    m_buttons.push_back({button, sign, backward});
+    connect(button, &QToolButton::clicked, action, &QAction::trigger);
+    const auto follow = [button, action] {
+        button->setEnabled(action->isEnabled());
+        const QString key = action->shortcut().toString(QKeySequence::NativeText);
+        QString text = action->text().remove(QLatin1Char('&'));
+        button->setToolTip(key.isEmpty() ? text : QStringLiteral("%1 (%2)").arg(text, key));
+        button->setAccessibleName(text);
+    };
+    connect(action, &QAction::changed, button, follow);
+    follow();
+    return button;
+}
+
+QToolButton* TransportDock::addLink(QMenu* menu)
+{
+    auto* link = new QToolButton;
+    link->setObjectName(QStringLiteral("link"));
+    link->setFocusPolicy(Qt::NoFocus);
+    link->setCursor(Qt::PointingHandCursor);
+    link->setPopupMode(QToolButton::InstantPopup);
+    link->setMenu(menu);
+    link->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+    return link;
+}
+
+QWidget* TransportDock::buildTitleRow()
+{
+    m_titleRow = new QFrame;
+    m_titleRow->setObjectName(QStringLiteral("transportTitle"));
+    auto* row = new QHBoxLayout(m_titleRow);
+    row->setContentsMargins(12, 7, 10, 5);
+    row->setSpacing(2);
+    // Outward from the play button the steps grow.
+    constexpr TransportSign kSigns[] = {TransportSign::Step, TransportSign::Row, TransportSign::Face,
+                                        TransportSign::Stage};
+    row->addWidget(addButton(m_start, TransportSign::End, true));
+    for (int i = 3; i >= 0; --i)
+        row->addWidget(addButton(m_stepActions[2 * i], kSigns[i], true));
+    row->addWidget(addButton(m_play, TransportSign::Play, false));
+    for (int i = 0; i < 4; ++i)
+        row->addWidget(addButton(m_stepActions[2 * i + 1], kSigns[i], false));
+    row->addWidget(addButton(m_end, TransportSign::End, false));
+    row->addSpacing(10);
+    m_step = new QLabel;
+    m_step->setObjectName(QStringLiteral("heading"));
+    row->addWidget(m_step);
+    row->addSpacing(8);
+    m_summary = new ElidedLabel;
+    row->addWidget(m_summary, 1);
+    m_notice = new QLabel;
+    m_notice->setObjectName(QStringLiteral("stepNotice"));
+    row->addWidget(m_notice);
+    row->addWidget(m_scopeLink = addLink(m_scopeMenu));
+    row->addWidget(m_speedLink = addLink(m_speedMenu));
+    row->addWidget(m_runLink = addLink(m_runMenu));
+    return m_titleRow;
+}
+
+QWidget* TransportDock::buildBody()
+{
+    m_body = new QFrame;
+    m_body->setObjectName(QStringLiteral("dockBody"));
+    auto* column = new QVBoxLayout(m_body);
+    column->setContentsMargins(8, 0, 8, 6);
+    column->setSpacing(0);
+    column->setSizeConstraint(QLayout::SetMinAndMaxSize); // room left over is the canvas's, at any size of type
+    m_scrubber = new Scrubber;
+    connect(m_scrubber, &Scrubber::moved, this, [this](std::size_t position) {
+        m_session.setPlaying(false);
+        m_session.moveTo(position);
+    });
+    column->addWidget(m_scrubber);
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(6, 0, 4, 0);
+    m_legend = new QLabel;
+    m_hint = new ElidedLabel;
+    m_legend->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    m_hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    row->addWidget(m_legend);
+    row->addWidget(m_hint, 1);
+    column->addLayout(row);
+    return m_body;
+}
+
+void TransportDock::setBrief(bool on)
+{
+    m_brief = on;
+    sync();
+}
+
+void TransportDock::retranslate()
+{
+    syncIcons();
+    setWindowTitle(tr("Steps"));
+    m_menu->setTitle(tr("S&tep"));
+    for (const Translated& entry : m_texts)
+        entry.action->setText(tr(entry.text));
+    m_runLink->setText(tr("run until \u25be"));
+    const auto word = [](PipKind kind, const QString& text) {
+        return QStringLiteral("<span style='color:%1'>%2</span>")
+            .arg(pipColor(kind, QGuiApplication::palette()).name(), text);
+    };
+    m_legend->setText(QStringList{word(PipKind::Cull, tr("cull")), word(PipKind::Clip, tr("clip")),
+                                  word(PipKind::Sample, tr("inside")), word(PipKind::Outside, tr("outside")),
+                                  word(PipKind::Tie, tr("tie")), word(PipKind::DepthFail, tr("depth fail"))}
+                          .join(QStringLiteral(" &nbsp; ")));
+    sync();
+}
+
+void TransportDock::syncIcons()
+{
+    const QPalette colors = QGuiApplication::palette();
+    const QColor ink = colors.color(QPalette::Text);
+    const QColor faded = colors.color(QPalette::Mid);
+    for (const Button& button : m_buttons) {
+        const bool pauses = button.sign == TransportSign::Play && m_session.isPlaying();
+        const TransportSign sign = pauses ? TransportSign::Pause : button.sign;
+        button.widget->setIcon(transportIcon(sign, button.backward, ink, faded));
+    }
+}
+
+void TransportDock::syncLog()
+{
+    m_scrubber->setLog(m_session.log());
+    m_body->setVisible(m_session.isOpen());
+    sync();
+}
+
+QString TransportDock::stepText() const
+{
+    return tr("step %1 of %2").arg(grouped(m_session.position()), grouped(m_session.size()));
+}
+
+QString TransportDock::noticeText() const
+{
+    if (m_session.isRecording())
+        return tr("recording \u2026");
+    const auto& log = m_session.log();
+    if (log && log->truncated())
+        return tr("truncated at %1 events: record less").arg(grouped(log->filter().cap));
+    return {};
+}
+
+void TransportDock::sync()
+{
+    const bool open = m_session.isOpen();
+    m_record->setChecked(open);
+    m_loop->setChecked(m_session.isLooping());
+    for (QAction* action : std::as_const(m_onlyOpen))
+        action->setEnabled(open && m_session.log());
+    m_untilPixel->setEnabled(open && m_session.log() && m_session.selectedPixel());
+    for (int i = 0; i < m_scopeActions.size(); ++i)
+        m_scopeActions[i]->setChecked(i == int(m_session.scope()));
+    for (int i = 0; i < m_speedActions.size(); ++i)
+        m_speedActions[i]->setChecked(kSpeeds[i] == m_session.speed());
+
+    m_step->setText(open ? stepText() : tr("Steps"));
+    const std::size_t position = m_session.position();
+    if (!open)
+        m_summary->setText(tr("Press R or play to record every decision of this frame"));
+    else if (m_session.log())
+        m_summary->setText(position == 0 ? tr("the cleared frame")
+                                         : rasterlens::stepTitle(*m_session.log(), position - 1));
+    else
+        m_summary->clear();
+    m_notice->setText(noticeText());
+    m_notice->setVisible(!m_notice->text().isEmpty());
+    const std::array scopes{tr("whole frame"), tr("one face"), tr("rectangle")};
+    m_scopeLink->setText(scopes[std::size_t(m_session.scope())] + QStringLiteral(" \u25be"));
+    m_speedLink->setText(tr("speed %1 \u25be").arg(speedText(m_session.speed())));
+    for (QToolButton* link : {m_speedLink, m_runLink})
+        link->setVisible(open);
+    m_scopeLink->setVisible(open && !m_brief);
+    const bool another = m_session.log() && m_session.document().settings().algorithm == Algorithm::Tiled;
+    m_hint->setText(
+        another ? tr("recorded by edge equation: the same pixels as tiled")
+                : tr("Space play \u00b7 \u2190 \u2192 step \u00b7 Shift row \u00b7 Ctrl face \u00b7 Ctrl+Shift stage"));
+    m_hint->setVisible(another || !m_brief);
+    m_scrubber->setPosition(position);
+}
+
+void TransportDock::changeEvent(QEvent* event)
+{
+    switch (event->type()) {
+    case QEvent::LanguageChange:
+    case QEvent::PaletteChange:
+    case QEvent::StyleChange: retranslate(); break;
+    default: break;
+    }
+    QDockWidget::changeEvent(event);
+}
+
+bool TransportDock::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride && watched->isWidgetType()) {
+        auto* key = static_cast<QKeyEvent*>(event);
+        if (keepsKey(watched, key->key())) {
+            key->accept();
+            return true;
+        }
+    }
+    return QDockWidget::eventFilter(watched, event);
+}
+
+} // namespace rasterlens

@@ -1,0 +1,107 @@
+#pragma once
+#include "ui/steps/step_session.h"
+#include "ui/steps/transport_icon.h"
+
+#include <QDockWidget>
+#include <QList>
+
+#include <functional>
+#include <vector>
+
+class QActionGroup;
+class QFrame;
+class QLabel;
+class QMenu;
+class QToolButton;
+
+namespace rasterlens
+{
+
+class Scrubber;
+
+/// Playing, stepping and the scrubber; its actions make up the menu Step.
+class TransportDock : public QDockWidget
+{
+    Q_OBJECT
+
+public:
+    explicit TransportDock(StepSession& session, QWidget* parent);
+
+    /// The menu Step; its keys work in the whole window.
+    [[nodiscard]] QMenu* menu() const { return m_menu; }
+    [[nodiscard]] Scrubber& scrubber() const { return *m_scrubber; }
+    [[nodiscard]] QString stepText() const;
+    [[nodiscard]] QString noticeText() const;
+
+    /// Only what a large type has room for: what is recorded is chosen in the menu, keys are in the help.
+    void setBrief(bool on);
+
+Q_SIGNALS:
+    void rectangleWanted(); ///< the scope is to be what the canvas shows
+    void stopMissed();      ///< "run until" came to the end
+
+protected:
+    void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    QAction* add(QMenu* menu, const char* text, const QKeySequence& key, std::function<void()> run);
+    void addStep(const char* text, const QKeySequence& key, StepLevel level, StepDirection direction);
+    void buildActions();
+    void buildScopeMenu();
+    void buildRunMenu();
+    void buildSpeedMenu();
+    QWidget* buildTitleRow();
+    QWidget* buildBody();
+    QToolButton* addButton(QAction* action, TransportSign sign, bool backward);
+    void syncIcons();
+    QToolButton* addLink(QMenu* menu);
+    void retranslate();
+    void sync();
+    void syncLog();
+    void runUntil(StepStop::Kind kind);
+    void selectFaceHere();
+
+    struct Translated {
+        QAction* action;
+        const char* text;
+    };
+
+    StepSession& m_session;
+    QMenu* m_menu = nullptr;
+    QMenu* m_scopeMenu = nullptr;
+    QMenu* m_runMenu = nullptr;
+    QMenu* m_speedMenu = nullptr;
+    QAction* m_record = nullptr;
+    QAction* m_play = nullptr;
+    QAction* m_start = nullptr;
+    QAction* m_end = nullptr;
+    QAction* m_loop = nullptr;
+    QAction* m_untilPixel = nullptr;
+    QList<QAction*> m_stepActions; ///< back and forth: event, row, face, stage
+    QList<QAction*> m_scopeActions;
+    QList<QAction*> m_speedActions;
+    QList<QAction*> m_onlyOpen; ///< of use in the step mode only
+    std::vector<Translated> m_texts;
+    struct Button {
+        QToolButton* widget;
+        TransportSign sign;
+        bool backward;
+    };
+    std::vector<Button> m_buttons;
+
+    QFrame* m_body = nullptr;
+    QFrame* m_titleRow = nullptr;
+    QLabel* m_step = nullptr;
+    QLabel* m_summary = nullptr;
+    bool m_brief = false;
+    QLabel* m_notice = nullptr;
+    QLabel* m_legend = nullptr;
+    QLabel* m_hint = nullptr; ///< the keys, or who records in place of the chosen algorithm
+    QToolButton* m_speedLink = nullptr;
+    QToolButton* m_runLink = nullptr;
+    QToolButton* m_scopeLink = nullptr;
+    Scrubber* m_scrubber = nullptr;
+};
+
+} // namespace rasterlens

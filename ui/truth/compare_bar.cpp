@@ -1,0 +1,206 @@
+#include "ui/truth/compare_bar.h"
+
+#include "ui/base/field_row.h"
+#include "ui/base/theme.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QStandardItemModel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <ranges>
+
+namespace rasterlens
+{
+
+/// The colours of the difference with the steps they stand for.
+class HeatLegend : public QWidget
+{
+public:
+    void setAmplification(int factor)
+    {
+        m_amplification = factor;
+        update();
+    }
+
+    [[nodiscard]] QSize sizeHint() const override { return {200, QFontMetrics(textFont(-1)).height() + 4}; }
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        painter.setFont(textFont(-1));
+        const auto scale = heatScale();
+        const double each = static_cast<double>(width()) / static_cast<double>(scale.size());
+        for (std::size_t i = 0; i < scale.size(); ++i) {
+            const QRectF cell(static_cast<double>(i) * each, 0, each, height());
+            const QColor color(scale[i].color);
+            painter.fillRect(cell, color);
+            painter.setPen(color.lightness() > 110 ? QColor(10, 12, 16) : QColor(250, 251, 253));
+            // The smallest difference that takes this colour; whole steps are all there is.
+            const int steps = (scale[i].steps + m_amplification - 1) / m_amplification;
+            const bool used =
+                i + 1 == scale.size() || steps < (scale[i + 1].steps + m_amplification - 1) / m_amplification;
+            if (used)
+                painter.drawText(cell, Qt::AlignCenter, QString::number(steps));
+        }
+    }
+
+private:
+    int m_amplification = 1;
+};
+
+CompareBar::CompareBar(Document& document, Comparison& comparison, QWidget* parent)
+    : QFrame(parent), m_comparison(comparison), m_title(new QLabel), m_with(new PanelCombo), m_pin(addButton()),
+      m_swap(addButton()), m_wipe(addViewButton(CompareView::Wipe)), m_blink(addViewButton(CompareView::Blink)),
+      m_heat(addViewButton(CompareView::Difference)), m_amplification(new PanelCombo), m_close(addButton()),
+      m_text(new QLabel), m_settings(new QLabel), m_legend(new HeatLegend)
+{
+    setObjectName(QStringLiteral("toolRow"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(12, 2, 8, 4);
+    column->setSpacing(2);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(0);
+    m_title->setObjectName(QStringLiteral("groupHeading"));
+    m_with->setObjectName(QStringLiteral("compareWith"));
+    m_with->addItems({QString(), QString(), QString()});
+    m_amplification->setObjectName(QStringLiteral("amplification"));
+    for (int factor = 1; factor <= Comparison::kMostAmplification; factor *= 2)
+        m_amplification->addItem(QStringLiteral("\u00d7%1").arg(factor), factor);
+    row->addWidget(m_title);
+    row->addSpacing(6);
+    row->addWidget(m_with, 1);
+    row->addSpacing(4);
+    for (QToolButton* button : {m_pin, m_swap})
+        row->addWidget(button);
+    row->addSpacing(4);
+    for (QToolButton* button : {m_wipe, m_blink, m_heat})
+        row->addWidget(button);
+    row->addWidget(m_close);
+    column->addLayout(row);
+    auto* scale = new QHBoxLayout;
+    scale->addWidget(m_amplification);
+    scale->addWidget(m_legend, 1);
+    column->addLayout(scale);
+    m_text->setWordWrap(true);
+    column->addWidget(m_text);
+    m_settings->setObjectName(QStringLiteral("muted"));
+    m_settings->setWordWrap(true);
+    column->addWidget(m_settings);
+
+    connect(m_with, &QComboBox::activated, this,
+            [this](int index) { m_comparison.setWith(static_cast<CompareWith>(index)); });
+    connect(m_amplification, &QComboBox::activated, this,
+            [this](int index) { m_comparison.setAmplification(m_amplification->itemData(index).toInt()); });
+    connect(m_pin, &QToolButton::clicked, this, [this] { m_comparison.pin(); });
+    connect(m_swap, &QToolButton::clicked, this, [this] { m_comparison.swap(); });
+    connect(m_close, &QToolButton::clicked, this, [this] { m_comparison.setView(CompareView::Off); });
+    connect(&comparison, &Comparison::changed, this, &CompareBar::sync);
+    connect(&document, &Document::settingsChanged, this, &CompareBar::sync);
+    retranslate();
+}
+
+QToolButton* CompareBar::addButton()
+{
+    auto* button = new QToolButton;
+    button->setObjectName(QStringLiteral("link"));
+    button->setCursor(Qt::PointingHandCursor);
+    return button;
+}
+
+QToolButton* CompareBar::addViewButton(CompareView view)
+{
+    QToolButton* button = addButton();
+    button->setCheckable(true);
+    connect(button, &QToolButton::clicked, this, [this, view] { m_comparison.setView(view); });
+    return button;
+}
+
+void CompareBar::setBrief(bool brief)
+{
+    m_brief = brief;
+    sync();
+}
+
+void CompareBar::sync()
+{
+    const CompareView view = m_comparison.view();
+    setVisible(view != CompareView::Off);
+    if (view == CompareView::Off)
+        return;
+    const QSignalBlocker blockedWith(m_with);
+    const QSignalBlocker blockedFactor(m_amplification);
+    m_with->setCurrentIndex(static_cast<int>(m_comparison.with()));
+    if (auto* model = qobject_cast<QStandardItemModel*>(m_with->model()))
+        model->item(static_cast<int>(CompareWith::Pinned))->setEnabled(m_comparison.hasPinned());
+    m_amplification->setCurrentIndex(m_amplification->findData(m_comparison.amplification()));
+    m_wipe->setChecked(view == CompareView::Wipe);
+    m_blink->setChecked(view == CompareView::Blink);
+    m_heat->setChecked(view == CompareView::Difference);
+    m_amplification->setVisible(view == CompareView::Difference);
+    m_legend->setVisible(view == CompareView::Difference);
+    m_legend->setAmplification(m_comparison.amplification());
+    m_text->setText(m_comparison.text());
+    constexpr std::size_t kRoom = 3;
+    m_settings->setText(settingsText(kRoom));
+    m_settings->setToolTip(settingsText(settingsFields().size()));
+    m_settings->setVisible(!m_brief);
+}
+
+/// What A and B are, in words: the settings in which they differ. Those beyond the room are in the tool-tip.
+QString CompareBar::settingsText(std::size_t most) const
+{
+    const auto differences = m_comparison.settingsDifferences();
+    if (differences.empty())
+        return tr("A and B have the same settings: change one, or pin A and go on");
+    QStringList a;
+    QStringList b;
+    for (const auto& difference : differences | std::views::take(most)) {
+        a << tr("%1: %2").arg(difference.title, difference.a).toHtmlEscaped();
+        b << tr("%1: %2").arg(difference.title, difference.b).toHtmlEscaped();
+    }
+    if (differences.size() > most)
+        b << tr("%1 more").arg(differences.size() - most);
+    const QString dot = QStringLiteral(" \u00b7 ");
+    return QStringLiteral("<b>A</b>&nbsp; %1<br/><b>B</b>&nbsp; %2").arg(a.join(dot), b.join(dot));
+}
+
+void CompareBar::retranslate()
+{
+    m_title->setText(QStringLiteral("A"));
+    const QSignalBlocker blocked(m_with);
+    m_with->setItemText(static_cast<int>(CompareWith::Right), tr("no mistakes"));
+    m_with->setItemText(static_cast<int>(CompareWith::Scene), tr("scene's own"));
+    m_with->setItemText(static_cast<int>(CompareWith::Pinned), tr("pinned"));
+    m_with->setAccessibleName(tr("Picture A"));
+    m_with->setToolTip(tr("Picture A; B is always the present one"));
+    const auto name = [](QToolButton* button, const QString& text, const QString& toolTip) {
+        button->setText(text);
+        button->setToolTip(toolTip);
+        button->setAccessibleName(toolTip);
+    };
+    name(m_pin, tr("Pin"), tr("Keep the present settings as A (A)"));
+    name(m_swap, QStringLiteral("\u21c4"), tr("Exchange A and B (Shift+A)"));
+    name(m_wipe, tr("Wipe"), tr("A left of the line, B right of it; drag the line (S)"));
+    name(m_blink, tr("Blink"), tr("A and B in turn (B)"));
+    name(m_heat, tr("Difference"), tr("Where A and B differ, and how much (D)"));
+    name(m_close, QStringLiteral("\u00d7"), tr("Stop comparing"));
+    m_amplification->setAccessibleName(tr("Amplification"));
+    m_amplification->setToolTip(tr("Differences are multiplied by this before they are coloured"));
+    sync();
+}
+
+void CompareBar::changeEvent(QEvent* event)
+{
+    QFrame::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace rasterlens

@@ -1,0 +1,366 @@
+#include "ui/truth/experiment_panel.h"
+
+#include "core/truth/experiment_export.h"
+#include "ui/base/field_row.h"
+#include "ui/base/image_export.h"
+#include "ui/truth/experiment_model.h"
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QEvent>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMenu>
+#include <QPainter>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QSignalBlocker>
+#include <QSortFilterProxyModel>
+#include <QSplitter>
+#include <QTableView>
+#include <QToolButton>
+#include <QToolTip>
+#include <QVBoxLayout>
+
+#include <new>
+#include <system_error>
+#include <utility>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr int kProgressMs = 100;
+constexpr QSize kFigure(1000, 640);
+
+std::optional<QString> saveText(const QByteArray& text, const QString& path)
+{
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
+        return ExperimentPanel::tr("%1 could not be written: %2").arg(path, file.errorString());
+    return std::nullopt;
+}
+
+} // namespace
+
+ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent) : QWidget(parent), m_document(document)
+{
+    // Below a canvas height is what there is least of: controls, plot and table lie side by side.
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(12, 2, 12, 8);
+    row->setSpacing(10);
+    row->addWidget(buildControls());
+    auto* parts = new QSplitter(Qt::Horizontal);
+    parts->setChildrenCollapsible(false);
+    m_plot = new ExperimentPlot;
+    parts->addWidget(m_plot);
+    m_model = new ExperimentModel(this);
+    auto* sorted = new QSortFilterProxyModel(this);
+    sorted->setSourceModel(m_model);
+    sorted->setSortRole(ExperimentModel::SortRole);
+    m_table = new QTableView;
+    m_table->setModel(sorted);
+    m_table->setSortingEnabled(true);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setShowGrid(false);
+    m_table->setAlternatingRowColors(true);
+    m_table->setWordWrap(false);
+    m_table->setIconSize(algorithmMark(Algorithm::Tiled).deviceIndependentSize().toSize());
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(ExperimentModel::Name, QHeaderView::Stretch);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_table->setMinimumSize(360, 60);
+    m_table->sortByColumn(ExperimentModel::Speed, Qt::AscendingOrder);
+    parts->addWidget(m_table);
+    parts->setSizes({480, 520});
+    row->addWidget(parts, 1);
+
+    connect(m_plot, &ExperimentPlot::rowClicked, this, &ExperimentPanel::load);
+    connect(m_plot, &ExperimentPlot::rowHovered, this, [this](int row, QPoint at) {
+        if (row >= 0)
+            QToolTip::showText(at, ExperimentModel::describe(m_rows[static_cast<std::size_t>(row)]), m_plot);
+        else
+            QToolTip::hideText();
+    });
+    const auto sourceRow = [sorted](const QModelIndex& index) { return sorted->mapToSource(index).row(); };
+    connect(m_table, &QTableView::activated, this, [this, sourceRow](const QModelIndex& i) { load(sourceRow(i)); });
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this, sourceRow](const QModelIndex& i) {
+                m_plot->setChosen(i.isValid() ? std::optional(sourceRow(i)) : std::nullopt);
+            });
+    retranslate();
+}
+
+ExperimentPanel::~ExperimentPanel() = default;
+
+QWidget* ExperimentPanel::buildControls()
+{
+    m_run = new QPushButton;
+    connect(m_run, &QPushButton::clicked, this, [this] { m_running ? cancel() : run(m_frames->value()); });
+    m_frames = new PanelSpin;
+    m_frames->setRange(1, 1000);
+    m_frames->setValue(ExperimentOptions().frames);
+    m_progress = new QProgressBar;
+    m_progress->setTextVisible(false);
+    m_progress->setFixedHeight(8);
+    m_errorBox = new PanelCombo;
+    for (int i = 0; i < kErrorMeasures; ++i)
+        m_errorBox->addItem(QString());
+    m_errorBox->setCurrentIndex(static_cast<int>(ErrorMeasure::Color));
+    m_speedBox = new PanelCombo;
+    m_speedBox->addItems({QString(), QString()});
+    for (QComboBox* box : {m_errorBox, m_speedBox})
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    connect(m_errorBox, &QComboBox::currentIndexChanged, this, &ExperimentPanel::show);
+    connect(m_speedBox, &QComboBox::currentIndexChanged, this, &ExperimentPanel::show);
+    m_export = new QToolButton;
+    m_export->setObjectName(QStringLiteral("link"));
+    m_export->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+    m_export->setPopupMode(QToolButton::InstantPopup);
+    m_exportMenu = new QMenu(m_export);
+    m_export->setMenu(m_exportMenu);
+    for (const char* suffix : {"csv", "json", "svg", "png"})
+        connect(m_exportMenu->addAction(QString::fromLatin1(suffix).toUpper()), &QAction::triggered, this,
+                [this, suffix] { chooseFile(QString::fromLatin1(suffix)); });
+    QSizePolicy keepsItsPlace = m_progress->sizePolicy();
+    keepsItsPlace.setRetainSizeWhenHidden(true);
+    m_progress->setSizePolicy(keepsItsPlace);
+    m_note = new QLabel;
+    m_note->setObjectName(QStringLiteral("muted"));
+    m_note->setWordWrap(true);
+    m_note->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_note->setAlignment(Qt::AlignTop);
+    return arrangedControls();
+}
+
+QWidget* ExperimentPanel::arrangedControls()
+{
+    const auto rowOf = [](std::initializer_list<QWidget*> widgets) {
+        auto* row = new QHBoxLayout;
+        row->setSpacing(8);
+        for (QWidget* widget : widgets)
+            row->addWidget(widget);
+        row->addStretch(1);
+        return row;
+    };
+    auto* controls = new QWidget;
+    auto* column = new QVBoxLayout(controls);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(6);
+    column->addLayout(rowOf({m_run, m_frames}));
+    column->addWidget(m_progress);
+    column->addWidget(m_note, 1);
+    column->addLayout(rowOf({m_errorBox, m_speedBox}));
+    column->addLayout(rowOf({m_export}));
+    controls->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+    return controls;
+}
+
+void ExperimentPanel::run(int frames)
+{
+    const auto scene = m_document.scene();
+    const Settings base = m_document.settings();
+    const std::vector<const Variant*> supported = supportedVariants(*scene, base);
+    const quint64 serial = ++m_serial;
+    m_running = true;
+    m_rows.clear();
+    m_sceneTitle =
+        scene->title.isEmpty() ? scene->id : QCoreApplication::translate("BuiltinScene", qPrintable(scene->title));
+    m_progress->setRange(0, 0);
+    m_task.post(
+        [this, scene, base, supported, frames, serial](std::stop_token stop) {
+            const auto deliver = [this, serial](std::span<const ExperimentRow> rows, int done, int total, bool last) {
+                QMetaObject::invokeMethod(
+                    this,
+                    [this, serial, rows = std::vector<ExperimentRow>(rows.begin(), rows.end()), done, total, last] {
+                        take(serial, rows, done, total, last);
+                    },
+                    Qt::QueuedConnection);
+            };
+            QElapsedTimer clock;
+            clock.start();
+            const auto progress = [&](const ExperimentProgress& now) {
+                if (clock.elapsed() < kProgressMs)
+                    return;
+                deliver(now.rows, now.done, now.total, false);
+                clock.restart();
+            };
+            try {
+                const auto rows =
+                    runExperiment(*scene, base, supported, {.frames = frames, .reference = true}, progress, stop);
+                deliver(rows, 1, 1, true);
+            } catch (const std::bad_alloc&) {
+                giveUp(serial, tr("There is not enough memory for a picture of this size."));
+            } catch (const std::system_error&) {
+                giveUp(serial, tr("The system does not start so many threads."));
+            }
+        },
+        LatestTask::Running::Interrupt);
+    show();
+    syncState();
+}
+
+/// On the background thread: what has been measured so far stays.
+void ExperimentPanel::giveUp(quint64 serial, const QString& why)
+{
+    QMetaObject::invokeMethod(
+        this,
+        [this, serial, why] {
+            if (serial != m_serial)
+                return;
+            take(serial, m_rows, 1, 1, true);
+            m_note->setText(why);
+        },
+        Qt::QueuedConnection);
+}
+
+void ExperimentPanel::cancel()
+{
+    m_task.post([](std::stop_token) {}, LatestTask::Running::Interrupt);
+    m_run->setEnabled(false); // until the frame at work is finished
+}
+
+void ExperimentPanel::take(quint64 serial, std::vector<ExperimentRow> rows, int done, int total, bool last)
+{
+    if (serial != m_serial)
+        return;
+    m_rows = std::move(rows);
+    m_progress->setRange(0, total);
+    m_progress->setValue(done);
+    if (last)
+        m_running = false;
+    show();
+    syncState();
+    if (last)
+        Q_EMIT finished();
+}
+
+void ExperimentPanel::show()
+{
+    const auto error = static_cast<ErrorMeasure>(m_errorBox->currentIndex());
+    const auto speed = static_cast<SpeedMeasure>(m_speedBox->currentIndex());
+    markFrontier(m_rows, error);
+    m_model->setRows(m_rows, error, speed);
+    m_plot->setRows(m_rows, error, speed);
+    m_note->setText(ratioText());
+}
+
+void ExperimentPanel::syncState()
+{
+    m_run->setEnabled(true);
+    m_run->setText(m_running ? tr("Cancel") : tr("Measure"));
+    m_progress->setVisible(m_running);
+    m_export->setEnabled(!m_rows.empty());
+}
+
+QString ExperimentPanel::ratioText() const
+{
+    if (m_rows.empty())
+        return tr("Every variant of the pipeline on the present scene: how fast, and how far from the exact picture.");
+    const QString scene = QStringLiteral("%1, %2 \u00d7 %3")
+                              .arg(m_sceneTitle)
+                              .arg(m_rows.front().settings.size.width())
+                              .arg(m_rows.front().settings.size.height());
+    const auto advantage = walkingAdvantage(m_rows);
+    if (m_plot->dotCount() == 0 && !m_running)
+        return tr("%1 \u00b7 no variant has this error here: colours need Gouraud shading, depths a depth test")
+            .arg(scene);
+    if (!advantage)
+        return scene;
+    return tr("%1 \u00b7 edge equation takes %2 times as long as edge walking here, 1.36 times in [002]")
+        .arg(scene)
+        .arg(*advantage, 0, 'f', 2);
+}
+
+void ExperimentPanel::choose(int row)
+{
+    const auto* sorted = static_cast<QSortFilterProxyModel*>(m_table->model());
+    m_table->selectRow(sorted->mapFromSource(m_model->index(row, 0)).row());
+    m_plot->setChosen(row);
+}
+
+void ExperimentPanel::load(int row)
+{
+    const ExperimentRow& chosen = m_rows[static_cast<std::size_t>(row)];
+    choose(row);
+    Settings settings = chosen.settings;
+    settings.view = m_document.settings().view;
+    m_document.setSettings(settings);
+    Q_EMIT message(tr("Loaded: %1").arg(ExperimentModel::titleOf(chosen)));
+}
+
+std::optional<QString> ExperimentPanel::exportTo(const QString& path)
+{
+    if (path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive))
+        return saveText(experimentCsv(m_rows), path);
+    if (path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive))
+        return saveText(experimentJson(m_rows), path);
+    if (path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive))
+        return saveSvg(kFigure, path, [this](QPainter& painter) { m_plot->paintTo(painter, kFigure); });
+    constexpr int kSharper = 2;
+    QImage image(kFigure * kSharper, QImage::Format_RGB32);
+    {
+        QPainter painter(&image);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.scale(kSharper, kSharper);
+        m_plot->paintTo(painter, kFigure);
+    }
+    return savePng(image, path);
+}
+
+void ExperimentPanel::chooseFile(const QString& suffix)
+{
+    auto* dialog = new QFileDialog(this, tr("Export the measurements"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(suffix);
+    dialog->setNameFilter(QStringLiteral("%1 (*.%2)").arg(suffix.toUpper(), suffix));
+    dialog->selectFile(QStringLiteral("speed-error.") + suffix);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        if (const auto error = exportTo(path))
+            Q_EMIT failed(*error);
+        else
+            Q_EMIT message(tr("Written: %1").arg(path));
+    });
+    dialog->open();
+}
+
+void ExperimentPanel::retranslate()
+{
+    m_frames->setSuffix(QLatin1Char(' ') + tr("frames each"));
+    m_frames->setToolTip(tr("Frames of each variant that count; one more warms up"));
+    m_frames->setAccessibleName(m_frames->toolTip());
+    const QSignalBlocker blockedError(m_errorBox);
+    const QSignalBlocker blockedSpeed(m_speedBox);
+    m_errorBox->setItemText(static_cast<int>(ErrorMeasure::Coverage), tr("Error: coverage"));
+    m_errorBox->setItemText(static_cast<int>(ErrorMeasure::Depth), tr("Error: depth"));
+    m_errorBox->setItemText(static_cast<int>(ErrorMeasure::Color), tr("Error: colour"));
+    m_errorBox->setAccessibleName(tr("Error of the horizontal axis"));
+    m_errorBox->setToolTip(m_errorBox->accessibleName());
+    m_speedBox->setItemText(static_cast<int>(SpeedMeasure::NsPerCoveredPixel), tr("ns per pixel"));
+    m_speedBox->setItemText(static_cast<int>(SpeedMeasure::MtriPerS), tr("Mtri/s"));
+    m_speedBox->setAccessibleName(tr("Speed of the vertical axis"));
+    m_speedBox->setToolTip(m_speedBox->accessibleName());
+    m_export->setText(tr("Export") + QStringLiteral(" \u25be"));
+    m_plot->setToolTip(QString());
+    m_table->setToolTip(tr("Double-click or Enter loads the variant"));
+    show();
+    syncState();
+}
+
+void ExperimentPanel::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace rasterlens

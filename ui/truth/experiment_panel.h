@@ -1,0 +1,98 @@
+#pragma once
+#include "core/truth/experiment.h"
+#include "ui/base/latest_task.h"
+#include "ui/document/document.h"
+#include "ui/truth/experiment_plot.h"
+
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QMenu;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+class QTableView;
+class QToolButton;
+
+namespace rasterlens
+{
+
+class ExperimentModel;
+
+/// Measures every variant of the present scene, on a background thread, and shows speed against error: a plot and a
+/// table. A click on a dot or a double click on a row loads the variant.
+class ExperimentPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit ExperimentPanel(Document& document, QWidget* parent = nullptr);
+    ~ExperimentPanel() override;
+
+    /// Measures the scene and the settings of the document; what was measured before is let go of.
+    void run(int frames);
+    /// Stops; what has been measured stays.
+    void cancel();
+    [[nodiscard]] bool isRunning() const { return m_running; }
+
+    [[nodiscard]] const std::vector<ExperimentRow>& rows() const { return m_rows; }
+    [[nodiscard]] ExperimentPlot& plot() { return *m_plot; }
+    [[nodiscard]] QTableView& table() { return *m_table; }
+    [[nodiscard]] QComboBox* errorBox() const { return m_errorBox; }
+    [[nodiscard]] QComboBox* speedBox() const { return m_speedBox; }
+    /// `edge walking 1.21 times as fast as edge equation; [002]: 1.36`
+    [[nodiscard]] QString ratioText() const;
+
+    /// Makes the settings of a row the present ones, seen from where the camera is now.
+    void load(int row);
+
+    /// in      a name that ends in .csv, .json, .svg or .png
+    /// errors  a sentence in the language in use
+    [[nodiscard]] std::optional<QString> exportTo(const QString& path);
+
+    QSize sizeHint() const override { return {1000, 300}; }
+
+Q_SIGNALS:
+    void finished();
+    void message(const QString& text);
+    void failed(const QString& text);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    QWidget* buildControls();
+    [[nodiscard]] QWidget* arrangedControls();
+    void take(quint64 serial, std::vector<ExperimentRow> rows, int done, int total, bool last);
+    void giveUp(quint64 serial, const QString& why);
+    void show();
+    void choose(int row);
+    void chooseFile(const QString& suffix);
+    void syncState();
+    void retranslate();
+
+    Document& m_document;
+    std::vector<ExperimentRow> m_rows;
+    QString m_sceneTitle;
+    bool m_running = false;
+    quint64 m_serial = 0;
+    QPushButton* m_run = nullptr;
+    QSpinBox* m_frames = nullptr;
+    QProgressBar* m_progress = nullptr;
+    QComboBox* m_errorBox = nullptr;
+    QComboBox* m_speedBox = nullptr;
+    QToolButton* m_export = nullptr;
+    QMenu* m_exportMenu = nullptr;
+    QLabel* m_note = nullptr;
+    ExperimentPlot* m_plot = nullptr;
+    QTableView* m_table = nullptr;
+    ExperimentModel* m_model = nullptr;
+    LatestTask m_task; ///< last: its thread uses the members above
+};
+
+} // namespace rasterlens

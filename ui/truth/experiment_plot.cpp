@@ -1,0 +1,385 @@
+#include "ui/truth/experiment_plot.h"
+
+#include "ui/base/inks.h"
+#include "ui/base/theme.h"
+
+#include <QApplication>
+#include <QEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPicture>
+#include <QPixmap>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+// QCustomPlot's header is written with Qt's keywords, which the project does without.
+#define signals Q_SIGNALS
+#define slots Q_SLOTS
+#define foreach Q_FOREACH
+#include <qcustomplot.h>
+#undef signals
+#undef slots
+#undef foreach
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr std::array kAlgorithms{Algorithm::EdgeEquation, Algorithm::EdgeWalking, Algorithm::Tiled};
+constexpr std::array kShapes{QCPScatterStyle::ssCircle, QCPScatterStyle::ssSquare, QCPScatterStyle::ssTriangle};
+constexpr double kDotSize = 8;
+
+/// Powers of ten, and a 0 where errors of zero are shown.
+class ErrorTicker : public QCPAxisTickerLog
+{
+public:
+    void setZero(std::optional<double> place) { m_zero = place; }
+
+protected:
+    QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override
+    {
+        if (m_zero && tick < *m_zero * 1.001)
+            return QStringLiteral("0");
+        return QCPAxisTickerLog::getTickLabel(tick, locale, format, precision);
+    }
+
+    QVector<double> createTickVector(double step, const QCPRange& range) override
+    {
+        QVector<double> ticks = QCPAxisTickerLog::createTickVector(step, range);
+        if (!m_zero)
+            return ticks;
+        const double zero = *m_zero;
+        ticks.erase(std::remove_if(ticks.begin(), ticks.end(), [zero](double t) { return t < zero * 9.9; }),
+                    ticks.end());
+        ticks.prepend(zero);
+        return ticks;
+    }
+
+    QVector<double> createSubTickVector(int count, const QVector<double>& ticks) override
+    {
+        QVector<double> between = QCPAxisTickerLog::createSubTickVector(count, ticks);
+        if (m_zero) {
+            const double border = *m_zero * 9.9;
+            between.erase(std::remove_if(between.begin(), between.end(), [border](double t) { return t < border; }),
+                          between.end());
+        }
+        return between;
+    }
+
+private:
+    std::optional<double> m_zero;
+};
+
+QString titleOfAlgorithm(Algorithm algorithm)
+{
+    const SettingsField* field = findSettingsField(QStringLiteral("algorithm"));
+    return QCoreApplication::translate("Settings", field->choices[static_cast<std::size_t>(algorithm)].title);
+}
+
+std::array<QColor, kAlgorithms.size()> algorithmColors(const QPalette& palette)
+{
+    const Inks inks = inksFor(palette);
+    return {inks.plus, inks.minus, inks.third};
+}
+
+} // namespace
+
+Speed speedOf(const ExperimentRow& row, SpeedMeasure measure)
+{
+    const double low = row.ms.p10 / row.ms.median;
+    const double high = row.ms.p90 / row.ms.median;
+    if (measure == SpeedMeasure::NsPerCoveredPixel)
+        return {row.nsPerCoveredPixel, row.nsPerCoveredPixel * low, row.nsPerCoveredPixel * high};
+    return {row.mtriPerS, row.mtriPerS / high, row.mtriPerS / low};
+}
+
+QPixmap algorithmMark(Algorithm algorithm)
+{
+    constexpr int kSharper = 3;
+    constexpr int kSide = static_cast<int>(kDotSize) + 4;
+    const auto i = static_cast<std::size_t>(std::ranges::find(kAlgorithms, algorithm) - kAlgorithms.begin());
+    QPixmap mark(kSide * kSharper, kSide * kSharper);
+    mark.setDevicePixelRatio(kSharper);
+    mark.fill(Qt::transparent);
+    QCPPainter painter(&mark);
+    painter.setAntialiasing(true);
+    const QColor color = algorithmColors(QApplication::palette())[i];
+    const QCPScatterStyle style(kShapes[i], QPen(color), QBrush(color), kDotSize);
+    style.applyTo(&painter, style.pen());
+    style.drawShape(&painter, QPointF(kSide, kSide) / 2);
+    return mark;
+}
+
+QString speedTitle(SpeedMeasure measure)
+{
+    return measure == SpeedMeasure::NsPerCoveredPixel
+               ? QCoreApplication::translate("Experiment", "ns per covered pixel")
+               : QCoreApplication::translate("Experiment", "million triangles a second");
+}
+
+QString errorTitle(ErrorMeasure measure) { return QCoreApplication::translate("Experiment", infoOf(measure).title); }
+
+ExperimentPlot::ExperimentPlot(QWidget* parent) : QWidget(parent), m_plot(new QCustomPlot)
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_plot);
+    for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis}) {
+        axis->setScaleType(QCPAxis::stLogarithmic);
+        axis->setNumberFormat(QStringLiteral("gb"));
+        axis->setNumberPrecision(2);
+    }
+    m_plot->xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new ErrorTicker));
+    m_plot->yAxis->setTicker(QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog));
+    m_frontier = m_plot->addGraph();
+    m_frontier->setScatterStyle(QCPScatterStyle::ssNone);
+    for (std::size_t i = 0; i < kAlgorithms.size(); ++i) {
+        QCPGraph* graph = m_plot->addGraph();
+        graph->setLineStyle(QCPGraph::lsNone);
+        auto* bars = new QCPErrorBars(m_plot->xAxis, m_plot->yAxis);
+        bars->removeFromLegend();
+        bars->setDataPlottable(graph);
+        m_graphs.push_back(graph);
+        m_bars.push_back(bars);
+    }
+    m_ring = m_plot->addGraph();
+    m_ring->setLineStyle(QCPGraph::lsNone);
+    m_ring->removeFromLegend();
+    m_plot->legend->setVisible(true);
+    m_plot->legend->setFillOrder(QCPLegend::foColumnsFirst);
+    // The legend lies above the axes: no dot is ever below it.
+    m_plot->plotLayout()->insertRow(0);
+    m_plot->plotLayout()->addElement(0, 0, m_plot->legend);
+    m_plot->plotLayout()->setRowStretchFactor(0, 0.001);
+    m_plot->legend->setColumnSpacing(4);
+    m_plot->legend->setIconTextPadding(3);
+    m_plot->legend->setMargins(QMargins(2, 1, 2, 5));
+    m_plot->installEventFilter(this);
+    m_plot->setMouseTracking(true);
+    applyColors();
+}
+
+void ExperimentPlot::setRows(const std::vector<ExperimentRow>& rows, ErrorMeasure error, SpeedMeasure speed)
+{
+    m_error = error;
+    m_speed = speed;
+    takeDots(rows);
+    draw();
+}
+
+void ExperimentPlot::takeDots(const std::vector<ExperimentRow>& rows)
+{
+    double smallest = std::numeric_limits<double>::infinity();
+    m_hasZero = false;
+    for (const ExperimentRow& row : rows)
+        if (const auto error = errorOf(row, m_error); error && row.ms.frames > 0) {
+            m_hasZero |= *error == 0;
+            if (*error > 0)
+                smallest = std::min(smallest, *error);
+        }
+    m_zeroPlace = std::isinf(smallest) ? 0.1 : std::pow(10, std::floor(std::log10(smallest)) - 1);
+    m_dots.clear();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const auto error = errorOf(rows[i], m_error);
+        if (!error || rows[i].ms.frames == 0)
+            continue;
+        const Speed speed = speedOf(rows[i], m_speed);
+        m_dots.push_back({static_cast<int>(i), *error > 0 ? *error : m_zeroPlace, speed.median, speed.low, speed.high,
+                          rows[i].settings.algorithm, rows[i].frontier});
+    }
+}
+
+void ExperimentPlot::setRanges()
+{
+    double left = std::numeric_limits<double>::infinity();
+    double right = 0;
+    double bottom = std::numeric_limits<double>::infinity();
+    double top = 0;
+    for (const Dot& dot : m_dots) {
+        left = std::min(left, dot.x);
+        right = std::max(right, dot.x);
+        bottom = std::min(bottom, dot.low);
+        top = std::max(top, dot.high);
+    }
+    if (m_dots.empty()) {
+        left = bottom = 0.1;
+        right = top = 10;
+    }
+    constexpr double kRoom = 1.6;
+    m_plot->xAxis->setRange(left / kRoom, std::max(right, left * 10) * kRoom);
+    m_plot->yAxis->setRange(bottom / 1.25, std::max(top, bottom * 2) * 1.25);
+}
+
+void ExperimentPlot::draw()
+{
+    for (std::size_t i = 0; i < kAlgorithms.size(); ++i) {
+        QVector<double> x, y, below, above;
+        for (const Dot& dot : m_dots)
+            if (dot.algorithm == kAlgorithms[i]) {
+                x << dot.x;
+                y << dot.y;
+                below << dot.y - dot.low;
+                above << dot.high - dot.y;
+            }
+        // Dots come from the rows, whose order is kept: errors are not sorted.
+        m_graphs[i]->data()->clear();
+        m_bars[i]->data()->clear();
+        std::vector<int> order(static_cast<std::size_t>(x.size()));
+        for (std::size_t k = 0; k < order.size(); ++k)
+            order[k] = static_cast<int>(k);
+        std::ranges::stable_sort(order, {}, [&](int k) { return x[k]; });
+        for (const int k : order) {
+            m_graphs[i]->addData(x[k], y[k]);
+            m_bars[i]->addData(below[k], above[k]);
+        }
+        m_graphs[i]->setName(titleOfAlgorithm(kAlgorithms[i]));
+    }
+    drawFrontier();
+    setRanges();
+    m_plot->xAxis->setLabel(errorTitle(m_error));
+    m_plot->yAxis->setLabel(speedTitle(m_speed));
+    m_frontier->setName(QCoreApplication::translate("Experiment", "frontier"));
+    qSharedPointerCast<ErrorTicker>(m_plot->xAxis->ticker())
+        ->setZero(m_hasZero ? std::optional(m_zeroPlace) : std::nullopt);
+    setChosen(m_chosen);
+}
+
+/// Stairs: to the right of a dot of the frontier everything as slow as it is worse.
+void ExperimentPlot::drawFrontier()
+{
+    std::vector<const Dot*> frontier;
+    for (const Dot& dot : m_dots)
+        if (dot.frontier)
+            frontier.push_back(&dot);
+    std::ranges::sort(frontier, {}, [](const Dot* dot) { return dot->x; });
+    m_frontier->data()->clear();
+    for (const Dot* dot : frontier)
+        m_frontier->addData(dot->x, dot->y);
+    m_frontier->setLineStyle(QCPGraph::lsStepLeft);
+}
+
+void ExperimentPlot::setChosen(std::optional<int> row)
+{
+    m_chosen = row;
+    m_ring->data()->clear();
+    for (const Dot& dot : m_dots)
+        if (row && dot.row == *row)
+            m_ring->addData(dot.x, dot.y);
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+std::optional<QPointF> ExperimentPlot::placeOf(int row) const
+{
+    for (const Dot& dot : m_dots)
+        if (dot.row == row)
+            return QPointF(m_plot->xAxis->coordToPixel(dot.x), m_plot->yAxis->coordToPixel(dot.y));
+    return std::nullopt;
+}
+
+std::optional<int> ExperimentPlot::rowAt(QPointF point) const
+{
+    constexpr double kReach = 12;
+    std::optional<int> nearest;
+    double least = kReach;
+    for (const Dot& dot : m_dots) {
+        const QPointF to(m_plot->xAxis->coordToPixel(dot.x), m_plot->yAxis->coordToPixel(dot.y));
+        const double distance = std::hypot(to.x() - point.x(), to.y() - point.y());
+        if (distance < least) {
+            least = distance;
+            nearest = dot.row;
+        }
+    }
+    return nearest;
+}
+
+bool ExperimentPlot::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == m_plot && event->type() == QEvent::MouseButtonPress) {
+        const auto* mouse = static_cast<QMouseEvent*>(event);
+        const auto row = rowAt(mouse->position());
+        if (row && mouse->button() == Qt::LeftButton)
+            Q_EMIT rowClicked(*row);
+        return true;
+    }
+    if (watched == m_plot && event->type() == QEvent::MouseMove) {
+        const auto* mouse = static_cast<QMouseEvent*>(event);
+        const auto row = rowAt(mouse->position());
+        m_plot->setCursor(row ? Qt::PointingHandCursor : Qt::ArrowCursor);
+        Q_EMIT rowHovered(row.value_or(-1), mouse->globalPosition().toPoint());
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void ExperimentPlot::applyColors()
+{
+    const QColor text = palette().color(QPalette::Text);
+    const QColor muted = palette().color(QPalette::PlaceholderText);
+    const std::array colors = algorithmColors(palette());
+    m_plot->setBackground(QBrush(palette().color(QPalette::Base)));
+    for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis}) {
+        axis->setBasePen(QPen(muted));
+        axis->setTickPen(QPen(muted));
+        axis->setSubTickPen(QPen(muted));
+        axis->setLabelColor(text);
+        axis->setTickLabelColor(text);
+        axis->setLabelFont(textFont(-1));
+        axis->setTickLabelFont(textFont(-1));
+        axis->setLabelPadding(2);
+        QColor grid = palette().color(QPalette::Mid);
+        grid.setAlpha(110);
+        axis->grid()->setPen(QPen(grid, 1, Qt::DotLine));
+    }
+    for (std::size_t i = 0; i < m_graphs.size(); ++i) {
+        m_graphs[i]->setScatterStyle(
+            QCPScatterStyle(kShapes[i], QPen(palette().color(QPalette::Base), 1), QBrush(colors[i]), kDotSize));
+        m_graphs[i]->setPen(QPen(colors[i]));
+        QColor faint = colors[i];
+        faint.setAlpha(150);
+        m_bars[i]->setPen(QPen(faint, 1));
+        m_bars[i]->setWhiskerWidth(4);
+    }
+    m_frontier->setPen(QPen(muted, 1.5, Qt::DashLine));
+    m_ring->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(text, 2), Qt::NoBrush, kDotSize + 7));
+    m_plot->legend->setFont(textFont(-1.5));
+    m_plot->legend->setTextColor(text);
+    m_plot->legend->setBrush(Qt::NoBrush);
+    m_plot->legend->setBorderPen(Qt::NoPen);
+    m_plot->legend->setIconSize(16, QFontMetrics(textFont(-1)).height());
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void ExperimentPlot::paintTo(QPainter& painter, QSize size)
+{
+    // QCustomPlot draws with a painter of its own kind; a picture hands it on without losing lines for pixels.
+    QPicture picture;
+    QCPPainter recorder(&picture);
+    m_plot->toPainter(&recorder, size.width(), size.height());
+    recorder.end();
+    painter.fillRect(QRect(QPoint(0, 0), size), palette().color(QPalette::Base));
+    painter.drawPicture(0, 0, picture);
+}
+
+void ExperimentPlot::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void ExperimentPlot::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    switch (event->type()) {
+    case QEvent::PaletteChange:
+    case QEvent::FontChange:
+    case QEvent::StyleChange: applyColors(); break;
+    case QEvent::LanguageChange: draw(); break;
+    default: break;
+    }
+}
+
+} // namespace rasterlens

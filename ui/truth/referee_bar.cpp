@@ -1,0 +1,123 @@
+#include "ui/truth/referee_bar.h"
+
+#include <QBuffer>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace rasterlens
+{
+namespace
+{
+
+/// The sign of a verdict for rich text.
+QString signOf(PixelVerdict verdict, int side)
+{
+    constexpr int kSharper = 2;
+    QPixmap sign(side * kSharper, side * kSharper);
+    QPainter painter(&sign);
+    paintVerdictSign(painter, QRectF(sign.rect()), verdict);
+    painter.end();
+    QByteArray png;
+    QBuffer buffer(&png);
+    sign.save(&buffer, "PNG");
+    return QStringLiteral("<img src='data:image/png;base64,%1' width='%2' height='%2'/>")
+        .arg(QString::fromLatin1(png.toBase64()))
+        .arg(side);
+}
+
+QToolButton* link()
+{
+    auto* button = new QToolButton;
+    button->setObjectName(QStringLiteral("link"));
+    button->setCursor(Qt::PointingHandCursor);
+    return button;
+}
+
+} // namespace
+
+RefereeBar::RefereeBar(Referee& referee, QWidget* parent)
+    : QFrame(parent), m_referee(referee), m_title(new QLabel), m_text(new QLabel), m_next(link()), m_close(link()),
+      m_detail(new QLabel)
+{
+    setObjectName(QStringLiteral("toolRow"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(12, 2, 8, 2);
+    column->setSpacing(0);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(8);
+    column->addLayout(row);
+    m_title->setObjectName(QStringLiteral("groupHeading"));
+    m_text->setTextFormat(Qt::RichText);
+    m_text->setWordWrap(true);
+    constexpr QMargins kOnALineWithButtons(0, 3, 0, 0);
+    m_title->setContentsMargins(kOnALineWithButtons);
+    m_text->setContentsMargins(kOnALineWithButtons);
+    row->addWidget(m_title, 0, Qt::AlignTop);
+    row->addWidget(m_text, 1, Qt::AlignTop);
+    row->addWidget(m_next, 0, Qt::AlignTop);
+    row->addWidget(m_close, 0, Qt::AlignTop);
+    m_detail->setObjectName(QStringLiteral("muted"));
+    m_detail->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    column->addWidget(m_detail);
+    connect(m_next, &QToolButton::clicked, this, &RefereeBar::nextRequested);
+    connect(m_close, &QToolButton::clicked, this, [this] { m_referee.setOn(false); });
+    connect(&referee, &Referee::changed, this, &RefereeBar::sync);
+    sync();
+}
+
+QString RefereeBar::richText() const
+{
+    const Judgement* judgement = m_referee.judgement();
+    QString text = m_referee.text().toHtmlEscaped();
+    if (!judgement)
+        return text;
+    if (judgement->wrong.empty())
+        text.prepend(QStringLiteral("<b>\u2713</b> "));
+    const int side = fontMetrics().height();
+    for (const PixelVerdict verdict : kVerdicts)
+        if (const std::uint64_t count = countOf(judgement->difference, verdict); count > 0) {
+            const QString plain = countText(verdict, count);
+            text.replace(plain, QStringLiteral("%1&nbsp;<b>%2</b>").arg(signOf(verdict, side), plain));
+        }
+    return text;
+}
+
+void RefereeBar::setBrief(bool brief)
+{
+    m_brief = brief;
+    sync();
+}
+
+void RefereeBar::sync()
+{
+    setVisible(m_referee.isOn());
+    if (!m_referee.isOn())
+        return;
+    m_title->setText(tr("Referee"));
+    m_title->setToolTip(tr("Every sample against the exact reference: integers of any length, no rounding anywhere"));
+    m_text->setText(richText());
+    m_text->setAccessibleName(m_referee.text());
+    m_detail->setVisible(m_referee.judgement() && !m_brief);
+    m_detail->setText(m_referee.detail());
+    m_detail->setToolTip(m_referee.detail());
+    const Judgement* judgement = m_referee.judgement();
+    m_next->setVisible(judgement && !judgement->wrong.empty());
+    m_next->setText(tr("Next \u203a"));
+    m_next->setToolTip(tr("Show the next wrong pixel (Shift+V)"));
+    m_close->setText(QStringLiteral("\u00d7"));
+    m_close->setToolTip(tr("Send the referee off (V)"));
+}
+
+void RefereeBar::changeEvent(QEvent* event)
+{
+    QFrame::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange ||
+        event->type() == QEvent::PaletteChange)
+        sync();
+}
+
+} // namespace rasterlens

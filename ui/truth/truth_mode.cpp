@@ -1,0 +1,210 @@
+#include "ui/truth/truth_mode.h"
+
+#include "ui/base/dock.h"
+#include "ui/canvas/viewport_widget.h"
+#include "ui/truth/case_browser.h"
+#include "ui/truth/compare_bar.h"
+#include "ui/truth/experiment_panel.h"
+#include "ui/truth/referee_bar.h"
+
+#include <QAction>
+#include <QMainWindow>
+#include <QMenu>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace rasterlens
+{
+
+TruthMode::TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& window, QVBoxLayout& bars)
+    : m_document(document), m_viewport(viewport), m_window(window), m_referee(document), m_refereeLayer(m_referee),
+      m_comparison(document), m_refereeBar(new RefereeBar(m_referee)),
+      m_compareBar(new CompareBar(document, m_comparison)), m_cases(new CaseBrowser),
+      m_experiment(new ExperimentPanel(document)), m_menu(new QMenu(&window))
+{
+    viewport.addLayer(&m_refereeLayer);
+    bars.addWidget(m_refereeBar);
+    bars.addWidget(m_compareBar);
+    buildMenu();
+    m_docks = {new Dock(QStringLiteral("casesDock"), m_cases, &window),
+               new Dock(QStringLiteral("experimentDock"), m_experiment, &window)};
+    connect(m_cases, &CaseBrowser::caseChosen, this, &TruthMode::showCase);
+    connect(&m_referee, &Referee::changed, this, &TruthMode::openLens);
+    connect(m_experiment, &ExperimentPanel::message, this, &TruthMode::message);
+    connect(m_experiment, &ExperimentPanel::failed, this, &TruthMode::failed);
+    connect(m_refereeBar, &RefereeBar::nextRequested, this, &TruthMode::showNextWrong);
+    connect(&m_referee, &Referee::changed, this, &TruthMode::sync);
+    connect(&m_comparison, &Comparison::changed, this, &TruthMode::sync);
+    connect(&m_comparison, &Comparison::frameChanged, this, &TruthMode::syncCanvas);
+    retranslate();
+}
+
+TruthMode::~TruthMode() { m_viewport.removeLayer(&m_refereeLayer); }
+
+void TruthMode::place(QDockWidget* neighbour)
+{
+    for (Dock* dock : m_docks) {
+        m_window.addDockWidget(Qt::BottomDockWidgetArea, dock);
+        m_window.tabifyDockWidget(neighbour, dock);
+        dock->hide();
+        connect(dock->toggleViewAction(), &QAction::triggered, dock, [this, dock](bool on) {
+            if (on)
+                open(*dock);
+        });
+    }
+}
+
+/// The first time with a third of the window's height, from then on as it was left.
+void TruthMode::open(Dock& dock)
+{
+    constexpr double kShare = 0.34;
+    dock.show();
+    dock.raise();
+    const int height = qRound(m_window.height() * kShare);
+    if (!m_opened.contains(&dock) && !dock.isFloating() && dock.height() < height)
+        m_window.resizeDocks({&dock}, {height}, Qt::Vertical);
+    m_opened << &dock;
+}
+
+QStringList TruthMode::panelNames() { return {QStringLiteral("cases"), QStringLiteral("experiment")}; }
+
+bool TruthMode::showPanel(const QString& name)
+{
+    const qsizetype index = panelNames().indexOf(name);
+    if (index < 0)
+        return false;
+    open(*m_docks[static_cast<std::size_t>(index)]);
+    return true;
+}
+
+QAction* TruthMode::add(const char* text, const QKeySequence& key, std::function<void()> run, bool checkable)
+{
+    QAction* action = m_menu->addAction(QString());
+    action->setShortcut(key);
+    action->setCheckable(checkable);
+    connect(action, &QAction::triggered, this, [run = std::move(run)] { run(); });
+    m_window.addAction(action); // keys work also while the menu bar is hidden
+    m_texts.push_back({action, text});
+    return action;
+}
+
+void TruthMode::buildMenu()
+{
+    m_refereeAction = add(
+        QT_TR_NOOP("&Exact referee"), Qt::Key_V, [this] { m_referee.setOn(!m_referee.isOn()); }, true);
+    m_nextWrong =
+        add(QT_TR_NOOP("&Next wrong pixel"), QKeySequence(Qt::SHIFT | Qt::Key_V), [this] { showNextWrong(); });
+    m_menu->addSeparator();
+    m_wipe = add(
+        QT_TR_NOOP("&Wipe between A and B"), Qt::Key_S, [this] { toggle(CompareView::Wipe); }, true);
+    m_blink = add(
+        QT_TR_NOOP("&Blink A and B"), Qt::Key_B, [this] { toggle(CompareView::Blink); }, true);
+    m_heat = add(
+        QT_TR_NOOP("&Difference of A and B"), Qt::Key_D, [this] { toggle(CompareView::Difference); }, true);
+    m_menu->addSeparator();
+    add(QT_TR_NOOP("&Pin the present settings as A"), Qt::Key_A, [this] { m_comparison.pin(); });
+    add(QT_TR_NOOP("E&xchange A and B"), QKeySequence(Qt::SHIFT | Qt::Key_A), [this] { m_comparison.swap(); });
+}
+
+void TruthMode::toggle(CompareView view)
+{
+    m_comparison.setView(m_comparison.view() == view ? CompareView::Off : view);
+}
+
+void TruthMode::sync()
+{
+    m_refereeAction->setChecked(m_referee.isOn());
+    m_nextWrong->setEnabled(m_referee.nextWrong({}).has_value());
+    m_wipe->setChecked(m_comparison.view() == CompareView::Wipe);
+    m_blink->setChecked(m_comparison.view() == CompareView::Blink);
+    m_heat->setChecked(m_comparison.view() == CompareView::Difference);
+    m_viewport.update();
+}
+
+bool TruthMode::isBusy() const
+{
+    return m_referee.isChecking() || m_comparison.isBusy() || m_experiment->isRunning() || m_cases->model().isBusy();
+}
+
+void TruthMode::showOnCanvas(const FramePtr& frame, bool isStep)
+{
+    m_frame = frame;
+    m_isStep = isStep;
+    if (!isStep)
+        m_comparison.takeFrame(frame);
+    syncCanvas();
+    openLens();
+}
+
+void TruthMode::syncCanvas()
+{
+    if (!m_frame)
+        return;
+    const FramePtr compared = m_isStep ? nullptr : m_comparison.frame();
+    m_viewport.setFrame(compared ? compared : m_frame);
+    m_viewport.setCompared(m_isStep ? nullptr : m_comparison.wiped(), m_isStep ? QString() : m_comparison.tag());
+}
+
+void TruthMode::setPresentation(bool on)
+{
+    m_refereeBar->setBrief(on);
+    m_compareBar->setBrief(on);
+}
+
+void TruthMode::showNextWrong()
+{
+    if (const auto pixel = m_referee.nextWrong(m_viewport.selectedPixel()))
+        m_viewport.goToPixel(*pixel);
+}
+
+void TruthMode::showFloatFailure(const QString& scene)
+{
+    m_referee.setOn(true);
+    m_document.openWith(scene, [](Settings& settings) {
+        settings.algorithm = Algorithm::EdgeEquation;
+        settings.numberType = NumberType::Float32;
+        settings.stepping = Stepping::Incremental;
+    });
+}
+
+void TruthMode::showCase(const QString& name, const QString& variant)
+{
+    m_referee.setOn(true);
+    m_lensWanted = true;
+    m_document.openWith(hardCasePath(name),
+                        [variant](Settings& settings) { settings = changedBy(*findVariant(variant), settings); });
+}
+
+void TruthMode::openLens()
+{
+    // A picture of another size takes the selection away, so that of the case has to be there as well.
+    const bool isThere = m_frame && m_frame->scene == m_document.scene() && !m_document.isLoading();
+    if (!m_lensWanted || !isThere || m_referee.isChecking())
+        return;
+    m_lensWanted = false;
+    const Judgement* judgement = m_referee.judgement();
+    if (!judgement || judgement->wrong.empty() || judgement->wrong.front().face < 0) {
+        Q_EMIT stepWanted(QStringLiteral("tie"));
+        return;
+    }
+    const WrongPixel& wrong = judgement->wrong.front();
+    const QPoint pixel(wrong.x, wrong.y);
+    // The window still has to fit the new scene, which would take the eye away again.
+    QMetaObject::invokeMethod(
+        &m_viewport, [this, pixel] { m_viewport.goToPixel(pixel); }, Qt::QueuedConnection);
+    m_viewport.selectPixel(pixel);
+    Q_EMIT faceWanted(static_cast<quint32>(wrong.face), pixel);
+}
+
+void TruthMode::retranslate()
+{
+    m_menu->setTitle(tr("&Compare"));
+    m_docks[0]->setTitle(tr("Hard cases"));
+    m_docks[1]->setTitle(tr("Speed against error"));
+    for (const TranslatedAction& entry : m_texts)
+        entry.action->setText(tr(entry.text));
+    sync();
+}
+
+} // namespace rasterlens

@@ -1,0 +1,116 @@
+#pragma once
+#include "ui/truth/comparison.h"
+#include "ui/truth/referee.h"
+
+#include <QKeySequence>
+#include <QObject>
+#include <QSet>
+
+#include <functional>
+#include <vector>
+
+class QAction;
+class QDockWidget;
+class QMainWindow;
+class QMenu;
+class QVBoxLayout;
+
+namespace rasterlens
+{
+
+class CaseBrowser;
+class CompareBar;
+class Dock;
+class ExperimentPanel;
+class RefereeBar;
+class ViewportWidget;
+
+/// Puts together what says how right the picture is: the referee and the comparison with their lines above the canvas
+/// and the menu Compare, the hard cases, and speed against error.
+class TruthMode : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// Adds the lines to `bars`.
+    TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& window, QVBoxLayout& bars);
+    ~TruthMode() override;
+
+    [[nodiscard]] Referee& referee() { return m_referee; }
+    [[nodiscard]] Comparison& comparison() { return m_comparison; }
+    [[nodiscard]] CompareBar& compareBar() { return *m_compareBar; }
+    [[nodiscard]] RefereeBar& refereeBar() { return *m_refereeBar; }
+    [[nodiscard]] CaseBrowser& caseBrowser() { return *m_cases; }
+    [[nodiscard]] ExperimentPanel& experiment() { return *m_experiment; }
+
+    /// Puts the panels as tabs beside a neighbour at the bottom; they are hidden.
+    void place(QDockWidget* neighbour);
+    [[nodiscard]] const std::vector<Dock*>& docks() const { return m_docks; }
+    /// Opens a panel by the short name of the command line.
+    bool showPanel(const QString& name);
+    [[nodiscard]] static QStringList panelNames();
+
+    /// The menu Compare; its keys work in the whole window.
+    [[nodiscard]] QMenu* menu() const { return m_menu; }
+
+    /// Shows a picture on the canvas or, while pictures are compared, what the comparison has in its place.
+    ///
+    /// in  whether it is a step of the picture, which is not compared
+    void showOnCanvas(const FramePtr& frame, bool isStep);
+    [[nodiscard]] bool isBusy() const;
+    /// Leaves the canvas more room.
+    void setPresentation(bool on);
+    void showNextWrong();
+    /// Opens a scene with stepped float32 edge functions and has it checked.
+    void showFloatFailure(const QString& scene);
+    /// Opens a hard case as a variant draws it, checked and in the lens: at its first wrong pixel or, without one, at
+    /// the first tie.
+    void showCase(const QString& name, const QString& variant);
+    void retranslate();
+
+Q_SIGNALS:
+    /// The step mode is to show a face at a pixel, or a stop by its name.
+    void faceWanted(quint32 face, QPoint pixel);
+    void stepWanted(const QString& where);
+    void message(const QString& text);
+    void failed(const QString& text);
+
+private:
+    struct TranslatedAction {
+        QAction* action;
+        const char* text;
+    };
+
+    void buildMenu();
+    QAction* add(const char* text, const QKeySequence& key, std::function<void()> run, bool checkable = false);
+    void toggle(CompareView view);
+    void open(Dock& dock);
+    void sync();
+    void syncCanvas();
+    void openLens();
+
+    Document& m_document;
+    ViewportWidget& m_viewport;
+    QMainWindow& m_window;
+    Referee m_referee;
+    RefereeLayer m_refereeLayer;
+    Comparison m_comparison;
+    FramePtr m_frame; ///< last to be shown
+    bool m_isStep = false;
+    bool m_lensWanted = false; ///< as soon as the case has been checked
+    RefereeBar* m_refereeBar;
+    CompareBar* m_compareBar;
+    CaseBrowser* m_cases;
+    ExperimentPanel* m_experiment;
+    std::vector<Dock*> m_docks;
+    QSet<const Dock*> m_opened; ///< before
+    QMenu* m_menu;
+    std::vector<TranslatedAction> m_texts;
+    QAction* m_refereeAction = nullptr;
+    QAction* m_nextWrong = nullptr;
+    QAction* m_wipe = nullptr;
+    QAction* m_blink = nullptr;
+    QAction* m_heat = nullptr;
+};
+
+} // namespace rasterlens

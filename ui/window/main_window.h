@@ -1,0 +1,207 @@
+#pragma once
+#include "ui/base/language.h"
+#include "ui/base/theme.h"
+#include "ui/canvas/viewport_widget.h"
+#include "ui/document/document.h"
+#include "ui/document/render_worker.h"
+
+#include <QMainWindow>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+class QLabel;
+class QLineEdit;
+class QMenu;
+class QToolButton;
+
+namespace rasterlens
+{
+
+class Cards;
+class Dock;
+class HelpOverlay;
+class MessageBar;
+class MistakeBadge;
+class MistakesMenu;
+class PipelinePanel;
+class ReadoutBar;
+class StageStrip;
+class StatisticsPanel;
+class StepMode;
+class TruthMode;
+
+/// The window: canvas in the middle, pipeline left, statistics right.
+class MainWindow : public QMainWindow
+{
+    Q_OBJECT
+
+public:
+    enum class Memory { Remember, Forget }; ///< of layout, theme and language between runs
+
+    explicit MainWindow(Memory memory = Memory::Remember, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    [[nodiscard]] Document& document() { return m_document; }
+    [[nodiscard]] ViewportWidget& viewport() { return *m_viewport; }
+    [[nodiscard]] PipelinePanel& pipelinePanel() { return *m_pipelinePanel; }
+    [[nodiscard]] StatisticsPanel& statisticsPanel() { return *m_statisticsPanel; }
+    [[nodiscard]] StageStrip& stageStrip() { return *m_stageStrip; }
+    [[nodiscard]] HelpOverlay& helpOverlay() { return *m_help; }
+    [[nodiscard]] Cards& cards() { return *m_cards; }
+    [[nodiscard]] MistakeBadge& mistakeBadge() { return *m_mistakeBadge; }
+    [[nodiscard]] RenderWorker& worker() { return m_worker; }
+    [[nodiscard]] StepMode& stepMode() { return *m_stepMode; }
+    [[nodiscard]] TruthMode& truthMode() { return *m_truth; }
+
+    void openDefaultScene();
+    void setLanguage(LanguageKind kind);
+    [[nodiscard]] LanguageKind language() const { return m_language.kind(); }
+    void setLook(const Look& look);
+    [[nodiscard]] const Look& look() const { return m_look; }
+    void setPresentation(bool on);
+    void resetLayout();
+
+    /// Whether the picture of the present settings is shown and counted, or refused with a message.
+    [[nodiscard]] bool isSettled() const;
+    /// Whether all that is shown is also computed: settled, the badge and the cards with it.
+    [[nodiscard]] bool isComplete() const;
+    /// The message above the canvas; empty when there is none.
+    [[nodiscard]] QString message() const;
+    /// The window with the panels that float above it.
+    [[nodiscard]] QImage picture();
+
+    /// errors  a message above the canvas; false
+    bool exportFigure(const QString& path); ///< as SVG where the name says so
+    bool exportFramebuffer(const QString& path);
+    bool exportWindow(const QString& path);
+
+Q_SIGNALS:
+    void settled();
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    /// An action or menu whose text follows the language.
+    struct TranslatedAction {
+        QAction* action;
+        const char* text;
+    };
+    /// A key that steps one field through its values.
+    struct FieldKey {
+        const char* field;
+        Qt::Key key;
+        QAction* action;
+    };
+
+    void buildLayout();
+    void sizeDocks();
+    QWidget* buildCanvas();
+    void buildStatusBar();
+    void connectParts();
+    void buildMenus();
+    void buildFileMenu();
+    void buildEditMenu();
+    void buildViewMenu();
+    void buildAppearanceMenus(QMenu* view);
+    void buildSettingsMenu();
+    void buildMistakesMenu();
+    void buildHelpMenu();
+    QMenu* addMenu(QMenu* parent, const char* text);
+    QAction* add(QMenu* menu, const char* text, const QKeySequence& key, std::function<void()> run);
+    QAction* addToggle(QMenu* menu, const char* text, const QKeySequence& key, bool on, std::function<void(bool)> run);
+
+    void retranslate();
+    void retranslateActions();
+    void fillRecentMenu();
+    void fillBuiltinMenu();
+    void syncActions();
+    void syncHelp();
+    void syncCanvasHeader();
+    void syncReadout();
+    void syncTitle();
+    void syncCaption();
+
+    void updatePicture();
+    void takeFrame(const FramePtr& frame);
+    void showFrame();
+    void stepField(const SettingsField& field);
+    void moveCamera(const View& view);
+    void toggleHelp();
+    void toggleGoToPixel();
+    void goToTypedPixel();
+    void reportSaved(const std::optional<QString>& error, const QString& path);
+    void chooseFileToOpen();
+    void chooseSessionToSave();
+    void chooseFileToExport(const QString& title, const QString& suggestion, std::function<void(const QString&)> save);
+    void restoreMemory();
+    void saveMemory();
+
+    Memory m_memory;
+    Language m_language;
+    Look m_look;
+    Document m_document;
+    RenderWorker m_worker;
+
+    ViewportWidget* m_viewport = nullptr;
+    std::unique_ptr<StepMode> m_stepMode;
+    std::unique_ptr<TruthMode> m_truth;
+    StageStrip* m_stageStrip = nullptr;
+    PipelinePanel* m_pipelinePanel = nullptr;
+    StatisticsPanel* m_statisticsPanel = nullptr;
+    Cards* m_cards = nullptr;
+    MistakeBadge* m_mistakeBadge = nullptr;
+    Dock* m_pipelineDock = nullptr;
+    Dock* m_statisticsDock = nullptr;
+    QToolButton* m_copyCsv = nullptr;
+    QToolButton* m_copyJson = nullptr;
+    MessageBar* m_message = nullptr;     ///< what happened last
+    MessageBar* m_unsupported = nullptr; ///< why the present settings are not drawn
+    HelpOverlay* m_help = nullptr;
+    QLabel* m_canvasTitle = nullptr;
+    QToolButton* m_goToButton = nullptr;
+    QLineEdit* m_goToEdit = nullptr;
+    QLabel* m_caption = nullptr;
+    ReadoutBar* m_readout = nullptr;
+    QLabel* m_activity = nullptr;
+    QTimer m_activityDelay;
+
+    std::vector<TranslatedAction> m_actions;
+    std::vector<FieldKey> m_fieldKeys;
+    QMenu* m_recentMenu = nullptr;
+    QMenu* m_builtinMenu = nullptr;
+    MistakesMenu* m_mistakesMenu = nullptr;
+    QAction* m_undo = nullptr;
+    QAction* m_redo = nullptr;
+    QAction* m_reset = nullptr;
+    QAction* m_fit = nullptr;
+    QAction* m_oneToOne = nullptr;
+    QAction* m_zoomIn = nullptr;
+    QAction* m_zoomOut = nullptr;
+    QAction* m_goTo = nullptr;
+    QAction* m_fastMotion = nullptr;
+    QAction* m_presentation = nullptr;
+    QAction* m_fullScreen = nullptr;
+    QAction* m_dark = nullptr;
+    QAction* m_chinese = nullptr;
+    QAction* m_english = nullptr;
+    std::vector<QAction*> m_cameraActions;
+    std::optional<int> m_figureZoom; ///< empty: as on the screen
+
+    FramePtr m_lastFrame;
+    bool m_refused = false;
+    bool m_gaveUp = false;        ///< the system had no memory or no threads for the present picture
+    bool m_docksArranged = false; ///< by the user, in this run or an earlier one
+    QByteArray m_defaultState;
+    QByteArray m_stateBeforePresentation;
+};
+
+} // namespace rasterlens

@@ -1,0 +1,76 @@
+#include "ui/window/readout_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+
+#include <cstdlib>
+
+namespace rasterlens
+{
+namespace
+{
+
+QString channelsText(const QColor& color)
+{
+    return QStringLiteral("%1 %2 %3").arg(color.red()).arg(color.green()).arg(color.blue());
+}
+
+/// `+3 0 -12`, channel by channel.
+QString changeText(const QColor& from, const QColor& to)
+{
+    const auto signedText = [](int value) {
+        return (value > 0   ? QStringLiteral("+")
+                : value < 0 ? QStringLiteral("\u2212")
+                            : QString()) +
+               QString::number(std::abs(value));
+    };
+    return QStringLiteral("%1 %2 %3")
+        .arg(signedText(to.red() - from.red()), signedText(to.green() - from.green()),
+             signedText(to.blue() - from.blue()));
+}
+
+} // namespace
+
+ReadoutBar::ReadoutBar(QWidget* parent) : QWidget(parent), m_swatch(new QLabel), m_text(new QLabel)
+{
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    m_swatch->setFixedSize(18, 14);
+    m_swatch->hide();
+    m_text->setObjectName(QStringLiteral("readout"));
+    row->addWidget(m_swatch);
+    row->addWidget(m_text, 1);
+}
+
+QString ReadoutBar::text() const { return m_text->text(); }
+
+void ReadoutBar::show(const std::optional<PixelReadout>& pixel, const std::optional<ComparedPixel>& compared)
+{
+    m_swatch->setVisible(pixel.has_value());
+    if (!pixel) {
+        m_text->clear();
+        return;
+    }
+    const QColor a(compared ? compared->a : pixel->color);
+    const QColor b(compared ? compared->b : pixel->color);
+    m_swatch->setStyleSheet(
+        QStringLiteral("background: qlineargradient(x1:0, y1:0, x2:1, y2:0, stop:0.499 %1, stop:0.501 %2);"
+                       "border: 1px solid gray;")
+            .arg(a.name(), b.name()));
+    QStringList parts{tr("pixel (%1, %2)").arg(pixel->pixel.x()).arg(pixel->pixel.y())};
+    if (compared)
+        parts << QStringLiteral("A %1").arg(channelsText(a)) << QStringLiteral("B %1").arg(channelsText(b))
+              << QStringLiteral("B \u2212 A %1").arg(changeText(a, b));
+    else
+        parts << channelsText(a) << a.name().toUpper();
+    constexpr int kBackground = -1;
+    const int face = pixel->face.value_or(kBackground);
+    if (face != kBackground)
+        parts << tr("face %1").arg(face)
+              << tr("depth %1").arg(static_cast<double>(pixel->depth.value_or(1.0F)), 0, 'f', 6);
+    else if (pixel->face.has_value())
+        parts << tr("background");
+    m_text->setText(parts.join(QStringLiteral("    ")));
+}
+
+} // namespace rasterlens

@@ -1,0 +1,30 @@
+#pragma once
+#include "ui/canvas/viewport_widget.h"
+#include "ui/truth/comparison.h"
+
+#include <QWidget>
+
+class QLabel;
+
+namespace rasterlens
+{
+
+/// The line in the status bar that says what is at a pixel; while pictures are compared, what is there in both, and the
+/// difference.
+class ReadoutBar : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit ReadoutBar(QWidget* parent = nullptr);
+
+    /// in   nothing: no pixel; nothing: no comparison
+    void show(const std::optional<PixelReadout>& pixel, const std::optional<ComparedPixel>& compared);
+    [[nodiscard]] QString text() const;
+
+private:
+    QLabel* m_swatch;
+    QLabel* m_text;
+};
+
+} // namespace rasterlens
