@@ -65,7 +65,7 @@ void TestCamera::peerMatrixBitForBit()
                      std::bit_cast<std::uint32_t>(expected[std::size_t(k)] + 0.0F));
         QCOMPARE(m.near, near);
         QCOMPARE(m.far, far);
-        QCOMPARE(m.eyeWorld, glm::dvec3(eye[0], eye[1], eye[2]));
+        QCOMPARE(m.eyeObject, glm::dvec3(eye[0], eye[1], eye[2]));
     }
 #else
     QSKIP("../shared/peers/scene.hpp is not here");
@@ -133,7 +133,7 @@ void TestCamera::orbitGoesRoundTheTarget()
     const auto eye = [&](double yaw, double pitch) {
         settings.view.yaw = yaw;
         settings.view.pitch = pitch;
-        return cameraMatrices(scene, settings).eyeWorld - center;
+        return cameraMatrices(scene, settings).eyeObject - center;
     };
     QVERIFY(close(eye(0, 0), {0, 0, d}));
     QVERIFY(close(eye(90, 0), {d, 0, 0}));

@@ -4,6 +4,7 @@
 #include "core/io/obj_text.h"
 #include "core/io/peer_mesh.h"
 #include "core/io/texture_loader.h"
+#include "core/scene/origin.h"
 #include "core/scene/triangulate.h"
 
 #include <QDir>
@@ -38,7 +39,9 @@ struct Corner {
 
 /// The geometry of an OBJ as it stands in the file.
 struct ObjGeometry {
-    std::vector<glm::vec3> positions;
+    std::vector<glm::dvec3> positions; ///< world space: the file's coordinates
+    glm::dvec3 origin{0};              ///< of the mesh to be, and so of object space
+    std::size_t positionsRead = 0;     ///< `v` statements before the one that is read
     std::vector<glm::vec3> normals;
     std::vector<glm::vec2> uvs;
     std::vector<Corner> corners;
@@ -55,12 +58,22 @@ public:
     explicit TextBuffer(QByteArray& text) { setg(text.data(), text.data(), text.data() + text.size()); }
 };
 
-ObjGeometry readGeometry(QByteArray text)
+/// The box of the positions that faces use.
+BoundingBox boxInUse(const ObjGeometry& geometry)
+{
+    BoundingBox box;
+    for (const Corner& corner : geometry.corners)
+        box.add(geometry.positions[static_cast<std::size_t>(corner.position)]);
+    return box;
+}
+
+ObjGeometry readGeometry(ObjText& text)
 {
     ObjGeometry geometry;
+    geometry.positions = std::move(text.positions);
     tinyobj::callback_t callbacks;
-    callbacks.vertex_cb = [](void* out, float x, float y, float z, float) {
-        static_cast<ObjGeometry*>(out)->positions.emplace_back(x, y, z);
+    callbacks.vertex_cb = [](void* out, float, float, float, float) {
+        ++static_cast<ObjGeometry*>(out)->positionsRead;
     };
     callbacks.normal_cb = [](void* out, float x, float y, float z) {
         static_cast<ObjGeometry*>(out)->normals.emplace_back(x, y, z);
@@ -71,12 +84,12 @@ ObjGeometry readGeometry(QByteArray text)
     callbacks.index_cb = [](void* out, tinyobj::index_t* corners, int count) {
         ObjGeometry& g = *static_cast<ObjGeometry*>(out);
         for (int i = 0; i < count; ++i)
-            g.corners.push_back({fromObjIndex(corners[i].vertex_index, g.positions.size()),
+            g.corners.push_back({fromObjIndex(corners[i].vertex_index, g.positionsRead),
                                  fromObjIndex(corners[i].texcoord_index, g.uvs.size()),
                                  fromObjIndex(corners[i].normal_index, g.normals.size())});
         g.faceEnds.push_back(static_cast<std::uint32_t>(g.corners.size()));
     };
-    TextBuffer buffer(text);
+    TextBuffer buffer(text.geometry);
     std::istream stream(&buffer);
     tinyobj::LoadObjWithCallback(stream, callbacks, &geometry);
     return geometry;
@@ -241,7 +254,8 @@ std::vector<CornerTriangle> triangulateFaces(const ObjGeometry& geometry, const 
             material = materials.useDefault();
         polygon.clear();
         for (std::uint32_t i = begin; i < geometry.faceEnds[face]; ++i)
-            polygon.push_back(geometry.positions[static_cast<std::size_t>(geometry.corners[i].position)]);
+            polygon.push_back(objectFromWorld(
+                geometry.positions[static_cast<std::size_t>(geometry.corners[i].position)], geometry.origin));
         cut.clear();
         triangulate(polygon, cut);
         for (const CornerTriple& triple : cut)
@@ -273,6 +287,7 @@ public:
     Mesh build(const std::vector<CornerTriangle>& triangles)
     {
         sumNormals(triangles);
+        m_mesh.origin = m_geometry.origin;
         m_mesh.indices.reserve(3 * triangles.size());
         m_vertexOfKey.reserve(m_geometry.positions.size());
         for (std::size_t face = 0; face < triangles.size(); ++face)
@@ -311,7 +326,8 @@ private:
 
     glm::dvec3 position(const Corner& corner) const
     {
-        return glm::dvec3(m_geometry.positions[static_cast<std::size_t>(corner.position)]);
+        return glm::dvec3(
+            objectFromWorld(m_geometry.positions[static_cast<std::size_t>(corner.position)], m_geometry.origin));
     }
 
     /// Twice the area vector of a triangle.
@@ -354,7 +370,7 @@ private:
             const auto p = static_cast<std::size_t>(corner.position);
             const glm::vec3 vertexColor = m_colors.empty() ? glm::vec3(1) : m_colors[p];
             m_mesh.vertices.push_back(
-                {.position = glm::vec4(m_geometry.positions[p], 1),
+                {.position = glm::vec4(objectFromWorld(m_geometry.positions[p], m_geometry.origin), 1),
                  .normal = normalObject,
                  .uv = corner.uv >= 0 ? m_geometry.uvs[static_cast<std::size_t>(corner.uv)] : glm::vec2(0),
                  .color = m_materials[triangle.material].diffuse * vertexColor});
@@ -388,13 +404,18 @@ private:
 
 Diagnostics fillScene(ObjText text, const QString& path, const LoadOptions& options, Scene& scene)
 {
-    const ObjGeometry geometry = readGeometry(std::move(text.geometry));
+    ObjGeometry geometry = readGeometry(text);
+    const BoundingBox box = boxInUse(geometry);
+    geometry.origin = originFor(box);
     MaterialTable materials(path, options, !text.colors.empty(), scene);
     materials.loadLibraries(text.libraries);
     const std::vector<CornerTriangle> triangles = triangulateFaces(geometry, text.materialUses, materials);
     scene.mesh = MeshBuilder(geometry, text.colors, scene.materials).build(triangles);
     scene.bounds = boundingSphere(scene.mesh);
-    return materials.takeDiagnostics();
+    Diagnostics diagnostics = materials.takeDiagnostics();
+    if (const auto remark = remarkOnDistance(box))
+        diagnostics.push_back({Severity::Warning, path, 0, *remark});
+    return diagnostics;
 }
 
 void fillPeerScene(const ObjText& text, Scene& scene)

@@ -147,6 +147,10 @@ private:
     void position(std::string_view rest)
     {
         numbers(Position, rest, 3, 7);
+        glm::dvec3& exact = m_out.positions.emplace_back();
+        if (m_numberCount >= 3)
+            for (int i = 0; i < 3; ++i)
+                exact[i] = doubleFromText(nextWord(rest));
         if (m_numberCount == 5)
             m_diagnostics.error(
                 m_line, QT_TRANSLATE_NOOP("Diagnostic", "v: 5 numbers; x y z, x y z w or x y z r g b expected"));

@@ -18,7 +18,8 @@ struct ObjReference {
 /// An OBJ text whose geometry is known to be sound.
 struct ObjText {
     QByteArray geometry; ///< v, vt, vn and f statements only, each on one line, the rest overwritten with blanks
-    std::vector<glm::vec3> colors; ///< of each `v`; empty when no `v` has one
+    std::vector<glm::dvec3> positions; ///< of each `v`, as near to the text as a double gets
+    std::vector<glm::vec3> colors;     ///< of each `v`; empty when no `v` has one
     std::vector<ObjReference> libraries;
     std::vector<ObjReference> materialUses;
     std::size_t faceCount = 0; ///< `f` statements

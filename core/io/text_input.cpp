@@ -159,6 +159,15 @@ QString quotedWord(std::string_view word)
 
 NumberText decimalFromText(std::string_view word) { return signedFromText(word, false); }
 
+double doubleFromText(std::string_view word)
+{
+    if (word.starts_with('+'))
+        word.remove_prefix(1);
+    double value = 0; // what from_chars leaves as it is lies too near to 0 for a double
+    std::from_chars(word.data(), word.data() + word.size(), value);
+    return value;
+}
+
 NumberText numberFromText(std::string_view word) { return signedFromText(word, true); }
 
 Reason describe(NumberFault fault, std::string_view word)

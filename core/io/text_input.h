@@ -95,7 +95,10 @@ struct NumberText {
 /// errors  NotANumber for any other text, OutOfRange for what rounds to infinity
 [[nodiscard]] NumberText decimalFromText(std::string_view word);
 
-/// The same, and C99 hexadecimal floating-point numbers.
+/// The same number as the nearest double; for words of which decimalFromText found no fault.
+[[nodiscard]] double doubleFromText(std::string_view word);
+
+/// As decimalFromText, and C99 hexadecimal floating-point numbers.
 [[nodiscard]] NumberText numberFromText(std::string_view word);
 
 /// What is wrong with `word`, as a sentence; `fault` is not None.

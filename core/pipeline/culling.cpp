@@ -53,9 +53,9 @@ double areaWithoutClipping(const ClipTriangle& triangle)
     return -twiceArea(divided(0), divided(1), divided(2));
 }
 
-double viewFacing(const Mesh& mesh, std::uint32_t face, const glm::dvec3& eyeWorld)
+double viewFacing(const Mesh& mesh, std::uint32_t face, const glm::dvec3& eyeObject)
 {
-    return glm::dot(normalOf(mesh, face), eyeWorld - cornerOf(mesh, face, 0));
+    return glm::dot(normalOf(mesh, face), eyeObject - cornerOf(mesh, face, 0));
 }
 
 double lightFacing(const Mesh& mesh, std::uint32_t face)

@@ -31,7 +31,7 @@ namespace rasterlens
 /// The face's normal against the direction from the eye, positive when a counter-clockwise face looks at the eye.
 ///
 /// in   object space = world space
-[[nodiscard]] double viewFacing(const Mesh& mesh, std::uint32_t face, const glm::dvec3& eyeWorld);
+[[nodiscard]] double viewFacing(const Mesh& mesh, std::uint32_t face, const glm::dvec3& eyeObject);
 
 /// Whether a face with this signed area (or determinant, or facing) is drawn.
 ///

@@ -89,7 +89,7 @@ Outline convexHull(std::span<const ScreenVertex> polygon, double sense)
 } // namespace
 
 FaceStages::FaceStages(const Scene& scene, const Matrices& matrices, const Rules& rules)
-    : m_scene(&scene), m_rules(rules), m_eyeWorld(matrices.eyeWorld), m_near(matrices.near), m_far(matrices.far),
+    : m_scene(&scene), m_rules(rules), m_eyeObject(matrices.eyeObject), m_near(matrices.near), m_far(matrices.far),
       m_volume(clipVolume(rules))
 {
 }
@@ -127,7 +127,7 @@ double FaceStages::facingElsewhere(std::uint32_t face, const Corners& corners) c
 {
     const ClipTriangle triangle{{corners[0]->clip, corners[1]->clip, corners[2]->clip}, face};
     switch (m_rules.facing) {
-    case Facing::ViewNormal: return viewFacing(m_scene->mesh, face, m_eyeWorld);
+    case Facing::ViewNormal: return viewFacing(m_scene->mesh, face, m_eyeObject);
     case Facing::LightNormal: return lightFacing(m_scene->mesh, face);
     case Facing::AreaWithoutDivide: return areaWithoutDivide(triangle);
     case Facing::AreaWithoutClipping: return areaWithoutClipping(triangle);

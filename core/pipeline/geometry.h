@@ -144,7 +144,7 @@ private:
 
     const Scene* m_scene;
     Rules m_rules;
-    glm::dvec3 m_eyeWorld;
+    glm::dvec3 m_eyeObject;
     double m_near;
     double m_far;
     ClipVolume m_volume;

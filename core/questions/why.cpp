@@ -200,7 +200,7 @@ private:
     void drawPixel(Frame& frame, StepRecorder& recorder)
     {
         Framebuffer framebuffer(frame, m_rules, {true, false, false}, packColor(m_scene.background));
-        FragmentStage<StepRecorder> stage(m_rules, framebuffer.samples(), glm::vec3(m_matrices.eyeWorld), recorder);
+        FragmentStage<StepRecorder> stage(m_rules, framebuffer.samples(), glm::vec3(m_matrices.eyeObject), recorder);
         const int grid = m_rules.sampleGrid;
         PixelStage pixelStage(stage, {m_report.x * grid, m_report.y * grid, grid, grid});
         for (const std::uint32_t face : m_toDraw) {

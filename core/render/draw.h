@@ -66,8 +66,8 @@ void drawScene(const Scene& scene, const Settings& settings, Frame& frame, Outpu
     std::vector<std::uint32_t> order = geometry.order();
     times.vertex += watch.lap();
 
-    FragmentStage<Observer> stage(rules, framebuffer.samples(), glm::vec3(matrices.eyeWorld), observer);
-    SampleRouter<Observer> router(rules, framebuffer.samples(), glm::vec3(matrices.eyeWorld), observer);
+    FragmentStage<Observer> stage(rules, framebuffer.samples(), glm::vec3(matrices.eyeObject), observer);
+    SampleRouter<Observer> router(rules, framebuffer.samples(), glm::vec3(matrices.eyeObject), observer);
     const bool routed = SampleRouter<Observer>::wanted(rules);
     std::vector<ScreenTriangle> batch;
     for (std::size_t i = 0; i < order.size() && !stop.stop_requested();) {

@@ -8,7 +8,7 @@ namespace rasterlens
 namespace
 {
 
-/// An orthonormal frame at the eye; `back` points away from what is looked at.
+/// An orthonormal frame at the eye, in object space; `back` points away from what is looked at.
 struct Frame3 {
     glm::dvec3 right;
     glm::dvec3 up;
@@ -16,7 +16,7 @@ struct Frame3 {
     glm::dvec3 eye;
 };
 
-glm::dmat4 viewFromWorld(const Frame3& f)
+glm::dmat4 viewFromObject(const Frame3& f)
 {
     return {glm::dvec4(f.right.x, f.up.x, f.back.x, 0), glm::dvec4(f.right.y, f.up.y, f.back.y, 0),
             glm::dvec4(f.right.z, f.up.z, f.back.z, 0),
@@ -24,7 +24,7 @@ glm::dmat4 viewFromWorld(const Frame3& f)
 }
 
 /// Two directions that must not be parallel; a camera that looks along its up vector takes another one.
-Frame3 lookAt(const View& view)
+Frame3 lookAt(const View& view, const glm::dvec3& origin)
 {
     glm::dvec3 back = view.eye - view.target;
     back = glm::length(back) > 0 ? glm::normalize(back) : glm::dvec3(0, 0, 1);
@@ -32,7 +32,7 @@ Frame3 lookAt(const View& view)
     if (!(glm::length(right) > 1e-9))
         right = glm::cross(std::abs(back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1), back);
     right = glm::normalize(right);
-    return {right, glm::cross(back, right), back, view.eye};
+    return {right, glm::cross(back, right), back, view.eye - origin};
 }
 
 Frame3 fitted(const View& view, const BoundingSphere& bounds, double distance)
@@ -71,9 +71,9 @@ Matrices cameraMatrices(const Scene& scene, const Settings& settings)
     const BoundingSphere& bounds = scene.bounds;
     const double halfAngle = view.fov / 2 * M_PI / 180;
     const double fitDistance = bounds.radius / std::sin(halfAngle) * view.distance;
-    const Frame3 frame = view.fit ? fitted(view, bounds, fitDistance) : lookAt(view);
+    const Frame3 frame = view.fit ? fitted(view, bounds, fitDistance) : lookAt(view, scene.mesh.origin);
 
-    const double toCenter = view.fit ? fitDistance : glm::length(view.eye - bounds.center);
+    const double toCenter = view.fit ? fitDistance : glm::length(frame.eye - bounds.center);
     m.near = view.near.value_or(std::max(toCenter - 1.1 * bounds.radius, 0.01 * bounds.radius));
     m.far = std::max(view.far.value_or(toCenter + 1.1 * bounds.radius), m.near * 1.001);
 
@@ -82,9 +82,10 @@ Matrices cameraMatrices(const Scene& scene, const Settings& settings)
     const DepthRow z = depthRow(m.near, m.far, settings);
     m.clipFromView = {glm::dvec4(1 / (h * aspect), 0, 0, 0), glm::dvec4(0, 1 / h, 0, 0), glm::dvec4(0, 0, z.a, -1),
                       glm::dvec4(0, 0, z.b, 0)};
-    m.viewFromObject = viewFromWorld(frame);
-    m.clipFromObject = glm::mat4(m.clipFromView * m.viewFromObject);
-    m.eyeWorld = frame.eye;
+    m.viewFromObject = viewFromObject(frame);
+    m.clipFromObjectDouble = m.clipFromView * m.viewFromObject;
+    m.clipFromObject = glm::mat4(m.clipFromObjectDouble);
+    m.eyeObject = frame.eye;
     return m;
 }
 

@@ -8,18 +8,20 @@ namespace rasterlens
 
 /// The matrices of one frame, named to-From-from.
 struct Matrices {
-    glm::mat4 clipFromObject{1}; ///< float32, as a vertex buffer's consumer sees it
+    glm::mat4 clipFromObject{1};        ///< float32, as a vertex buffer's consumer sees it
+    glm::dmat4 clipFromObjectDouble{1}; ///< the same before it was rounded: clipFromView * viewFromObject
     glm::dmat4 viewFromObject{1};
     glm::dmat4 clipFromView{1};
-    glm::dvec3 eyeWorld{0, 0, 0}; ///< object space = world space
-    double near = 0;              ///< the distances in use
+    glm::dvec3 eyeObject{0, 0, 0}; ///< object space: the world's axes, the mesh's origin taken off
+    double near = 0;               ///< the distances in use
     double far = 0;
 };
 
 /// The camera of `settings.view` for this scene and viewport. Identity for clip-space scenes.
 ///
 /// covers  fit: bounding sphere tangent to the frustum's top and bottom, near and far 1.1 radii round the centre;
-///         OpenGL or Direct3D depth range, reversed or not
+///         OpenGL or Direct3D depth range, reversed or not; eye and target are given in world space, the mesh's origin
+///         is taken off in double before anything is rounded
 /// exact   for the default view, the matrix of the peer harness bit for bit
 [[nodiscard]] Matrices cameraMatrices(const Scene& scene, const Settings& settings);
 

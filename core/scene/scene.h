@@ -15,7 +15,7 @@ namespace rasterlens
 
 /// A corner of a mesh: what a vertex buffer holds.
 struct MeshVertex {
-    glm::vec4 position{0, 0, 0, 1}; ///< object space with w = 1, or clip space (see SceneSpace)
+    glm::vec4 position{0, 0, 0, 1}; ///< object space (world minus Mesh::origin) with w = 1, or clip space (SceneSpace)
     glm::vec3 normal{0, 0, 1};      ///< object space, unit length
     glm::vec2 uv{0, 0};             ///< texture coordinates, (0, 0) is the first texel
     glm::vec3 color{1, 1, 1};       ///< display value 0..1, the material's diffuse colour multiplied in
@@ -26,6 +26,7 @@ struct Mesh {
     std::vector<MeshVertex> vertices;
     std::vector<std::uint32_t> indices;      ///< three a face
     std::vector<std::uint32_t> faceMaterial; ///< index into Scene::materials a face; empty = material 0 for all
+    glm::dvec3 origin{0, 0, 0};              ///< of object space, in the world (the file's coordinates): see origin.h
 
     [[nodiscard]] std::size_t faceCount() const { return indices.size() / 3; }
 };
@@ -51,7 +52,7 @@ enum class SceneSpace { Object, Clip };
 
 /// Centre of the bounding box and the largest distance of a vertex from it.
 struct BoundingSphere {
-    glm::dvec3 center{0, 0, 0};
+    glm::dvec3 center{0, 0, 0}; ///< object space
     double radius = 1;
 };
 

@@ -142,7 +142,7 @@ void shadeExactly(const FrameJob& job, const VisibleTriangle& visible, const Blo
         }
         const float depth = std::bit_cast<float>(samples.key[at] ^ depthFlip(job.rules.depthCompare));
         samples.color[at] =
-            shadeFragment(job.rules, uniforms, varyings, depth, glm::vec3(job.matrices.eyeWorld), gradient);
+            shadeFragment(job.rules, uniforms, varyings, depth, glm::vec3(job.matrices.eyeObject), gradient);
     }
 }
 

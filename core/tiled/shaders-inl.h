@@ -108,7 +108,7 @@ struct NormalShader {
 struct PhongShader {
     static constexpr std::size_t kVaryings = kPhongVaryings;
     explicit PhongShader(const FrameJob& j)
-        : job(j), toLight(Spread(lightDirection())), eye(Spread(glm::vec3(j.matrices.eyeWorld)))
+        : job(j), toLight(Spread(lightDirection())), eye(Spread(glm::vec3(j.matrices.eyeObject)))
     {
     }
     const FrameJob& job;
