@@ -8,7 +8,8 @@
 namespace rasterlens
 {
 
-enum class Severity { Warning, Error };
+/// A note says what is worth knowing though nothing is wrong; `info` tells notes, other commands and the window do not.
+enum class Severity { Note, Warning, Error };
 
 /// One remark about an input, in the form `FILE:LINE: what is wrong and what is expected`.
 struct Diagnostic {
@@ -24,5 +25,8 @@ struct Diagnostic {
 using Diagnostics = std::vector<Diagnostic>;
 
 [[nodiscard]] bool hasErrors(const Diagnostics& diagnostics);
+
+/// All but the notes.
+[[nodiscard]] Diagnostics withoutNotes(Diagnostics diagnostics);
 
 } // namespace rasterlens

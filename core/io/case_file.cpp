@@ -1,5 +1,6 @@
 #include "core/io/case_file.h"
 
+#include "core/io/byte_order_mark.h"
 #include "core/io/text_input.h"
 
 #include <QFileInfo>
@@ -284,6 +285,8 @@ private:
 SceneLoad loadCase(const QString& path)
 {
     InputBytes input = readInput(path);
+    if (!input.problem)
+        input.problem = takeOffByteOrderMark(input.bytes);
     if (input.problem)
         return {std::nullopt, {{Severity::Error, path, 0, *input.problem}}};
     return parseCase(input.bytes, path);

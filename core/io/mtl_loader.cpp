@@ -1,7 +1,8 @@
 #include "core/io/mtl_loader.h"
 
-#include <QDir>
-#include <QFileInfo>
+#include "core/io/file_names.h"
+#include "core/io/mtl_keywords.h"
+
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
@@ -15,9 +16,15 @@ namespace
 
 /// What tinyobjloader does not tell about a material: which statements there were, and where.
 struct Found {
+    QByteArray name;
     bool diffuse = false;
     bool shininess = false;
-    int textureLine = 0;
+    struct Map {
+        MtlMap map;
+        int line = 0;
+    };
+    std::optional<Map> texture;
+    std::optional<Map> opacity;
 };
 
 /// Checks the statements that scenes use; blanks all others and those that are wrong.
@@ -32,6 +39,7 @@ public:
         while (const auto line = lines.next())
             if (!keep(*line))
                 std::fill(line->begin, line->end, ' ');
+        m_unused.report(m_diagnostics);
         return std::move(m_found);
     }
 
@@ -44,16 +52,23 @@ private:
             std::fill_n(line.begin, 3, ' ');
             rest.remove_prefix(3);
         }
-        const std::string_view keyword = nextWord(rest);
+        const std::string_view word = nextWord(rest);
+        const std::string keyword = canonicalMtlKeyword(word);
+        std::ranges::copy(keyword, line.begin + (word.data() - line.begin));
         const bool material = keyword == "newmtl";
-        if (!material && keyword != "Kd" && keyword != "Ks" && keyword != "Ns" && keyword != "map_Kd")
+        if (!material && keyword != "Kd" && keyword != "Ks" && keyword != "Ns" && keyword != "map_Kd" &&
+            keyword != "map_d") {
+            m_unused.add(m_line, keyword, rest);
             return false;
+        }
         if (material && trimmed(rest).empty()) {
             m_diagnostics.warning(m_line, QT_TRANSLATE_NOOP("Diagnostic", "newmtl takes a name; ignored"));
             return false;
         }
-        if (material)
-            m_found.emplace_back();
+        if (material) {
+            const std::string_view name = trimmed(rest);
+            m_found.emplace_back().name = QByteArray(name.data(), static_cast<qsizetype>(name.size()));
+        }
         if (m_found.empty()) {
             m_diagnostics.warning(
                 m_line,
@@ -66,13 +81,10 @@ private:
     bool property(std::string_view keyword, std::string_view rest)
     {
         Found& found = m_found.back();
-        if (keyword == "map_Kd") {
-            const bool named = !trimmed(rest).empty();
-            if (named)
-                found.textureLine = m_line;
-            else
-                m_diagnostics.warning(m_line, QT_TRANSLATE_NOOP("Diagnostic", "map_Kd takes a file name; ignored"));
-            return named;
+        if (keyword == "map_Kd" || keyword == "map_d") {
+            if (auto map = parseMtlMap(keyword, rest, m_line, m_diagnostics))
+                (keyword == "map_d" ? found.opacity : found.texture) = Found::Map{std::move(*map), m_line};
+            return false; // read here, not by tinyobjloader
         }
         const bool good = numbers(keyword, rest, keyword == "Ns" ? 1 : 3);
         found.diffuse |= good && keyword == "Kd";
@@ -103,17 +115,8 @@ private:
     DiagnosticSink& m_diagnostics;
     int m_line = 0;
     std::vector<Found> m_found;
+    UnusedStatements m_unused;
 };
-
-/// Where the texture lies: beside the MTL, also if it was written with another machine's absolute path.
-QString texturePath(const QString& mtlPath, QString name)
-{
-    name.replace(QLatin1Char('\\'), QLatin1Char('/'));
-    const QDir folder = QFileInfo(mtlPath).absoluteDir();
-    const QString path = folder.absoluteFilePath(name);
-    const QString beside = folder.absoluteFilePath(name.section(QLatin1Char('/'), -1));
-    return !QFileInfo::exists(path) && QFileInfo::exists(beside) ? beside : path;
-}
 
 } // namespace
 
@@ -139,17 +142,23 @@ std::vector<MtlMaterial> parseMtl(QByteArray text, const QString& path, Diagnost
     for (std::size_t i = 0; i < std::min(parsed.size(), found.size()); ++i) {
         const tinyobj::material_t& m = parsed[i];
         MtlMaterial material;
-        material.name = QString::fromStdString(m.name).trimmed();
+        material.nameBytes = found[i].name;
+        material.name = readableName({found[i].name.data(), static_cast<std::size_t>(found[i].name.size())});
         material.file = path;
         if (found[i].diffuse)
             material.diffuse = {m.diffuse[0], m.diffuse[1], m.diffuse[2]};
         material.specular = {m.specular[0], m.specular[1], m.specular[2]};
         if (found[i].shininess)
             material.shininess = m.shininess;
-        if (found[i].textureLine > 0 && !m.diffuse_texname.empty()) {
-            material.diffuseTexture = texturePath(path, QString::fromStdString(m.diffuse_texname).trimmed());
-            material.textureLine = found[i].textureLine;
-        }
+        const auto image = [&](const std::optional<Found::Map>& map, std::string_view keyword) {
+            if (!map)
+                return std::optional<MtlImage>();
+            const NamedFile file = findNamedFile(path, map->map.name);
+            remarkOn(file, keyword, map->line, diagnostics);
+            return std::optional(MtlImage{file.path, map->map, map->line});
+        };
+        material.texture = image(found[i].texture, "map_Kd");
+        material.opacity = image(found[i].opacity, "map_d");
         materials.push_back(std::move(material));
     }
     return materials;

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/io/mtl_map.h"
 #include "core/io/text_input.h"
 
 #include <glm/glm.hpp>
@@ -8,23 +9,32 @@
 namespace rasterlens
 {
 
+/// An image that a material uses.
+struct MtlImage {
+    QString path; ///< absolute
+    MtlMap map;
+    int line = 0; ///< where it is named
+};
+
 /// What an MTL file says about one material.
 struct MtlMaterial {
-    QString name;
+    QByteArray nameBytes; ///< what `usemtl` is compared with: names are bytes, whatever their encoding
+    QString name;         ///< the same for people
     std::optional<glm::vec3> diffuse;
     glm::vec3 specular{0, 0, 0};
     std::optional<float> shininess;
-    QString diffuseTexture; ///< absolute path; empty = none
-    QString file;           ///< where map_Kd stands, for diagnostics
-    int textureLine = 0;
+    std::optional<MtlImage> texture; ///< map_Kd
+    std::optional<MtlImage> opacity; ///< map_d
+    QString file;                    ///< where all this stands, for diagnostics
 };
 
 /// Reads the materials of a Wavefront MTL file, in its order.
 ///
 /// in      the bytes of the file `path`, beside which its textures lie
-/// covers  Kd, Ks, Ns, map_Kd with its options; file names with blanks and backslashes
+/// covers  Kd, Ks, Ns, map_Kd and map_d with their options, in any letter case; names of any encoding, with blanks,
+///         `#` and backslashes. Each material stands for itself: nothing is taken over from the one before it
 /// errors  diagnostics with line; a statement with bad numbers is a warning and left out, as are statements before
-///         the first newmtl
+///         the first newmtl; a remark names the statements that are not drawn
 [[nodiscard]] std::vector<MtlMaterial> parseMtl(QByteArray text, const QString& path, DiagnosticSink& diagnostics);
 
 } // namespace rasterlens

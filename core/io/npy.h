@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 namespace rasterlens
@@ -50,10 +51,16 @@ template <NpyNumber T>
 
 /// The array of a NumPy file.
 struct NpyArray {
-    QString type; ///< `<f4`, `<i4` or `<u2`
-    int rows = 0;
-    int columns = 0;
-    std::vector<double> values; ///< rows * columns; a double holds each of the three types exactly
+    QString type;              ///< as the file names it: `<f4`, `>i8`, `|b1` ..
+    std::vector<qint64> shape; ///< without a last dimension of length 1 behind two others
+    /// Row by row, also where the file has them column by column. Integers beyond the 53 bits of a double keep their
+    /// type, so that every value is exact.
+    std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<std::uint64_t>> values;
+
+    [[nodiscard]] std::size_t size() const
+    {
+        return std::visit([](const auto& all) { return all.size(); }, values);
+    }
 };
 
 struct NpyRead {
@@ -61,10 +68,17 @@ struct NpyRead {
     QString error; ///< a sentence, where there is no array
 };
 
-/// Reads what npyBytes writes.
+/// Whether these are the first bytes of a NumPy file.
+[[nodiscard]] bool isNpy(const QByteArray& bytes);
+
+/// Reads an array of real numbers.
 ///
-/// errors  not NumPy, other versions, types or orders, another number of dimensions than two, bytes missing or left
-/// over
+/// covers  format versions 1 to 3; booleans, integers of 1 to 8 bytes, floats of 2, 4 and 8; both byte orders; both
+///         orders of the values; any number of dimensions
+/// errors  not NumPy; complex, structured and other types; bytes missing or left over
 [[nodiscard]] NpyRead readNpy(const QByteArray& bytes);
+
+/// `(2, 3)` as Python writes it.
+[[nodiscard]] QString shapeText(const std::vector<qint64>& shape);
 
 } // namespace rasterlens

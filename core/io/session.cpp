@@ -1,12 +1,16 @@
 #include "core/io/session.h"
 
+#include "core/io/byte_order_mark.h"
+#include "core/io/file_writer.h"
 #include "core/io/text_input.h"
+#include "core/scene/origin.h"
+#include "core/settings/mistakes.h"
 
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QSaveFile>
 
 #include <algorithm>
 #include <cmath>
@@ -44,33 +48,7 @@ QJsonObject parse(const QByteArray& text, DiagnosticSink& diagnostics)
     return document.object();
 }
 
-std::map<std::uint32_t, glm::vec4> verticesOf(const QJsonValue& json, DiagnosticSink& diagnostics)
-{
-    std::map<std::uint32_t, glm::vec4> vertices;
-    if (!json.isObject() && !json.isUndefined())
-        diagnostics.error(0, QT_TRANSLATE_NOOP("Diagnostic", "\"vertices\" takes an object"));
-    const QJsonObject object = json.toObject();
-    for (auto it = object.begin(); it != object.end(); ++it) {
-        bool isIndex = false;
-        const std::uint32_t vertex = it.key().toUInt(&isIndex);
-        const QJsonArray numbers = it.value().toArray();
-        const bool isPosition = numbers.size() == 4 && std::all_of(numbers.begin(), numbers.end(), [](const auto& n) {
-                                    return n.isDouble() && std::isfinite(static_cast<float>(n.toDouble()));
-                                });
-        if (!isIndex || !isPosition) {
-            diagnostics.error(
-                0, {QT_TRANSLATE_NOOP("Diagnostic",
-                                      "\"vertices\" takes an index and a position: \"0\": [x, y, z, w], not \"%1\""),
-                    {it.key()}});
-            continue;
-        }
-        for (int i = 0; i < 4; ++i)
-            vertices[vertex][i] = static_cast<float>(numbers[i].toDouble());
-    }
-    return vertices;
-}
-
-QJsonObject toJson(const std::map<std::uint32_t, glm::vec4>& vertices)
+QJsonObject toJson(const std::map<std::uint32_t, glm::dvec4>& vertices)
 {
     QJsonObject json;
     for (const auto& [vertex, at] : vertices)
@@ -78,88 +56,275 @@ QJsonObject toJson(const std::map<std::uint32_t, glm::vec4>& vertices)
     return json;
 }
 
-Session sessionOf(const QJsonObject& json, const QDir& folder, DiagnosticSink& diagnostics)
+const QString kSceneKey = QStringLiteral("scene");
+const QString kAbsoluteKey = QStringLiteral("scene-absolute");
+const QString kSettingsKey = QStringLiteral("settings");
+const QString kVerticesKey = QStringLiteral("vertices");
+
+/// Where a model may lie, the likeliest place first.
+///
+/// in      stored: as the session names it; absolute: its absolute path where the session has one
+QStringList placesOf(const QString& stored, const QString& absolute, const QDir& folder)
 {
-    Session session;
-    for (const QString& key : json.keys())
-        if (!QStringList{"rasterlens", "scene", "settings", "vertices"}.contains(key))
-            diagnostics.error(
-                0, {QT_TRANSLATE_NOOP("Diagnostic",
-                                      "there is no key \"%1\"; rasterlens, scene, settings and vertices are expected"),
-                    {key}});
-    if (json[QLatin1String("rasterlens")] != kFormatVersion)
-        diagnostics.error(
-            0,
-            {QT_TRANSLATE_NOOP("Diagnostic", "this is not a session of this program; \"rasterlens\": %1 is expected"),
-             {kFormatVersion}});
-
-    session.scene = json[QLatin1String("scene")].toString();
-    if (session.scene.isEmpty())
-        diagnostics.error(0, QT_TRANSLATE_NOOP("Diagnostic", "\"scene\" takes the name of a scene"));
-    else if (isPath(session.scene))
-        session.scene = QDir::cleanPath(folder.absoluteFilePath(session.scene));
-
-    const QJsonValue settings = json[QLatin1String("settings")];
-    if (!settings.isObject() && !settings.isUndefined())
-        diagnostics.error(0, QT_TRANSLATE_NOOP("Diagnostic", "\"settings\" takes an object"));
-    session.settings = settings.toObject();
-    for (const Reason& error : settingsFromJson(session.settings).errors)
-        diagnostics.error(0, error);
-    session.vertices = verticesOf(json[QLatin1String("vertices")], diagnostics);
-    return session;
+    QString slashed = stored; // a session may have been saved on Windows
+    slashed.replace(QLatin1Char('\\'), QLatin1Char('/'));
+    QStringList places{folder.absoluteFilePath(stored), folder.absoluteFilePath(slashed)};
+    if (!absolute.isEmpty())
+        places << absolute;
+    const QStringList parts = slashed.split(QLatin1Char('/'), Qt::SkipEmptyParts);
+    for (const char* near : {"", "../"})
+        for (const qsizetype tail : {2, 1})
+            if (parts.size() >= tail)
+                places << folder.absoluteFilePath(QLatin1String(near) +
+                                                  parts.mid(parts.size() - tail).join(QLatin1Char('/')));
+    for (QString& place : places)
+        place = QDir::cleanPath(place);
+    return places;
 }
 
-/// Inside the session's folder the path is relative, so that the folder can be moved as a whole.
-QString storedScene(const QString& scene, const QDir& folder)
+/// Reads the object of a session. What a newer version says and this one does not know is left out and named.
+class Reader
 {
+public:
+    Reader(const QJsonObject& json, const QDir& folder, DiagnosticSink& diagnostics)
+        : m_json(json), m_folder(folder), m_diagnostics(diagnostics)
+    {
+    }
+
+    Session read()
+    {
+        version();
+        keys();
+        scene();
+        settings();
+        vertices();
+        return std::move(m_session);
+    }
+
+private:
+    /// An error, or in the file of a newer version the name of what is left out.
+    void fault(Reason message)
+    {
+        if (!m_newer)
+            return m_diagnostics.error(0, std::move(message));
+        leftOut(std::move(message));
+    }
+
+    void leftOut(Reason message)
+    {
+        m_session.isPartial = true;
+        m_diagnostics.warning(0, {QT_TRANSLATE_NOOP("Diagnostic", "%1; left out"), {std::move(message)}});
+    }
+
+    void version()
+    {
+        const QJsonValue version = m_json[QLatin1String("rasterlens")];
+        m_newer = version.toDouble() > kFormatVersion;
+        if (m_newer) {
+            m_session.isPartial = true;
+            m_diagnostics.warning(0,
+                                  {QT_TRANSLATE_NOOP("Diagnostic", "made by a newer version (%1); this one reads %2"),
+                                   {QString::number(version.toDouble()), kFormatVersion}});
+        } else if (version != kFormatVersion) {
+            m_diagnostics.error(0, {QT_TRANSLATE_NOOP("Diagnostic", "this is not a session of this program; "
+                                                                    "\"rasterlens\": %1 is expected"),
+                                    {kFormatVersion}});
+        }
+    }
+
+    void keys()
+    {
+        const QStringList known{QStringLiteral("rasterlens"), kSceneKey, kAbsoluteKey, kSettingsKey, kVerticesKey};
+        for (const QString& key : m_json.keys())
+            if (!known.contains(key))
+                leftOut(
+                    {QT_TRANSLATE_NOOP("Diagnostic",
+                                       "there is no key \"%1\"; rasterlens, scene, settings and vertices are expected"),
+                     {key}});
+    }
+
+    void scene()
+    {
+        const QString stored = m_json[kSceneKey].toString();
+        m_session.scene = stored;
+        if (stored.isEmpty())
+            return m_diagnostics.error(0, QT_TRANSLATE_NOOP("Diagnostic", "\"scene\" takes the name of a scene"));
+        if (!isPath(stored))
+            return;
+        const QStringList places = placesOf(stored, m_json[kAbsoluteKey].toString(), m_folder);
+        const auto found =
+            std::find_if(places.begin(), places.end(), [](const QString& place) { return QFileInfo(place).isFile(); });
+        m_session.sceneFound = found != places.end();
+        m_session.scene = m_session.sceneFound ? *found : places.first();
+        if (!m_session.sceneFound)
+            m_diagnostics.warning(0, {QT_TRANSLATE_NOOP("Diagnostic", "the scene is neither at %1 nor, by its name, "
+                                                                      "beside the session or in the folder above"),
+                                      {places.first()}});
+        else if (*found != places.first())
+            m_diagnostics.warning(
+                0, {QT_TRANSLATE_NOOP("Diagnostic", "the scene is not at %1; %2 is used"), {places.first(), *found}});
+    }
+
+    void settings()
+    {
+        const QJsonValue json = m_json[kSettingsKey];
+        if (!json.isObject() && !json.isUndefined())
+            fault(QT_TRANSLATE_NOOP("Diagnostic", "\"settings\" takes an object"));
+        m_session.settings = json.toObject();
+        if (const QJsonValue view = m_session.settings.value(QLatin1String("view")); m_newer && view.isObject())
+            m_session.settings[QLatin1String("view")] = understoodView(view.toObject());
+        if (m_newer)
+            leaveOutUnknownMistakes();
+        for (const QString& key : m_session.settings.keys()) {
+            const SettingsParse parse = settingsFromJson({{key, m_session.settings.value(key)}});
+            for (const Reason& error : parse.errors)
+                if (isSetting(key))
+                    fault(error);
+                else
+                    leftOut(error);
+            if (!parse.errors.empty())
+                m_session.settings.remove(key);
+        }
+    }
+
+    void leaveOutUnknownMistakes()
+    {
+        const QString key = QStringLiteral("mistakes");
+        QJsonArray known;
+        for (const QJsonValue& id : m_session.settings.value(key).toArray())
+            if (findMistake(id.toString()) != nullptr)
+                known.append(id);
+            else
+                leftOut({QT_TRANSLATE_NOOP("Diagnostic", "there is no mistake \"%1\""), {id.toString()}});
+        if (m_session.settings.value(key).isArray())
+            m_session.settings[key] = known;
+    }
+
+    QJsonObject understoodView(QJsonObject view)
+    {
+        for (const QString& key : view.keys()) {
+            const QJsonObject alone{{QStringLiteral("view"), QJsonObject{{key, view[key]}}}};
+            const SettingsParse parse = settingsFromJson(alone);
+            for (const Reason& error : parse.errors)
+                fault(error);
+            if (!parse.errors.empty())
+                view.remove(key);
+        }
+        return view;
+    }
+
+    void vertices()
+    {
+        const QJsonValue json = m_json[kVerticesKey];
+        if (!json.isObject() && !json.isUndefined())
+            return fault(QT_TRANSLATE_NOOP("Diagnostic", "\"vertices\" takes an object"));
+        const QJsonObject object = json.toObject();
+        for (auto it = object.begin(); it != object.end(); ++it)
+            vertex(it.key(), it.value().toArray());
+    }
+
+    void vertex(const QString& key, const QJsonArray& numbers)
+    {
+        bool isIndex = false;
+        const std::uint32_t vertex = key.toUInt(&isIndex);
+        const bool isPosition = numbers.size() == 4 && std::all_of(numbers.begin(), numbers.end(), [](const auto& n) {
+                                    return n.isDouble() && std::isfinite(static_cast<float>(n.toDouble()));
+                                });
+        if (!isIndex || !isPosition)
+            return fault({QT_TRANSLATE_NOOP("Diagnostic", "\"vertices\" takes an index and a position: \"0\": [x, "
+                                                          "y, z, w], not \"%1\""),
+                          {key}});
+        for (int i = 0; i < 4; ++i)
+            m_session.vertices[vertex][i] = numbers[i].toDouble();
+    }
+
+    static bool isSetting(const QString& key)
+    {
+        return findSettingsField(key) != nullptr || toJson(Settings()).contains(key);
+    }
+
+    const QJsonObject& m_json;
+    const QDir& m_folder;
+    DiagnosticSink& m_diagnostics;
+    Session m_session;
+    bool m_newer = false;
+};
+
+/// Names the scene in the file of a session in `folder`.
+void nameScene(const QString& scene, const QDir& folder, QJsonObject& json)
+{
+    json[kSceneKey] = scene;
     if (!isPath(scene))
-        return scene;
+        return;
     const QString absolute = QDir::cleanPath(QFileInfo(scene).absoluteFilePath());
     const QString relative = folder.relativeFilePath(absolute);
-    return relative.startsWith(QLatin1String("..")) ? absolute : relative;
+    json[kSceneKey] = relative;
+    if (relative.startsWith(QLatin1String("..")))
+        json[kAbsoluteKey] = absolute;
 }
 
 } // namespace
 
+bool isSession(const QString& name)
+{
+    if (!isPath(name))
+        return false;
+    const QString suffix = QFileInfo(name).suffix().toLower();
+    if (suffix == QLatin1String("json"))
+        return true;
+    if (suffix == QLatin1String("obj") || suffix == QLatin1String("case") || !QFileInfo(name).isFile())
+        return false;
+    constexpr qint64 kLooked = 256;
+    QFile file(name);
+    if (!file.open(QIODevice::ReadOnly))
+        return false;
+    QByteArray beginning = file.read(kLooked);
+    return !takeOffByteOrderMark(beginning) && beginning.trimmed().startsWith('{');
+}
+
 SessionLoad loadSession(const QString& path)
 {
-    DiagnosticSink diagnostics(path);
-    const InputBytes input = readInput(path);
+    constexpr int kAll = 1000; // each key that is left out is named
+    DiagnosticSink diagnostics(path, kAll);
+    InputBytes input = readInput(path);
+    if (!input.problem)
+        input.problem = takeOffByteOrderMark(input.bytes);
     Session session;
     if (input.problem) {
         diagnostics.error(0, *input.problem);
     } else {
         const QJsonObject json = parse(input.bytes, diagnostics);
         if (!diagnostics.hasErrors())
-            session = sessionOf(json, QFileInfo(path).absoluteDir(), diagnostics);
+            session = Reader(json, QFileInfo(path).absoluteDir(), diagnostics).read();
     }
     if (diagnostics.hasErrors())
         return {std::nullopt, diagnostics.take()};
     return {session, diagnostics.take()};
 }
 
-Settings settingsOf(const Session& session, const Settings& base)
+SettingsParse settingsOf(const Session& session, const Settings& base)
 {
-    return settingsFromJson(session.settings, base).settings;
+    return settingsFromJson(session.settings, base);
 }
 
-std::map<std::uint32_t, glm::vec4> movedVertices(const Mesh& original, const Mesh& edited)
+std::map<std::uint32_t, glm::dvec4> movedVertices(const Mesh& original, const Mesh& edited)
 {
-    std::map<std::uint32_t, glm::vec4> moved;
+    std::map<std::uint32_t, glm::dvec4> moved;
     for (std::uint32_t i = 0; i < edited.vertices.size(); ++i)
         if (const glm::vec4& now = edited.vertices[i].position;
             now != original.vertices[i].position && std::isfinite(now.x + now.y + now.z + now.w))
-            moved[i] = now;
+            moved[i] = worldPosition(edited, i);
     return moved;
 }
 
 Diagnostics moveVertices(Scene& scene, const Session& session, const QString& sessionPath)
 {
-    DiagnosticSink diagnostics(sessionPath);
+    constexpr int kAll = 1000;
+    DiagnosticSink diagnostics(sessionPath, kAll);
     std::vector<MeshVertex>& vertices = scene.mesh.vertices;
     for (const auto& [vertex, position] : session.vertices)
         if (vertex < vertices.size())
-            vertices[vertex].position = position;
+            vertices[vertex].position = glm::vec4(objectFromWorld(glm::dvec3(position), scene.mesh.origin), position.w);
         else
             diagnostics.error(
                 0, {QT_TRANSLATE_NOOP("Diagnostic", "\"vertices\" names vertex %1; the scene has %2, counted from 0"),
@@ -169,16 +334,15 @@ Diagnostics moveVertices(Scene& scene, const Session& session, const QString& se
 
 std::optional<Reason> saveSession(const Session& session, const QString& path)
 {
-    QJsonObject json{{"rasterlens", kFormatVersion},
-                     {"scene", storedScene(session.scene, QFileInfo(path).absoluteDir())},
-                     {"settings", session.settings}};
+    QJsonObject json{{"rasterlens", kFormatVersion}, {kSettingsKey, session.settings}};
+    nameScene(session.scene, QFileInfo(path).absoluteDir(), json);
     if (!session.vertices.empty())
-        json["vertices"] = toJson(session.vertices);
+        json[kVerticesKey] = toJson(session.vertices);
     const QByteArray text = QJsonDocument(json).toJson();
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
-        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "the file cannot be written: %1"), {file.errorString()});
-    return std::nullopt;
+    const auto problem = writeFile(path, text, NoReader::Refuse);
+    return problem
+               ? std::optional(Reason(QT_TRANSLATE_NOOP("Diagnostic", "the file cannot be written: %1"), {*problem}))
+               : std::nullopt;
 }
 
 } // namespace rasterlens

@@ -1,9 +1,16 @@
 #include "core/io/text_input.h"
 
+#include "core/io/input_log.h"
+#include "core/io/path_bytes.h"
+
 #include <QFile>
-#include <QFileInfo>
+
+#include <fcntl.h>
+#include <sys/stat.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -13,10 +20,15 @@ namespace rasterlens
 namespace
 {
 
-constexpr int kDiagnosticsKept = 20;
-constexpr qint64 kLargestFile = std::numeric_limits<int>::max();
+constexpr off_t kLargestFile = std::numeric_limits<int>::max();
 
 bool isBlank(char c) { return c == ' ' || c == '\t'; }
+
+/// Nan and infinity as C libraries print them, beside `nan` and `inf`: `1.#IND`, `1.#QNAN`, `1.#INF`, `nan(ind)`.
+bool isPrintedNonFinite(std::string_view digits)
+{
+    return digits.starts_with("1.#") || digits.starts_with("nan(") || digits.starts_with("NaN(");
+}
 
 /// A number of the given format without its sign: from_chars knows neither `+` nor `0x`.
 NumberText magnitudeFromText(std::string_view digits, std::chars_format format)
@@ -35,6 +47,8 @@ NumberText magnitudeFromText(std::string_view digits, std::chars_format format)
         parsed.ec = std::errc();
         value = static_cast<float>(wide);
     }
+    if (isPrintedNonFinite(digits))
+        return {0, NumberFault::NotFinite};
     if (parsed.ec != std::errc() || parsed.ptr != end)
         return {};
     return {value, std::isfinite(value) ? NumberFault::None : NumberFault::NotFinite};
@@ -63,10 +77,31 @@ NumberText signedFromText(std::string_view word, bool hexAllowed)
 
 } // namespace
 
+DiagnosticSink::DiagnosticSink(const QString& file, int keptOfAKind)
+    : m_file(readablePath(file)), m_keptOfAKind(keptOfAKind)
+{
+}
+
 void DiagnosticSink::add(Severity severity, int line, Reason message)
 {
-    if (++m_counts[static_cast<int>(severity)] <= kDiagnosticsKept)
+    auto kind = std::find_if(m_kinds.begin(), m_kinds.end(),
+                             [&](const Kind& k) { return k.severity == severity && k.text == message.text; });
+    if (kind == m_kinds.end())
+        kind = m_kinds.insert(kind, {severity, message.text, line, 0});
+    if (++kind->count <= m_keptOfAKind)
         m_kept.push_back({severity, m_file, line, std::move(message)});
+}
+
+bool DiagnosticSink::hasErrors() const { return rasterlens::hasErrors(m_kept); }
+
+void DiagnosticSink::promoteWarnings()
+{
+    for (Kind& kind : m_kinds)
+        if (kind.severity == Severity::Warning)
+            kind.severity = Severity::Error;
+    for (Diagnostic& diagnostic : m_kept)
+        if (diagnostic.severity == Severity::Warning)
+            diagnostic.severity = Severity::Error;
 }
 
 Diagnostics DiagnosticSink::take()
@@ -74,33 +109,73 @@ Diagnostics DiagnosticSink::take()
     const auto lineOrLast = [](const Diagnostic& d) { return d.line > 0 ? d.line : std::numeric_limits<int>::max(); };
     std::stable_sort(m_kept.begin(), m_kept.end(),
                      [&](const Diagnostic& a, const Diagnostic& b) { return lineOrLast(a) < lineOrLast(b); });
-    for (const Severity severity : {Severity::Error, Severity::Warning})
-        if (const int more = m_counts[static_cast<int>(severity)] - kDiagnosticsKept; more > 0)
-            m_kept.push_back({severity, m_file, 0, {QT_TRANSLATE_NOOP("Diagnostic", "and %1 more"), {more}}});
+    for (const Kind& kind : m_kinds)
+        if (const int more = kind.count - m_keptOfAKind; more > 0)
+            m_kept.push_back({kind.severity,
+                              m_file,
+                              0,
+                              {QT_TRANSLATE_NOOP("Diagnostic", "and %1 more remarks like that on line %2"),
+                               {more, kind.firstLine}}});
+    m_kinds.clear();
     return std::move(m_kept);
+}
+
+OpenInput openInput(const QString& path)
+{
+    InputLog::note(path);
+    const auto failed = [](Reason why) { return OpenInput{-1, 0, std::move(why)}; };
+    const auto systemSays = [&] {
+        return failed({QT_TRANSLATE_NOOP("Diagnostic", "the file cannot be read: %1"), {qt_error_string(errno)}});
+    };
+    const QByteArray name = bytesOfPath(path);
+    struct stat info = {};
+    if (::stat(name.constData(), &info) != 0)
+        return errno == EACCES ? systemSays() : failed(QT_TRANSLATE_NOOP("Diagnostic", "there is no such file"));
+    if (S_ISDIR(info.st_mode))
+        return failed(QT_TRANSLATE_NOOP("Diagnostic", "this is a directory; a file is expected"));
+    if (!S_ISREG(info.st_mode))
+        return failed(QT_TRANSLATE_NOOP("Diagnostic", "this is a device or a pipe; a file is expected"));
+    if (info.st_size > kLargestFile)
+        return failed(QT_TRANSLATE_NOOP("Diagnostic", "the file is larger than 2 GB"));
+    if (info.st_size == 0)
+        return failed(QT_TRANSLATE_NOOP("Diagnostic", "the file is empty"));
+    const int descriptor = ::open(name.constData(), O_RDONLY | O_CLOEXEC);
+    return descriptor < 0 ? systemSays() : OpenInput{descriptor, static_cast<std::size_t>(info.st_size), {}};
 }
 
 InputBytes readInput(const QString& path)
 {
-    const auto failed = [](Reason why) { return InputBytes{{}, std::move(why)}; };
-    const QFileInfo info(path);
-    if (!info.exists())
-        return failed(QT_TRANSLATE_NOOP("Diagnostic", "there is no such file"));
-    if (info.isDir())
-        return failed(QT_TRANSLATE_NOOP("Diagnostic", "this is a directory; a file is expected"));
-    if (!info.isFile())
-        return failed(QT_TRANSLATE_NOOP("Diagnostic", "this is a device or a pipe; a file is expected"));
-    if (info.size() > kLargestFile)
-        return failed(QT_TRANSLATE_NOOP("Diagnostic", "the file is larger than 2 GB"));
-    QFile file(path);
-    InputBytes input;
-    if (file.open(QIODevice::ReadOnly))
-        input.bytes = file.readAll();
+    if (path.startsWith(QLatin1Char(':'))) { // a resource of the program itself
+        QFile resource(path);
+        if (!resource.open(QIODevice::ReadOnly))
+            return {{}, Reason(QT_TRANSLATE_NOOP("Diagnostic", "there is no such file"))};
+        return {resource.readAll(), {}};
+    }
+    const OpenInput input = openInput(path);
+    if (input.problem)
+        return {{}, input.problem};
+    QFile file;
+    QByteArray bytes;
+    if (file.open(input.descriptor, QIODevice::ReadOnly, QFileDevice::AutoCloseHandle))
+        bytes = file.readAll();
     if (file.error() != QFileDevice::NoError)
-        return failed({QT_TRANSLATE_NOOP("Diagnostic", "the file cannot be read: %1"), {file.errorString()}});
-    if (input.bytes.isEmpty())
-        return failed(QT_TRANSLATE_NOOP("Diagnostic", "the file is empty"));
-    return input;
+        return {{}, Reason{QT_TRANSLATE_NOOP("Diagnostic", "the file cannot be read: %1"), {file.errorString()}}};
+    return {bytes, {}};
+}
+
+bool continuesOnNextLine(std::string_view line)
+{
+    if (!line.ends_with('\\'))
+        return false;
+    std::string_view rest = line;
+    std::string keyword(nextWord(rest));
+    for (char& c : keyword)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    constexpr std::string_view kNamed[] = {"mtllib", "usemtl", "newmtl", "g", "o", "call", "csh", "maplib", "usemap"};
+    const bool named = keyword.starts_with("map_") || std::ranges::find(kNamed, keyword) != std::end(kNamed);
+    if (!named)
+        return line.find('#') == std::string_view::npos;
+    return line.size() > 1 && isBlank(line[line.size() - 2]);
 }
 
 LineCursor::LineCursor(QByteArray& text, Continuation continuation)
@@ -119,7 +194,8 @@ std::optional<TextLine> LineCursor::next()
         if (m_at != m_end)
             m_at += *m_at == '\r' && m_at + 1 != m_end && m_at[1] == '\n' ? 2 : 1;
         ++m_line;
-        const bool joins = m_continuation == Continuation::Backslash && lineEnd != line.begin && lineEnd[-1] == '\\';
+        const bool joins = m_continuation == Continuation::Backslash &&
+                           continuesOnNextLine({line.begin, static_cast<std::size_t>(lineEnd - line.begin)});
         if (joins)
             std::fill(lineEnd - 1, m_at, ' ');
         if (!joins || m_at == m_end) {
@@ -150,7 +226,7 @@ std::string_view trimmed(std::string_view text)
 QString quotedWord(std::string_view word)
 {
     constexpr std::size_t kLongest = 40;
-    QString text = QString::fromUtf8(word.data(), static_cast<qsizetype>(std::min(word.size(), kLongest)));
+    QString text = readableName(word.substr(0, kLongest));
     for (QChar& c : text)
         if (!c.isPrint())
             c = QChar::ReplacementCharacter;

@@ -8,7 +8,11 @@
 #include <QImage>
 #include <QImageReader>
 
+#include <algorithm>
+#include <array>
 #include <cstring>
+#include <iterator>
+#include <utility>
 
 namespace rasterlens
 {
@@ -38,17 +42,12 @@ std::optional<Reason> sizeProblem(QSize size)
 
 bool isTga(const QString& path) { return path.endsWith(QLatin1String(".tga"), Qt::CaseInsensitive); }
 
-struct ImageLoad {
-    QImage image;
-    std::optional<Reason> problem;
-};
-
 Reason unreadable(Reason why)
 {
     return {QT_TRANSLATE_NOOP("Diagnostic", "the image cannot be read: %1"), {std::move(why)}};
 }
 
-ImageLoad loadTga(const QByteArray& bytes)
+PictureLoad loadTga(const QByteArray& bytes)
 {
     if (const auto problem = sizeProblem(tgaSize(bytes).value_or(QSize())))
         return {{}, problem};
@@ -58,43 +57,100 @@ ImageLoad loadTga(const QByteArray& bytes)
     return {tga.image, {}};
 }
 
-ImageLoad loadWithQt(QByteArray& bytes)
+PictureLoad loadWithQt(QByteArray& bytes)
 {
     QBuffer buffer(&bytes);
     QImageReader reader(&buffer);
     if (const auto problem = sizeProblem(reader.size()))
         return {{}, problem};
-    ImageLoad load{reader.read(), {}};
+    PictureLoad load{reader.read(), {}};
     if (load.image.isNull())
         load.problem = unreadable(reader.errorString());
     return load;
 }
 
-Texture textureOf(const QImage& image, const QString& path)
+/// Makes a texture whose texels are those of the image, through a function, the bottom row first.
+template <class TexelOf>
+Texture textureOf(const QImage& image, const QString& name, TexelOf texelOf)
 {
-    const QImage rgb = image.convertToFormat(QImage::Format_RGB32);
-    Texture texture{QFileInfo(path).fileName(), rgb.width(), rgb.height(), {}};
-    const auto width = static_cast<std::size_t>(rgb.width());
-    texture.texels.resize(width * static_cast<std::size_t>(rgb.height()));
-    for (int y = 0; y < rgb.height(); ++y)
-        std::memcpy(texture.texels.data() + width * static_cast<std::size_t>(rgb.height() - 1 - y),
-                    rgb.constScanLine(y), width * sizeof(std::uint32_t));
-    for (std::uint32_t& texel : texture.texels)
-        texel |= 0xff000000U;
+    Texture texture{name, image.width(), image.height(), {}};
+    texture.texels.reserve(static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height()));
+    for (int y = image.height() - 1; y >= 0; --y) {
+        const auto* row = reinterpret_cast<const QRgb*>(image.constScanLine(y));
+        std::transform(row, row + image.width(), std::back_inserter(texture.texels), texelOf);
+    }
     return texture;
 }
 
+std::uint32_t grey(std::uint32_t value) { return 0xff000000U | value * 0x10101U; }
+
+bool isOpaque(const Texture& opacity)
+{
+    return std::ranges::all_of(opacity.texels, [](std::uint32_t texel) { return texel == 0xffffffffU; });
+}
+
+TextureLoad splitAlpha(const QImage& image, const QString& name)
+{
+    const bool hasAlpha = image.hasAlphaChannel();
+    const QImage pixels = image.convertToFormat(hasAlpha ? QImage::Format_ARGB32 : QImage::Format_RGB32);
+    TextureLoad load{textureOf(pixels, name, [](QRgb pixel) { return pixel | 0xff000000U; }), {}, {}};
+    if (!hasAlpha)
+        return load;
+    Texture opacity = textureOf(pixels, name, [](QRgb pixel) { return grey(pixel >> 24); });
+    if (!isOpaque(opacity))
+        load.opacity = std::move(opacity);
+    return load;
+}
+
 } // namespace
+
+PictureLoad pictureFrom(QByteArray bytes, const QString& name)
+{
+    return isTga(name) ? loadTga(bytes) : loadWithQt(bytes);
+}
 
 TextureLoad loadTexture(const QString& path)
 {
     InputBytes input = readInput(path);
     if (input.problem)
-        return {std::nullopt, input.problem};
-    const ImageLoad load = isTga(path) ? loadTga(input.bytes) : loadWithQt(input.bytes);
+        return {{}, {}, input.problem};
+    const PictureLoad load = pictureFrom(std::move(input.bytes), path);
     if (load.problem)
-        return {std::nullopt, load.problem};
-    return {textureOf(load.image, path), {}};
+        return {{}, {}, load.problem};
+    return splitAlpha(load.image, QFileInfo(path).fileName());
+}
+
+Texture maskOf(TextureLoad image, char channel)
+{
+    if (image.opacity && (channel == 'm' || channel == 0))
+        return std::move(*image.opacity);
+    const auto value = [channel](std::uint32_t texel) {
+        const std::uint32_t red = texel >> 16 & 255U;
+        const std::uint32_t green = texel >> 8 & 255U;
+        const std::uint32_t blue = texel & 255U;
+        switch (channel) {
+        case 'r': return red;
+        case 'g': return green;
+        case 'b': return blue;
+        case 'm': return 255U; // an image without transparency is opaque
+        default: return (77 * red + 150 * green + 29 * blue + 128) >> 8;
+        }
+    };
+    Texture mask = std::move(*image.texture);
+    for (std::uint32_t& texel : mask.texels)
+        texel = grey(value(texel));
+    return mask;
+}
+
+void spread(Texture& texture, float base, float gain)
+{
+    std::array<std::uint32_t, 256> spreadValue{};
+    for (std::size_t t = 0; t < spreadValue.size(); ++t)
+        spreadValue[t] =
+            static_cast<std::uint32_t>(std::clamp(255 * base + gain * static_cast<float>(t), 0.0F, 255.0F) + 0.5F);
+    for (std::uint32_t& texel : texture.texels)
+        texel = 0xff000000U | spreadValue[texel >> 16 & 255U] << 16 | spreadValue[texel >> 8 & 255U] << 8 |
+                spreadValue[texel & 255U];
 }
 
 } // namespace rasterlens

@@ -21,7 +21,7 @@ struct Header {
         : idBytes(byteAt(file, 0)), hasPalette(byteAt(file, 1) == 1), type(byteAt(file, 2) & ~kRunLengthPacked),
           packed((byteAt(file, 2) & kRunLengthPacked) != 0), paletteFirst(wordAt(file, 3)),
           paletteSize(wordAt(file, 5)), paletteBits(byteAt(file, 7)), width(wordAt(file, 12)), height(wordAt(file, 14)),
-          bits(byteAt(file, 16)), rightToLeft((byteAt(file, 17) & 0x10) != 0),
+          bits(byteAt(file, 16)), alphaBits(byteAt(file, 17) & 0x0f), rightToLeft((byteAt(file, 17) & 0x10) != 0),
           topToBottom((byteAt(file, 17) & 0x20) != 0)
     {
     }
@@ -36,6 +36,7 @@ struct Header {
     int width;
     int height;
     int bits;
+    int alphaBits; ///< what the file says of its fourth channel; 8: it is alpha
     bool rightToLeft;
     bool topToBottom;
 };
@@ -52,6 +53,23 @@ bool isSupported(const Header& header)
     case TrueColor: return isColorDepth(header.bits);
     case Grey: return header.bits == 8;
     default: return false;
+    }
+}
+
+/// Makes every pixel opaque where none is to be seen at all: many programs write a fourth channel of zeros.
+void dropEmptyAlpha(QImage& image)
+{
+    const auto rowIsEmpty = [&](int y) {
+        const auto* row = reinterpret_cast<const QRgb*>(image.constScanLine(y));
+        return std::all_of(row, row + image.width(), [](QRgb pixel) { return qAlpha(pixel) == 0; });
+    };
+    for (int y = 0; y < image.height(); ++y)
+        if (!rowIsEmpty(y))
+            return;
+    image.reinterpretAsFormat(QImage::Format_RGB32);
+    for (int y = 0; y < image.height(); ++y) {
+        auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
+        std::transform(row, row + image.width(), row, [](QRgb pixel) { return pixel | 0xff000000U; });
     }
 }
 
@@ -81,7 +99,8 @@ public:
         m_at = kHeaderBytes + m_header.idBytes;
         if (!readPalette())
             return endsEarly();
-        QImage image(m_header.width, m_header.height, QImage::Format_RGB32);
+        const bool hasAlpha = m_header.type == TrueColor && m_header.bits == 32 && m_header.alphaBits == 8;
+        QImage image(m_header.width, m_header.height, hasAlpha ? QImage::Format_ARGB32 : QImage::Format_RGB32);
         if (image.isNull())
             return {{}, QT_TRANSLATE_NOOP("Diagnostic", "there is not enough memory for the image")};
         for (int row = 0; row < m_header.height; ++row) {
@@ -94,6 +113,8 @@ public:
                 line[m_header.rightToLeft ? m_header.width - 1 - x : x] = *pixel;
             }
         }
+        if (hasAlpha)
+            dropEmptyAlpha(image);
         return {image, {}};
     }
 
@@ -140,8 +161,12 @@ private:
             return std::nullopt;
         const qsizetype at = m_at;
         m_at += bytes;
-        if (m_header.type == TrueColor)
-            return colorAt(m_file, at, m_header.bits);
+        if (m_header.type == TrueColor) {
+            const QRgb color = colorAt(m_file, at, m_header.bits);
+            return m_header.bits == 32 && m_header.alphaBits == 8
+                       ? qRgba(qRed(color), qGreen(color), qBlue(color), byteAt(m_file, at + 3))
+                       : color;
+        }
         if (m_header.type == Grey)
             return qRgb(byteAt(m_file, at), byteAt(m_file, at), byteAt(m_file, at));
         const int index = (bytes == 1 ? byteAt(m_file, at) : wordAt(m_file, at)) - m_header.paletteFirst;

@@ -14,7 +14,7 @@ namespace rasterlens
 [[nodiscard]] std::optional<QSize> tgaSize(const QByteArray& file);
 
 struct TgaImage {
-    QImage image;                  ///< Format_RGB32, row 0 on top; null if there is a problem
+    QImage image;                  ///< Format_RGB32, with alpha Format_ARGB32, row 0 on top; null if there is a problem
     std::optional<Reason> problem; ///< a sentence without the file name
 };
 
@@ -22,7 +22,7 @@ struct TgaImage {
 ///
 /// in      a size fit to be allocated (see tgaSize)
 /// covers  palette, true colour and grey, plain or run-length packed; 8, 15, 16, 24 and 32 bits; any corner as the
-///         first one; alpha is left out
+///         first one; alpha where the file says that it has 8 bits of it, and some pixel is not wholly transparent
 /// errors  other kinds, and files that end early
 /// source  Truevision TGA File Format Specification, version 2.0, 1991
 [[nodiscard]] TgaImage readTga(const QByteArray& file);

@@ -1,5 +1,6 @@
 #include "core/observe/recorder.h"
 
+#include "core/base/pieces.h"
 #include "core/pipeline/shading.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ std::uint8_t flagIf(bool condition, std::uint8_t flag) { return condition ? flag
 std::vector<ClipVertex> corners(const ClipPolygon& polygon) { return {polygon.span().begin(), polygon.span().end()}; }
 
 /// The cuts of a plane in the order of the polygon's edges, matched with the corners they made.
-std::vector<ClipCut> cutsOf(const ClipStep& step, const PlaneEquation& plane)
+std::vector<ClipCut> cutsOf(const ClipStep& step)
 {
     std::vector<ClipCut> cuts;
     const int n = static_cast<int>(step.before.size());
@@ -39,8 +40,8 @@ std::vector<ClipCut> cutsOf(const ClipStep& step, const PlaneEquation& plane)
         if (isInside == nextInside)
             continue;
         ClipCut cut{isInside ? i : next, isInside ? next : i, 0, step.after.empty() ? -1 : corner};
-        cut.t = cutParameter(step.before[static_cast<std::size_t>(cut.inside)].positionClip,
-                             step.before[static_cast<std::size_t>(cut.outside)].positionClip, plane);
+        cut.t = cutParameter(step.distances[static_cast<std::size_t>(cut.inside)],
+                             step.distances[static_cast<std::size_t>(cut.outside)]);
         cuts.push_back(cut);
         ++corner;
     }
@@ -66,8 +67,9 @@ StepRecorder::StepRecorder(const Scene& scene, const Settings& settings, const R
     m_stride = rules.strideIsRows ? rules.rows() : rules.columns();
     const std::size_t samples = std::size_t(std::max(rules.columns(), m_stride)) * std::size_t(rules.rows());
     m_log->m_sampleCount = samples;
-    m_lastEffect.resize(samples);
-    m_color.assign(samples, m_log->m_clear.color);
+    const std::stop_token stop = m_stopDrawing.get_token(); // then nothing is drawn
+    assignInPieces(m_lastEffect, samples, std::uint32_t(0), stop);
+    assignInPieces(m_color, samples, m_log->m_clear.color, stop);
     if (overdraw)
         m_coverCount.resize(samples);
     if (filter.pixels) {
@@ -230,7 +232,7 @@ void StepRecorder::onVertex(std::uint32_t face, int corner, std::uint32_t meshVe
     if (!isFaceWanted())
         return;
     storePayload(faceEvent(StepKind::Vertex, finiteFlag(clip.positionClip)),
-                 VertexStep{corner, meshVertex, glm::dvec4(m_scene->mesh.vertices[meshVertex].position), clip,
+                 VertexStep{corner, meshVertex, m_scene->mesh.vertices[meshVertex].position, m_scene->mesh.origin, clip,
                             outcode(clip.positionClip, m_volume).view});
 }
 
@@ -248,11 +250,9 @@ void StepRecorder::onClipPlane(std::uint32_t, ClipPlane plane, const ClipPolygon
 {
     if (!isFaceWanted())
         return;
-    const PlaneEquation& equation = m_volume.cut[static_cast<std::size_t>(plane)];
     ClipStep step{plane, corners(before), corners(after), {}, {}};
-    for (const ClipVertex& vertex : step.before)
-        step.distances.push_back(equation.distance(vertex.positionClip));
-    step.cuts = cutsOf(step, equation);
+    step.distances.assign(before.distances.begin(), before.distances.begin() + before.count);
+    step.cuts = cutsOf(step);
     storePayload(faceEvent(StepKind::ClipPlane), std::move(step));
 }
 
@@ -431,6 +431,7 @@ std::shared_ptr<const StepLog> StepRecorder::finish(bool stopped, const QImage& 
     dropPending();
     StepLog& log = *m_log;
     log.m_stopped = stopped && !m_full;
+    log.m_faceLines = m_scene->mesh.faceLine;
     if (m_full || stopped) {
         log.m_effects.resize(gapBegin());
     } else {

@@ -90,7 +90,8 @@ struct VertexStep {
     static constexpr StepKind kKind = StepKind::Vertex;
     int corner; ///< 0..2 = A, B, C
     std::uint32_t meshVertex;
-    glm::dvec4 positionObject; ///< as the mesh has it
+    glm::vec4 positionObject; ///< as the mesh has it
+    glm::dvec3 origin;        ///< Mesh::origin: what the world's coordinates are more
     ClipVertex clip;
     std::uint32_t outside; ///< planes of the view volume it is outside of, one bit a ClipPlane
 };
@@ -277,6 +278,12 @@ public:
         return event.triangle == StepEvent::kNone ? nullptr : &m_triangles[event.triangle];
     }
 
+    /// The line of the `f` in the scene's file that a face is a part of; -1 none.
+    [[nodiscard]] std::int32_t lineOf(std::uint32_t face) const
+    {
+        return face < m_faceLines.size() ? m_faceLines[face] : -1;
+    }
+
     /// The cap was reached: the log ends there, and so does the picture.
     [[nodiscard]] bool truncated() const { return m_truncated; }
     /// The drawing was stopped from outside.
@@ -343,6 +350,8 @@ private:
     friend class StepRecorder;
 
     static constexpr std::size_t kCheckpointEvents = 256;
+
+    std::vector<std::int32_t> m_faceLines; ///< see Mesh::faceLine
 
     /// The counters after so many events.
     struct Checkpoint {

@@ -1,5 +1,7 @@
 #include "core/observe/step_text.h"
 
+#include "core/scene/origin.h"
+
 #include <QJsonArray>
 #include <QLocale>
 #include <QStringList>
@@ -53,19 +55,25 @@ QJsonArray positions(const std::vector<ClipVertex>& corners)
 
 QString text(const StepLog&, const StepEvent&, const VertexStep& step)
 {
-    return QStringLiteral("%1 = vertex %2: object %3 -> clip %4, outside %5")
+    const QString world = step.origin == glm::dvec3(0)
+                              ? QString()
+                              : QStringLiteral("world (%1), ").arg(worldText(step.positionObject, step.origin));
+    return QStringLiteral("%1 = vertex %2: %3object %4 -> clip %5, outside %6")
         .arg(letter(std::size_t(step.corner)))
         .arg(step.meshVertex)
-        .arg(clipText(step.positionObject), clipText(step.clip.positionClip), planesText(step.outside));
+        .arg(world, clipText(step.positionObject), clipText(step.clip.positionClip), planesText(step.outside));
 }
 
 QJsonObject json(const StepLog&, const StepEvent&, const VertexStep& step)
 {
-    return {{"corner", step.corner},
-            {"mesh_vertex", double(step.meshVertex)},
-            {"object", json(step.positionObject)},
-            {"clip", json(step.clip.positionClip)},
-            {"outside", planesText(step.outside)}};
+    QJsonObject object{{"corner", step.corner},
+                       {"mesh_vertex", double(step.meshVertex)},
+                       {"object", json(glm::dvec4(step.positionObject))},
+                       {"clip", json(step.clip.positionClip)},
+                       {"outside", planesText(step.outside)}};
+    if (step.origin != glm::dvec3(0))
+        object["world"] = json(worldFromObject(glm::dvec4(step.positionObject), step.origin));
+    return object;
 }
 
 QString text(const StepLog&, const StepEvent&, const ClipStep& step)
@@ -474,12 +482,18 @@ QString planesText(std::uint32_t planes)
     return names.isEmpty() ? QStringLiteral("none") : names.join(QLatin1Char('+'));
 }
 
+QString faceText(std::uint32_t face, std::int32_t line)
+{
+    const QString text = QStringLiteral("face %1").arg(face);
+    return line > 0 ? text + QStringLiteral(" (line %1)").arg(line) : text;
+}
+
 QString stepText(const StepLog& log, std::size_t i)
 {
     const StepEvent& event = log.event(i);
     QString line = QStringLiteral("%1 %2").arg(i).arg(QLatin1String(stepKindId(event.kind)));
     if (event.face != StepEvent::kNone)
-        line += QStringLiteral(" face %1").arg(event.face);
+        line += QLatin1Char(' ') + faceText(event.face, log.lineOf(event.face));
     if (event.x >= 0 || event.kind == StepKind::LineSample || event.kind == StepKind::LineDecision)
         line += QStringLiteral(" (%1, %2)").arg(event.x).arg(event.y);
     else if (event.kind == StepKind::Span)
@@ -510,6 +524,8 @@ QJsonObject stepJson(const StepLog& log, std::size_t i)
     object.insert(QStringLiteral("event"), QLatin1String(stepKindId(event.kind)));
     if (event.face != StepEvent::kNone)
         object.insert(QStringLiteral("face"), static_cast<qint64>(event.face));
+    if (const std::int32_t line = log.lineOf(event.face); line > 0)
+        object.insert(QStringLiteral("line"), line);
     const bool isSample = event.kind >= StepKind::Sample && event.kind <= StepKind::Write;
     if (isSample)
         object.insert(QStringLiteral("x"), event.x);

@@ -29,6 +29,10 @@ namespace rasterlens
 [[nodiscard]] QString colorText(std::uint32_t color);   ///< `#rrggbb`
 [[nodiscard]] QString planesText(std::uint32_t planes); ///< names of a set of planes, `none` if empty
 
+/// `face 12 (line 345)`: a triangle and the line of the `f` in the scene's file that it is a part of; `face 12` where
+/// `line` is -1. Not translated.
+[[nodiscard]] QString faceText(std::uint32_t face, std::int32_t line);
+
 /// One event in one line, as `rasterlens-cli steps` prints it: kind, face, place, numbers. Not translated.
 [[nodiscard]] QString stepText(const StepLog& log, std::size_t i);
 

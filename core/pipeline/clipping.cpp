@@ -36,23 +36,15 @@ PlaneTable planeTable(double gx, double gy, const Rules& rules)
     return table;
 }
 
-ClipPlanes outside(const glm::dvec4& position, const PlaneTable& planes, ClipPlanes among)
-{
-    ClipPlanes code = 0;
-    for (unsigned i = 0; i < planes.size(); ++i)
-        if ((among & 1U << i) != 0 && planes[i].distance(position) < 0)
-            code |= 1U << i;
-    return code;
-}
-
 } // namespace
 
 ClipVolume clipVolume(const Rules& rules)
 {
     ClipVolume volume;
     volume.view = planeTable(1, 1, rules);
-    const bool hasGuardBand = rules.clipping == Clipping::GuardBand || rules.clipping == Clipping::CohenSutherland;
-    volume.cut = hasGuardBand ? planeTable(guardFactor(rules.width), guardFactor(rules.height), rules) : volume.view;
+    volume.hasGuardBand = rules.clipping == Clipping::GuardBand || rules.clipping == Clipping::CohenSutherland;
+    volume.cut =
+        volume.hasGuardBand ? planeTable(guardFactor(rules.width), guardFactor(rules.height), rules) : volume.view;
     volume.known = kNearFar | kSides;
     switch (rules.clipping) {
     case Clipping::FrustumW: volume.known |= planeBit(ClipPlane::W); [[fallthrough]];
@@ -68,7 +60,18 @@ ClipVolume clipVolume(const Rules& rules)
 
 Outcode outcode(const glm::dvec4& positionClip, const ClipVolume& volume)
 {
-    return {outside(positionClip, volume.view, volume.known), outside(positionClip, volume.cut, volume.cutBy)};
+    Outcode code{};
+    for (unsigned i = 0; i < volume.view.size(); ++i)
+        if ((volume.known & 1U << i) != 0 && volume.view[i].distance(positionClip) < 0)
+            code.view |= 1U << i;
+    if (!volume.hasGuardBand) {
+        code.cut = code.view & volume.cutBy;
+        return code;
+    }
+    for (unsigned i = 0; i < volume.cut.size(); ++i)
+        if ((volume.cutBy & 1U << i) != 0 && volume.cut[i].carefulDistance(positionClip) < 0)
+            code.cut |= 1U << i;
+    return code;
 }
 
 ClipVerdict clipVerdict(Clipping mode, const Outcode& a, const Outcode& b, const Outcode& c)
@@ -90,66 +93,78 @@ ClipVerdict clipVerdict(Clipping mode, const Outcode& a, const Outcode& b, const
     return crossed != 0 ? ClipVerdict::Cut : ClipVerdict::Keep;
 }
 
-namespace
+Clipper::Clipper(const ClipTriangle& triangle, const ClipVolume& volume, ClipPlanes crossed, const Rules& rules)
+    : m_triangle(&triangle), m_volume(&volume), m_rules(&rules), m_crossed(crossed & volume.cutBy),
+      m_lines(triangle, volume.cut, volume.view, m_crossed)
 {
+    m_now->count = 0;
+    append({kEdgeCA, kEdgeAB}) = triangle.vertices[0];
+    append({kEdgeAB, kEdgeBC}) = triangle.vertices[1];
+    append({kEdgeBC, kEdgeCA}) = triangle.vertices[2];
+}
 
-/// Where an edge crosses a plane. Whether the short way is good enough is decided by the edge alone, so that both
-/// faces at an edge decide alike.
-glm::dvec4 cutPosition(const glm::dvec4& inside, const glm::dvec4& outside, double t, const PlaneEquation& plane)
+ClipVertex& Clipper::append(ClipCorner corner)
+{
+    assert(m_now->count < ClipPolygon::kMaxVertices);
+    const auto last = static_cast<std::size_t>(m_now->count++);
+    m_now->corners[last] = corner;
+    return m_now->vertices[last];
+}
+
+bool Clipper::isBeforeEye() const
+{
+    return std::ranges::all_of(m_now->span(), [](const ClipVertex& v) { return v.positionClip.w > 0; });
+}
+
+bool Clipper::isNew(std::size_t vertex) const { return !TriangleLines::isVertex(m_now->corners[vertex]); }
+
+glm::dvec2 Clipper::snapped(std::size_t vertex) const { return m_lines.snapped(m_now->corners[vertex], *m_rules); }
+
+bool isWellConditioned(const glm::dvec4& a, const glm::dvec4& b, double w)
 {
     constexpr double kLongest = 0x1p20; // in units of the new w; double then keeps 2^-33 of it
-    const glm::dvec4 cut = inside + t * (outside - inside);
     double longest = 0;
     for (int k = 0; k < 4; ++k)
-        longest = std::max({longest, std::abs(inside[k]), std::abs(outside[k])});
-    return longest <= kLongest * cut.w ? cut : cutExactly(inside, outside, plane);
+        longest = std::max({longest, std::abs(a[k]), std::abs(b[k])});
+    return longest <= kLongest * w;
 }
 
-} // namespace
-
-double cutParameter(const glm::dvec4& a, const glm::dvec4& b, const PlaneEquation& plane)
+void Clipper::cutBy(ClipPlane plane)
 {
-    const double da = plane.distance(a);
-    const double db = plane.distance(b);
-    return da / (da - db);
-}
-
-ClipPolygon polygonOf(const ClipTriangle& triangle)
-{
-    ClipPolygon polygon;
-    std::copy(triangle.vertices.begin(), triangle.vertices.end(), polygon.vertices.begin());
-    polygon.count = 3;
-    return polygon;
-}
-
-ClipPolygon clipByPlane(const ClipPolygon& polygon, const PlaneEquation& plane, int varyingCount)
-{
-    ClipPolygon out;
-    out.count = 0;
-    const auto addCut = [&](const ClipVertex& inside, const ClipVertex& outside) {
-        assert(out.count < ClipPolygon::kMaxVertices);
-        ClipVertex& cut = out.vertices[static_cast<std::size_t>(out.count++)];
-        const double t = cutParameter(inside.positionClip, outside.positionClip, plane);
-        cut.positionClip = cutPosition(inside.positionClip, outside.positionClip, t, plane);
-        const float s = static_cast<float>(t);
-        for (std::size_t k = 0; k < static_cast<std::size_t>(varyingCount); ++k)
-            cut.varyings[k] = inside.varyings[k] + s * (outside.varyings[k] - inside.varyings[k]);
-    };
-    for (std::size_t i = 0, n = static_cast<std::size_t>(polygon.count); i < n; ++i) {
-        const ClipVertex& current = polygon.vertices[i];
-        const ClipVertex& next = polygon.vertices[(i + 1) % n];
-        const bool currentInside = plane.distance(current.positionClip) >= 0;
-        const bool nextInside = plane.distance(next.positionClip) >= 0;
-        if (currentInside)
-            out.vertices[static_cast<std::size_t>(out.count++)] = current;
-        if (currentInside && !nextInside)
-            addCut(current, next);
-        else if (!currentInside && nextInside)
-            addCut(next, current);
+    takeTurns();
+    m_now->count = 0;
+    ClipPolygon& from = *m_before;
+    const auto n = static_cast<std::size_t>(from.count);
+    for (std::size_t i = 0; i < n; ++i) {
+        const double estimate = m_volume->cut[lineOf(plane)].carefulDistance(from.vertices[i].positionClip);
+        from.distances[i] = m_lines.distance(from.corners[i], lineOf(plane), estimate);
     }
-    if (out.count < 3)
-        out.count = 0;
-    return out;
+    const auto addCut = [&](std::size_t inside, std::size_t outside, ClipCorner corner) {
+        const ClipVertex& a = from.vertices[inside];
+        const ClipVertex& b = from.vertices[outside];
+        const double t = cutParameter(from.distances[inside], from.distances[outside]);
+        ClipVertex& cut = append(corner);
+        cut.positionClip = a.positionClip + t * (b.positionClip - a.positionClip);
+        // This is decided by the edge alone, so that both faces at it decide alike.
+        if (!isWellConditioned(a.positionClip, b.positionClip, cut.positionClip.w))
+            cut.positionClip = m_lines.position(corner);
+        const float s = static_cast<float>(t);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(m_rules->varyingCount); ++k)
+            cut.varyings[k] = a.varyings[k] + s * (b.varyings[k] - a.varyings[k]);
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t next = (i + 1) % n;
+        const bool isInside = from.distances[i] >= 0;
+        const bool nextInside = from.distances[next] >= 0;
+        if (isInside)
+            append(from.corners[i]) = from.vertices[i];
+        if (isInside && !nextInside)
+            addCut(i, next, {from.corners[i].leaving, lineOf(plane)});
+        else if (!isInside && nextInside)
+            addCut(next, i, {lineOf(plane), from.corners[i].leaving});
+    }
+    if (m_now->count < 3)
+        m_now->count = 0;
 }
 
 } // namespace rasterlens

@@ -1,33 +1,17 @@
 #pragma once
 #include "core/pipeline/observer.h"
+#include "core/pipeline/triangle_lines.h"
 #include "core/pipeline/types.h"
 #include "core/settings/rules.h"
 
 #include <array>
-#include <cstdint>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <utility>
 
 namespace rasterlens
 {
-
-/// A set of clip planes, one bit a ClipPlane.
-using ClipPlanes = std::uint32_t;
-
-[[nodiscard]] constexpr ClipPlanes planeBit(ClipPlane plane) { return 1U << static_cast<unsigned>(plane); }
-
-/// Inside is dot(normal, position) >= offset. Only w >= 1e-5 has an offset (and all planes have with
-/// rules.clipInset); without one a plane does not change under scaling.
-struct PlaneEquation {
-    glm::dvec4 normal{0, 0, 0, 0};
-    double offset = 0;
-
-    /// exact  the sign: w + x and its like round once
-    [[nodiscard]] double distance(const glm::dvec4& p) const
-    {
-        return (normal.x * p.x + normal.y * p.y + normal.z * p.z) + normal.w * p.w - offset;
-    }
-};
-
-using PlaneTable = std::array<PlaneEquation, 7>; ///< indexed by ClipPlane
 
 /// Which planes there are, and which of them the mode looks at.
 struct ClipVolume {
@@ -35,6 +19,7 @@ struct ClipVolume {
     PlaneTable cut;   ///< what triangles are cut by: the view volume, or the wider sides of a guard band
     ClipPlanes cutBy; ///< planes a triangle that crosses them is cut by
     ClipPlanes known; ///< planes of the view volume a vertex is compared with
+    bool hasGuardBand;
 };
 
 [[nodiscard]] ClipVolume clipVolume(const Rules& rules);
@@ -52,51 +37,92 @@ enum class ClipVerdict { Reject, Keep, Cut };
 
 [[nodiscard]] ClipVerdict clipVerdict(Clipping mode, const Outcode& a, const Outcode& b, const Outcode& c);
 
-/// Clips a convex polygon by one plane.
-///
-/// in      clip space, any w
-/// out     convex polygon, same winding; a cut runs from the inside vertex to the outside one, so that neighbours
-///         that share an edge get the same new vertex bit for bit
-/// source  Sutherland & Hodgman, Reentrant polygon clipping, CACM 17(1), 1974
-[[nodiscard]] ClipPolygon clipByPlane(const ClipPolygon& polygon, const PlaneEquation& plane, int varyingCount);
+/// How far along an edge its plane is crossed, 0..1, from the distances of its ends.
+[[nodiscard]] constexpr double cutParameter(double inside, double outside) { return inside / (inside - outside); }
 
-/// How far along the edge from a (inside) to b (outside) the plane is crossed, 0..1.
-[[nodiscard]] double cutParameter(const glm::dvec4& a, const glm::dvec4& b, const PlaneEquation& plane);
+/// Whether a new vertex between a and b is computed well enough in double: not where edges are so long that the
+/// difference of their ends swallows the point between them.
+[[nodiscard]] bool isWellConditioned(const glm::dvec4& a, const glm::dvec4& b, double w);
 
-/// The point where the edge crosses the plane, by rational arithmetic: for edges so long that the difference of their
-/// ends would swallow the point between them.
-///
-/// exact   each coordinate to a few units of its own last place
-[[nodiscard]] glm::dvec4 cutExactly(const glm::dvec4& inside, const glm::dvec4& outside, const PlaneEquation& plane);
-
-[[nodiscard]] ClipPolygon polygonOf(const ClipTriangle& triangle);
-
-/// Clips the projected polygon by the four sides of the viewport, edge by edge, and rebuilds it from what is left of
-/// the edges and, with rules.clipKeepsCorners, the corners of the viewport inside it.
-///
-/// in      clip space, all w > 0: cut by near, far and the guard band before, so that x / w stays small; convex
-/// out     convex polygon, same winding
-/// source  the outcodes of Cohen and Sutherland: Newman & Sproull, Principles of Interactive Computer Graphics, 1973
-[[nodiscard]] ClipPolygon clipCohenSutherland(const ClipPolygon& polygon, const Rules& rules);
-
-/// Clips one triangle by the planes it crosses, one plane at a time.
+/// Clips one triangle by the planes it crosses, one plane at a time. Two polygons take turns: one is read while the
+/// other is written.
 ///
 /// in      clip space, before the divide; any finite position, also w <= 0
-/// out     convex polygon of 0 or 3..10 vertices, same winding
-/// exact   scaling x, y, z and w together by a power of two changes nothing (but for `frustum-w`)
-template <class Observer>
-[[nodiscard]] ClipPolygon clip(const ClipTriangle& triangle, const ClipVolume& volume, ClipPlanes crossed,
-                               int varyingCount, Observer& observer)
+/// out     convex polygon of 0 or 3..10 vertices (Cohen-Sutherland: 22), same winding. A cut runs from the inside
+///         vertex to the outside one, so that neighbours that share an edge get the same new vertex bit for bit
+/// exact   which side of a plane a vertex lies on, and the vertices snapped to the screen's grid, for float32 positions
+///         of any size; scaling x, y, z and w together by a power of two changes nothing (but for `frustum-w`)
+/// source  Sutherland & Hodgman, Reentrant polygon clipping, CACM 17(1), 1974
+class Clipper
 {
-    ClipPolygon polygon = polygonOf(triangle);
-    for (unsigned i = 0; i < volume.cut.size() && polygon.count > 0; ++i) {
-        if ((crossed & volume.cutBy & 1U << i) == 0)
-            continue;
-        const ClipPolygon before = polygon;
-        polygon = clipByPlane(before, volume.cut[i], varyingCount);
-        observer.onClipPlane(triangle.face, static_cast<ClipPlane>(i), before, polygon);
+public:
+    /// in   crossed: planes of volume.cut that a vertex is outside of. All arguments are to outlive the clipper
+    Clipper(const ClipTriangle& triangle, const ClipVolume& volume, ClipPlanes crossed, const Rules& rules);
+    Clipper(const Clipper&) = delete; // the polygons that take turns are pointed to
+    Clipper& operator=(const Clipper&) = delete;
+
+    template <class Observer>
+    void clip(Observer& observer)
+    {
+        for (unsigned i = 0; i < m_volume->cut.size() && m_now->count > 0; ++i) {
+            if ((m_crossed & 1U << i) == 0)
+                continue;
+            cutBy(static_cast<ClipPlane>(i));
+            observer.onClipPlane(m_triangle->face, static_cast<ClipPlane>(i), *m_before, *m_now);
+        }
+        if (m_rules->clipping == Clipping::CohenSutherland && m_now->count > 0 && isBeforeEye()) {
+            cutByViewport();
+            observer.onCohenSutherland(m_triangle->face, *m_before, *m_now);
+        }
     }
-    return polygon;
-}
+
+    [[nodiscard]] const ClipPolygon& polygon() const { return *m_now; }
+
+    /// Whether a vertex of the result was made by a cut.
+    [[nodiscard]] bool isNew(std::size_t vertex) const;
+
+    /// The screen position of a vertex of the result, in units of 1/2^subpixelBits pixel, half to even.
+    ///
+    /// in     w > 0
+    /// exact  always
+    [[nodiscard]] glm::dvec2 snapped(std::size_t vertex) const;
+
+private:
+    void cutBy(ClipPlane plane);
+
+    /// Clips the projected polygon by the four sides of the viewport, edge by edge, and joins what is left of the edges
+    /// by (with rules.clipKeepsCorners) the corners of the viewport inside the polygon.
+    ///
+    /// in      all w > 0: cut by near, far and the guard band before, so that x / w stays small
+    /// source  the outcodes of Cohen and Sutherland: Newman & Sproull, Principles of Interactive Computer Graphics,
+    /// 1973
+    void cutByViewport();
+
+    [[nodiscard]] bool isBeforeEye() const;
+    ClipVertex& append(ClipCorner corner);
+    void takeTurns() { std::swap(m_before, m_now); }
+
+    // Cohen-Sutherland, in cohen_sutherland.cpp.
+    struct SidesOf {
+        unsigned outside; ///< sides of the viewport a corner is outside of, one bit a side
+        unsigned on;      ///< those it is on
+    };
+    struct EdgeEnd;
+    [[nodiscard]] SidesOf sidesOf(ClipCorner corner, const glm::dvec4& estimate) const;
+    [[nodiscard]] bool clipEdge(EdgeEnd& begin, EdgeEnd& end, ClipLine line) const;
+    void appendEnd(const EdgeEnd& end, const ClipVertex& vertex, const ClipVertex& other);
+    void appendViewportCorner(unsigned side, unsigned nextSide);
+    void walkBorder(unsigned from, unsigned to, unsigned step);
+    void placeExactly(ClipVertex& point, ClipCorner corner) const;
+
+    const ClipTriangle* m_triangle;
+    const ClipVolume* m_volume;
+    const Rules* m_rules;
+    ClipPlanes m_crossed;
+    TriangleLines m_lines;
+    std::array<ClipPolygon, 2> m_polygons;
+    ClipPolygon* m_now = &m_polygons[0];    ///< the latest result
+    ClipPolygon* m_before = &m_polygons[1]; ///< the one it was cut from
+};
 
 } // namespace rasterlens

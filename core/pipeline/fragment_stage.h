@@ -6,6 +6,9 @@
 #include "core/pipeline/shading.h"
 #include "core/settings/rules.h"
 
+#include <stop_token>
+#include <utility>
+
 namespace rasterlens
 {
 
@@ -26,6 +29,10 @@ public:
         : m_rules(&rules), m_samples(samples), m_eyeWorld(eyeWorld), m_observer(&observer)
     {
     }
+
+    /// From a request to stop on, stopped() tells the algorithms to end.
+    void stopBy(std::stop_token stop) { m_stop = std::move(stop); }
+    [[nodiscard]] bool stopped() const { return m_stop.stop_requested(); }
 
     /// The triangle the following samples belong to; both must outlive them.
     void begin(const FaceInterpolation& interpolation, const FaceUniforms& uniforms)
@@ -126,6 +133,7 @@ private:
     Observer* m_observer;
     const FaceInterpolation* m_interpolation = nullptr;
     const FaceUniforms* m_uniforms = nullptr;
+    std::stop_token m_stop;
 };
 
 } // namespace rasterlens

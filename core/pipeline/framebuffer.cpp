@@ -1,5 +1,6 @@
 #include "core/pipeline/framebuffer.h"
 
+#include "core/base/pieces.h"
 #include "core/pipeline/shading.h"
 
 #include <algorithm>
@@ -10,15 +11,17 @@ namespace rasterlens
 namespace
 {
 
+/// out  null if `stop` came first
 template <class T>
-T* cleared(std::vector<T>& plane, std::size_t count, T value)
+T* cleared(std::vector<T>& plane, std::size_t count, T value, const std::stop_token& stop)
 {
-    plane.assign(count, value);
-    return plane.data();
+    return assignInPieces(plane, count, value, stop) ? plane.data() : nullptr;
 }
 
-float* cleared(DepthBuffer& plane, std::size_t count, float value)
+float* cleared(DepthBuffer& plane, std::size_t count, float value, const std::stop_token& stop)
 {
+    if (stop.stop_requested())
+        return nullptr;
     plane.assign(count, value);
     return plane.write(count);
 }
@@ -60,7 +63,8 @@ void sizePicture(Frame& frame, const Rules& rules, Outputs outputs)
 
 } // namespace
 
-Framebuffer::Framebuffer(Frame& frame, const Rules& rules, Outputs outputs, std::uint32_t clearColor)
+Framebuffer::Framebuffer(Frame& frame, const Rules& rules, Outputs outputs, std::uint32_t clearColor,
+                         const std::stop_token& stop)
     : m_frame(&frame), m_rules(rules), m_outputs(outputs)
 {
     sizePicture(frame, rules, outputs);
@@ -71,16 +75,18 @@ Framebuffer::Framebuffer(Frame& frame, const Rules& rules, Outputs outputs, std:
     const bool direct = isDirect();
     if (outputs.picture && direct) {
         m_samples.color = reinterpret_cast<std::uint32_t*>(frame.image.bits());
-        std::fill_n(m_samples.color, count, clearColor);
+        constexpr std::size_t kPiece = std::size_t(1) << 22;
+        for (std::size_t i = 0; i < count && !stop.stop_requested(); i += kPiece)
+            std::fill_n(m_samples.color + i, std::min(kPiece, count - i), clearColor);
     } else if (outputs.picture) {
-        m_samples.color = cleared(m_color, count, clearColor);
+        m_samples.color = cleared(m_color, count, clearColor, stop);
     }
     if (outputs.depth || rules.depthTested)
-        m_samples.depth = cleared(direct ? frame.depth : m_depth, count, rules.depthClear);
+        m_samples.depth = cleared(direct ? frame.depth : m_depth, count, rules.depthClear, stop);
     if (outputs.ids || rules.resolve == Resolve::LastFace)
-        m_samples.ids = cleared(direct ? frame.ids : m_ids, count, std::int32_t(-1));
+        m_samples.ids = cleared(direct ? frame.ids : m_ids, count, std::int32_t(-1), stop);
     if (outputs.coverage || rules.shading == Shading::Overdraw)
-        m_samples.coverage = cleared(direct ? frame.coverage : m_coverage, count, std::uint16_t(0));
+        m_samples.coverage = cleared(direct ? frame.coverage : m_coverage, count, std::uint16_t(0), stop);
 }
 
 bool Framebuffer::isDirect() const { return m_rules.sampleGrid == 1 && m_samples.stride == m_samples.columns; }

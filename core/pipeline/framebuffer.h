@@ -1,10 +1,11 @@
 #pragma once
 #include "core/pipeline/depth_buffer.h"
+#include "core/pipeline/frame.h"
 #include "core/pipeline/observer.h"
-#include "core/render/render.h"
 #include "core/settings/rules.h"
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 namespace rasterlens
@@ -51,8 +52,10 @@ class Framebuffer
 public:
     /// Clears everything that `rules` and `outputs` call for; memory of an earlier frame of that size is used again.
     ///
-    /// errors  throws std::bad_alloc
-    Framebuffer(Frame& frame, const Rules& rules, Outputs outputs, std::uint32_t clearColor);
+    /// errors  throws std::bad_alloc; `stop` ends the clearing early. Planes that are not finished are null then, and
+    ///         nothing may be drawn
+    Framebuffer(Frame& frame, const Rules& rules, Outputs outputs, std::uint32_t clearColor,
+                const std::stop_token& stop = {});
 
     [[nodiscard]] const SampleBuffer& samples() const { return m_samples; }
 

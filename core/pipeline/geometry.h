@@ -62,30 +62,24 @@ public:
             return fate;
         }
         const ClipTriangle triangle{{a.clip, b.clip, c.clip}, face};
-        ClipPolygon clipped =
-            clip(triangle, m_volume, a.outcode.cut | b.outcode.cut | c.outcode.cut, m_rules.varyingCount, observer);
-        if (m_rules.clipping == Clipping::CohenSutherland && clipped.count > 0 &&
-            std::ranges::all_of(clipped.span(), isBeforeEye)) {
-            const ClipPolygon before = clipped;
-            clipped = clipCohenSutherland(before, m_rules);
-            observer.onCohenSutherland(face, before, clipped);
-        }
-        if (clipped.count == 0)
+        Clipper clipper(triangle, m_volume, a.outcode.cut | b.outcode.cut | c.outcode.cut, m_rules);
+        clipper.clip(observer);
+        if (clipper.polygon().count == 0)
             return FaceFate::Rejected;
-        return drawClipped(face, corners, clipped, out, observer);
+        return drawClipped(face, corners, clipper, out, observer);
     }
 
 private:
     template <class Observer>
-    FaceFate drawClipped(std::uint32_t face, const Corners& corners, const ClipPolygon& clipped,
+    FaceFate drawClipped(std::uint32_t face, const Corners& corners, const Clipper& clipper,
                          std::vector<ScreenTriangle>& out, Observer& observer) const
     {
         std::array<ScreenVertex, ClipPolygon::kMaxVertices> vertices;
         std::size_t count = 0;
-        for (const ClipVertex& vertex : clipped.span()) {
+        for (const ClipVertex& vertex : clipper.polygon().span()) {
             if (!isBeforeEye(vertex))
                 return FaceFate::Degenerate; // the plane of the face runs through the eye
-            vertices[count] = screenVertex(vertex);
+            vertices[count] = screenVertex(clipper, count);
             observer.onViewport(face, static_cast<int>(count), vertex, vertices[count]);
             ++count;
         }
@@ -127,7 +121,20 @@ private:
 
     [[nodiscard]] ScreenVertex screenVertex(const ClipVertex& vertex) const
     {
-        ScreenVertex out = toScreen(vertex, m_rules);
+        return withDepthRule(vertex, toScreen(vertex, m_rules));
+    }
+
+    /// A vertex of a clipped polygon: it is snapped without the rounding of its position.
+    [[nodiscard]] ScreenVertex screenVertex(const Clipper& clipper, std::size_t i) const
+    {
+        const ClipVertex& vertex = clipper.polygon().vertices[i];
+        if (m_rules.numberType != NumberType::Fixed || !clipper.isNew(i))
+            return screenVertex(vertex);
+        return withDepthRule(vertex, toScreen(vertex, clipper.snapped(i), m_rules));
+    }
+
+    [[nodiscard]] ScreenVertex withDepthRule(const ClipVertex& vertex, ScreenVertex out) const
+    {
         if (m_rules.depthIsDistance)
             out.depth = (vertex.positionClip.w - m_near) / (m_far - m_near);
         return out;

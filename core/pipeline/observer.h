@@ -8,21 +8,8 @@
 namespace rasterlens
 {
 
-enum class ClipPlane { W, Right, Left, Top, Bottom, Near, Far };
-
 /// The three edge values of a sample in pixel areas times 65536 (fixed point) or in pixel areas (floats), AB, BC, CA.
 using EdgeValues = std::array<double, 3>;
-
-/// One covered sample on its way to the frame buffer.
-struct Fragment {
-    int x; ///< sample column
-    int y; ///< sample row
-    std::uint32_t face;
-    float depth;     ///< as the buffer stores it
-    Weights screen;  ///< barycentric weights on the screen
-    Weights weights; ///< the same after perspective correction: what attributes are weighted with
-    Varyings varyings;
-};
 
 /// What a sample stores.
 struct Pixel {

@@ -1,43 +1,62 @@
 #pragma once
 #include "core/pipeline/fragment_stage.h"
+#include "core/pipeline/mask_test.h"
 
 #include <algorithm>
+#include <stop_token>
+#include <utility>
 #include <vector>
 
 namespace rasterlens
 {
 
-/// Stands between an algorithm and the fragment stage where the rules want a covered sample to be drawn at another
-/// place than its own, or the samples of a pixel to share a depth.
+/// Stands between an algorithm and the fragment stage where faces have holes, or where the rules want a covered sample
+/// to be drawn at another place than its own, or the samples of a pixel to share a depth.
+///
+/// A hole is no part of its face: the fragment stage hears nothing of it, whenever it tests depth.
 template <class Observer>
 class SampleRouter
 {
 public:
-    SampleRouter(const Rules& rules, const SampleBuffer& samples, const glm::vec3& eyeWorld, Observer& observer)
-        : m_rules(&rules), m_stage(rules, samples, eyeWorld, observer)
+    SampleRouter(const Scene& scene, const Rules& rules, const SampleBuffer& samples, const glm::vec3& eyeWorld,
+                 Observer& observer)
+        : m_scene(&scene), m_rules(&rules), m_stage(rules, samples, eyeWorld, observer)
     {
     }
 
     [[nodiscard]] static bool wanted(const Rules& rules)
     {
-        return rules.positionInterpolated || rules.bounds == Bounds::Unclamped || rules.depthPerPixel;
+        return rules.positionInterpolated || rules.bounds == Bounds::Unclamped || rules.depthPerPixel ||
+               rules.maskUv >= 0;
     }
+
+    void stopBy(std::stop_token stop) { m_stage.stopBy(std::move(stop)); }
+    [[nodiscard]] bool stopped() const { return m_stage.stopped(); }
 
     void begin(const FaceInterpolation& interpolation, const FaceUniforms& uniforms)
     {
         m_stage.begin(interpolation, uniforms);
+        m_mask = maskTest(*m_scene, interpolation.triangle().face, *m_rules);
     }
 
     void operator()(int x, int y)
     {
+        if (m_mask.mask != nullptr && isHoleAt(m_stage.interpolation().weightsAt(x, y)))
+            return;
         const GridPoint place = placeOf(x, y);
         draw(place, [&] { m_stage.drawElsewhere(x, y, place.x, place.y); });
     }
 
-    void operator()(int x, int y, const Weights& screen) { m_stage(x, y, screen); }
+    void operator()(int x, int y, const Weights& screen)
+    {
+        if (m_mask.mask == nullptr || !isHoleAt(screen))
+            m_stage(x, y, screen);
+    }
 
     void operator()(int x, int y, const Interpolants& interpolants)
     {
+        if (isHole(m_mask, m_stage.interpolation(), interpolants.screen, interpolants.weights))
+            return;
         const GridPoint place = placeOf(x, y);
         if (onTarget(place))
             draw(place, [&] { m_stage(place.x, place.y, interpolants); });
@@ -56,6 +75,12 @@ private:
         int x;
         int y;
     };
+
+    [[nodiscard]] bool isHoleAt(const Weights& screen) const
+    {
+        const FaceInterpolation& interpolation = m_stage.interpolation();
+        return isHole(m_mask, interpolation, screen, interpolation.perspective(screen));
+    }
 
     template <class Draw>
     void draw(GridPoint place, Draw drawSample)
@@ -120,7 +145,9 @@ private:
                 samples.depth[samples.index(x, y)] = depth;
     }
 
+    const Scene* m_scene;
     const Rules* m_rules;
+    MaskTest m_mask; ///< of the triangle the samples belong to
     FragmentStage<Observer, SampleRouter> m_stage;
     std::vector<GridPoint> m_depthWritten; ///< with depthPerPixel
 };

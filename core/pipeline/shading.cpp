@@ -1,5 +1,7 @@
 #include "core/pipeline/shading.h"
 
+#include "core/scene/texel_border.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +13,8 @@ namespace
 float lambert(const glm::vec3& normal)
 {
     const glm::vec3 l = lightDirection();
-    return kAmbient + kDiffuse * std::max(normal.x * l.x + normal.y * l.y + normal.z * l.z, 0.0F);
+    const float dot = normal.x * l.x + normal.y * l.y + normal.z * l.z;
+    return kAmbient + kDiffuse * (dot > 0 ? dot : 0.0F); // what is no number gets no light
 }
 
 void put(Varyings& out, int at, const glm::vec3& v)
@@ -22,26 +25,42 @@ void put(Varyings& out, int at, const glm::vec3& v)
 
 glm::vec3 get(const Varyings& v, std::size_t at) { return {v[at], v[at + 1], v[at + 2]}; }
 
-/// Texel index along one axis; any coordinate, also infinite or NaN, lands inside.
+/// Texel index along one axis; any whole number, also infinite or NaN, lands inside.
 int wrapTexel(double texel, int size)
 {
+    if (texel >= 0 && texel < size)
+        return static_cast<int>(texel);
     const double wrapped = texel - std::floor(texel / size) * size;
     return wrapped >= 0 && wrapped < size ? static_cast<int>(wrapped) : 0;
 }
+
+/// What is left of a coordinate when all whole ones are taken off. One that lies just below a whole number counts as
+/// it.
+float fraction(float coordinate) { return std::max(coordinate - texelFloor(coordinate), 0.0F); }
 
 /// A texture or one of its mip levels.
 struct TexelView {
     const std::uint32_t* texels;
     int width;
     int height;
+    bool clamp;
 
+    /// A column or row of the texture for any whole number; what is no number is 0.
+    [[nodiscard]] int index(double texel, int size) const
+    {
+        if (!clamp)
+            return wrapTexel(texel, size);
+        return texel > 0 ? static_cast<int>(std::min(texel, size - 1.0)) : 0;
+    }
     [[nodiscard]] glm::vec3 at(int x, int y) const { return unpackColor(texels[std::ptrdiff_t(y) * width + x]); }
 };
 
 glm::vec3 nearestTexel(const TexelView& view, const glm::vec2& uv)
 {
-    return view.at(wrapTexel(std::floor(double(uv.x) * view.width), view.width),
-                   wrapTexel(std::floor(double(uv.y) * view.height), view.height));
+    const auto index = [&](float coordinate, int size) {
+        return view.index(double(texelFloor(coordinate * static_cast<float>(size))), size);
+    };
+    return view.at(index(uv.x, view.width), index(uv.y, view.height));
 }
 
 /// A blend of the four texel centres around the point.
@@ -53,23 +72,23 @@ glm::vec3 bilinear(const TexelView& view, const glm::vec2& uv)
     const double below = std::floor(v);
     const float s = static_cast<float>(u - left);
     const float t = static_cast<float>(v - below);
-    const int x0 = wrapTexel(left, view.width);
-    const int x1 = wrapTexel(left + 1, view.width);
-    const int y0 = wrapTexel(below, view.height);
-    const int y1 = wrapTexel(below + 1, view.height);
+    const int x0 = view.index(left, view.width);
+    const int x1 = view.index(left + 1, view.width);
+    const int y0 = view.index(below, view.height);
+    const int y1 = view.index(below + 1, view.height);
     return glm::mix(glm::mix(view.at(x0, y0), view.at(x1, y0), s), glm::mix(view.at(x0, y1), view.at(x1, y1), s), t);
 }
 
 /// A blend of the two mip levels between which the samples lie as close as texels.
 glm::vec3 trilinear(const Texture& texture, const glm::vec2& uv, const UvGradient& gradient)
 {
-    const MipLevels& mips = texture.mips.of(texture);
+    const MipLevels& mips = texture.mipLevels();
     const auto last = static_cast<int>(mips.levels.size()) - 1;
     const float level = std::min(mipLevel(texture, gradient), static_cast<float>(last));
     const auto finer = static_cast<int>(level);
     const auto sample = [&](int l) {
         const MipLevels::Level& m = mips.levels[static_cast<std::size_t>(l)];
-        return bilinear({mips.texels.data() + m.first, m.width, m.height}, uv);
+        return bilinear({mips.texels.data() + m.first, m.width, m.height, texture.clamp}, uv);
     };
     return glm::mix(sample(finer), sample(std::min(finer + 1, last)), level - static_cast<float>(finer));
 }
@@ -173,7 +192,7 @@ FaceUniforms faceUniforms(const Scene& scene, std::uint32_t face, Shading shadin
         if (uniforms.material->texture >= 0)
             uniforms.texture = &scene.textures[static_cast<std::size_t>(uniforms.material->texture)];
         else if (shading == Shading::Texture)
-            uniforms.texture = &checkerTexture();
+            uniforms.texture = &plainTexture(scene);
         break;
     }
     default: break;
@@ -192,7 +211,7 @@ std::uint32_t shadeFragment(const Rules& rules, const FaceUniforms& uniforms, co
     case Shading::Phong: return packColor(phong(rules, uniforms, v, eyeWorld, gradient));
     case Shading::Depth: return packColor(glm::vec3(depth));
     case Shading::Normals: return packColor(0.5F * glm::normalize(get(v, 0)) + 0.5F);
-    case Shading::Uv: return packColor({v[0] - std::floor(v[0]), v[1] - std::floor(v[1]), 0});
+    case Shading::Uv: return packColor({fraction(v[0]), fraction(v[1]), 0});
     case Shading::Flat:
     case Shading::RandomFlat:
     case Shading::TriangleId:
@@ -216,7 +235,7 @@ glm::vec3 unpackColor(std::uint32_t color)
 
 glm::vec3 sampleTexture(const Texture& texture, const glm::vec2& uv, TextureFilter filter, const UvGradient& gradient)
 {
-    const TexelView view{texture.texels.data(), texture.width, texture.height};
+    const TexelView view{texture.texels.data(), texture.width, texture.height, texture.clamp};
     switch (filter) {
     case TextureFilter::Nearest: return nearestTexel(view, uv);
     case TextureFilter::Bilinear: return bilinear(view, uv);

@@ -55,7 +55,8 @@ struct FaceUniforms {
 [[nodiscard]] std::uint32_t packColor(const glm::vec3& color);
 [[nodiscard]] glm::vec3 unpackColor(std::uint32_t color);
 
-/// The texture's colour at uv; coordinates repeat.
+/// The texture's colour at uv; coordinates repeat, or with Texture::clamp the border goes on. Borders between nearest
+/// texels: texel_border.h.
 ///
 /// in   the gradient for trilinear only
 [[nodiscard]] glm::vec3 sampleTexture(const Texture& texture, const glm::vec2& uv, TextureFilter filter,

@@ -1,6 +1,6 @@
 #include "core/pipeline/statistics.h"
 
-#include "core/render/render.h"
+#include "core/settings/settings.h"
 
 namespace rasterlens
 {
@@ -32,11 +32,11 @@ QJsonObject pixelsToJson(const Statistics::Pixels& pixels)
 
 } // namespace
 
-QJsonObject toJson(const Statistics& statistics, const StageTimes& times, const Settings& settings)
+QJsonObject toJson(const Statistics& statistics, const StageTimes& times, const Settings& settings,
+                   const Settings& drawnWith)
 {
     const QJsonObject milliseconds{
         {"vertex", times.vertex}, {"geometry", times.geometry}, {"raster", times.raster}, {"total", times.total}};
-    const Settings drawnWith = withWorkers(settings);
     return {{"faces", facesToJson(statistics.faces)},
             {"pixels", pixelsToJson(statistics.pixels)},
             {"milliseconds", milliseconds},

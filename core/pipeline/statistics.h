@@ -49,7 +49,10 @@ struct StageTimes {
     double total = 0;    ///< clear + frame into the QImage
 };
 
-/// The statistics document of the command line. Beside the settings as asked for, `threads` and `simd` are what worked.
-[[nodiscard]] QJsonObject toJson(const Statistics& statistics, const StageTimes& times, const Settings& settings);
+/// The statistics document of the command line.
+///
+/// in   the settings as asked for, and those with the threads and vector instructions that worked (withWorkers())
+[[nodiscard]] QJsonObject toJson(const Statistics& statistics, const StageTimes& times, const Settings& settings,
+                                 const Settings& drawnWith);
 
 } // namespace rasterlens

@@ -22,9 +22,23 @@ struct ClipVertex {
     Varyings varyings;
 };
 
+enum class ClipPlane { W, Right, Left, Top, Bottom, Near, Far };
+
 struct ClipTriangle {
     std::array<ClipVertex, 3> vertices;
     std::uint32_t face; ///< index of the face in the mesh
+};
+
+/// A line in the plane of a triangle that bounds what clipping leaves of it: an edge of the triangle, or where a clip
+/// plane crosses it (triangle_lines.h has the numbers).
+using ClipLine = std::uint8_t;
+
+/// A corner of a clipped triangle, as the lines of the two edges that meet there.
+struct ClipCorner {
+    ClipLine arriving; ///< of the edge from the corner before
+    ClipLine leaving;  ///< of the edge to the corner after
+
+    friend bool operator==(const ClipCorner&, const ClipCorner&) = default;
 };
 
 /// Convex polygon left of a triangle by clipping.
@@ -32,6 +46,8 @@ struct ClipPolygon {
     // Sutherland-Hodgman needs 3 and seven planes; Cohen-Sutherland two points for each of nine edges and four corners.
     static constexpr int kMaxVertices = 22;
     std::array<ClipVertex, kMaxVertices> vertices;
+    std::array<ClipCorner, kMaxVertices> corners; ///< what the vertices are without rounding
+    std::array<double, kMaxVertices> distances;   ///< to the plane that cuts the polygon next; inside is >= 0
     int count;
 
     [[nodiscard]] std::span<const ClipVertex> span() const
@@ -55,6 +71,17 @@ struct ScreenTriangle {
 
 /// Screen-space barycentric weights of the vertices A, B, C; they sum to 1.
 using Weights = std::array<double, 3>;
+
+/// One covered sample on its way to the frame buffer.
+struct Fragment {
+    int x; ///< sample column
+    int y; ///< sample row
+    std::uint32_t face;
+    float depth;     ///< as the buffer stores it
+    Weights screen;  ///< barycentric weights on the screen
+    Weights weights; ///< the same after perspective correction: what attributes are weighted with
+    Varyings varyings;
+};
 
 /// How texture coordinates change from a sample to its neighbours.
 struct UvGradient {

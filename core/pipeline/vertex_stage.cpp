@@ -13,9 +13,7 @@ glm::vec4 transform(const glm::mat4& m, const glm::vec4& p)
     return (m[0] * p.x + m[1] * p.y) + (m[2] * p.z + m[3] * p.w);
 }
 
-} // namespace
-
-ClipVertex shadeVertexAt(const Scene& scene, const Matrices& matrices, const Rules& rules, std::size_t index)
+ClipVertex shadedVertex(const Scene& scene, const Matrices& matrices, const Rules& rules, std::size_t index)
 {
     const MeshVertex& vertex = scene.mesh.vertices[index];
     glm::vec4 positionClip = vertex.position;
@@ -29,11 +27,31 @@ ClipVertex shadeVertexAt(const Scene& scene, const Matrices& matrices, const Rul
     return out;
 }
 
+/// Appends what the alpha test reads.
+void addMaskUv(const MeshVertex& vertex, const Rules& rules, ClipVertex& out)
+{
+    const auto at = static_cast<std::size_t>(rules.maskUv);
+    out.varyings[at] = vertex.uv.x;
+    out.varyings[at + 1] = vertex.uv.y;
+}
+
+} // namespace
+
+ClipVertex shadeVertexAt(const Scene& scene, const Matrices& matrices, const Rules& rules, std::size_t index)
+{
+    ClipVertex out = shadedVertex(scene, matrices, rules, index);
+    if (rules.maskUv >= 0)
+        addMaskUv(scene.mesh.vertices[index], rules, out);
+    return out;
+}
+
 std::vector<ClipVertex> shadeVertices(const Scene& scene, const Matrices& matrices, const Rules& rules)
 {
     std::vector<ClipVertex> out(scene.mesh.vertices.size());
     for (std::size_t i = 0; i < out.size(); ++i)
-        out[i] = shadeVertexAt(scene, matrices, rules, i);
+        out[i] = shadedVertex(scene, matrices, rules, i);
+    for (std::size_t i = 0; rules.maskUv >= 0 && i < out.size(); ++i)
+        addMaskUv(scene.mesh.vertices[i], rules, out[i]);
     return out;
 }
 

@@ -37,25 +37,40 @@ double snapToGrid(double p, double w, int size, int bits)
     return (difference > 0) == (w > 0) ? below + 1 : below;
 }
 
-ScreenVertex toScreen(const ClipVertex& vertex, const Rules& rules)
+namespace
+{
+
+ScreenVertex screenVertexAt(const glm::dvec2& position, const ClipVertex& vertex, const Rules& rules)
 {
     const glm::dvec4& p = vertex.positionClip;
     ScreenVertex out;
-    if (rules.numberType == NumberType::Fixed) {
-        const double samplesPerUnit = double(rules.sampleGrid) / (1 << rules.subpixelBits);
-        out.position = {snapToGrid(p.x, p.w, rules.width, rules.subpixelBits) * samplesPerUnit,
-                        snapToGrid(rules.screenUp * p.y, p.w, rules.height, rules.subpixelBits) * samplesPerUnit};
-    } else {
-        out.position = {toPixels(p.x, p.w, rules.width) * rules.sampleGrid,
-                        toPixels(rules.screenUp * p.y, p.w, rules.height) * rules.sampleGrid};
-    }
-    out.position += rules.screenShift;
+    out.position = position + rules.screenShift;
     if (rules.verticesTruncated)
         out.position = glm::trunc(out.position);
     out.depth = rules.clipZ == ClipZ::Gl ? (p.w + p.z) / (2 * p.w) : p.z / p.w;
     out.invW = rules.keptW == KeptW::Inverse ? 1 / p.w : rules.keptW == KeptW::One ? 1 : p.w;
     out.varyings = vertex.varyings;
     return out;
+}
+
+} // namespace
+
+ScreenVertex toScreen(const ClipVertex& vertex, const glm::dvec2& snapped, const Rules& rules)
+{
+    const double samplesPerUnit = double(rules.sampleGrid) / (1 << rules.subpixelBits);
+    return screenVertexAt(snapped * samplesPerUnit, vertex, rules);
+}
+
+ScreenVertex toScreen(const ClipVertex& vertex, const Rules& rules)
+{
+    const glm::dvec4& p = vertex.positionClip;
+    if (rules.numberType == NumberType::Fixed) {
+        const glm::dvec2 snapped(snapToGrid(p.x, p.w, rules.width, rules.subpixelBits),
+                                 snapToGrid(rules.screenUp * p.y, p.w, rules.height, rules.subpixelBits));
+        return toScreen(vertex, snapped, rules);
+    }
+    const glm::dvec2 position(toPixels(p.x, p.w, rules.width), toPixels(rules.screenUp * p.y, p.w, rules.height));
+    return screenVertexAt(position * double(rules.sampleGrid), vertex, rules);
 }
 
 } // namespace rasterlens

@@ -20,4 +20,9 @@ namespace rasterlens
 /// out     samples (pixels times rules.sampleGrid), y down, |coordinate| <= 2^19 pixels
 [[nodiscard]] ScreenVertex toScreen(const ClipVertex& vertex, const Rules& rules);
 
+/// A vertex whose screen position is known.
+///
+/// in   snapped: in units of 1/2^subpixelBits pixel
+[[nodiscard]] ScreenVertex toScreen(const ClipVertex& vertex, const glm::dvec2& snapped, const Rules& rules);
+
 } // namespace rasterlens

@@ -94,7 +94,8 @@ private:
     bool m_fixed;
 };
 
-std::shared_ptr<const StepLog> stepsOf(const Scene& scene, Settings settings, Algorithm algorithm, std::uint32_t face)
+std::shared_ptr<const StepLog> stepsOf(const Scene& scene, Settings settings, Algorithm algorithm, std::uint32_t face,
+                                       const std::stop_token& stop)
 {
     settings.algorithm = algorithm;
     settings.fill = Fill::Solid;
@@ -103,7 +104,7 @@ std::shared_ptr<const StepLog> stepsOf(const Scene& scene, Settings settings, Al
     filter.face = face;
     filter.kinds =
         kindBit(StepKind::Setup) | kindBit(StepKind::Walk) | kindBit(StepKind::Span) | kindBit(StepKind::Sample);
-    return renderSteps(scene, settings, filter);
+    return renderSteps(scene, settings, filter, stop);
 }
 
 RaceLane runEquation(const StepLog& log)
@@ -172,11 +173,14 @@ std::vector<RaceSample> without(const std::vector<RaceSample>& a, const std::vec
 
 } // namespace
 
-AlgorithmRace raceAlgorithms(const Scene& scene, const Settings& settings, std::uint32_t face)
+AlgorithmRace raceAlgorithms(const Scene& scene, const Settings& settings, std::uint32_t face,
+                             const std::stop_token& stop)
 {
     AlgorithmRace race;
-    race.walking = runWalking(*stepsOf(scene, settings, Algorithm::EdgeWalking, face));
-    race.equation = runEquation(*stepsOf(scene, settings, Algorithm::EdgeEquation, face));
+    race.walking = runWalking(*stepsOf(scene, settings, Algorithm::EdgeWalking, face, stop));
+    race.equation = runEquation(*stepsOf(scene, settings, Algorithm::EdgeEquation, face, stop));
+    if (stop.stop_requested())
+        return race;
     const std::vector<RaceSample> walking = chosen(race.walking);
     const std::vector<RaceSample> equation = chosen(race.equation);
     race.onlyWalking = without(walking, equation);

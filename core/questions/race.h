@@ -2,6 +2,7 @@
 #include "core/scene/scene.h"
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 namespace rasterlens
@@ -49,6 +50,8 @@ struct AlgorithmRace {
 ///
 /// in   a face of the mesh; settings for which unsupported() is empty
 /// out  no ticks if the face is not drawn
-[[nodiscard]] AlgorithmRace raceAlgorithms(const Scene& scene, const Settings& settings, std::uint32_t face);
+/// errors  `stop` ends the work early; what is returned then means nothing
+[[nodiscard]] AlgorithmRace raceAlgorithms(const Scene& scene, const Settings& settings, std::uint32_t face,
+                                           const std::stop_token& stop = {});
 
 } // namespace rasterlens

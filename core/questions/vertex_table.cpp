@@ -2,9 +2,11 @@
 
 #include "core/observe/step_log.h"
 #include "core/pipeline/clipping.h"
+#include "core/pipeline/rules_for.h"
 #include "core/pipeline/vertex_stage.h"
 #include "core/pipeline/viewport.h"
 #include "core/scene/camera.h"
+#include "core/scene/origin.h"
 #include "core/settings/rules.h"
 
 namespace rasterlens
@@ -29,6 +31,8 @@ std::array<VertexRow, 3> vertexTable(const Scene& scene, const Settings& setting
     for (std::size_t i = 0; i < 3; ++i) {
         VertexRow& row = rows[i];
         row.object = glm::dvec4(corners.mesh.vertices[i].position);
+        if (scene.mesh.origin != glm::dvec3(0))
+            row.world = worldText(corners.mesh.vertices[i].position, scene.mesh.origin);
         row.view = matrices.viewFromObject * row.object;
         row.clip = clipVertices[i].positionClip;
         row.ndc = glm::dvec3(row.clip) / row.clip.w;

@@ -1,6 +1,9 @@
 #pragma once
 #include "core/scene/scene.h"
 
+#include <QString>
+#include <glm/glm.hpp>
+
 #include <array>
 #include <cstdint>
 
@@ -11,6 +14,7 @@ namespace rasterlens
 struct VertexRow {
     std::uint32_t meshVertex = 0;
     glm::dvec4 object{0};
+    QString world;      ///< x, y, z in the coordinates of the file, where the mesh has an origin of its own; else empty
     glm::dvec4 view{0}; ///< as `object` in clip-space scenes
     glm::dvec4 clip{0};
     glm::dvec3 ndc{0};         ///< clip / w; not finite where w is 0

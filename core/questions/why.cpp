@@ -3,6 +3,7 @@
 #include "core/observe/recorder.h"
 #include "core/observe/step_text.h"
 #include "core/pipeline/clipping.h"
+#include "core/pipeline/rules_for.h"
 #include "core/render/draw.h"
 
 #include <QJsonArray>
@@ -104,12 +105,14 @@ WhyVerdict verdictOf(FaceFate fate)
 class PixelStage
 {
 public:
-    PixelStage(FragmentStage<StepRecorder>& stage, const PixelRect& samples) : m_stage(&stage), m_samples(samples) {}
+    PixelStage(SampleRouter<StepRecorder>& stage, const PixelRect& samples) : m_stage(&stage), m_samples(samples) {}
 
     void begin(const FaceInterpolation& interpolation, const FaceUniforms& uniforms)
     {
         m_stage->begin(interpolation, uniforms);
     }
+
+    [[nodiscard]] bool stopped() const { return m_stage->stopped(); }
 
     template <class... Known>
     void operator()(int x, int y, const Known&... known)
@@ -120,7 +123,7 @@ public:
     }
 
 private:
-    FragmentStage<StepRecorder>* m_stage;
+    SampleRouter<StepRecorder>* m_stage;
     PixelRect m_samples;
 };
 
@@ -128,9 +131,9 @@ private:
 class Inquiry
 {
 public:
-    Inquiry(const Scene& scene, const Settings& settings, int x, int y)
+    Inquiry(const Scene& scene, const Settings& settings, int x, int y, const std::stop_token& stop)
         : m_scene(scene), m_settings(settings), m_rules(rulesFor(scene, settings)), m_volume(clipVolume(m_rules)),
-          m_matrices(cameraMatrices(scene, settings)), m_geometry(scene, m_matrices, m_rules)
+          m_matrices(cameraMatrices(scene, settings)), m_geometry(scene, m_matrices, m_rules), m_stop(stop)
     {
         const int grid = m_rules.sampleGrid;
         m_report.x = x;
@@ -147,7 +150,7 @@ public:
     WhyReport answer()
     {
         for (const std::uint32_t face : m_geometry.order())
-            if (look(face) == FaceFate::Rejected && !m_rules.continuesAfterReject)
+            if (m_stop.stop_requested() || (look(face) == FaceFate::Rejected && !m_rules.continuesAfterReject))
                 break;
         draw();
         judge();
@@ -172,6 +175,7 @@ private:
             return watch.fate;
         WhyFace row;
         row.face = face;
+        row.line = m_scene.mesh.lineOf(face);
         row.verdict = cutAway && watch.isMetBy(m_ndc) ? WhyVerdict::ClippedAway : verdictOf(watch.fate);
         row.planes = watch.fate == FaceFate::Rejected ? watch.rejectedBy() : watch.cutBy;
         row.facing = watch.facing;
@@ -184,14 +188,18 @@ private:
         StepFilter filter;
         filter.pixels = PixelRect{m_report.x, m_report.y, 1, 1};
         filter.cap = std::numeric_limits<std::size_t>::max();
-        StepRecorder recorder(m_scene, m_settings, m_rules, filter, std::stop_source());
+        std::stop_source ending;
+        const std::stop_callback stopToo(m_stop, [&] { ending.request_stop(); });
+        StepRecorder recorder(m_scene, m_settings, m_rules, filter, ending);
         Frame frame;
         if (m_settings.mistakes.empty())
             drawPixel(frame, recorder);
         else // samples may be drawn at other places than their own, and the picture finished in other ways
-            drawScene(m_scene, m_settings, frame, {true, false, false}, recorder, std::stop_token());
-        m_report.depth = frame.depth[std::size_t(m_report.y) * std::size_t(m_rules.width) + std::size_t(m_report.x)];
+            drawScene(m_scene, m_settings, frame, {true, false, false}, recorder, m_stop);
         m_log = recorder.finish(false, frame.image);
+        if (m_stop.stop_requested()) // there may be no frame
+            return;
+        m_report.depth = frame.depth[std::size_t(m_report.y) * std::size_t(m_rules.width) + std::size_t(m_report.x)];
         m_report.background = m_log->clear().color;
         m_report.color = frame.image.pixel(m_report.x, m_report.y);
     }
@@ -199,18 +207,23 @@ private:
     /// Draws what may touch the pixel, and of that only the fragments of the pixel.
     void drawPixel(Frame& frame, StepRecorder& recorder)
     {
-        Framebuffer framebuffer(frame, m_rules, {true, false, false}, packColor(m_scene.background));
-        FragmentStage<StepRecorder> stage(m_rules, framebuffer.samples(), glm::vec3(m_matrices.eyeObject), recorder);
+        Framebuffer framebuffer(frame, m_rules, {true, false, false}, packColor(m_scene.background), m_stop);
+        SampleRouter<StepRecorder> stage(m_scene, m_rules, framebuffer.samples(), glm::vec3(m_matrices.eyeObject),
+                                         recorder);
+        stage.stopBy(m_stop);
         const int grid = m_rules.sampleGrid;
         PixelStage pixelStage(stage, {m_report.x * grid, m_report.y * grid, grid, grid});
         for (const std::uint32_t face : m_toDraw) {
+            if (m_stop.stop_requested())
+                return;
             m_batch.clear();
             m_geometry.process(face, m_batch, recorder);
             for (const ScreenTriangle& triangle : m_batch)
                 if (isNear(triangle))
                     drawTriangle(m_scene, triangle, m_rules, pixelStage, recorder);
         }
-        framebuffer.resolve();
+        if (!m_stop.stop_requested())
+            framebuffer.resolve();
     }
 
     [[nodiscard]] bool isNear(const ScreenTriangle& triangle) const
@@ -241,6 +254,7 @@ private:
             lastWritten = &*at;
             m_report.visibleFace = at->face;
         }
+        judgeHoles();
         if (m_rules.fill != Fill::Solid) // a face whose lines pass elsewhere does not concern the pixel
             std::erase_if(m_report.faces, [](const WhyFace& row) { return row.verdict == WhyVerdict::OutsideEdge; });
     }
@@ -272,6 +286,44 @@ private:
                 if (const auto setup = setupOf(triangle); setup && holdsSample(setup->bounds))
                     judgeEdges(*row, *setup, setup->at(m_report.sampleX, m_report.sampleY));
         }
+    }
+
+    /// Where the alpha test cut a hole no fragment was heard of.
+    void judgeHoles()
+    {
+        NullObserver nobody;
+        for (WhyFace& row : m_report.faces) {
+            if (row.verdict != WhyVerdict::FailedDepth || row.fragment)
+                continue;
+            const MaskTest test = maskTest(m_scene, row.face, m_rules);
+            if (test.mask == nullptr)
+                continue;
+            m_batch.clear();
+            m_geometry.process(row.face, m_batch, nobody);
+            for (const ScreenTriangle& triangle : m_batch)
+                if (const auto setup = setupOf(triangle); setup && covers(*setup))
+                    judgeHole(row, triangle, test);
+        }
+    }
+
+    void judgeHole(WhyFace& row, const ScreenTriangle& triangle, const MaskTest& test) const
+    {
+        const auto& [a, b, c] = triangle.vertices;
+        const FaceInterpolation interpolation(triangle, twiceArea(a.position, b.position, c.position), m_rules);
+        const Weights screen = interpolation.weightsAt(m_report.sampleX, m_report.sampleY);
+        const float opacity = opacityAt(test, interpolation, screen, interpolation.perspective(screen));
+        if (!(opacity < kLeastOpacity))
+            return;
+        row.verdict = WhyVerdict::Hole;
+        row.opacity = opacity;
+    }
+
+    [[nodiscard]] bool covers(const StepSetup& setup) const
+    {
+        const EdgeValues values = setup.at(m_report.sampleX, m_report.sampleY);
+        return holdsSample(setup.bounds) && std::ranges::all_of(std::array{0U, 1U, 2U}, [&](std::size_t i) {
+                   return values[i] >= setup.edges[i].threshold;
+               });
     }
 
     [[nodiscard]] std::optional<StepSetup> setupOf(const ScreenTriangle& triangle) const
@@ -327,6 +379,7 @@ private:
     ClipVolume m_volume;
     Matrices m_matrices;
     Geometry m_geometry;
+    std::stop_token m_stop;
     std::vector<ScreenTriangle> m_batch;
     std::vector<std::uint32_t> m_toDraw;
     std::shared_ptr<const StepLog> m_log;
@@ -377,14 +430,19 @@ QString verdictText(const WhyReport& report, const WhyFace& row)
                                           : QStringLiteral("a %1 edge, but the tie rule excludes it")
                                                 .arg(QLatin1String(edgeSideId(edge.side))));
     }
+    case WhyVerdict::Hole:
+        return QStringLiteral("cut out by the alpha test: the texture is opaque by %1 here, less than %2")
+            .arg(number(row.opacity), number(kLeastOpacity));
     case WhyVerdict::FailedDepth:
         return row.fragment ? QStringLiteral("failed the depth test: not %1 %2 %3")
                                   .arg(number(row.fragment->depth), QLatin1String(compareSign(report)),
                                        number(row.fragment->storedDepth))
                             : QStringLiteral("covered, but not drawn by this algorithm");
     case WhyVerdict::Written: {
-        const QString later = row.overwrittenBy ? QStringLiteral("overwritten later by face %1").arg(*row.overwrittenBy)
-                                                : QStringLiteral("seen");
+        const QString later = row.overwrittenBy
+                                  ? QStringLiteral("overwritten later by %1")
+                                        .arg(faceText(*row.overwrittenBy, report.lineOf(*row.overwrittenBy)))
+                                  : QStringLiteral("seen");
         return QStringLiteral("written %1 over %2, depth %3 over %4; %5")
             .arg(colorText(row.write.after.color), colorText(row.write.before.color), number(row.write.after.depth),
                  number(row.write.before.depth), later);
@@ -403,6 +461,8 @@ QJsonObject rowToJson(const WhyReport& report, const WhyFace& row)
     QJsonObject object{{"face", static_cast<qint64>(row.face)},
                        {"verdict", QLatin1String(whyVerdictId(row.verdict))},
                        {"text", verdictText(report, row)}};
+    if (row.line > 0)
+        object.insert(QStringLiteral("line"), row.line);
     if (row.planes != 0)
         object.insert(QStringLiteral("planes"), planesText(row.planes));
     if (row.facing)
@@ -419,6 +479,8 @@ QJsonObject rowToJson(const WhyReport& report, const WhyFace& row)
                                  {"passed", edge.passed}};
         object.insert(QStringLiteral("edges"), edges);
     }
+    if (row.verdict == WhyVerdict::Hole)
+        object.insert(QStringLiteral("opacity"), double(row.opacity));
     if (row.fragment) {
         object.insert(QStringLiteral("depth"), double(row.fragment->depth));
         object.insert(QStringLiteral("stored_depth"), double(row.fragment->storedDepth));
@@ -445,6 +507,7 @@ const char* whyVerdictId(WhyVerdict verdict)
     case WhyVerdict::ClippedAway: return "clipped-away";
     case WhyVerdict::OutsideEdge: return "outside-edge";
     case WhyVerdict::LostTie: return "lost-tie";
+    case WhyVerdict::Hole: return "hole";
     case WhyVerdict::FailedDepth: return "failed-depth";
     case WhyVerdict::Written: return "written";
     }
@@ -457,17 +520,23 @@ const WhyFace* WhyReport::find(std::uint32_t face) const
     return at == faces.end() ? nullptr : &*at;
 }
 
-WhyReport why(const Scene& scene, const Settings& settings, int x, int y)
+std::int32_t WhyReport::lineOf(std::uint32_t face) const
+{
+    const WhyFace* const row = find(face);
+    return row == nullptr ? -1 : row->line;
+}
+
+WhyReport why(const Scene& scene, const Settings& settings, int x, int y, const std::stop_token& stop)
 {
     Settings shown = settings;
     if (shown.algorithm == Algorithm::Tiled)
         shown.algorithm = Algorithm::EdgeEquation;
-    return Inquiry(scene, shown, x, y).answer();
+    return Inquiry(scene, shown, x, y, stop).answer();
 }
 
 QString whyText(const WhyReport& report, const WhyFace& face)
 {
-    return QStringLiteral("face %1: %2").arg(face.face).arg(verdictText(report, face));
+    return QStringLiteral("%1: %2").arg(faceText(face.face, face.line), verdictText(report, face));
 }
 
 QJsonObject toJson(const WhyReport& report)

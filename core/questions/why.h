@@ -6,6 +6,7 @@
 #include <QString>
 
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 namespace rasterlens
@@ -21,6 +22,7 @@ enum class WhyVerdict {
     ClippedAway, ///< the face would cover the pixel, but not the part of it that clipping left
     OutsideEdge, ///< an edge value is negative
     LostTie,     ///< the centre lies on an edge that does not own it
+    Hole,        ///< covered, but the face's texture is transparent there
     FailedDepth, ///< covered, but what is stored won
     Written,     ///< covered and stored
 };
@@ -36,7 +38,8 @@ struct WhyEdge {
 
 /// One face and its verdict, with the numbers that were computed on the way to it.
 struct WhyFace {
-    std::uint32_t face = 0;
+    std::uint32_t face = 0; ///< the triangle
+    std::int32_t line = -1; ///< of the `f` in the scene's file that it is a part of; -1 none
     WhyVerdict verdict = WhyVerdict::Rejected;
     std::uint32_t planes = 0;             ///< one bit a ClipPlane: rejected by, or cut by
     std::optional<FacingDecision> facing; ///< unless rejected before
@@ -44,6 +47,7 @@ struct WhyFace {
     std::array<WhyEdge, 3> edges;
     int edge = -1; ///< OutsideEdge, LostTie: the one that decided
     double unitsPerArea = 1;
+    float opacity = 1; ///< Hole: of the texture at the sample, below kLeastOpacity
     std::optional<FragmentStep> fragment;
     WriteStep write{};                          ///< Written
     std::optional<std::uint32_t> overwrittenBy; ///< Written: the face that was written next
@@ -64,6 +68,8 @@ struct WhyReport {
     bool reversedZ = false;
 
     [[nodiscard]] const WhyFace* find(std::uint32_t face) const;
+    /// The line of the `f` that a triangle named here is a part of; -1 none.
+    [[nodiscard]] std::int32_t lineOf(std::uint32_t face) const;
 };
 
 /// Every face that could concern a pixel, with its verdict.
@@ -73,7 +79,9 @@ struct WhyReport {
 ///         lie before or behind the eye in the direction of the sample; all faces with a non-finite vertex
 /// cost    geometry for the whole scene, coverage for the faces concerned only; with mistakes the whole frame
 /// exact   verdicts are those of render(): the same stages are run
-[[nodiscard]] WhyReport why(const Scene& scene, const Settings& settings, int x, int y);
+/// errors  `stop` ends the work early; what is returned then means nothing
+[[nodiscard]] WhyReport why(const Scene& scene, const Settings& settings, int x, int y,
+                            const std::stop_token& stop = {});
 
 /// One sentence about a face, as `rasterlens-cli why` prints it. Not translated.
 [[nodiscard]] QString whyText(const WhyReport& report, const WhyFace& face);

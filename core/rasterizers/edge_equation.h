@@ -1,6 +1,7 @@
 #pragma once
 #include "core/pipeline/interpolation.h"
 #include "core/pipeline/observer.h"
+#include "core/pipeline/stopping.h"
 #include "core/pipeline/triangle_setup.h"
 #include "core/rasterizers/registry.h"
 
@@ -64,7 +65,7 @@ private:
             perColumn[i] = edges[i].a * Grid<T>::kUnit;
             perRow[i] = edges[i].b * Grid<T>::kUnit;
         }
-        for (int y = box.y; y < box.y + box.height; ++y) {
+        for (int y = box.y; y < box.y + box.height && !isStopped(emit); ++y) {
             Values<T> e = row;
             for (int x = box.x; x < box.x + box.width; ++x) {
                 const bool covered = inside(e, setup);
@@ -114,7 +115,7 @@ private:
     static void coverByRules(const TriangleSetup<T>& setup, const Rules& rules, Emit& emit, Observer& observer)
     {
         const PixelRect box = rules.samplesTruncated ? wholePixels(setup.bounds, rules.sampleGrid) : setup.bounds;
-        for (int y = box.y; y < box.y + box.height; ++y)
+        for (int y = box.y; y < box.y + box.height && !isStopped(emit); ++y)
             for (int x = box.x; x < box.x + box.width; ++x) {
                 Values<T> e;
                 bool allNegative = rules.insideTest == InsideTest::EitherSign;
@@ -138,7 +139,7 @@ private:
     {
         const PixelRect& box = setup.bounds;
         const auto& edges = setup.edges;
-        for (int y = box.y; y < box.y + box.height; ++y)
+        for (int y = box.y; y < box.y + box.height && !isStopped(emit); ++y)
             for (int x = box.x; x < box.x + box.width; ++x) {
                 const Point<T> p = TriangleSetup<T>::centre(x, y);
                 const Values<T> e{edges[0].at(p), edges[1].at(p), edges[2].at(p)};

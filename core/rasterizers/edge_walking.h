@@ -1,6 +1,7 @@
 #pragma once
 #include "core/pipeline/fragment_stage.h"
 #include "core/pipeline/observer.h"
+#include "core/pipeline/stopping.h"
 #include "core/pipeline/triangle_setup.h"
 #include "core/rasterizers/registry.h"
 
@@ -197,13 +198,13 @@ struct EdgeWalking {
         if (y <= rows.last && isUpperHalf(y, s)) {
             EdgeWalker<T> longEdge(s.vertices[0], endOf(2), y, rules.stepping);
             EdgeWalker<T> shortEdge(s.vertices[0], endOf(1), y, rules.stepping);
-            for (; y <= rows.last && isUpperHalf(y, s); ++y, longEdge.step(), shortEdge.step())
+            for (; y <= rows.last && isUpperHalf(y, s) && !isStopped(emit); ++y, longEdge.step(), shortEdge.step())
                 fillSpan(y, longEdge, shortEdge, s, setup, interpolation, rules, emit, observer);
         }
-        if (y <= rows.last) {
+        if (y <= rows.last && !isStopped(emit)) {
             EdgeWalker<T> longEdge(s.vertices[0], endOf(2), y, rules.stepping);
             EdgeWalker<T> shortEdge(s.vertices[1], endOf(2), y, rules.stepping);
-            for (; y <= rows.last; ++y, longEdge.step(), shortEdge.step())
+            for (; y <= rows.last && !isStopped(emit); ++y, longEdge.step(), shortEdge.step())
                 fillSpan(y, longEdge, shortEdge, s, setup, interpolation, rules, emit, observer);
         }
     }

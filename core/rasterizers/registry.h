@@ -13,7 +13,4 @@ struct RasterizerInfo {
     const char* source;
 };
 
-/// Why the algorithm of these rules cannot draw them, or nothing; a text of the context "Unsupported".
-[[nodiscard]] std::optional<Reason> rasterizerSupports(const Rules& rules);
-
 } // namespace rasterlens

@@ -1,12 +1,13 @@
 #pragma once
 #include "core/base/stopwatch.h"
 #include "core/pipeline/fragment_stage.h"
+#include "core/pipeline/frame.h"
 #include "core/pipeline/framebuffer.h"
 #include "core/pipeline/geometry.h"
+#include "core/pipeline/rules_for.h"
 #include "core/pipeline/sample_router.h"
 #include "core/rasterizers/lines.h"
 #include "core/render/list.h"
-#include "core/render/render.h"
 #include "core/scene/camera.h"
 
 namespace rasterlens
@@ -59,7 +60,7 @@ void drawScene(const Scene& scene, const Settings& settings, Frame& frame, Outpu
     StageTimes times;
     const Rules rules = rulesFor(scene, settings);
     const Matrices matrices = cameraMatrices(scene, settings);
-    Framebuffer framebuffer(frame, rules, outputs, packColor(scene.background));
+    Framebuffer framebuffer(frame, rules, outputs, packColor(scene.background), stop);
     times.raster += watch.lap();
 
     const Geometry geometry(scene, matrices, rules);
@@ -67,7 +68,9 @@ void drawScene(const Scene& scene, const Settings& settings, Frame& frame, Outpu
     times.vertex += watch.lap();
 
     FragmentStage<Observer> stage(rules, framebuffer.samples(), glm::vec3(matrices.eyeObject), observer);
-    SampleRouter<Observer> router(rules, framebuffer.samples(), glm::vec3(matrices.eyeObject), observer);
+    SampleRouter<Observer> router(scene, rules, framebuffer.samples(), glm::vec3(matrices.eyeObject), observer);
+    stage.stopBy(stop);
+    router.stopBy(stop);
     const bool routed = SampleRouter<Observer>::wanted(rules);
     std::vector<ScreenTriangle> batch;
     for (std::size_t i = 0; i < order.size() && !stop.stop_requested();) {
@@ -90,7 +93,8 @@ void drawScene(const Scene& scene, const Settings& settings, Frame& frame, Outpu
         }
         times.raster += watch.lap();
     }
-    framebuffer.resolve();
+    if (!stop.stop_requested())
+        framebuffer.resolve();
     times.raster += watch.lap();
     times.total = total.lap();
     frame.times = times;

@@ -22,4 +22,15 @@ void forEachRasterizer(Visitor&& visit)
     visit(Tiled());
 }
 
+/// Why the algorithm of these rules cannot draw them, or nothing; a text of the context "Unsupported".
+[[nodiscard]] inline std::optional<Reason> rasterizerSupports(const Rules& rules)
+{
+    std::optional<Reason> reason = Reason{QT_TRANSLATE_NOOP("Unsupported", "this algorithm is not built in")};
+    forEachRasterizer([&](auto rasterizer) {
+        if (rasterizer.info.algorithm == rules.algorithm)
+            reason = rasterizer.supports(rules);
+    });
+    return reason;
+}
+
 } // namespace rasterlens

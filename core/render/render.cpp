@@ -1,7 +1,7 @@
 #include "core/render/render.h"
 
 #include "core/observe/counting_observer.h"
-#include "core/rasterizers/registry.h"
+#include "core/pipeline/rules_for.h"
 #include "core/render/draw.h"
 #include "core/scene/camera.h"
 #include "core/settings/mistakes.h"

@@ -1,40 +1,15 @@
 #pragma once
 #include "core/base/reason.h"
-#include "core/pipeline/depth_buffer.h"
+#include "core/pipeline/frame.h"
 #include "core/pipeline/statistics.h"
 #include "core/scene/scene.h"
 #include "core/settings/settings.h"
 
-#include <QImage>
-
-#include <cstdint>
-#include <memory>
 #include <optional>
 #include <stop_token>
-#include <vector>
 
 namespace rasterlens
 {
-
-struct TiledContext;
-
-/// What a frame is asked for. Nothing that is not asked for is written, and without a picture nothing is shaded.
-struct Outputs {
-    bool depth = false;
-    bool ids = false;
-    bool coverage = false;
-    bool picture = true;
-};
-
-/// A finished picture. All arrays are row by row from the top, width * height of the image.
-struct Frame {
-    QImage image;                  ///< Format_RGB32; null if not asked for
-    DepthBuffer depth;             ///< depth buffer, 0..1; with several samples that of the sample nearest the centre
-    std::vector<std::int32_t> ids; ///< face that was written last, -1 none; likewise
-    std::vector<std::uint16_t> coverage; ///< how many faces covered it, before the depth test; likewise
-    StageTimes times;
-    std::shared_ptr<TiledContext> tiled; ///< threads and memory of the tiled algorithm, for the next picture
-};
 
 /// Why these settings cannot be drawn, or nothing; a text of the context "Unsupported".
 [[nodiscard]] std::optional<Reason> unsupported(const Scene& scene, const Settings& settings);

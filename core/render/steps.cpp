@@ -1,6 +1,7 @@
 #include "core/render/steps.h"
 
 #include "core/observe/recorder.h"
+#include "core/pipeline/rules_for.h"
 #include "core/render/draw.h"
 
 namespace rasterlens

@@ -15,7 +15,7 @@ namespace rasterlens
 /// out     never null
 /// covers  every algorithm; `tiled` is recorded as edge-equation, which draws the same pixels
 /// cost    two to three times that of render(); the drawing ends where the cap is reached
-/// errors  none; `stop` ends the work after the present face, and the log then says so
+/// errors  std::bad_alloc; `stop` ends the work after the present row, and the log then says so
 [[nodiscard]] std::shared_ptr<const StepLog> renderSteps(const Scene& scene, const Settings& settings,
                                                          const StepFilter& filter = {}, std::stop_token stop = {});
 

@@ -1,7 +1,5 @@
 #include "core/scene/mip_chain.h"
 
-#include "core/scene/scene.h"
-
 #include <algorithm>
 #include <array>
 #include <mutex>
@@ -51,11 +49,11 @@ std::uint32_t meanTexel(const std::uint32_t* texels, int pitch, const Footprint&
 
 } // namespace
 
-MipLevels makeMipLevels(const Texture& texture)
+MipLevels makeMipLevels(int width, int height, std::span<const std::uint32_t> texels)
 {
     MipLevels mips;
-    mips.levels.push_back({texture.width, texture.height, 0});
-    mips.texels = texture.texels;
+    mips.levels.push_back({width, height, 0});
+    mips.texels.assign(texels.begin(), texels.end());
     while (mips.levels.back().width > 1 || mips.levels.back().height > 1) {
         const MipLevels::Level larger = mips.levels.back();
         const MipLevels::Level smaller{std::max(larger.width / 2, 1), std::max(larger.height / 2, 1),
@@ -84,9 +82,9 @@ MipChain& MipChain::operator=(const MipChain&)
     return *this;
 }
 
-const MipLevels& MipChain::of(const Texture& texture) const
+const MipLevels& MipChain::of(int width, int height, std::span<const std::uint32_t> texels) const
 {
-    std::call_once(m_lazy->once, [&] { m_lazy->levels = makeMipLevels(texture); });
+    std::call_once(m_lazy->once, [&] { m_lazy->levels = makeMipLevels(width, height, texels); });
     return m_lazy->levels;
 }
 

@@ -1,12 +1,11 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace rasterlens
 {
-
-struct Texture;
 
 /// A texture at its own size, half of it, a quarter and so on down to one texel.
 struct MipLevels {
@@ -22,8 +21,8 @@ struct MipLevels {
 /// Halves the sides, rounded down, until both are 1. A texel is the mean of the area it covers in the level before,
 /// channel by channel, rounded to nearest; of an odd side the texels at the borders of that area count in part.
 ///
-/// in   a texture with texels
-[[nodiscard]] MipLevels makeMipLevels(const Texture& texture);
+/// in   width * height texels, at least one
+[[nodiscard]] MipLevels makeMipLevels(int width, int height, std::span<const std::uint32_t> texels);
 
 /// The levels of a texture, made when they are first asked for. A copy of the texture makes its own.
 class MipChain
@@ -34,8 +33,8 @@ public:
     MipChain& operator=(const MipChain&);
     ~MipChain();
 
-    /// in   the texture that this belongs to, whose texels change no more; from any thread
-    [[nodiscard]] const MipLevels& of(const Texture& texture) const;
+    /// in   the texels of the texture that this belongs to, which change no more; from any thread
+    [[nodiscard]] const MipLevels& of(int width, int height, std::span<const std::uint32_t> texels) const;
 
 private:
     struct Lazy;

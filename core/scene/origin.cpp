@@ -58,12 +58,12 @@ glm::dvec4 worldPosition(const Mesh& mesh, std::size_t vertex)
 
 QString worldNumber(float object, double origin)
 {
-    constexpr int kMostDigits = 17; // of a double
+    constexpr int kMostDecimals = 20; // beyond them a number is too small to write out
     const double world = double(object) + origin;
-    for (int digits = 1; digits < kMostDigits; ++digits) {
-        const QString text = QString::number(world, 'g', digits);
+    for (int decimals = 0; decimals <= kMostDecimals; ++decimals) {
+        const QString text = QString::number(world, 'f', decimals);
         if (static_cast<float>(text.toDouble() - origin) == object)
-            return QString::number(text.toDouble(), 'g', QLocale::FloatingPointShortest);
+            return text;
     }
     return QString::number(world, 'g', QLocale::FloatingPointShortest);
 }

@@ -51,9 +51,10 @@ constexpr double kRemarkedBelow = 1e-4;
 [[nodiscard]] glm::dvec4 worldFromObject(const glm::dvec4& object, const glm::dvec3& origin);
 [[nodiscard]] glm::dvec4 worldPosition(const Mesh& mesh, std::size_t vertex);
 
-/// The coordinate of the world that lies at `object` of the mesh's space: the shortest number that leads back to it.
+/// The coordinate of the world that lies at `object` of the mesh's space, written out: as many decimals as lead back to
+/// the float32 value.
 ///
-/// in   a float32 value, and the origin's coordinate of the same axis
+/// in   a finite value, and the origin's coordinate of the same axis
 [[nodiscard]] QString worldNumber(float object, double origin);
 /// `x, y, z` of a vertex in the coordinates of its file.
 [[nodiscard]] QString worldText(const glm::vec4& object, const glm::dvec3& origin);

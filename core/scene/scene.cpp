@@ -1,9 +1,5 @@
 #include "core/scene/scene.h"
 
-#include "core/io/case_file.h"
-#include "core/io/obj_loader.h"
-#include "core/scenes/builtin_scenes.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,20 +10,6 @@ namespace
 {
 
 bool isFinite(const glm::vec4& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
-Texture makeChecker()
-{
-    constexpr int kSize = 512;
-    constexpr int kCell = 32;
-    constexpr std::uint32_t kLight = 0xffe6e6e6; // 230, 230, 230
-    constexpr std::uint32_t kDark = 0xff283c78;  // 40, 60, 120
-    Texture checker{QStringLiteral("checkerboard"), kSize, kSize, {}};
-    checker.texels.reserve(kSize * kSize);
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x)
-            checker.texels.push_back((x / kCell + y / kCell) % 2 == 0 ? kLight : kDark);
-    return checker;
-}
 
 } // namespace
 
@@ -53,29 +35,19 @@ BoundingSphere boundingSphere(const Mesh& mesh)
     return sphere;
 }
 
-const Texture& checkerTexture()
+const Texture& plainTexture(const Scene& scene)
 {
-    static const Texture checker = makeChecker();
-    return checker;
+    if (scene.textures.empty())
+        return checkerTexture();
+    static const Texture white{QStringLiteral("white"), 1, 1, {0xffffffffU}};
+    return white;
 }
 
-SceneLoad loadScene(const QString& name, const LoadOptions& options)
+const Texture* maskOfFace(const Scene& scene, std::uint32_t face)
 {
-    const QLatin1String builtin("builtin:");
-    const QLatin1String stress("stress:");
-    if (name.startsWith(builtin))
-        return makeBuiltinScene(name.mid(builtin.size()));
-    if (name.startsWith(stress))
-        return makeStressScene(name.mid(stress.size()), options.size);
-    if (name.endsWith(QLatin1String(".obj"), Qt::CaseInsensitive))
-        return loadObj(name, options);
-    if (name.endsWith(QLatin1String(".case"), Qt::CaseInsensitive))
-        return loadCase(name);
-    return {
-        std::nullopt,
-        {{Severity::Error, name, 0,
-          QT_TRANSLATE_NOOP("Diagnostic",
-                            "this is not a scene; an .obj or .case file, builtin:NAME or stress:NAME is expected")}}};
+    const std::size_t material = scene.mesh.faceMaterial.empty() ? 0 : scene.mesh.faceMaterial[face];
+    const int mask = material < scene.materials.size() ? scene.materials[material].mask : -1;
+    return mask >= 0 ? &scene.textures[static_cast<std::size_t>(mask)] : nullptr;
 }
 
 } // namespace rasterlens

@@ -1,6 +1,6 @@
 #pragma once
 #include "core/base/diagnostics.h"
-#include "core/scene/mip_chain.h"
+#include "core/scene/texture.h"
 #include "core/settings/settings.h"
 
 #include <QString>
@@ -27,17 +27,11 @@ struct Mesh {
     std::vector<std::uint32_t> indices;      ///< three a face
     std::vector<std::uint32_t> faceMaterial; ///< index into Scene::materials a face; empty = material 0 for all
     glm::dvec3 origin{0, 0, 0};              ///< of object space, in the world (the file's coordinates): see origin.h
+    std::vector<std::int32_t> faceLine;      ///< line of the `f` in the file that a face is a part of; empty = no file
 
     [[nodiscard]] std::size_t faceCount() const { return indices.size() / 3; }
-};
-
-/// Texels as display values, 0xffRRGGBB. Row 0 lies at v = 0 (a loader flips image files, whose row 0 is on top).
-struct Texture {
-    QString name;
-    int width = 0;
-    int height = 0;
-    std::vector<std::uint32_t> texels; ///< width * height, row by row
-    MipChain mips{};                   ///< made of them when first asked for
+    /// The line in the scene's file that a face comes from, counted from 1; -1 where there is none.
+    [[nodiscard]] std::int32_t lineOf(std::size_t face) const { return face < faceLine.size() ? faceLine[face] : -1; }
 };
 
 struct Material {
@@ -46,6 +40,12 @@ struct Material {
     glm::vec3 specular{0.25F, 0.25F, 0.25F}; ///< Phong
     float shininess = 32;                    ///< Phong exponent
     int texture = -1;                        ///< index into Scene::textures; -1 none
+    glm::vec2 uvScale{1, 1};                 ///< for information: MeshVertex::uv are uv * uvScale + uvOffset already
+    glm::vec2 uvOffset{0, 0};
+    /// The texture whose red channel says where the surface is: below one half there is a hole (--alpha-test). -1 none.
+    int mask = -1;
+    glm::vec2 maskScale{1, 1}; ///< a mask is looked up at uv * maskScale + maskOffset
+    glm::vec2 maskOffset{0, 0};
 };
 
 enum class SceneSpace { Object, Clip };
@@ -77,8 +77,12 @@ struct Scene {
 /// The bounding sphere of the finite positions; radius 1 about the origin for an empty mesh, radius 1 for one point.
 [[nodiscard]] BoundingSphere boundingSphere(const Mesh& mesh);
 
-/// 512 x 512 checkerboard with 32-texel cells, (230, 230, 230) and (40, 60, 120): the texture of a scene that has none.
-[[nodiscard]] const Texture& checkerTexture();
+/// What shading texture shows of faces whose material has no texture: one white texel, which leaves their colour as it
+/// is. A scene without any texture shows the checkerboard instead.
+[[nodiscard]] const Texture& plainTexture(const Scene& scene);
+
+/// The mask of a face's material, or null.
+[[nodiscard]] const Texture* maskOfFace(const Scene& scene, std::uint32_t face);
 
 /// A scene, or why there is none.
 struct SceneLoad {
@@ -91,11 +95,5 @@ struct LoadOptions {
     QSize size{1920, 1080}; ///< the stress scenes are made for a size
     QString texture;        ///< image that replaces the materials' textures; empty = none
 };
-
-/// Opens whatever a user may name: an `.obj`, a `.case`, `builtin:NAME`, `stress:NAME`.
-/// (A session `.json` holds a scene name and settings: see session.h.)
-///
-/// errors  in the diagnostics, with file and line; never throws
-[[nodiscard]] SceneLoad loadScene(const QString& name, const LoadOptions& options = {});
 
 } // namespace rasterlens

@@ -1,14 +1,14 @@
 #include "core/scene/triangulate.h"
 
+#include "core/scene/ear_clipper.h"
+#include "core/scene/orientation.h"
+
 #include <cmath>
-#include <numeric>
 
 namespace rasterlens
 {
 namespace
 {
-
-constexpr std::uint64_t kMostPointTests = 50'000'000;
 
 /// Twice the signed area vector of the polygon (Newell), about corner 0 so that far-away polygons lose no digits.
 glm::dvec3 areaVector(std::span<const glm::vec3> corners)
@@ -21,7 +21,7 @@ glm::dvec3 areaVector(std::span<const glm::vec3> corners)
 }
 
 /// The polygon along the axis in which its area is largest, counter-clockwise.
-std::vector<glm::dvec2> projected(std::span<const glm::vec3> corners)
+void project(std::span<const glm::vec3> corners, std::span<glm::dvec2> points)
 {
     const glm::dvec3 area = areaVector(corners);
     const glm::dvec3 size = glm::abs(area);
@@ -29,130 +29,60 @@ std::vector<glm::dvec2> projected(std::span<const glm::vec3> corners)
     const int u = (axis + 1) % 3;
     const int v = (axis + 2) % 3;
     const double mirror = area[axis] < 0 ? -1 : 1;
-    std::vector<glm::dvec2> points;
-    points.reserve(corners.size());
-    for (const glm::vec3& corner : corners)
-        points.emplace_back(mirror * corner[u], corner[v]);
-    return points;
-}
-
-/// Twice the signed area of a triangle, positive if it is counter-clockwise.
-double area2(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
-{
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        points[i] = {mirror * corners[i][u], corners[i][v]};
 }
 
 /// No corner turns right.
-bool isConvex(const std::vector<glm::dvec2>& points)
+bool isConvex(std::span<const glm::dvec2> points)
 {
     const std::size_t count = points.size();
     for (std::size_t i = 0; i < count; ++i)
-        if (area2(points[i], points[(i + 1) % count], points[(i + 2) % count]) < 0)
+        if (orientation(points[i], points[(i + 1) % count], points[(i + 2) % count]) < 0)
             return false;
     return true;
 }
 
-class EarClipper
+/// Whether the triangles' areas add up to the polygon's: where some overlap, or turn the other way round, they do not.
+bool fillsOutline(std::span<const glm::dvec2> points, std::span<const CornerTriple> triangles)
 {
-public:
-    EarClipper(std::vector<glm::dvec2> points, std::vector<CornerTriple>& triangles)
-        : m_points(std::move(points)), m_triangles(triangles), m_left(static_cast<std::uint32_t>(m_points.size())),
-          m_next(m_left), m_previous(m_left), m_reflex(m_left)
-    {
-        for (std::uint32_t i = 0; i < m_left; ++i) {
-            m_next[i] = (i + 1) % m_left;
-            m_previous[i] = (i + m_left - 1) % m_left;
-        }
-        for (std::uint32_t i = 0; i < m_left; ++i)
-            if (turn(i) < 0) {
-                m_reflex[i] = true;
-                m_reflexCorners.push_back(i);
-            }
+    constexpr double kRounding = 1e-9;
+    double sum = 0;
+    double sizes = 0;
+    for (const auto& [a, b, c] : triangles) {
+        const double area = orientation(points[a], points[b], points[c]);
+        sum += area;
+        sizes += std::abs(area);
     }
+    return sizes - std::abs(sum) <= kRounding * sizes;
+}
 
-    void run()
-    {
-        std::uint32_t corner = 1;
-        std::uint32_t triedInVain = 0;
-        while (m_left > 3 && !m_reflexCorners.empty() && m_tests < kMostPointTests && triedInVain < m_left) {
-            if (isEar(corner)) {
-                cut(corner);
-                triedInVain = 0;
-            } else {
-                ++triedInVain;
-            }
-            corner = m_next[corner];
-        }
-        fanTheRest(m_previous[corner]);
-    }
-
-private:
-    double turn(std::uint32_t i) const { return area2(m_points[m_previous[i]], m_points[i], m_points[m_next[i]]); }
-
-    /// A convex corner whose triangle holds no other corner; only reflex ones can lie in it.
-    bool isEar(std::uint32_t i)
-    {
-        if (m_reflex[i])
-            return false;
-        const glm::dvec2 a = m_points[m_previous[i]];
-        const glm::dvec2 b = m_points[i];
-        const glm::dvec2 c = m_points[m_next[i]];
-        for (const std::uint32_t other : m_reflexCorners) {
-            ++m_tests;
-            const glm::dvec2 p = m_points[other];
-            if (other == m_previous[i] || other == m_next[i] || p == a || p == c)
-                continue;
-            if (area2(a, b, p) >= 0 && area2(b, c, p) >= 0 && area2(c, a, p) >= 0)
-                return false;
-        }
-        return true;
-    }
-
-    void cut(std::uint32_t i)
-    {
-        const std::uint32_t before = m_previous[i];
-        const std::uint32_t after = m_next[i];
-        m_triangles.push_back({before, i, after});
-        m_next[before] = after;
-        m_previous[after] = before;
-        --m_left;
-        for (const std::uint32_t neighbour : {before, after})
-            if (m_reflex[neighbour] && turn(neighbour) >= 0) {
-                m_reflex[neighbour] = false;
-                std::erase(m_reflexCorners, neighbour);
-            }
-    }
-
-    void fanTheRest(std::uint32_t hub)
-    {
-        for (std::uint32_t i = m_next[hub]; m_next[i] != hub; i = m_next[i])
-            m_triangles.push_back({hub, i, m_next[i]});
-    }
-
-    std::vector<glm::dvec2> m_points;
-    std::vector<CornerTriple>& m_triangles;
-    std::uint32_t m_left;
-    std::vector<std::uint32_t> m_next; // the corners that are left, as a ring
-    std::vector<std::uint32_t> m_previous;
-    std::vector<bool> m_reflex;
-    std::vector<std::uint32_t> m_reflexCorners;
-    std::uint64_t m_tests = 0;
-};
-
-} // namespace
-
-void triangulate(std::span<const glm::vec3> corners, std::vector<CornerTriple>& triangles)
+Cut cutProjected(std::span<const glm::dvec2> points, std::vector<CornerTriple>& triangles)
 {
-    if (corners.size() == 3) {
-        triangles.push_back({0, 1, 2});
-        return;
-    }
-    std::vector<glm::dvec2> points = projected(corners);
+    const std::size_t before = triangles.size();
     if (isConvex(points))
         for (std::uint32_t i = 2; i < points.size(); ++i)
             triangles.push_back({0, i - 1, i});
     else
-        EarClipper(std::move(points), triangles).run();
+        clipEars(points, triangles);
+    return fillsOutline(points, std::span(triangles).subspan(before)) ? Cut::Exact : Cut::Overlaps;
+}
+
+} // namespace
+
+Cut triangulate(std::span<const glm::vec3> corners, std::vector<CornerTriple>& triangles)
+{
+    if (corners.size() == 3) {
+        triangles.push_back({0, 1, 2});
+        return Cut::Exact;
+    }
+    constexpr std::size_t kFew = 16;
+    std::array<glm::dvec2, kFew> few;
+    std::vector<glm::dvec2> many(corners.size() <= kFew ? 0 : corners.size());
+    const std::span<glm::dvec2> points =
+        corners.size() <= kFew ? std::span(few).first(corners.size()) : std::span(many);
+    project(corners, points);
+    return cutProjected(points, triangles);
 }
 
 } // namespace rasterlens

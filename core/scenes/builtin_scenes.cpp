@@ -129,6 +129,13 @@ constexpr BuiltinScene kScenes[] = {
          "the middle z/w is 0.8938 and the distance 1.818: z/w is linear on the screen, the distance is not. "
          "Board and markers have equal colours at equal distances, unless interpolation is affine."),
      makeFourZ},
+    {"cut-outs", QT_TRANSLATE_NOOP("BuiltinScene", "Leaves cut out of squares"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "Six squares and a wall, sent from front to back. Around each leaf the texture is transparent: without the "
+         "alpha test the corners of a square hide what lies behind, because they write depth although nothing is to "
+         "be seen there."),
+     makeCutOuts},
     {"square-counted", QT_TRANSLATE_NOOP("BuiltinScene", "The square, hits counted"),
      QT_TRANSLATE_NOOP(
          "BuiltinScene",

@@ -1,8 +1,10 @@
 #include "core/scenes/makers.h"
 #include "core/scenes/shapes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace rasterlens
 {
@@ -96,6 +98,76 @@ Scene makeFourZ()
     // Odd sides, so that the middle of the screen is the centre of pixel (320, 240).
     scene.defaults.size = QSize(641, 481);
     scene.defaults.view = viewFrom({0, 0, 0}, {0, 0, -1}, 0.1, 50);
+    return scene;
+}
+
+namespace
+{
+
+/// How far inside the outline of a leaf a point of the unit square lies, about; its tip is above, its stem below.
+double insideLeaf(double x, double y)
+{
+    const double along = (y - 0.16) / 0.8;
+    const double blade = along > 0 && along < 1 ? 0.4 * std::pow(std::sin(kPi * along), 0.8) * (1.1 - 0.45 * along) : 0;
+    const double stem = y < 0.3 ? 0.025 : 0;
+    return std::max(blade, stem) - std::abs(x - 0.5);
+}
+
+struct LeafTextures {
+    Texture color;
+    Texture mask;
+};
+
+/// A leaf with veins on pale paper, and how opaque it is: half at its outline.
+LeafTextures leafTextures()
+{
+    constexpr int kSide = 64;
+    LeafTextures leaf{{QStringLiteral("leaf"), kSide, kSide, {}}, {QStringLiteral("leaf (opacity)"), kSide, kSide, {}}};
+    for (int row = 0; row < kSide; ++row)
+        for (int column = 0; column < kSide; ++column) {
+            const double x = (column + 0.5) / kSide;
+            const double y = (row + 0.5) / kSide;
+            const double inside = insideLeaf(x, y);
+            const double rib = std::abs(x - 0.5);
+            const double vein = std::abs(std::remainder(y - 0.7 * rib, 0.14));
+            const bool drawn = rib < 0.02 || vein < 0.012;
+            leaf.color.texels.push_back(inside < -0.01 ? 0xffe8e4d8U : drawn ? 0xffb8d080U : 0xff58a038U);
+            const auto opacity = static_cast<std::uint32_t>(std::clamp(0.5 + 16 * inside, 0.0, 1.0) * 255 + 0.5);
+            leaf.mask.texels.push_back(0xff000000U | opacity * 0x10101U);
+        }
+    return leaf;
+}
+
+} // namespace
+
+Scene makeCutOuts()
+{
+    Scene scene = objectScene(false);
+    const auto leafAt = [&](double x, double y, double z, double turn, glm::vec3 color) {
+        const auto corner = [&](double dx, double dy) {
+            const glm::dvec2 along(std::cos(turn), std::sin(turn));
+            return glm::dvec3(x + along.x * dx - along.y * dy, y + along.y * dx + along.x * dy, z);
+        };
+        addFlatQuad(scene.mesh, corner(-0.7, -0.7), corner(0.7, -0.7), corner(0.7, 0.7), corner(-0.7, 0.7), color);
+    };
+    leafAt(0.1, -0.1, 0.9, 0.2, {1, 1, 1});
+    leafAt(-0.75, 0.2, 0.7, 0.9, {1, 0.85F, 0.5F});
+    leafAt(0.85, 0.3, 0.5, -0.7, {1, 0.7F, 0.45F});
+    leafAt(-0.35, -0.65, 0.3, 2.3, {0.9F, 1, 0.7F});
+    leafAt(0.55, -0.6, 0.1, -2.2, {1, 0.6F, 0.4F});
+    leafAt(0.0, 0.7, -0.1, -0.1, {0.75F, 0.9F, 0.6F});
+    scene.mesh.faceMaterial.assign(scene.mesh.faceCount(), 1);
+    addFlatQuad(scene.mesh, {-1.7, -1.4, -0.6}, {1.7, -1.4, -0.6}, {1.7, 1.4, -0.6}, {-1.7, 1.4, -0.6},
+                {0.35F, 0.5F, 0.8F});
+    scene.mesh.faceMaterial.resize(scene.mesh.faceCount(), 0);
+    LeafTextures leaf = leafTextures();
+    scene.textures = {std::move(leaf.color), std::move(leaf.mask)};
+    scene.materials.resize(2);
+    scene.materials[0].name = QStringLiteral("wall");
+    scene.materials[1].name = QStringLiteral("leaf");
+    scene.materials[1].texture = 0;
+    scene.materials[1].mask = 1;
+    scene.defaults.shading = Shading::Texture;
     return scene;
 }
 

@@ -37,6 +37,7 @@ namespace rasterlens
 [[nodiscard]] Scene makePiercing();
 [[nodiscard]] Scene makeZFighting();
 [[nodiscard]] Scene makeFourZ();
+[[nodiscard]] Scene makeCutOuts();
 
 // Where mistakes show that the others forgive.
 [[nodiscard]] Scene makeSquareCounted();

@@ -1,6 +1,4 @@
 #pragma once
-#include "core/render/render.h"
-#include "core/scene/scene.h"
 #include "core/settings/rules.h"
 
 #include <span>
@@ -50,28 +48,5 @@ struct Mistake {
 
 /// The mistake of that id, or null.
 [[nodiscard]] const Mistake* findMistake(const QString& id);
-
-/// The scene of a mistake and the settings in which it shows.
-struct MistakeDemo {
-    Scene scene;
-    Settings right; ///< without the mistake
-    Settings mistaken;
-};
-[[nodiscard]] MistakeDemo mistakeDemo(const Mistake& mistake);
-
-/// A picture with all that proofs look at.
-struct CountedPicture {
-    Frame frame; ///< with depth and ids
-    Statistics statistics;
-};
-[[nodiscard]] CountedPicture drawCounted(const Scene& scene, const Settings& settings);
-
-/// The name of a counter as in the statistics document, or of a measure likewise: `covered_twice`, `holes`.
-[[nodiscard]] const char* proofId(Proof proof);
-
-/// The value of a counter or a measure for a picture.
-///
-/// in   pictures of one size; the right one is not looked at for counters
-[[nodiscard]] double proofValue(Proof proof, const CountedPicture& shown, const CountedPicture& right);
 
 } // namespace rasterlens

@@ -71,6 +71,7 @@ struct Rules {
     TextureFilter textureFilter = TextureFilter::Nearest;
     bool lit = true;
     int varyingCount = 3;     ///< floats a vertex hands to the fragments; what no shader reads is not carried
+    int maskUv = -1;          ///< where among them the coordinates of masks are; -1: no face is tested against a mask
     bool mirrorClipZ = false; ///< reversed z for a scene that brings its own clip coordinates
 
     // Clipping
@@ -146,10 +147,5 @@ struct Rules {
     [[nodiscard]] int columns() const { return width * sampleGrid; } ///< samples
     [[nodiscard]] int rows() const { return height * sampleGrid; }   ///< samples
 };
-
-struct Scene;
-
-/// Resolves the settings for a scene. The mistakes of the settings are applied last.
-[[nodiscard]] Rules rulesFor(const Scene& scene, const Settings& settings);
 
 } // namespace rasterlens

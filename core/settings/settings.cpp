@@ -80,6 +80,8 @@ constexpr Choice kShadings[] = {{"gouraud", QT_TRANSLATE_NOOP("Settings", "Goura
 constexpr Choice kTextureFilters[] = {{"nearest", QT_TRANSLATE_NOOP("Settings", "Nearest")},
                                       {"bilinear", QT_TRANSLATE_NOOP("Settings", "Bilinear")},
                                       {"trilinear", QT_TRANSLATE_NOOP("Settings", "Bilinear with mipmaps")}};
+constexpr Choice kAlphaTests[] = {{"on", QT_TRANSLATE_NOOP("Settings", "On")},
+                                  {"off", QT_TRANSLATE_NOOP("Settings", "Off")}};
 constexpr Choice kSimds[] = {{"auto", QT_TRANSLATE_NOOP("Settings", "Best available")},
                              {"scalar", QT_TRANSLATE_NOOP("Settings", "Scalar")},
                              {"sse4", "SSE4"},
@@ -212,6 +214,11 @@ constexpr SettingsField kFields[] = {
         QT_TRANSLATE_NOOP("Settings",
                           "The nearest texel, a blend of the four around the point, or such blends in mipmaps: "
                           "smaller copies of the texture that keep distant patterns calm.")),
+    choice<&S::alphaTest>(
+        "alpha-test", Stage::Shade, kAlphaTests, QT_TRANSLATE_NOOP("Settings", "Alpha test"),
+        QT_TRANSLATE_NOOP("Settings",
+                          "Where a texture with transparency is less than half opaque, the face has a hole: nothing "
+                          "is drawn there, and no depth is written. Textures without transparency have none.")),
     integer<&S::threads>(
         "threads", Stage::Image, 0, 256, QT_TRANSLATE_NOOP("Settings", "Threads"),
         QT_TRANSLATE_NOOP("Settings", "Threads of the tiled algorithm; 0 takes as many as the machine has.")),
@@ -318,7 +325,8 @@ struct Reader {
                 errors.push_back({QT_TRANSLATE_NOOP("Diagnostic", "\"view\" has no key \"%1\" of this kind"), {key}});
         }
         if (view.near && view.far && !(*view.near < *view.far))
-            errors.emplace_back(QT_TRANSLATE_NOOP("Diagnostic", "\"near\" must be smaller than \"far\""));
+            errors.push_back({QT_TRANSLATE_NOOP("Diagnostic", "\"near\" (%1) must be smaller than \"far\" (%2)"),
+                              {QString::number(*view.near), QString::number(*view.far)}});
     }
 
     void mistakes(const QJsonValue& value, QStringList& out)

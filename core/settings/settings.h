@@ -35,6 +35,7 @@ enum class TieRule { TopLeft, Inclusive, Exclusive };
 enum class Samples { One, Grid2, Grid3, Grid4 };
 enum class Shading { Gouraud, Flat, RandomFlat, Texture, Phong, Depth, Normals, Uv, Overdraw, TriangleId };
 enum class TextureFilter { Nearest, Bilinear, Trilinear };
+enum class AlphaTest { On, Off };
 enum class Simd { Auto, Scalar, Sse4, Avx2, Avx512, Neon };
 
 /// Pixels [x, x + width) x [y, y + height), origin top left.
@@ -91,6 +92,7 @@ struct Settings {
     Samples samples = Samples::One;
     Shading shading = Shading::Gouraud;
     TextureFilter textureFilter = TextureFilter::Nearest;
+    AlphaTest alphaTest = AlphaTest::On;
     Simd simd = Simd::Auto;
     int threads = 0;      ///< 0 = as many as the machine has
     QStringList mistakes; ///< ids of the mistake table, each once, in the order they were switched on

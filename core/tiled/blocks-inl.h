@@ -7,8 +7,8 @@
 #endif
 
 #include "core/tiled/exact_path.h"
+#include "core/tiled/frame_job.h"
 #include "core/tiled/gouraud-inl.h"
-#include "core/tiled/kernels.h"
 #include "core/tiled/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/tiled/kernels.h"
+#include "core/tiled/frame_job.h"
 #include "core/tiled/thread_pool.h"
 
 #include <memory>

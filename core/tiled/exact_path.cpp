@@ -2,6 +2,7 @@
 
 #include "core/pipeline/depth_test.h"
 #include "core/pipeline/interpolation.h"
+#include "core/pipeline/mask_test.h"
 #include "core/pipeline/shading.h"
 #include "core/pipeline/triangle_setup.h"
 #include "core/pipeline/vertex_stage.h"
@@ -91,6 +92,7 @@ void coverExactly(const FrameJob& job, const ScreenTriangle& piece, std::uint32_
         return;
     const auto& [a, b, c] = piece.vertices;
     const FaceInterpolation interpolation(piece, twiceArea(a.position, b.position, c.position), job.rules);
+    const MaskTest mask = maskTest(*job.scene, piece.face, job.rules);
     const PixelRect& box = setup->bounds;
     const int yEnd = std::min({box.y + box.height, origin.y + job.grid.pitch, job.rules.rows()});
     const int xEnd = std::min({box.x + box.width, origin.x + job.grid.pitch, job.rules.columns()});
@@ -104,8 +106,11 @@ void coverExactly(const FrameJob& job, const ScreenTriangle& piece, std::uint32_
             const auto inside = [&](const EdgeFunction<std::int64_t>& e) { return e.at(p) >= e.threshold; };
             if (!std::all_of(setup->edges.begin(), setup->edges.end(), inside))
                 continue;
+            const Weights screen = interpolation.weightsAt(x, y);
+            if (mask.mask != nullptr && isHole(mask, interpolation, screen, interpolation.perspective(screen)))
+                continue;
             const auto at = static_cast<std::size_t>(sampleIndex(x - origin.x, y - origin.y));
-            const double depth = interpolation.depthAt(x, y, interpolation.weightsAt(x, y));
+            const double depth = interpolation.depthAt(x, y, screen);
             const std::int32_t key = std::bit_cast<std::int32_t>(storedDepth(depth, job.rules.depthFormat)) ^ flip;
             const bool passed = key - handicap < samples.key[at];
             ++worker.pixels.covered;

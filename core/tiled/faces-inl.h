@@ -7,7 +7,7 @@
 #endif
 
 #include "core/tiled/exact_path.h"
-#include "core/tiled/kernels.h"
+#include "core/tiled/frame_job.h"
 #include "core/tiled/lanes-inl.h"
 #include "core/tiled/planes-inl.h"
 #include "core/tiled/setup-inl.h"
@@ -134,7 +134,7 @@ struct alignas(64) SetupLanes {
     std::uint32_t used;                                              ///< a bit for each lane whose bounds hold samples
     std::uint32_t alone;                                             ///< that lies in one tile
     std::uint32_t exact;                                             ///< that the fast path cannot draw everywhere
-    std::uint32_t needles;                                           ///< of these, those without a plane of depth
+    std::uint32_t needles; ///< of these, those that may leave samples out: without a plane of depth, or with holes
 
     [[nodiscard]] HWY_INLINE std::int32_t nearest(std::size_t lane) const
     {
@@ -263,7 +263,9 @@ HWY_INLINE void SetUpColors(const FrameJob& job, const Chunk& chunk, const Setup
         const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
         StageTexels(job, chunk, queue.source[at + lane], lane, stage);
     }
-    const TextureLanes textured = MakeTexelPlanes(job.rules, geometry, colors, stage, lanes.texels);
+    if (HWY_UNLIKELY(job.leavesTexels))
+        LeaveTexels(job, lanes.used, stage);
+    const TextureLanes textured = MakeTexelPlanes(job.rules, job.texelErrors, geometry, colors, stage, lanes.texels);
     MakeColorPlanes(job.rules, geometry, colors, lanes.used, anchorX, anchorY, &textured, lanes.colors);
 }
 
@@ -282,6 +284,20 @@ HWY_INLINE void SetUpPlanes(const FrameJob& job, Chunk& chunk, const SetupQueue&
     case Shading::Uv: setUp(std::integral_constant<std::size_t, kUvVaryings>()); break;
     default: break;
     }
+}
+
+/// The triangles that may have holes, a bit each.
+inline std::uint32_t LanesWithMasks(const FrameJob& job, const Chunk& chunk, const SetupQueue& queue, std::size_t at,
+                                    std::uint32_t lanes)
+{
+    std::uint32_t masked = 0;
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const int lane = std::countr_zero(lanes);
+        const std::uint32_t source = queue.source[at + static_cast<std::size_t>(lane)];
+        if (maskOfFace(*job.scene, faceOf(chunk, source)) != nullptr)
+            masked |= 1U << lane;
+    }
+    return masked;
 }
 
 /// Sets up a vector of triangles from the queue; `present`: a bit for each lane that holds one.
@@ -343,6 +359,8 @@ HWY_INLINE void SetUpLanes(const FrameJob& job, Chunk& chunk, const SetupQueue& 
     const Doubles depth = hn::Add(plane.origin, hn::Add(hn::Mul(plane.perX, wideX), hn::Mul(plane.perY, wideY)));
     hn::StoreInterleaved4(SourceAndBounds(queue, at, bounds), depth, plane.perX, plane.perY, wide, out.depth.data());
     out.needles = ~BitsOf(wide, plane.plane);
+    if (HWY_UNLIKELY(job.masked))
+        out.needles |= LanesWithMasks(job, chunk, queue, at, out.used);
     out.exact = BitsOf(tag, tooSteep) | out.needles;
 
     if (job.interpolates()) {

@@ -19,8 +19,6 @@ HWY_AFTER_NAMESPACE();
 #endif
 
 #if HWY_ONCE
-#include "core/tiled/kernels_scalar.h"
-
 #include <algorithm>
 
 namespace rasterlens::tiled

@@ -1,135 +1,11 @@
 #pragma once
-#include "core/pipeline/geometry.h"
-#include "core/pipeline/shading.h"
-#include "core/render/render.h"
-#include "core/tiled/tile_data.h"
+#include "core/tiled/frame_job.h"
 
-#include <array>
-#include <span>
+#include <cstddef>
+#include <cstdint>
 
 namespace rasterlens::tiled
 {
-
-/// Everything the stages of a frame read.
-struct FrameJob {
-    const Scene* scene = nullptr;
-    Rules rules;
-    Matrices matrices;
-    const FaceStages* stages = nullptr;    ///< for faces that need more than the fast path has
-    const Texture* plainTexture = nullptr; ///< of materials without
-    TileGrid grid;
-    Outputs outputs;
-    bool counting = false; ///< count samples: nothing hidden is skipped then
-    std::uint32_t clearColor = 0;
-    std::uint32_t emptyColor = 0; ///< of pixels no triangle covers
-    /// A tile each: whether its parts of picture and depths are known to be background all over.
-    std::uint8_t* blank = nullptr;
-    /// A vertex of the mesh each; null: every corner of a face is processed with it.
-    ScreenPoint* points = nullptr;
-    /// Likewise: colour, w of clip space; null where the mesh has both or nobody asks.
-    glm::vec4* colors = nullptr;
-    std::vector<Chunk>* chunks = nullptr;
-    std::uint32_t* color = nullptr; ///< the picture, row by row; null if not asked for, as the following
-    float* depth = nullptr;
-    std::int32_t* ids = nullptr;
-    std::uint16_t* coverage = nullptr;
-
-    [[nodiscard]] bool interpolates() const { return rules.varyingCount > 0; }
-    [[nodiscard]] bool interpolatesColor() const { return interpolates() && rules.shading == Shading::Gouraud; }
-    [[nodiscard]] bool hasTexels() const { return interpolates() && rules.shading == Shading::Texture; }
-    /// in   Material::texture
-    [[nodiscard]] const Texture& texture(std::int32_t place) const
-    {
-        return place >= 0 ? scene->textures[static_cast<std::size_t>(place)] : *plainTexture;
-    }
-    /// Whether vertices have lit colours; else their colours are as the mesh has them.
-    [[nodiscard]] bool lightsVertices() const
-    {
-        return scene->lit && (rules.shading == Shading::Gouraud || rules.shading == Shading::Texture);
-    }
-    [[nodiscard]] bool countsCoverage() const
-    {
-        return counting || outputs.coverage || rules.shading == Shading::Overdraw;
-    }
-    /// The depth test almost everybody asks for, and nobody counts what is covered.
-    [[nodiscard]] bool usualDepth() const
-    {
-        return rules.depthTested && rules.depthCompare == DepthCompare::Less &&
-               rules.depthFormat == DepthFormat::Float32 && !countsCoverage();
-    }
-    [[nodiscard]] bool depthOnly() const { return usualDepth() && color == nullptr && ids == nullptr; }
-    /// Whether nobody needs to know whose a sample is, but for its interpolated colour.
-    [[nodiscard]] bool colorsAtOnce() const
-    {
-        return usualDepth() && color != nullptr && ids == nullptr && interpolatesColor();
-    }
-};
-
-/// A triangle of the tile that won samples.
-struct VisibleTriangle {
-    std::uint32_t source;
-    const Chunk* chunk;
-    const void* varyings; ///< VaryingPlanes of shadings that have them; ColorPlanes of interpolated colours
-    FaceUniforms uniforms;
-};
-
-/// A block and the samples of it that a triangle won.
-struct BlockShare {
-    std::uint16_t block;
-    std::uint16_t lanes; ///< a bit each
-    std::uint32_t visible;
-};
-
-/// Triangles of a tile.
-struct TileBlock {
-    const BinBlock* bin;
-    const TexelBlock* texels;
-    const Chunk* chunk;
-    std::uint32_t count;
-};
-
-/// Texture coordinates of the triangles of a tile that some sample asked to have them precisely.
-struct PreciseTexels {
-    static constexpr std::size_t kCapacity = 32;
-    std::array<std::uint32_t, kCapacity> number; ///< of the triangle at this place, or kNobody
-    std::array<VaryingPlanes<2>, kCapacity> planes;
-};
-
-/// The memory one thread draws tiles with; kept from frame to frame.
-struct Worker {
-    TileSamples samples;
-    std::vector<TileBlock> blocks;        ///< of the tile, in the order of the faces
-    std::vector<std::uint32_t> visibleOf; ///< of a triangle of the tile
-    std::vector<VisibleTriangle> visible;
-    std::array<BlockShare, kTileSamples> shares; ///< as many as can be
-    std::size_t shareCount = 0;
-    std::uint32_t resolvedSubtiles = 0; ///< a bit each: their pixels have been written already
-    bool full = false;                  ///< every sample of the tile that is on the target has been won
-
-    PreciseTexels precise;
-
-    [[nodiscard]] std::span<const BlockShare> sharesInUse() const { return {shares.data(), shareCount}; }
-
-    Statistics::Pixels pixels;
-
-    /// Triangles of a tile are numbered block by block.
-    [[nodiscard]] const TileTriangle& triangle(std::uint32_t number) const
-    {
-        return blocks[number / BinBlock::kCapacity].bin->triangles[number % BinBlock::kCapacity];
-    }
-    [[nodiscard]] const ColorPlanes& colors(std::uint32_t number) const
-    {
-        return blocks[number / BinBlock::kCapacity].bin->colors[number % BinBlock::kCapacity];
-    }
-    [[nodiscard]] const TexelPlanes& texels(std::uint32_t number) const
-    {
-        return (*blocks[number / BinBlock::kCapacity].texels)[number % BinBlock::kCapacity];
-    }
-    [[nodiscard]] const Chunk& chunkOf(std::uint32_t number) const
-    {
-        return *blocks[number / BinBlock::kCapacity].chunk;
-    }
-};
 
 /// The stages that are written in vector instructions.
 struct Kernels {
@@ -143,5 +19,8 @@ struct Kernels {
 
 /// The instruction set Auto stands for on this machine; the others stand for themselves.
 [[nodiscard]] Simd simdFor(Simd simd);
+
+/// The kernels with vectors of one lane (kernels_scalar.cpp): what every other target must do, bit for bit.
+[[nodiscard]] const Kernels* scalarKernels();
 
 } // namespace rasterlens::tiled

@@ -1,5 +1,5 @@
 #define HWY_COMPILE_ONLY_SCALAR
-#include "core/tiled/kernels_scalar.h"
+#include "core/tiled/kernels.h"
 #include "core/tiled/tile-inl.h"
 
 namespace rasterlens::tiled

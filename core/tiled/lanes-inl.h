@@ -8,6 +8,7 @@
 
 #include "core/tiled/tile_data.h"
 
+#include <cmath>
 #include <cstring>
 #include <hwy/highway.h>
 
@@ -150,6 +151,18 @@ HWY_INLINE WideDoubles ToDoubles(Floats narrow)
 #else
     return {{hn::PromoteTo(DoubleTag(), hn::LowerHalf(HalfFloatTag(), narrow)),
              hn::PromoteTo(DoubleTag(), hn::UpperHalf(HalfFloatTag(), narrow))}};
+#endif
+}
+
+/// Whole numbers as integers. What no integer holds, also what is no number, becomes anything: only lanes that nobody
+/// wants may hold it. (hn::ConvertTo() of one lane is undefined there, and differs between targets.)
+HWY_INLINE Ints IntsOf(Floats whole)
+{
+#if HWY_TARGET == HWY_SCALAR
+    const float number = hn::GetLane(whole);
+    return hn::Set(IntTag(), std::abs(number) < 0x1p31F ? static_cast<std::int32_t>(number) : 0);
+#else
+    return hn::ConvertTo(IntTag(), whole);
 #endif
 }
 

@@ -59,7 +59,7 @@ HWY_INLINE Floats Exp2(Floats x)
                                            float(kLn * kLn * kLn * kLn * kLn * kLn / 720),
                                            float(kLn * kLn * kLn * kLn * kLn * kLn * kLn / 5040)};
     const Floats whole = hn::Round(x);
-    const Ints exponent = hn::Add(hn::ConvertTo(intTag, whole), hn::Set(intTag, 127));
+    const Ints exponent = hn::Add(IntsOf(whole), hn::Set(intTag, 127));
     return hn::Mul(Polynomial(hn::Sub(x, whole), kSeries), hn::BitCast(tag, hn::ShiftLeft<23>(exponent)));
 }
 

@@ -6,8 +6,11 @@
 #define RASTERLENS_TILED_PLANES_INL_H
 #endif
 
-#include "core/tiled/kernels.h"
+#include "core/tiled/frame_job.h"
 #include "core/tiled/lanes-inl.h"
+
+#include <bit>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
@@ -95,11 +98,20 @@ HWY_INLINE WeightLanes<Doubles> MakeWeights(const PlaneGeometry& g)
                        toSamples(g.toAnchorX), toSamples(g.toAnchorY), g.inverseArea);
 }
 
+/// Ratios of w that are numbers: 0 / 0 is none, and minima of it differ between instruction sets.
+HWY_INLINE hn::Mask<DoubleTag> AreNumbers(const std::array<Doubles, 3>& ratios)
+{
+    const Doubles sum = hn::Add(ratios[1], ratios[2]);
+    return hn::Eq(sum, sum);
+}
+
 struct ColorLanes3 {
     std::array<std::array<HalfFloats, 3>, 3> channel; ///< of corner k: red, green, blue
     std::array<HalfFloats, 3> w;
-    HalfFloats lowest, highest; ///< of the channels
-    HalfFloats range;           ///< most that a channel differs between two corners
+    /// The largest bits of the channels: those of 1 at most if all lie between 0 and 1. What is negative or no number
+    /// has larger ones, and no instruction set loses it on the way, as minima and maxima of floats may.
+    hn::Vec<hn::RebindToUnsigned<HalfIntTag>> bits;
+    HalfFloats range; ///< most that a channel differs between two corners
 };
 
 HWY_INLINE ColorLanes3 LoadColors(const CornerColors& colors)
@@ -109,15 +121,18 @@ HWY_INLINE ColorLanes3 LoadColors(const CornerColors& colors)
     for (std::size_t k = 0; k < 3; ++k)
         hn::LoadInterleaved4(tag, &colors.lanes[k][0].x, out.channel[k][0], out.channel[k][1], out.channel[k][2],
                              out.w[k]);
-    out.lowest = out.highest = out.channel[0][0];
-    out.range = hn::Zero(tag);
-    for (std::size_t i = 0; i < 3; ++i) {
+    const auto rangeOf = [&](std::size_t i) HWY_ATTR {
         const HalfFloats high = hn::Max(hn::Max(out.channel[0][i], out.channel[1][i]), out.channel[2][i]);
         const HalfFloats low = hn::Min(hn::Min(out.channel[0][i], out.channel[1][i]), out.channel[2][i]);
-        out.range = hn::Max(out.range, hn::Sub(high, low));
-        out.lowest = hn::Min(out.lowest, low);
-        out.highest = hn::Max(out.highest, high);
-    }
+        return hn::Sub(high, low);
+    };
+    const auto bitsOf = [&](std::size_t i) HWY_ATTR {
+        const auto bits = [&](std::size_t k)
+                              HWY_ATTR { return hn::BitCast(hn::RebindToUnsigned<HalfIntTag>(), out.channel[k][i]); };
+        return hn::Max(hn::Max(bits(0), bits(1)), bits(2));
+    };
+    out.range = hn::Max(hn::Max(rangeOf(0), rangeOf(1)), rangeOf(2));
+    out.bits = hn::Max(hn::Max(bitsOf(0), bitsOf(1)), bitsOf(2));
     return out;
 }
 
@@ -131,7 +146,9 @@ HWY_INLINE hn::Mask<HalfFloatTag> ColorsAreAffine(const Rules& rules, const Colo
     constexpr HalfFloatTag tag;
     constexpr float kSteps = 0.5F; // of 255
     constexpr float kEnough = 1 << 10;
-    const auto plain = hn::And(hn::Ge(colors.lowest, hn::Zero(tag)), hn::Le(colors.highest, hn::Set(tag, 1.0F)));
+    constexpr hn::RebindToUnsigned<HalfIntTag> unsignedTag;
+    const auto bitsOfOne = hn::Set(unsignedTag, std::bit_cast<std::uint32_t>(1.0F));
+    const auto plain = hn::RebindMask(tag, hn::Eq(hn::Max(colors.bits, bitsOfOne), bitsOfOne));
     const auto precise = hn::And(plain, hn::Lt(steepness, hn::Set(tag, kEnough)));
     if (!rules.perspectiveCorrect)
         return precise;
@@ -139,7 +156,7 @@ HWY_INLINE hn::Mask<HalfFloatTag> ColorsAreAffine(const Rules& rules, const Colo
     const HalfFloats high = hn::Max(hn::Max(a, b), c);
     const HalfFloats low = hn::Min(hn::Min(a, b), c);
     const HalfFloats error = hn::Mul(colors.range, hn::Mul(hn::Sub(high, low), hn::Set(tag, 255.0F / 4)));
-    return hn::And(precise, hn::Le(error, hn::Mul(low, hn::Set(tag, kSteps))));
+    return hn::And(precise, hn::Lt(error, hn::Mul(low, hn::Set(tag, kSteps)))); // never where all w are 0
 }
 
 /// Planes in registers: 1/w, then the channels.
@@ -220,12 +237,22 @@ inline HalfInts MakePerspective(const Rules& rules, const PlaneGeometry& g, cons
     // float32 keeps 24 bits of the largest term of a sum; what is left of them after the terms cancel and after the
     // division by w must be enough for a colour.
     constexpr double kEnough = 1 << 12;
-    const HalfFloats largest = hn::Max(hn::Max(colors.highest, hn::Neg(colors.lowest)), hn::Set(HalfFloatTag(), 1.0F));
+    HalfFloats largest = hn::Set(HalfFloatTag(), 1.0F);
+    HalfFloats sum = hn::Zero(HalfFloatTag()); // of what is no number it is none
+    for (const auto& corner : colors.channel)
+        for (const HalfFloats channel : corner) {
+            largest = hn::Max(largest, hn::Abs(channel));
+            sum = hn::Add(sum, hn::Abs(channel));
+        }
+    const auto finite = hn::Lt(sum, hn::Set(HalfFloatTag(), std::numeric_limits<float>::max()));
     const Doubles smallest = hn::Min(hn::Min(q[0], q[1]), q[2]); // not positive: unclipped, 1/w may cancel altogether
     const Doubles ratio = hn::Div(hn::Max(hn::Max(q[0], q[1]), q[2]), smallest);
     const Doubles cancelled = hn::Mul(weights.steepness, hn::Mul(ratio, hn::PromoteTo(tag, largest)));
+    const auto numbers = AreNumbers(q);
     const std::uint32_t precise =
-        BitsOf(tag, hn::And(hn::Gt(smallest, hn::Zero(tag)), hn::Lt(cancelled, hn::Set(tag, kEnough))));
+        BitsOf(HalfFloatTag(), finite) &
+        BitsOf(tag,
+               hn::And(numbers, hn::And(hn::Gt(smallest, hn::Zero(tag)), hn::Lt(cancelled, hn::Set(tag, kEnough)))));
     const auto way = [](ColorWay w) HWY_ATTR { return hn::Set(HalfIntTag(), static_cast<std::int32_t>(w)); };
     const HalfInts other =
         hn::IfThenElse(MaskOf(HalfIntTag(), precise), way(ColorWay::Perspective), way(ColorWay::Exact));

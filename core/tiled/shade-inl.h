@@ -9,8 +9,8 @@
 
 #include "core/pipeline/shading.h"
 #include "core/tiled/exact_path.h"
+#include "core/tiled/frame_job.h"
 #include "core/tiled/gouraud-inl.h"
-#include "core/tiled/kernels.h"
 #include "core/tiled/lanes-inl.h"
 #include "core/tiled/shaders-inl.h"
 #include "core/tiled/subtile-inl.h"

@@ -8,10 +8,12 @@
 #endif
 
 #include "core/pipeline/shading.h"
+#include "core/tiled/frame_job.h"
 #include "core/tiled/gouraud-inl.h"
-#include "core/tiled/kernels.h"
 #include "core/tiled/texture-inl.h"
 #include "core/tiled/varyings-inl.h"
+
+#include <cmath>
 
 HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
@@ -38,6 +40,8 @@ template <std::size_t kCount>
 HWY_INLINE bool HasTexels(const ShaderLanes<kCount>& lanes)
 {
     const Texture& texture = *lanes.triangle.uniforms.texture;
+    if (texture.clamp)
+        return false;
     return lanes.all(
         hn::And(InReach(lanes.at(kVaryingUv), texture.width), InReach(lanes.at(kVaryingUv + 1), texture.height)));
 }
@@ -69,7 +73,7 @@ struct UvShader {
     HWY_INLINE bool Can(const ShaderLanes<kVaryings>& lanes) const
     {
         const auto certain = [](Floats c) HWY_ATTR {
-            const auto fine = hn::Le(hn::Abs(c), hn::Set(FloatTag(), 0x1p13F));
+            const auto fine = hn::Le(hn::Abs(c), hn::Set(FloatTag(), 0x1p10F));
             return hn::And(fine, hn::Gt(hn::Abs(hn::Sub(c, hn::Round(c))), hn::Set(FloatTag(), 0x1p-10F)));
         };
         return lanes.all(hn::And(certain(lanes.at(0)), certain(lanes.at(1))));
@@ -130,7 +134,10 @@ struct PhongShader {
         const VectorLanes toEye = ToEye(lanes);
         const auto directed = hn::And(hn::And(HaveDirection(lanes.vectorAt(kVaryingNormal)), HaveDirection(toEye)),
                                       HaveDirection(Add(toLight, Normalize(toEye))));
-        return lanes.triangle.uniforms.material->shininess >= 1 && lanes.all(directed);
+        const Material& material = *lanes.triangle.uniforms.material;
+        const float specular = material.specular.x + material.specular.y + material.specular.z;
+        return material.shininess >= 1 && std::isfinite(material.shininess) && std::isfinite(specular) &&
+               lanes.all(directed);
     }
 
     HWY_INLINE RgbLanes operator()(const ShaderLanes<kVaryings>& lanes) const

@@ -7,10 +7,12 @@
 #define RASTERLENS_TILED_TEXELS_INL_H
 #endif
 
-#include "core/tiled/kernels.h"
+#include "core/tiled/frame_job.h"
 #include "core/tiled/lanes-inl.h"
 #include "core/tiled/planes-inl.h"
 #include "core/tiled/setup-inl.h"
+
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
@@ -42,6 +44,16 @@ HWY_INLINE void StageTexels(const FrameJob& job, const Chunk& chunk, std::uint32
     const Texture& texture = job.texture(stage.texture[lane]);
     stage.width[lane] = texture.width;
     stage.height[lane] = texture.height;
+}
+
+/// Where the fast way may not count texels: coordinates that are no numbers are left to the precise way.
+inline void LeaveTexels(const FrameJob& job, std::uint32_t lanes, TexelStage& stage)
+{
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+        if (!fastTexels(job.texture(stage.texture[lane])))
+            stage.uv[0][lane] = glm::vec2(std::numeric_limits<float>::quiet_NaN());
+    }
 }
 
 /// Planes as their records hold them, lane after lane.
@@ -135,9 +147,10 @@ struct TexelAxis {
 ///        4 e M (coefficients, products, two sums), so the quotient by 4 e w (M_u + M_q U) and, its own roundings,
 ///        2 e U. 1/w of cut triangles is rounded before: another 4 e U. The scalar stages round the coordinate T they
 ///        count from the first texel to float32: e T. `error` has a quarter more for terms of second order, and is
-///        meant for values below 1/2, where the computed 1/w is then positive too (1 + U instead of U).
+///        meant for values below 1/2, where the computed 1/w is then positive too (1 + U instead of U). The rule of
+///        borders is taken at one corner: AxisErrors tells what that adds.
 HWY_INLINE TexelAxis MakeTexelAxis(const PlaneMaker& make, const InverseW& q, const std::array<HalfFloats, 3>& corner,
-                                   Doubles texels)
+                                   Doubles texels, const AxisErrors& errors)
 {
     constexpr DoubleTag tag;
     const auto set = [](double value) HWY_ATTR { return hn::Set(DoubleTag(), value); };
@@ -146,7 +159,8 @@ HWY_INLINE TexelAxis MakeTexelAxis(const PlaneMaker& make, const InverseW& q, co
         at[k] = hn::Mul(hn::PromoteTo(tag, corner[k]), texels);
     const Doubles fromFirst = Max3(hn::Abs(at[0]), hn::Abs(at[1]), hn::Abs(at[2]));
     const Doubles whole = hn::Floor(at[0]);
-    const Doubles origin = hn::Add(whole, set(0.5));
+    const Doubles border = hn::MulAdd(hn::Abs(at[0]), set(errors.borderShare), set(errors.borderReach - 0.5));
+    const Doubles origin = hn::Sub(whole, border);
     for (Doubles& a : at)
         a = hn::Sub(a, origin);
     const Doubles largest = Max3(hn::Abs(at[0]), hn::Abs(at[1]), hn::Abs(at[2]));
@@ -156,7 +170,8 @@ HWY_INLINE TexelAxis MakeTexelAxis(const PlaneMaker& make, const InverseW& q, co
     axis.plane = make(at);
     axis.first = hn::Sub(whole, hn::Mul(hn::Floor(hn::Div(whole, texels)), texels));
     const Doubles terms = hn::Add(axis.plane.largest, hn::Mul(q.plane.largest, hn::Add(largest, hn::Set(tag, 1.0))));
-    const Doubles roundings = hn::Add(hn::Mul(set(8), largest), hn::Add(hn::Mul(set(2), fromFirst), set(2)));
+    const Doubles roundings = hn::Add(hn::Mul(set(errors.perLargest), largest),
+                                      hn::Add(hn::Mul(set(errors.perCoordinate), fromFirst), set(errors.always)));
     axis.error = hn::Mul(set(0x1p-24), hn::Add(hn::Mul(hn::Mul(set(5), q.highestW), terms), roundings));
     return axis;
 }
@@ -164,8 +179,8 @@ HWY_INLINE TexelAxis MakeTexelAxis(const PlaneMaker& make, const InverseW& q, co
 /// Planes of one vector of triangles.
 ///
 /// out  what goes with the colours
-HWY_INLINE TextureLanes MakeTexelPlanes(const Rules& rules, const PlaneGeometry& g, const CornerColors& corners,
-                                        const TexelStage& stage, TexelPlaneLanes& out)
+HWY_INLINE TextureLanes MakeTexelPlanes(const Rules& rules, const AxisErrors& errors, const PlaneGeometry& g,
+                                        const CornerColors& corners, const TexelStage& stage, TexelPlaneLanes& out)
 {
     constexpr DoubleTag tag;
     constexpr HalfFloatTag narrow;
@@ -177,13 +192,12 @@ HWY_INLINE TextureLanes MakeTexelPlanes(const Rules& rules, const PlaneGeometry&
         hn::LoadInterleaved2(narrow, &stage.uv[k][0].x, us[k], vs[k]);
     const HalfInts width = hn::Load(ints, stage.width.data());
     const HalfInts height = hn::Load(ints, stage.height.data());
-    const TexelAxis u = MakeTexelAxis(make, q, us, hn::PromoteTo(tag, width));
-    const TexelAxis v = MakeTexelAxis(make, q, vs, hn::PromoteTo(tag, height));
+    const TexelAxis u = MakeTexelAxis(make, q, us, hn::PromoteTo(tag, width), errors);
+    const TexelAxis v = MakeTexelAxis(make, q, vs, hn::PromoteTo(tag, height), errors);
 
     const Doubles half = hn::Set(tag, 0.5);
     const Doubles error = hn::IfThenElse(hn::Lt(u.error, v.error), v.error, u.error); // what is no number stays so
-    const auto counted = hn::Le(hn::PromoteTo(tag, hn::Max(width, height)), hn::Set(tag, double(kMostTexels)));
-    const auto known = hn::And(hn::And(hn::Lt(u.error, half), hn::Lt(v.error, half)), hn::And(q.precise, counted));
+    const auto known = hn::And(hn::And(hn::Lt(u.error, half), hn::Lt(v.error, half)), q.precise);
     const Doubles certain = hn::IfThenElse(known, hn::Sub(half, error), hn::Set(tag, -1.0));
     const auto firstOf = [&](const TexelAxis& axis)
                              HWY_ATTR { return hn::DemoteTo(ints, hn::IfThenElseZero(known, axis.first)); };

@@ -7,6 +7,7 @@
 #endif
 
 #include "core/scene/scene.h"
+#include "core/scene/texel_border.h"
 #include "core/tiled/lanes-inl.h"
 #include "core/tiled/math-inl.h"
 
@@ -58,24 +59,27 @@ HWY_INLINE hn::Mask<FloatTag> InReach(Floats coordinate, int size)
                    hn::Lt(distance, hn::Set(tag, 0x1p30F / static_cast<float>(size))));
 }
 
+/// texelFloor(), operation by operation.
+HWY_INLINE Floats TexelFloor(Floats texels)
+{
+    constexpr FloatTag tag;
+    const Floats border = hn::Add(hn::Mul(hn::Abs(texels), hn::Set(tag, kBorderShare)), hn::Set(tag, kBorderReach));
+    return hn::Floor(hn::Add(texels, border));
+}
+
 /// The texel along an axis that holds the point.
-///
-/// exact  products with a power of two are; with other sizes they are in double
 HWY_INLINE Ints NearestTexel(Floats coordinate, int size)
 {
     constexpr FloatTag tag;
     constexpr IntTag intTag;
-    if (std::has_single_bit(static_cast<unsigned>(size))) {
-        const Floats texel = hn::Floor(hn::Mul(coordinate, hn::Set(tag, static_cast<float>(size))));
-        return hn::And(hn::ConvertTo(intTag, texel), hn::Set(intTag, size - 1));
-    }
+    const Floats whole = TexelFloor(hn::Mul(coordinate, hn::Set(tag, static_cast<float>(size))));
+    if (std::has_single_bit(static_cast<unsigned>(size)))
+        return hn::And(IntsOf(whole), hn::Set(intTag, size - 1));
     constexpr DoubleTag wideTag;
     const Doubles sizes = hn::Set(wideTag, size);
-    WideDoubles wide = ToDoubles(coordinate);
-    for (Doubles& part : wide.part) {
-        const Doubles texel = hn::Floor(hn::Mul(part, sizes));
-        part = hn::Sub(texel, hn::Mul(hn::Floor(hn::Div(texel, sizes)), sizes));
-    }
+    WideDoubles wide = ToDoubles(whole);
+    for (Doubles& part : wide.part)
+        part = hn::Sub(part, hn::Mul(hn::Floor(hn::Div(part, sizes)), sizes));
     return ToInts(wide);
 }
 
@@ -98,15 +102,14 @@ struct AxisLanes {
 HWY_INLINE AxisLanes NeighboursOf(Floats coordinate, Floats size)
 {
     constexpr FloatTag tag;
-    constexpr IntTag intTag;
     const Floats one = hn::Set(tag, 1.0F);
     const Floats zero = hn::Zero(tag);
     const Floats repeat = hn::Sub(coordinate, hn::Floor(coordinate));
     const Floats at = hn::Sub(hn::Mul(repeat, size), hn::Set(tag, 0.5F));
     const Floats left = hn::Floor(at);
     const Floats right = hn::Add(left, one);
-    return {hn::ConvertTo(intTag, hn::IfThenElse(hn::Lt(left, zero), hn::Sub(size, one), left)),
-            hn::ConvertTo(intTag, hn::IfThenElse(hn::Lt(right, size), right, zero)), hn::Sub(at, left)};
+    return {IntsOf(hn::IfThenElse(hn::Lt(left, zero), hn::Sub(size, one), left)),
+            IntsOf(hn::IfThenElse(hn::Lt(right, size), right, zero)), hn::Sub(at, left)};
 }
 
 /// The wanted lanes' blends of four texels.
@@ -174,10 +177,10 @@ HWY_INLINE RgbLanes SampleTrilinear(const Texture& texture, Floats u, Floats v, 
 {
     constexpr FloatTag tag;
     constexpr IntTag intTag;
-    const MipLevels& mips = texture.mips.of(texture);
+    const MipLevels& mips = texture.mipLevels();
     const Ints last = hn::Set(intTag, static_cast<std::int32_t>(mips.levels.size()) - 1);
     const Floats level = hn::IfThenElseZero(wanted, hn::Min(mipLevel, hn::ConvertTo(tag, last)));
-    const Ints finer = hn::ConvertTo(intTag, level);
+    const Ints finer = IntsOf(level);
     const Ints coarser = hn::Min(hn::Add(finer, hn::Set(intTag, 1)), last);
     constexpr int kStride = sizeof(MipLevels::Level) / sizeof(std::int32_t);
     const auto sample = [&](Ints which) HWY_ATTR {

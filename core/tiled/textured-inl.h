@@ -9,8 +9,8 @@
 #include "core/tiled/blocks-inl.h"
 #include "core/tiled/exact_path.h"
 #include "core/tiled/factors-inl.h"
+#include "core/tiled/frame_job.h"
 #include "core/tiled/gouraud-inl.h"
-#include "core/tiled/kernels.h"
 #include "core/tiled/texels-inl.h"
 #include "core/tiled/texture-inl.h"
 #include "core/tiled/tile_output.h"
@@ -94,7 +94,7 @@ HWY_INLINE Ints WrapTexel(const RoundedLanes& at, int first, int size)
     constexpr FloatTag tag;
     const Floats sizes = hn::Set(tag, static_cast<float>(size));
     const Floats texel = hn::Add(at.floats(), hn::Set(tag, static_cast<float>(first)));
-    return hn::ConvertTo(IntTag(), hn::Sub(texel, hn::Mul(hn::Floor(hn::Div(texel, sizes)), sizes)));
+    return IntsOf(hn::Sub(texel, hn::Mul(hn::Floor(hn::Div(texel, sizes)), sizes)));
 }
 
 /// A texture, and how its texels are counted.
@@ -149,7 +149,7 @@ struct TexturedLanes {
     RgbLanes factors;
 };
 
-/// Coordinates of samples in double, and which of the lanes can be counted.
+/// Coordinates of samples in double, and which of the lanes can be counted; those of the others are 0.
 struct PreciseUv {
     Floats u, v, level;
     hn::Mask<FloatTag> found;
@@ -163,8 +163,10 @@ HWY_NOINLINE inline PreciseUv FindPrecisely(const FrameJob& job, Worker& worker,
     const VaryingLanes<kUvVaryings> at = VaryingsAt(planes, place.x(), place.y(), vector);
     const auto [u, v] = at.value;
     const Floats level = MipLevel(texture, GradientOf(planes, 0, u, v, at.w));
-    const auto found = hn::And(InReach(u, texture.width), InReach(v, texture.height));
-    return {u, v, level, planes.exact ? MaskOf(FloatTag(), 0) : found};
+    const bool counted = !planes.exact && !texture.clamp;
+    const auto inReach = hn::And(InReach(u, texture.width), InReach(v, texture.height));
+    const auto found = counted ? inReach : MaskOf(FloatTag(), 0);
+    return {hn::IfThenElseZero(found, u), hn::IfThenElseZero(found, v), hn::IfThenElseZero(found, level), found};
 }
 
 /// The samples of one triangle in a block.
@@ -479,9 +481,10 @@ private:
             if constexpr (kFilter == TextureFilter::Nearest) {
                 lanes.place = hn::Load(IntTag(), m_texel.data() + at);
             } else {
-                lanes.u = hn::Load(tag, m_u.data() + at);
-                lanes.v = hn::Load(tag, m_v.data() + at);
-                lanes.level = hn::Load(tag, m_level.data() + at);
+                lanes.u = hn::MaskedLoad(wanted, tag, m_u.data() + at); // of the others nothing was written
+                lanes.v = hn::MaskedLoad(wanted, tag, m_v.data() + at);
+                if constexpr (kFilter == TextureFilter::Trilinear)
+                    lanes.level = hn::MaskedLoad(wanted, tag, m_level.data() + at);
             }
             hn::BlendedStore(ColorsOf<kFilter>(texture, lanes, wanted), hn::RebindMask(UintTag(), wanted), UintTag(),
                              m_out + at);

@@ -2,9 +2,11 @@
 
 #include "core/base/stopwatch.h"
 #include "core/pipeline/framebuffer.h"
+#include "core/pipeline/rules_for.h"
 #include "core/pipeline/shading.h"
 #include "core/scene/camera.h"
 #include "core/tiled/context.h"
+#include "core/tiled/kernels.h"
 
 #include <algorithm>
 #include <new>
@@ -223,12 +225,16 @@ void drawFrame(const Scene& scene, const Settings& settings, Frame& frame, Outpu
     FrameJob job;
     job.scene = &scene;
     job.rules = rulesFor(scene, settings);
-    if (!outputs.picture)
+    job.shadingVaryings = outputs.picture ? varyingCount(settings.shading) : 0;
+    if (!outputs.picture && job.rules.maskUv < 0)
         job.rules.varyingCount = 0; // nothing is shaded
+    job.texelErrors = axisErrors(job.rules.textureFilter);
+    job.masked = job.rules.maskUv >= 0;
+    job.leavesTexels = !std::ranges::all_of(scene.textures, fastTexels);
     job.matrices = cameraMatrices(scene, settings);
     const FaceStages stages(scene, job.matrices, job.rules);
     job.stages = &stages;
-    job.plainTexture = &checkerTexture();
+    job.plainTexture = &plainTexture(scene);
     job.grid = tileGrid(job.rules);
     job.outputs = outputs;
     job.counting = statistics != nullptr;

@@ -1,7 +1,8 @@
 #pragma once
+#include "core/pipeline/frame.h"
 #include "core/pipeline/statistics.h"
 #include "core/rasterizers/registry.h"
-#include "core/render/render.h"
+#include "core/scene/scene.h"
 
 #include <stop_token>
 

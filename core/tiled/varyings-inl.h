@@ -6,7 +6,7 @@
 #define RASTERLENS_TILED_VARYINGS_INL_H
 #endif
 
-#include "core/tiled/kernels.h"
+#include "core/tiled/frame_job.h"
 #include "core/tiled/lanes-inl.h"
 #include "core/tiled/planes-inl.h"
 #include "core/tiled/texture-inl.h"
@@ -99,7 +99,7 @@ HWY_INLINE void MakeVaryingPlanes(const Rules& rules, const PlaneGeometry& g, co
     const Doubles ratio = hn::Div(hn::Max(hn::Max(q[0], q[1]), q[2]), smallest);
     const auto precise =
         hn::And(hn::Gt(smallest, hn::Zero(tag)), hn::Lt(hn::Mul(weights.steepness, ratio), hn::Set(tag, kEnough)));
-    const std::uint32_t good = BitsOf(tag, hn::And(moderate, precise));
+    const std::uint32_t good = BitsOf(tag, hn::And(hn::And(moderate, precise), AreNumbers(q)));
     alignas(32) std::array<std::int32_t, kDoubles> x0, y0;
     hn::Store(anchorX, HalfIntTag(), x0.data());
     hn::Store(anchorY, HalfIntTag(), y0.data());

@@ -8,7 +8,7 @@
 
 #include "core/pipeline/shading.h"
 #include "core/tiled/exact_path.h"
-#include "core/tiled/kernels.h"
+#include "core/tiled/frame_job.h"
 #include "core/tiled/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -97,8 +97,8 @@ HWY_INLINE void ColorVertices(const FrameJob& job, const float* floats, HalfInts
     const HalfFloats dot = hn::Add(
         hn::Add(hn::Mul(load(kNormal), hn::Set(tag, light.x)), hn::Mul(load(kNormal + 1), hn::Set(tag, light.y))),
         hn::Mul(load(kNormal + 2), hn::Set(tag, light.z)));
-    const HalfFloats lit =
-        hn::Add(hn::Set(tag, kAmbient), hn::Mul(hn::Set(tag, kDiffuse), hn::Max(dot, hn::Zero(tag))));
+    const HalfFloats lit = hn::Add(
+        hn::Set(tag, kAmbient), hn::Mul(hn::Set(tag, kDiffuse), hn::IfThenElseZero(hn::Gt(dot, hn::Zero(tag)), dot)));
     const HalfFloats strength = job.lightsVertices() ? lit : hn::Set(tag, 1.0F);
     alignas(64) std::array<std::array<float, kDoubles>, 4> color;
     for (std::size_t k = 0; k < 3; ++k)

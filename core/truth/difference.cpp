@@ -23,14 +23,16 @@ struct ChannelSteps {
     int red;
     int green;
     int blue;
-    [[nodiscard]] int max() const { return std::max({red, green, blue}); }
-    [[nodiscard]] int sum() const { return red + green + blue; }
-    [[nodiscard]] int sumOfSquares() const { return red * red + green * green + blue * blue; }
+    int alpha; ///< 0 for opaque pictures
+    [[nodiscard]] int max() const { return std::max({red, green, blue, alpha}); }
+    [[nodiscard]] int sum() const { return red + green + blue + alpha; }
+    [[nodiscard]] int sumOfSquares() const { return red * red + green * green + blue * blue + alpha * alpha; }
 };
 
 ChannelSteps steps(QRgb a, QRgb b)
 {
-    return {std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)), std::abs(qBlue(a) - qBlue(b))};
+    return {std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)), std::abs(qBlue(a) - qBlue(b)),
+            std::abs(qAlpha(a) - qAlpha(b))};
 }
 
 double psnrDb(std::uint64_t sumOfSquares, std::uint64_t channels)
@@ -59,15 +61,19 @@ QImage checked(QImage image)
     return image;
 }
 
-QImage rgb32(const QImage& image) { return checked(image.convertToFormat(QImage::Format_RGB32)); }
+/// Four bytes a pixel; opaque where alpha is not asked for.
+QImage comparable(const QImage& image, Channels channels)
+{
+    return checked(image.convertToFormat(channels == Channels::Rgba ? QImage::Format_ARGB32 : QImage::Format_RGB32));
+}
 
 } // namespace
 
-Difference difference(const QImage& a, const QImage& b)
+Difference difference(const QImage& a, const QImage& b, Channels channels)
 {
     assert(a.size() == b.size());
-    const QImage left = rgb32(a);
-    const QImage right = rgb32(b);
+    const QImage left = comparable(a, channels);
+    const QImage right = comparable(b, channels);
     Difference result;
     std::uint64_t sum = 0;
     std::uint64_t sumOfSquares = 0;
@@ -80,19 +86,19 @@ Difference difference(const QImage& a, const QImage& b)
             sumOfSquares += static_cast<std::uint64_t>(pixel.sumOfSquares());
         }
     result.pixels = static_cast<std::uint64_t>(left.width()) * static_cast<std::uint64_t>(left.height());
-    const std::uint64_t channels = 3 * result.pixels;
-    result.mean = channels == 0 ? 0 : static_cast<double>(sum) / static_cast<double>(channels);
-    result.psnrDb = psnrDb(sumOfSquares, channels);
+    const std::uint64_t count = (channels == Channels::Rgba ? 4 : 3) * result.pixels;
+    result.mean = count == 0 ? 0 : static_cast<double>(sum) / static_cast<double>(count);
+    result.psnrDb = psnrDb(sumOfSquares, count);
     return result;
 }
 
 std::span<const HeatClass> heatScale() { return kHeatScale; }
 
-QImage heatMap(const QImage& a, const QImage& b, int amplification)
+QImage heatMap(const QImage& a, const QImage& b, int amplification, Channels channels)
 {
     assert(a.size() == b.size());
-    const QImage left = rgb32(a);
-    const QImage right = rgb32(b);
+    const QImage left = comparable(a, channels);
+    const QImage right = comparable(b, channels);
     QImage heat = checked(QImage(left.size(), QImage::Format_RGB32));
     for (int y = 0; y < heat.height(); ++y) {
         auto* out = reinterpret_cast<QRgb*>(heat.scanLine(y));

@@ -7,7 +7,11 @@
 namespace rasterlens
 {
 
-/// How far two pictures are from each other. A channel is red, green or blue in 8-bit steps; alpha is not looked at.
+/// What of two pictures is compared.
+enum class Channels { Rgb, Rgba };
+
+/// How far two pictures are from each other. A channel is red, green, blue, or alpha where it is asked for, in 8-bit
+/// steps.
 struct Difference {
     std::uint64_t pixels = 0;    ///< compared
     std::uint64_t differing = 0; ///< pixels of which at least one channel differs
@@ -21,7 +25,7 @@ struct Difference {
 /// in      pictures of one size, any format
 /// exact   counts and max; the sums behind mean and psnrDb are integers
 /// errors  throws std::bad_alloc
-[[nodiscard]] Difference difference(const QImage& a, const QImage& b);
+[[nodiscard]] Difference difference(const QImage& a, const QImage& b, Channels channels = Channels::Rgb);
 
 /// One class of the heat map: pixels whose largest channel difference is at least `steps`.
 struct HeatClass {
@@ -38,6 +42,7 @@ struct HeatClass {
 /// in      pictures of one size, any format; `amplification`, at least 1, multiplies the steps before they are classed
 /// out     Format_RGB32
 /// errors  throws std::bad_alloc
-[[nodiscard]] QImage heatMap(const QImage& a, const QImage& b, int amplification = 1);
+[[nodiscard]] QImage heatMap(const QImage& a, const QImage& b, int amplification = 1,
+                             Channels channels = Channels::Rgb);
 
 } // namespace rasterlens

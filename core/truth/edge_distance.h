@@ -1,5 +1,5 @@
 #pragma once
-#include "core/truth/exact_reference.h"
+#include "core/truth/exact_frame.h"
 
 namespace rasterlens
 {

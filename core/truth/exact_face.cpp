@@ -35,8 +35,9 @@ FaceSetup::FaceSetup(const ExactOptions& options)
 
 Outline FaceSetup::outlineOf(const ClipTriangle& triangle) const
 {
-    const std::array<Corner, 3> corners = integerCorners(triangle);
-    Outline outline = m_options.snap ? snappedOutline(triangle, corners) : unsnappedOutline(triangle, corners);
+    const IntegerTriangle integers =
+        integerTriangle(triangle, m_options.sides.smallestW, m_options.clipFromObject.value_or(glm::dmat4(1)));
+    Outline outline = m_options.snap ? snappedOutline(triangle, integers) : unsnappedOutline(triangle, integers);
     outline.face = static_cast<std::int32_t>(triangle.face);
     return outline;
 }
@@ -50,21 +51,21 @@ Outline::Fate FaceSetup::fateOf(int areaSign) const
     return m_options.culling == (front ? Culling::Front : Culling::Back) ? Outline::Fate::Culled : Outline::Fate::Drawn;
 }
 
-Outline FaceSetup::unsnappedOutline(const ClipTriangle& triangle, const std::array<Corner, 3>& corners) const
+Outline FaceSetup::unsnappedOutline(const ClipTriangle& triangle, const IntegerTriangle& integers) const
 {
     Outline outline;
-    outline.corners = screenPolygon(corners, triangle);
+    outline.corners = screenPolygon(integers.corners, triangle);
     outline.sign = determinant({outline.corners[0], outline.corners[1], outline.corners[2]}).sign();
     outline.fate = fateOf(outline.sign);
     if (m_options.edgeDistance && outline.fate == Outline::Fate::Drawn)
-        outline.trueEdges = pixelsOf(screenPolygon(clipExactly(corners, m_options.clipZ), triangle));
+        outline.trueEdges = pixelsOf(screenPolygon(clipExactly(integers, m_options.clipZ, m_options.sides), triangle));
     return outline;
 }
 
-Outline FaceSetup::snappedOutline(const ClipTriangle& triangle, const std::array<Corner, 3>& corners) const
+Outline FaceSetup::snappedOutline(const ClipTriangle& triangle, const IntegerTriangle& integers) const
 {
     Outline outline;
-    const std::vector<Corner> clipped = clipExactly(corners, m_options.clipZ);
+    const std::vector<Corner> clipped = clipExactly(integers, m_options.clipZ, m_options.sides);
     if (clipped.empty()) {
         outline.fate = Outline::Fate::Outside;
         return outline;
@@ -108,7 +109,7 @@ std::vector<glm::dvec2> FaceSetup::pixelsOf(const std::vector<ScreenCorner>& pol
     std::vector<glm::dvec2> pixels;
     for (const ScreenCorner& corner : polygon) {
         const Integer denominator = corner.w * m_lattice.unitsPerPixel();
-        pixels.emplace_back(ratio(corner.x, denominator), ratio(corner.y, denominator));
+        pixels.emplace_back(nearestQuotient(corner.x, denominator), nearestQuotient(corner.y, denominator));
     }
     return pixels;
 }

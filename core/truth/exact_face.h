@@ -1,6 +1,6 @@
 #pragma once
+#include "core/truth/exact_frame.h"
 #include "core/truth/exact_geometry.h"
-#include "core/truth/exact_reference.h"
 
 #include <glm/glm.hpp>
 
@@ -58,8 +58,8 @@ public:
     [[nodiscard]] std::vector<Piece> fanOf(const Outline& outline) const;
 
 private:
-    [[nodiscard]] Outline unsnappedOutline(const ClipTriangle& triangle, const std::array<Corner, 3>& corners) const;
-    [[nodiscard]] Outline snappedOutline(const ClipTriangle& triangle, const std::array<Corner, 3>& corners) const;
+    [[nodiscard]] Outline unsnappedOutline(const ClipTriangle& triangle, const IntegerTriangle& integers) const;
+    [[nodiscard]] Outline snappedOutline(const ClipTriangle& triangle, const IntegerTriangle& integers) const;
     [[nodiscard]] std::vector<ScreenCorner> screenPolygon(std::span<const Corner> clipped,
                                                           const ClipTriangle& triangle) const;
     [[nodiscard]] std::vector<glm::dvec2> pixelsOf(const std::vector<ScreenCorner>& polygon) const;

@@ -29,29 +29,6 @@ Integer roundHalfToEven(const Integer& numerator, const Integer& denominator)
     return up ? Integer(low + 1) : low;
 }
 
-double Scaled::value(int base) const { return std::ldexp(mantissa, exponent - base); }
-
-Scaled scaled(const Integer& value)
-{
-    const auto& backend = value.backend();
-    const int limbs = static_cast<int>(backend.size());
-    double mantissa = 0;
-    const int first = std::max(0, limbs - 3);
-    for (int i = limbs - 1; i >= first; --i)
-        mantissa = mantissa * 0x1p64 + static_cast<double>(backend.limbs()[i]);
-    Scaled result;
-    result.mantissa = std::frexp(value.sign() < 0 ? -mantissa : mantissa, &result.exponent);
-    result.exponent += 64 * first;
-    return result;
-}
-
-double ratio(const Integer& numerator, const Integer& denominator)
-{
-    const Scaled top = scaled(numerator);
-    const Scaled bottom = scaled(denominator);
-    return std::ldexp(top.mantissa / bottom.mantissa, top.exponent - bottom.exponent);
-}
-
 Linear operator*(const Linear& f, const Integer& factor)
 {
     return {f.perColumn * factor, f.perRow * factor, f.origin * factor};
@@ -78,47 +55,93 @@ void keepPositive(const Linear& f, int row, Columns& columns)
     (slope > 0 ? columns.begin : columns.end) = crossing;
 }
 
-std::array<Corner, 3> integerCorners(const ClipTriangle& triangle)
+namespace
+{
+
+/// An odd integer times 2^exponent; 0 has the largest exponent there is.
+struct Dyadic {
+    std::int64_t mantissa = 0;
+    int exponent = std::numeric_limits<int>::max();
+};
+
+Dyadic dyadicOf(double value)
 {
     constexpr int kMantissaBits = 53;
-    std::array<std::array<std::int64_t, 4>, 3> mantissas{};
-    std::array<std::array<int, 4>, 3> exponents{};
-    int lowest = std::numeric_limits<int>::max();
+    Dyadic result;
+    if (value == 0)
+        return result;
+    result.mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &result.exponent), kMantissaBits));
+    result.exponent -= kMantissaBits;
+    for (; result.mantissa % 2 == 0; result.mantissa /= 2)
+        ++result.exponent;
+    return result;
+}
+
+/// in: unit <= value.exponent
+Integer inUnits(const Dyadic& value, int unit)
+{
+    return value.mantissa == 0 ? Integer(0) : Integer(Integer(value.mantissa) << (value.exponent - unit));
+}
+
+} // namespace
+
+IntegerTriangle integerTriangle(const ClipTriangle& triangle, double smallestW, const glm::dmat4& clipFromPosition)
+{
+    // Each coordinate is the sum of four products of a matrix entry and a coordinate of the position.
+    std::array<std::array<Dyadic, 4>, 4> entries;
+    std::array<std::array<Dyadic, 4>, 3> positions;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            entries[std::size_t(row)][std::size_t(column)] = dyadicOf(clipFromPosition[column][row]);
+    const Dyadic w = dyadicOf(smallestW);
+    int unit = w.exponent;
+    const auto forEachProduct = [&](auto&& visit) {
+        for (std::size_t v = 0; v < 3; ++v)
+            for (std::size_t row = 0; row < 4; ++row)
+                for (std::size_t column = 0; column < 4; ++column)
+                    if (entries[row][column].mantissa != 0 && positions[v][column].mantissa != 0)
+                        visit(v, row, entries[row][column], positions[v][column]);
+    };
     for (std::size_t v = 0; v < 3; ++v)
-        for (std::size_t k = 0; k < 4; ++k) {
-            const double value = triangle.vertices[v].positionClip[static_cast<int>(k)];
-            if (value == 0)
-                continue;
-            int exponent = 0;
-            auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent), kMantissaBits));
-            exponent -= kMantissaBits;
-            for (; mantissa % 2 == 0; mantissa /= 2)
-                ++exponent;
-            mantissas[v][k] = mantissa;
-            exponents[v][k] = exponent;
-            lowest = std::min(lowest, exponent);
-        }
-    std::array<Corner, 3> corners;
-    for (std::size_t v = 0; v < 3; ++v) {
-        corners[v].weights[v] = 1;
         for (std::size_t k = 0; k < 4; ++k)
-            if (mantissas[v][k] != 0)
-                corners[v].position[k] = Integer(mantissas[v][k]) << (exponents[v][k] - lowest);
-    }
-    return corners;
+            positions[v][k] = dyadicOf(triangle.vertices[v].positionClip[static_cast<int>(k)]);
+    forEachProduct([&](std::size_t, std::size_t, const Dyadic& a, const Dyadic& b) {
+        unit = std::min(unit, a.exponent + b.exponent);
+    });
+
+    IntegerTriangle result;
+    result.smallestW = inUnits(w, unit);
+    for (std::size_t v = 0; v < 3; ++v)
+        result.corners[v].weights[v] = 1;
+    forEachProduct([&](std::size_t v, std::size_t row, const Dyadic& a, const Dyadic& b) {
+        result.corners[v].position[row] += (Integer(a.mantissa) * b.mantissa) << (a.exponent + b.exponent - unit);
+    });
+    return result;
 }
 
 namespace
 {
 
-/// How far a corner is inside each plane, times w: x, y, z; the one at -w (z: at the near plane) first.
-Integer planeDistance(const Corner& corner, int plane, ClipZ clipZ)
+/// How far a corner is inside each plane, times something > 0: x, y, z, the one at -w (z: at the near plane) first;
+/// then w >= smallestW.
+Integer planeDistance(const Corner& corner, int plane, ClipZ clipZ, const ExactSides& sides, const Integer& smallestW)
 {
-    const Integer& value = corner.position[static_cast<std::size_t>(plane / 2)];
-    const Integer& w = corner.position[3];
-    if (plane == 4 && clipZ == ClipZ::D3d)
-        return value;
-    return plane % 2 == 0 ? Integer(w + value) : Integer(w - value);
+    const auto& [x, y, z, w] = corner.position;
+    switch (plane) {
+    case 0:
+    case 1:
+    case 2:
+    case 3: {
+        const Dyadic side = dyadicOf(plane < 2 ? sides.sideX : sides.sideY);
+        const int unit = std::min(side.exponent, 0);
+        const Integer reach = inUnits(side, unit) * w;
+        const Integer value = (plane < 2 ? x : y) << -unit;
+        return plane % 2 == 0 ? Integer(reach + value) : Integer(reach - value);
+    }
+    case 4: return clipZ == ClipZ::D3d ? z : Integer(w + z);
+    case 5: return w - z;
+    default: return w - smallestW * (corner.weights[0] + corner.weights[1] + corner.weights[2]);
+    }
 }
 
 /// The point of the segment on the plane that lies `a` inside and `b` outside of it; positive multiples only.
@@ -146,13 +169,14 @@ Corner cut(const Corner& first, const Integer& firstDistance, const Corner& seco
 
 } // namespace
 
-std::vector<Corner> clipExactly(const std::array<Corner, 3>& corners, ClipZ clipZ)
+std::vector<Corner> clipExactly(const IntegerTriangle& triangle, ClipZ clipZ, const ExactSides& sides)
 {
-    std::vector<Corner> polygon(corners.begin(), corners.end());
-    for (int plane = 0; plane < 6 && polygon.size() >= 3; ++plane) {
+    const int planes = sides.smallestW > 0 ? 7 : 6;
+    std::vector<Corner> polygon(triangle.corners.begin(), triangle.corners.end());
+    for (int plane = 0; plane < planes && polygon.size() >= 3; ++plane) {
         std::vector<Integer> distances;
         for (const Corner& corner : polygon)
-            distances.push_back(planeDistance(corner, plane, clipZ));
+            distances.push_back(planeDistance(corner, plane, clipZ, sides, triangle.smallestW));
         if (std::all_of(distances.begin(), distances.end(), [](const Integer& d) { return d.sign() >= 0; }))
             continue;
         std::vector<Corner> kept;
@@ -182,7 +206,8 @@ ScreenCorner toScreen(const Corner& corner, const ClipTriangle& triangle, const 
     screen.color = glm::dvec3(0);
     for (std::size_t i = 0; i < 3; ++i) {
         const Varyings& varyings = triangle.vertices[i].varyings;
-        screen.color += ratio(corner.weights[i], screen.scale) * glm::dvec3(varyings[0], varyings[1], varyings[2]);
+        screen.color +=
+            nearestQuotient(corner.weights[i], screen.scale) * glm::dvec3(varyings[0], varyings[1], varyings[2]);
     }
     return screen;
 }

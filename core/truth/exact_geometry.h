@@ -1,6 +1,8 @@
 #pragma once
+#include "core/base/nearest_double.h"
 #include "core/pipeline/types.h"
 #include "core/settings/settings.h"
+#include "core/truth/exact_frame.h"
 
 #include <QSize>
 #include <boost/multiprecision/cpp_int.hpp>
@@ -26,16 +28,6 @@ using Integer =
 /// in: denominator > 0
 [[nodiscard]] Integer floorDivide(const Integer& numerator, const Integer& denominator);
 [[nodiscard]] Integer roundHalfToEven(const Integer& numerator, const Integer& denominator);
-
-/// A double with an exponent of its own: mantissa * 2^exponent, good to 2^-52.
-struct Scaled {
-    double mantissa = 0;
-    int exponent = 0;
-
-    [[nodiscard]] double value(int base) const; ///< divided by 2^base
-};
-[[nodiscard]] Scaled scaled(const Integer& value);
-[[nodiscard]] double ratio(const Integer& numerator, const Integer& denominator);
 
 /// A linear function on the lattice of samples: perColumn * column + perRow * row + origin.
 struct Linear {
@@ -101,11 +93,21 @@ struct Snapped {
     std::int64_t y;
 };
 
-/// The positions as integers with one common exponent. in: finite
-[[nodiscard]] std::array<Corner, 3> integerCorners(const ClipTriangle& triangle);
+/// A triangle in integers: everything is divided by the same power of two.
+struct IntegerTriangle {
+    std::array<Corner, 3> corners;
+    Integer smallestW; ///< of the clip planes
+};
 
-/// What is left inside the six planes; empty when nothing is. The first corner is the first met walking A, B, C.
-[[nodiscard]] std::vector<Corner> clipExactly(const std::array<Corner, 3>& corners, ClipZ clipZ);
+/// The exact products of a matrix and the triangle's positions, which lie in the space that the matrix takes: the
+/// identity where they lie in clip space already.
+///
+/// in   finite positions and entries
+[[nodiscard]] IntegerTriangle integerTriangle(const ClipTriangle& triangle, double smallestW,
+                                              const glm::dmat4& clipFromPosition);
+
+/// What is left inside the planes; empty when nothing is. The first corner is the first met walking A, B, C.
+[[nodiscard]] std::vector<Corner> clipExactly(const IntegerTriangle& triangle, ClipZ clipZ, const ExactSides& sides);
 
 /// Clip space to the lattice, homogeneous and without rounding.
 [[nodiscard]] ScreenCorner toScreen(const Corner& corner, const ClipTriangle& triangle, const Lattice& lattice);

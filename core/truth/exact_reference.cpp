@@ -1,5 +1,6 @@
 #include "core/truth/exact_reference.h"
 
+#include "core/pipeline/rules_for.h"
 #include "core/pipeline/vertex_stage.h"
 #include "core/scene/camera.h"
 #include "core/truth/edge_distance.h"
@@ -35,16 +36,16 @@ public:
         for (std::size_t i = 0; i < 3; ++i) {
             const Linear& weight = piece.weights[i];
             m_rising[i] = weight.perColumn.sign() >= 0;
-            starts[i] = scaled(weight.at(m_rising[i] ? columns.begin : last, row));
-            steps[i] = scaled(boost::multiprecision::abs(weight.perColumn));
+            starts[i] = nearestScaled(weight.at(m_rising[i] ? columns.begin : last, row));
+            steps[i] = nearestScaled(boost::multiprecision::abs(weight.perColumn));
             base = std::max({base, starts[i].exponent, steps[i].exponent});
         }
         for (std::size_t i = 0; i < 3; ++i) {
             m_starts[i] = starts[i].value(base);
             m_steps[i] = steps[i].value(base);
         }
-        m_depthFirst = ratio(piece.depthNumerator.at(columns.begin, row), piece.depthDenominator);
-        const double depthLast = ratio(piece.depthNumerator.at(last, row), piece.depthDenominator);
+        m_depthFirst = nearestQuotient(piece.depthNumerator.at(columns.begin, row), piece.depthDenominator);
+        const double depthLast = nearestQuotient(piece.depthNumerator.at(last, row), piece.depthDenominator);
         m_depthStep = last > columns.begin ? (depthLast - m_depthFirst) / (last - columns.begin) : 0;
     }
 
@@ -353,6 +354,15 @@ bool isFinite(const ClipTriangle& triangle)
     return true;
 }
 
+bool isFinite(const glm::dmat4& matrix)
+{
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!std::isfinite(matrix[column][row]))
+                return false;
+    return true;
+}
+
 /// The part of a window that a viewport shows, if it shows any.
 std::optional<PixelRect> visiblePart(const PixelRect& window, QSize size)
 {
@@ -387,34 +397,17 @@ ExactFrame emptyFrame(const ExactOptions& options)
 
 } // namespace
 
-std::size_t ExactFrame::sampleNearestCentre(int x, int y) const
-{
-    return static_cast<std::size_t>(y * sampleGrid + sampleGrid / 2) * static_cast<std::size_t>(width) +
-           static_cast<std::size_t>(x * sampleGrid + sampleGrid / 2);
-}
-
-glm::dvec3 ExactFrame::pixelColor(int x, int y, glm::vec3 background) const
-{
-    glm::dvec3 sum(0);
-    for (int row = y * sampleGrid; row < (y + 1) * sampleGrid; ++row)
-        for (int column = x * sampleGrid; column < (x + 1) * sampleGrid; ++column) {
-            const std::size_t i =
-                static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
-            sum += id[i] >= 0 ? glm::clamp(color[i], 0.0, 1.0) : glm::dvec3(background);
-        }
-    return sum / static_cast<double>(sampleGrid * sampleGrid);
-}
-
 ExactFrame exactReference(std::span<const ClipTriangle> triangles, const ExactOptions& options, std::stop_token stop,
                           const ExactProgress& progress)
 {
     constexpr std::size_t kFacesBetweenReports = 1024;
     ExactFrame frame = emptyFrame(options);
     Painter painter(triangles, options, frame);
+    const bool hasCamera = !options.clipFromObject || isFinite(*options.clipFromObject);
     for (std::size_t i = 0; i < triangles.size() && !stop.stop_requested(); ++i) {
         if (progress && i % kFacesBetweenReports == 0)
             progress(static_cast<double>(i) / static_cast<double>(triangles.size()));
-        if (isFinite(triangles[i]))
+        if (hasCamera && isFinite(triangles[i]))
             painter.draw(i);
         else
             ++frame.nonFinite;
@@ -433,7 +426,7 @@ std::vector<PixelRect> bandsOf(const ExactOptions& options)
     return bands;
 }
 
-ExactOptions exactOptions(const Scene& scene, const Settings& settings)
+ExactOptions exactOptions(const Scene& scene, const Settings& settings, ReferenceSpace space)
 {
     Settings correct = settings;
     correct.visibility = Visibility::ZBuffer;
@@ -453,16 +446,20 @@ ExactOptions exactOptions(const Scene& scene, const Settings& settings)
     options.depthFormat = settings.depthFormat;
     options.sampleGrid = rules.sampleGrid;
     options.window = scene.window ? visiblePart(*scene.window, settings.size) : std::nullopt;
+    if (space == ReferenceSpace::Object)
+        options.clipFromObject = cameraMatrices(scene, correct).clipFromObjectDouble;
     return options;
 }
 
-std::vector<ClipTriangle> exactTriangles(const Scene& scene, const Settings& settings)
+std::vector<ClipTriangle> exactTriangles(const Scene& scene, const Settings& settings, ReferenceSpace space)
 {
     Settings gouraud = settings;
     gouraud.shading = Shading::Gouraud;
     gouraud.mistakes.clear();
-    const std::vector<ClipVertex> vertices =
-        shadeVertices(scene, cameraMatrices(scene, gouraud), rulesFor(scene, gouraud));
+    std::vector<ClipVertex> vertices = shadeVertices(scene, cameraMatrices(scene, gouraud), rulesFor(scene, gouraud));
+    if (space == ReferenceSpace::Object)
+        for (std::size_t i = 0; i < vertices.size(); ++i)
+            vertices[i].positionClip = glm::dvec4(scene.mesh.vertices[i].position);
     std::vector<ClipTriangle> triangles(scene.mesh.faceCount());
     for (std::size_t face = 0; face < triangles.size(); ++face) {
         triangles[face].face = static_cast<std::uint32_t>(face);
@@ -470,6 +467,11 @@ std::vector<ClipTriangle> exactTriangles(const Scene& scene, const Settings& set
             triangles[face].vertices[i] = vertices[scene.mesh.indices[3 * face + i]];
     }
     return triangles;
+}
+
+ReferenceSpace referenceSpace(const Scene& scene, ReferenceSpace asked)
+{
+    return scene.space == SceneSpace::Object ? asked : ReferenceSpace::Clip;
 }
 
 ExactFrame exactReference(const Scene& scene, const Settings& settings, std::stop_token stop)

@@ -3,6 +3,7 @@
 #include "core/scene/scene.h"
 #include "core/settings/rules.h"
 #include "core/settings/settings.h"
+#include "core/truth/exact_frame.h"
 
 #include <QSize>
 #include <glm/glm.hpp>
@@ -17,56 +18,17 @@
 namespace rasterlens
 {
 
-/// What the exact reference is asked for. Default-constructed = what a correct rasterizer with 24.8 fixed point draws.
-struct ExactOptions {
-    QSize size{256, 256}; ///< viewport in pixels, 1..16384 each
-    bool snap = true;     ///< false: vertices stay where they are (`exact` in case files)
-    int subpixelBits = 8; ///< 0..8; vertices snap to 1/2^bits pixel, half to even
-    ClipZ clipZ = ClipZ::Gl;
-    Culling culling = Culling::None;
-    Winding winding = Winding::CounterClockwise;
-    DepthCompare depthCompare = DepthCompare::Less;
-    double depthClear = 1;   ///< 0 or 1
-    bool depthTested = true; ///< false: a renderer need not keep depths; the truth's are those of the winners
-    DepthFormat depthFormat = DepthFormat::Float32; ///< Float32: compared exactly; unorm: nearest code, half to even
-    int sampleGrid = 1;              ///< 1..4 samples a pixel along each axis; vertices still snap to pixels
-    std::optional<PixelRect> window; ///< the part of the viewport to compute
-    bool edgeDistance = false;       ///< fill ExactFrame::edgeDistance
+/// Where the exact reference starts, and so what it judges.
+enum class ReferenceSpace {
+    Clip,   ///< from the float32 positions that the vertex stage hands on: everything behind that stage is judged
+    Object, ///< from the positions of the mesh and the camera in double, multiplied exactly: the vertex stage as well
 };
 
 /// Told now and then which share of the faces is done, 0..1.
 using ExactProgress = std::function<void(double share)>;
 
-/// The truth about a picture. Arrays are row by row from the top, one entry a sample.
-struct ExactFrame {
-    PixelRect window;   ///< the part of the viewport the arrays hold
-    int sampleGrid = 1; ///< samples a pixel along each axis
-    int width = 0;      ///< samples: window.width * sampleGrid
-    int height = 0;     ///< samples: window.height * sampleGrid
-
-    bool depthTested = true; ///< as asked for
-
-    std::vector<std::uint32_t> cover; ///< how many faces cover the sample, before the depth test
-    std::vector<std::int32_t> id;     ///< face that won the depth test, -1 none
-    std::vector<double> depth;     ///< its depth 0..1 (unorm formats: the stored code's value); depthClear where none
-    std::vector<glm::dvec3> color; ///< its colour, not clamped; 0 where none
-    /// Pixels to the nearest edge of the clipped, unsnapped faces that are drawn, where that is below kEdgeBandPixels;
-    /// empty unless asked for (edge_distance.h).
-    std::vector<float> edgeDistance;
-
-    int nonFinite = 0;       ///< faces dropped because a position is NaN or infinite
-    int culled = 0;          ///< faces dropped by their facing
-    int degenerate = 0;      ///< faces without area that were inside the view volume
-    int outside = 0;         ///< faces wholly outside the view volume (snapped frames only)
-    int maxClipVertices = 3; ///< most corners a clipped face had (snapped frames only)
-
-    /// The sample nearest the centre of a pixel of the window (the lower right of the middle four of an even grid).
-    [[nodiscard]] std::size_t sampleNearestCentre(int x, int y) const;
-    /// The mean of a pixel's samples over a background, each channel held within 0..1.
-    [[nodiscard]] glm::dvec3 pixelColor(int x, int y, glm::vec3 background) const;
-};
-
-/// Coverage, winner, depth and perspective-correct colour of clip-space triangles by exact integer arithmetic.
+/// Coverage, winner, depth and perspective-correct colour of clip-space triangles by exact integer arithmetic; or of
+/// object-space triangles seen through ExactOptions::clipFromObject.
 ///
 /// No decision uses floating point: positions become integers with one common exponent a face, homogeneous points are
 /// never divided, and what is compared are products of integers of any length. Doubles appear as a filter in front of
@@ -109,10 +71,18 @@ constexpr std::int64_t kSamplesPerBand = std::int64_t{1} << 23; ///< 400 MB of t
 /// rules whatever the settings say about algorithm, clipping, visibility, ties, interpolation and mistakes. Vertices
 /// snap for NumberType::Fixed unless the scene is `exact`; the window is that
 /// of the scene, as far as the viewport shows it.
-[[nodiscard]] ExactOptions exactOptions(const Scene& scene, const Settings& settings);
+///
+/// in  a space that referenceSpace() allows
+[[nodiscard]] ExactOptions exactOptions(const Scene& scene, const Settings& settings,
+                                        ReferenceSpace space = ReferenceSpace::Clip);
 
-/// The faces of a scene as the vertex stage hands them on, with Gouraud colours.
-[[nodiscard]] std::vector<ClipTriangle> exactTriangles(const Scene& scene, const Settings& settings);
+/// The faces of a scene with Gouraud colours, in the space the reference starts from: as the vertex stage hands them
+/// on, or as they stand in the mesh.
+[[nodiscard]] std::vector<ClipTriangle> exactTriangles(const Scene& scene, const Settings& settings,
+                                                       ReferenceSpace space = ReferenceSpace::Clip);
+
+/// The space asked for, or clip space where the scene has no camera.
+[[nodiscard]] ReferenceSpace referenceSpace(const Scene& scene, ReferenceSpace asked);
 
 /// The truth about a scene.
 [[nodiscard]] ExactFrame exactReference(const Scene& scene, const Settings& settings, std::stop_token stop = {});

@@ -83,6 +83,8 @@ private:
         const Settings drawnWith = withWorkers(row.settings);
         row.threads = drawnWith.threads;
         row.simd = drawnWith.simd;
+        if (m_options.reference)
+            row.reference = referenceSpace(m_scene, m_options.space);
         m_rows.push_back(std::move(row));
     }
 
@@ -101,8 +103,9 @@ private:
         Settings wanted = m_base;
         wanted.samples = static_cast<Samples>(grid - 1);
         wanted.depthFormat = DepthFormat::Float32;
-        const std::vector<ClipTriangle> triangles = exactTriangles(m_scene, wanted);
-        ExactOptions exact = exactOptions(m_scene, wanted);
+        const ReferenceSpace space = referenceSpace(m_scene, m_options.space);
+        const std::vector<ClipTriangle> triangles = exactTriangles(m_scene, wanted, space);
+        ExactOptions exact = exactOptions(m_scene, wanted, space);
         std::vector<CoverageDifference> sums(members.size());
         const std::vector<PixelRect> bands = bandsOf(exact);
         for (std::size_t band = 0; band < bands.size() && !m_stop.stop_requested(); ++band) {
@@ -113,7 +116,9 @@ private:
             for (std::size_t k = 0; k < members.size(); ++k) {
                 ExperimentRow& row = m_rows[members[k]];
                 Frame& frame = frameOf(row);
-                render(m_scene, row.settings, frame, kEverything, m_stop);
+                Settings whole = row.settings; // the truth knows faces without their holes
+                whole.alphaTest = AlphaTest::Off;
+                render(m_scene, whole, frame, kEverything, m_stop);
                 if (m_stop.stop_requested())
                     return;
                 const CoverageDifference part = coverageDifference(frame, truth, m_scene.background);
@@ -193,6 +198,8 @@ std::vector<ExperimentRow> runExperiment(const Scene& scene, const Settings& bas
 {
     return Experiment(scene, base, variants, options, progress, std::move(stop)).run();
 }
+
+const char* idOf(ReferenceSpace space) { return space == ReferenceSpace::Object ? "exact-object" : "exact"; }
 
 const ErrorMeasureInfo& infoOf(ErrorMeasure measure) { return kMeasures[static_cast<std::size_t>(measure)]; }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/truth/exact_reference.h"
 #include "core/truth/variants.h"
 
 #include <cstdint>
@@ -51,13 +52,18 @@ struct ExperimentRow {
     double nsPerCoveredPixel = 0; ///< 0: nothing is covered, or no time yet
     double mtriPerS = 0;
     VariantError error;
-    bool frontier = false; ///< set by markFrontier()
+    std::optional<ReferenceSpace> reference; ///< where the truth of the errors started; empty: none are measured
+    bool frontier = false;                   ///< set by markFrontier()
 };
 
 struct ExperimentOptions {
-    int frames = 15;       ///< that count, a variant; one more each warms up
-    bool reference = true; ///< measure errors
+    int frames = 15;                             ///< that count, a variant; one more each warms up
+    bool reference = true;                       ///< measure errors
+    ReferenceSpace space = ReferenceSpace::Clip; ///< scenes without a camera are measured from clip space
 };
+
+/// The id of a reference on the command line and in rows: `exact` or `exact-object`.
+[[nodiscard]] const char* idOf(ReferenceSpace space);
 
 /// How far an experiment is. The rows are those of the result as they are so far.
 struct ExperimentProgress {

@@ -12,8 +12,8 @@ namespace rasterlens
 namespace
 {
 
-constexpr const char* kColumns[] = {"scene",      "variant", "threads",  "simd",    "ms", "ns_per_covered_pixel",
-                                    "mtri_per_s", "error",   "frontier", "settings"};
+constexpr const char* kColumns[] = {"scene",      "variant", "threads",   "simd",     "ms",      "ns_per_covered_pixel",
+                                    "mtri_per_s", "error",   "reference", "frontier", "settings"};
 
 template <class Part, class Value>
 QJsonValue valueOf(const std::optional<Part>& part, Value Part::*member)
@@ -55,6 +55,7 @@ QJsonObject rowJson(const ExperimentRow& row)
             {"ns_per_covered_pixel", row.nsPerCoveredPixel > 0 ? QJsonValue(row.nsPerCoveredPixel) : QJsonValue()},
             {"mtri_per_s", ifTimed(row.mtriPerS)},
             {"error", errorJson(row.error)},
+            {"reference", row.reference ? QJsonValue(QLatin1String(idOf(*row.reference))) : QJsonValue()},
             {"frontier", row.frontier}};
 }
 

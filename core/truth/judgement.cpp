@@ -32,17 +32,20 @@ NotJudged notJudged(const Scene& scene, const Settings& settings)
 }
 
 Judgement judge(const Scene& scene, const Settings& settings, const std::stop_token& stop,
-                const ExactProgress& progress)
+                const ExactProgress& progress, ReferenceSpace space)
 {
     Judgement judgement;
-    ExactOptions options = exactOptions(scene, settings);
+    judgement.space = referenceSpace(scene, space);
+    ExactOptions options = exactOptions(scene, settings, judgement.space);
     options.edgeDistance = scene.exact && settings.numberType == NumberType::Fixed;
     if (options.edgeDistance)
         judgement.bandPixels = legalBandPixels(settings.size);
 
+    Settings whole = settings; // the truth knows faces without their holes
+    whole.alphaTest = AlphaTest::Off;
     Frame frame;
-    render(scene, settings, frame, {.depth = true, .ids = true, .coverage = true}, stop);
-    const std::vector<ClipTriangle> triangles = exactTriangles(scene, settings);
+    render(scene, whole, frame, {.depth = true, .ids = true, .coverage = true}, stop);
+    const std::vector<ClipTriangle> triangles = exactTriangles(scene, settings, judgement.space);
     const std::vector<PixelRect> bands = bandsOf(options);
     for (std::size_t band = 0; band < bands.size(); ++band) {
         const auto tell = [&](double share) {

@@ -1,10 +1,13 @@
+#include "core/truth/mistake_proof.h"
+
+#include "core/render/render.h"
 #include "core/scenes/builtin_scenes.h"
-#include "core/settings/mistakes.h"
 #include "core/truth/difference.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace rasterlens
@@ -39,10 +42,11 @@ std::span<const QRgb> pixelsOf(const QImage& image)
 
 double distinctColors(const QImage& image)
 {
-    const std::span<const QRgb> pixels = pixelsOf(image);
-    std::vector<QRgb> colors(pixels.begin(), pixels.end());
-    std::ranges::sort(colors);
-    return static_cast<double>(std::ranges::unique(colors).begin() - colors.begin());
+    constexpr std::size_t kColors = std::size_t(1) << 24;
+    std::vector<bool> seen(kColors);
+    for (const QRgb color : pixelsOf(image))
+        seen[color & (kColors - 1)] = true;
+    return static_cast<double>(std::ranges::count(seen, true));
 }
 
 /// Brightness of the right picture that the shown one lacks, in white pixels.
@@ -66,10 +70,33 @@ MistakeDemo mistakeDemo(const Mistake& mistake)
     return demo;
 }
 
-CountedPicture drawCounted(const Scene& scene, const Settings& settings)
+Outputs proofOutputs(Proof proof)
+{
+    switch (proof) {
+    case Proof::Holes:
+    case Proof::Strays:
+    case Proof::WrongFaces: return {.ids = true, .picture = false};
+    case Proof::DepthError: return {.depth = true, .ids = true, .picture = false};
+    case Proof::WrongPixels:
+    case Proof::Colors:
+    case Proof::MissingLight: return {};
+    case Proof::CoveredTwice:
+    case Proof::Covered:
+    case Proof::Tested:
+    case Proof::DepthPassed:
+    case Proof::DepthFailed:
+    case Proof::Rejected:
+    case Proof::CulledBack:
+    case Proof::Degenerate:
+    case Proof::Rasterized: break;
+    }
+    return {.picture = false};
+}
+
+CountedPicture drawCounted(const Scene& scene, const Settings& settings, Outputs outputs, std::stop_token stop)
 {
     CountedPicture picture;
-    picture.statistics = renderCounted(scene, settings, picture.frame, {.depth = true, .ids = true});
+    picture.statistics = renderCounted(scene, settings, picture.frame, outputs, std::move(stop));
     return picture;
 }
 

@@ -1,7 +1,10 @@
-#include "core/settings/rules.h"
+#include "core/pipeline/rules_for.h"
 
 #include "core/pipeline/shading.h"
+#include "core/scene/scene.h"
 #include "core/settings/mistakes.h"
+
+#include <algorithm>
 
 namespace rasterlens
 {
@@ -43,6 +46,23 @@ Facing facingFor(CullSpace space)
     return Facing::ScreenArea;
 }
 
+bool hasMasks(const Scene& scene)
+{
+    return std::ranges::any_of(scene.materials, [](const Material& material) { return material.mask >= 0; });
+}
+
+/// Masks are looked up whatever the shading: where it carries no texture coordinates, they follow its own floats.
+void carryMaskUv(Rules& rules)
+{
+    switch (rules.shading) {
+    case Shading::Texture:
+    case Shading::Phong: rules.maskUv = kVaryingUv; break;
+    case Shading::Uv: rules.maskUv = 0; break;
+    default: rules.maskUv = rules.varyingCount; break;
+    }
+    rules.varyingCount = std::max(rules.varyingCount, rules.maskUv + 2);
+}
+
 } // namespace
 
 Rules rulesFor(const Scene& scene, const Settings& settings)
@@ -52,6 +72,8 @@ Rules rulesFor(const Scene& scene, const Settings& settings)
     rules.textureFilter = settings.textureFilter;
     rules.lit = scene.lit;
     rules.varyingCount = varyingCount(settings.shading);
+    if (settings.alphaTest == AlphaTest::On && hasMasks(scene))
+        carryMaskUv(rules);
     rules.mirrorClipZ = settings.reversedZ && scene.space == SceneSpace::Clip;
 
     rules.clipping = settings.clipping;

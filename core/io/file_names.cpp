@@ -1,0 +1,130 @@
+#include "core/io/file_names.h"
+
+#include "core/io/text_input.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QStringConverter>
+#include <QStringList>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+
+namespace rasterlens
+{
+namespace
+{
+
+QByteArray bytesOf(std::string_view text) { return {text.data(), static_cast<qsizetype>(text.size())}; }
+
+/// The path whose bytes are the text in an encoding, or nothing where that lacks a character of it.
+std::optional<QString> encoded(const QString& text, QStringEncoder encoder)
+{
+    if (!encoder.isValid())
+        return std::nullopt;
+    const QByteArray bytes = encoder.encode(text);
+    return encoder.hasError() ? std::nullopt : std::optional(pathFromBytes(bytes));
+}
+
+QString withSlashes(QString name) { return name.replace(QLatin1Char('\\'), QLatin1Char('/')); }
+
+/// What the name may be on the disk, the likeliest first. A GBK character may hold the byte of a backslash, so the
+/// bytes are tried as they are before backslashes count as separators.
+QStringList spellings(const QByteArray& name)
+{
+    const QString raw = pathFromBytes(name);
+    QStringList list{raw, withSlashes(raw)};
+    const auto add = [&](const std::optional<QString>& text) {
+        if (text)
+            list << withSlashes(*text);
+    };
+    if (const auto utf8 = asUtf8(name)) {
+        add(encoded(*utf8, QStringEncoder(kChineseEncoding)));
+        add(encoded(*utf8, QStringEncoder(QStringEncoder::Latin1)));
+        add(asChinese(name)); // two bytes of GBK may also be one character of UTF-8
+    } else {
+        add(asChinese(name));
+        add(QString::fromLatin1(name));
+    }
+    list.removeDuplicates();
+    return list;
+}
+
+/// The path with each part as it is spelt on the disk, found without regard to case; nothing where there is none.
+std::optional<QString> inAnyCase(const QString& path)
+{
+    const qsizetype slash = path.lastIndexOf(QLatin1Char('/'));
+    if (slash < 0 || slash + 1 == path.size())
+        return std::nullopt;
+    QString folder = path.left(std::max<qsizetype>(slash, 1));
+    if (!fileExists(folder)) {
+        const auto found = inAnyCase(folder);
+        if (!found)
+            return std::nullopt;
+        folder = *found;
+    }
+    const QString wanted = path.mid(slash + 1).toCaseFolded();
+    std::optional<QString> best;
+    std::error_code error;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::path(bytesOfPath(folder).toStdString()), error)) {
+        const QString name = pathFromBytes(QByteArray::fromStdString(entry.path().filename().string()));
+        if (name.toCaseFolded() == wanted && (!best || name < *best))
+            best = name;
+    }
+    if (best)
+        best = folder + (folder.endsWith(QLatin1Char('/')) ? QString() : QStringLiteral("/")) + *best;
+    return best;
+}
+
+std::string_view withoutQuotes(std::string_view name)
+{
+    name = trimmed(name);
+    const bool quoted =
+        name.size() >= 2 && (name.front() == '"' || name.front() == '\'') && name.back() == name.front();
+    return quoted ? trimmed(name.substr(1, name.size() - 2)) : name;
+}
+
+} // namespace
+
+bool fileExists(const QString& path)
+{
+    struct stat info = {};
+    return ::stat(bytesOfPath(path).constData(), &info) == 0;
+}
+
+NamedFile findNamedFile(const QString& owner, std::string_view name)
+{
+    const QDir folder = QFileInfo(owner).absoluteDir();
+    const auto beside = [&](const QString& spelling) {
+        return folder.absoluteFilePath(spelling.section(QLatin1Char('/'), -1));
+    };
+    const QStringList all = spellings(bytesOf(withoutQuotes(name)));
+    for (qsizetype i = 0; i < all.size(); ++i)
+        if (const QString path = folder.absoluteFilePath(all[i]); fileExists(path))
+            return {path, i < 2 ? FoundBy::Name : FoundBy::Encoding};
+    for (const QString& spelling : all)
+        if (const QString path = beside(withSlashes(spelling)); fileExists(path))
+            return {path, FoundBy::Beside};
+    for (const QString& spelling : all)
+        for (const QString& path : {folder.absoluteFilePath(spelling), beside(withSlashes(spelling))})
+            if (const auto found = inAnyCase(path))
+                return {*found, FoundBy::LetterCase};
+    return {folder.absoluteFilePath(all.value(1, all.front())), FoundBy::Nothing};
+}
+
+void remarkOn(const NamedFile& file, std::string_view keyword, int line, DiagnosticSink& diagnostics)
+{
+    const Reason name = readablePath(file.path).section(QLatin1Char('/'), -1);
+    if (file.foundBy == FoundBy::LetterCase)
+        diagnostics.warning(line, {QT_TRANSLATE_NOOP("Diagnostic", "%1: the file's name has other letters large: %2"),
+                                   {readableName(keyword), name}});
+    else if (file.foundBy == FoundBy::Beside)
+        diagnostics.note(line, {QT_TRANSLATE_NOOP("Diagnostic", "%1: %2 is read from the folder of this file"),
+                                {readableName(keyword), name}});
+}
+
+} // namespace rasterlens
