@@ -1,16 +1,22 @@
+#include "core/base/typed_numbers.h"
+#include "core/io/file_writer.h"
+#include "core/io/picture_file.h"
 #include "ui/base/image_export.h"
+#include "ui/base/settings_file.h"
 #include "ui/face/cards.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/pipeline_panel.h"
 #include "ui/steps/step_mode.h"
 #include "ui/truth/experiment_panel.h"
 #include "ui/truth/truth_mode.h"
+#include "ui/window/end_signals.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QTimer>
 
+#include <csignal>
 #include <cstdio>
 #include <optional>
 #include <utility>
@@ -38,6 +44,7 @@ struct Arguments {
     QString panel;
     std::optional<QPoint> pixel;
     bool referee = false;
+    rasterlens::ReferenceSpace reference = rasterlens::ReferenceSpace::Clip;
     int measuredFrames = 0;
     rasterlens::CompareView compare = rasterlens::CompareView::Off;
     std::optional<rasterlens::LanguageKind> language;
@@ -81,7 +88,9 @@ ParsedArguments parseArguments(const QStringList& words)
                                      QStringLiteral("Shows the version."));
     const QCommandLineOption screenshot(
         QStringLiteral("screenshot"),
-        QStringLiteral("Writes the window as a PNG image to <file> and exits; needs no display."),
+        QStringLiteral("Writes the window as a picture to <file> and exits; needs no display. The suffix tells the "
+                       "format: %1; - is stdout.")
+            .arg(rasterlens::pictureSuffixes().join(QStringLiteral(", "))),
         QStringLiteral("file"));
     const QCommandLineOption windowSize(QStringLiteral("size-window"), QStringLiteral("Size of the window in pixels."),
                                         QStringLiteral("WxH"));
@@ -101,6 +110,11 @@ ParsedArguments parseArguments(const QStringList& words)
         QStringLiteral("where"));
     const QCommandLineOption referee(QStringLiteral("referee"),
                                      QStringLiteral("Checks the picture against the exact reference."));
+    const QCommandLineOption reference(
+        QStringLiteral("reference"),
+        QStringLiteral("The same, from clip space (exact) or from object space (exact-object): that judges the vertex "
+                       "stage as well."),
+        QStringLiteral("exact|exact-object"));
     const QCommandLineOption measure(
         QStringLiteral("measure"),
         QStringLiteral("Measures speed against error, <frames> frames a variant (with --panel experiment)."),
@@ -109,8 +123,8 @@ ParsedArguments parseArguments(const QStringList& words)
         QStringLiteral("compare"),
         QStringLiteral("Compares with the picture without mistakes or as the scene asks: wipe, blink or difference."),
         QStringLiteral("view"));
-    parser.addOptions(
-        {help, version, screenshot, windowSize, language, theme, panel, pixel, step, referee, compare, measure});
+    parser.addOptions({help, version, screenshot, windowSize, language, theme, panel, pixel, step, referee, reference,
+                       compare, measure});
     parser.addPositionalArgument(QStringLiteral("scene"),
                                  QStringLiteral("An .obj, a .case, a session .json, builtin:NAME or stress:NAME."),
                                  QStringLiteral("[scene]"));
@@ -133,11 +147,13 @@ ParsedArguments parseArguments(const QStringList& words)
     arguments.screenshot = parser.value(screenshot);
     if (parser.isSet(screenshot) && arguments.screenshot.isEmpty())
         return refuse(QStringLiteral("--screenshot needs a file"));
+    if (const auto why = rasterlens::whyNotFormat(arguments.screenshot, rasterlens::pictureSuffixes()))
+        return refuse(QStringLiteral("--screenshot %1: %2").arg(arguments.screenshot, rasterlens::textOf(*why)));
     arguments.step = parser.value(step);
     if (parser.isSet(step) && !rasterlens::StepMode::isPlace(arguments.step))
         return refuse(QStringLiteral("--step takes a position, tie, sign-change, depth-fail, clip or nan"));
     if (parser.isSet(windowSize)) {
-        arguments.windowSize = rasterlens::parseSize(parser.value(windowSize));
+        arguments.windowSize = rasterlens::typedSize(parser.value(windowSize), rasterlens::kMaxViewport);
         if (!arguments.windowSize)
             return refuse(QStringLiteral("--size-window takes WIDTHxHEIGHT"));
     }
@@ -157,7 +173,14 @@ ParsedArguments parseArguments(const QStringList& words)
         if (!panelNames().contains(arguments.panel))
             return refuse(QStringLiteral("--panel takes %1").arg(panelNames().join(", ")));
     }
-    arguments.referee = parser.isSet(referee);
+    arguments.referee = parser.isSet(referee) || parser.isSet(reference);
+    if (parser.isSet(reference)) {
+        const QString value = parser.value(reference);
+        if (value == QLatin1String("exact-object"))
+            arguments.reference = rasterlens::ReferenceSpace::Object;
+        else if (value != QLatin1String("exact"))
+            return refuse(QStringLiteral("--reference takes exact or exact-object"));
+    }
     arguments.measuredFrames = parser.value(measure).toInt();
     if (parser.isSet(measure) && arguments.measuredFrames < 1)
         return refuse(QStringLiteral("--measure takes a number of frames"));
@@ -169,13 +192,9 @@ ParsedArguments parseArguments(const QStringList& words)
         arguments.compare = static_cast<rasterlens::CompareView>(view + 1);
     }
     if (parser.isSet(pixel)) {
-        const QStringList parts = parser.value(pixel).split(QLatin1Char(','));
-        bool goodX = false;
-        bool goodY = false;
-        const QPoint chosen(parts.value(0).toInt(&goodX), parts.value(1).toInt(&goodY));
-        if (parts.size() != 2 || !goodX || !goodY || chosen.x() < 0 || chosen.y() < 0)
-            return refuse(QStringLiteral("--pixel takes x,y"));
-        arguments.pixel = chosen;
+        arguments.pixel = rasterlens::typedPoint(parser.value(pixel));
+        if (!arguments.pixel || arguments.pixel->x() < 0 || arguments.pixel->y() < 0)
+            return refuse(QStringLiteral("--pixel: \"%1\" is not a pixel; expected: x,y").arg(parser.value(pixel)));
     }
     return {arguments, kFine};
 }
@@ -196,12 +215,12 @@ void takeScreenshot(rasterlens::MainWindow& window, const QString& path)
             takeScreenshot(window, path);
             return;
         }
-        if (const auto error = rasterlens::savePng(window.picture(), path)) {
+        const QStringList inputs = window.document().inputFiles();
+        const bool overInput = rasterlens::whyNotOver(path, inputs).has_value();
+        const auto error = rasterlens::savePicture(window.picture(), {path, inputs, true});
+        if (error)
             printError(*error);
-            QApplication::exit(kInvalidInput);
-            return;
-        }
-        QApplication::exit(kFine);
+        QApplication::exit(overInput ? kBadArguments : error ? kInvalidInput : kFine);
     });
 }
 
@@ -220,17 +239,36 @@ int main(int argc, char** argv)
         return parsed.exitCode;
     const Arguments& arguments = *parsed.arguments;
 
+    if (const auto why = rasterlens::whyNotWritable(arguments.screenshot); why && !arguments.screenshot.isEmpty()) {
+        printError(QStringLiteral("%1: cannot be written: %2").arg(arguments.screenshot, rasterlens::textOf(*why)));
+        return kInvalidInput;
+    }
+#ifdef Q_OS_UNIX
+    std::signal(SIGPIPE, SIG_IGN); // a pipe whose reader has gone is an error message, not the end of the window
+#endif
+
     choosePlatform();
     QApplication application(argc, argv);
+    rasterlens::useSettingsFormat();
+    constexpr int kEndedBySignal = 128; // shells count from here
+    const rasterlens::EndSignals endSignals;
     const bool forScreenshot = !arguments.screenshot.isEmpty();
     using rasterlens::MainWindow;
     MainWindow window(forScreenshot ? MainWindow::Memory::Forget : MainWindow::Memory::Remember);
+    QObject::connect(&endSignals, &rasterlens::EndSignals::received, &window, [&window](int signal) {
+        window.keepAll();
+        QApplication::exit(kEndedBySignal + signal);
+    });
+    QObject::connect(
+        &application, &QGuiApplication::commitDataRequest, &window, [&window] { window.keepAll(); },
+        Qt::DirectConnection);
     if (arguments.language)
         window.setLanguage(*arguments.language);
     if (arguments.theme)
         window.setLook({*arguments.theme, false});
-    if (arguments.windowSize)
-        window.resize(*arguments.windowSize);
+    constexpr QSize kPictureSize(1440, 900); // on no screen: none limits it
+    if (arguments.windowSize || forScreenshot)
+        window.resize(arguments.windowSize.value_or(kPictureSize));
 
     // A scene named on the command line must open; later ones only leave a message in the window.
     QObject starting;
@@ -251,6 +289,7 @@ int main(int argc, char** argv)
         window.document().disconnect(&starting);
         if (arguments.pixel)
             window.viewport().selectPixel(arguments.pixel);
+        window.truthMode().referee().setSpace(arguments.reference);
         window.truthMode().referee().setOn(arguments.referee);
         window.truthMode().comparison().setView(arguments.compare);
         if (arguments.measuredFrames > 0)
@@ -265,5 +304,8 @@ int main(int argc, char** argv)
     else
         window.document().open(arguments.scene);
     window.show();
-    return QApplication::exec();
+    const int exitCode = QApplication::exec();
+    if (const QString problem = rasterlens::settingsProblem(); !forScreenshot && !problem.isEmpty())
+        printError(QStringLiteral("what the window remembers could not be kept: %1").arg(problem));
+    return exitCode;
 }

@@ -1,4 +1,5 @@
 #include "app/cli/bench_plot.h"
+#include "app/cli/distance_chart.h"
 #include "app/cli/input.h"
 #include "app/cli/options.h"
 #include "app/cli/output.h"
@@ -6,11 +7,11 @@
 #include "app/cli/settings_options.h"
 #include "app/cli/variant_list.h"
 #include "app/cli/verbs.h"
+#include "core/io/picture_file.h"
 #include "core/render/render.h"
 #include "core/truth/experiment_export.h"
 
 #include <QElapsedTimer>
-#include <QFileInfo>
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +54,16 @@ Usage usage()
                QStringLiteral("Frames a variant that count, 1 to %1; default %2. One more warms up.")
                    .arg(kMaxFrames)
                    .arg(ExperimentOptions().frames)),
-         value("--reference", "exact|none", QStringLiteral("Whether errors are measured; default exact.")),
+         value(
+             "--reference", "exact|exact-object|none",
+             QStringLiteral("What errors are measured against; default exact: it starts from the clip-space positions "
+                            "that the vertex stage makes. exact-object starts from the mesh and the camera and judges "
+                            "the vertex stage as well; scenes in clip space have none.")),
+         value("--chart", "NAME",
+               QStringLiteral("Another chart in place of speed against error: %1. distance: how far corners and pixels "
+                              "are from the truth as SCENE is moved away from 0, with positions held as OBJ files are "
+                              "read and as float32 from 0; --csv, --json and --plot hold it.")
+                   .arg(chartNames().join(QStringLiteral(", ")))),
          value("--error", "MEASURE",
                QStringLiteral("The error of the plot's axis and of the frontier: %1 (default color). coverage: pixels "
                               "missing, extra or hit twice; depth: the largest error; color: root mean square over the "
@@ -106,9 +116,15 @@ struct Request {
     QString csv;
     QString json;
     QString plot;
-    QByteArray plotFormat;
+    QString plotFormat;
 
-    [[nodiscard]] bool usesStdout() const { return QStringList{csv, json, plot}.contains(QStringLiteral("-")); }
+    [[nodiscard]] QStringList outputs() const
+    {
+        QStringList names{csv, json, plot};
+        names.removeAll(QString());
+        return names;
+    }
+    [[nodiscard]] bool usesStdout() const { return outputs().contains(QStringLiteral("-")); }
 };
 
 [[noreturn]] void fail(const QString& text) { failArguments(QStringLiteral("rasterlens-cli bench: ") + text); }
@@ -120,6 +136,19 @@ void readVariants(const QString& list, Request& request)
         request.variants = variantsOf(list, QStringLiteral("bench"));
 }
 
+void readReference(const QString& id, ExperimentOptions& options)
+{
+    options.reference = id != QLatin1String("none");
+    for (const ReferenceSpace space : {ReferenceSpace::Clip, ReferenceSpace::Object})
+        if (id == QLatin1String(idOf(space))) {
+            options.space = space;
+            return;
+        }
+    if (options.reference)
+        fail(QStringLiteral("--reference: \"%1\" is not a value of reference, which takes: exact, exact-object, none")
+                 .arg(id));
+}
+
 ErrorMeasure measureOf(const QString& id)
 {
     for (int i = 0; i < kErrorMeasures; ++i)
@@ -128,12 +157,29 @@ ErrorMeasure measureOf(const QString& id)
     fail(QStringLiteral("--error: \"%1\" is not a value of error, which takes: %2").arg(id, measureIds()));
 }
 
-QByteArray plotFormat(const QString& path)
+QString plotFormat(const QString& path)
 {
-    const QString suffix = path == QLatin1String("-") ? QStringLiteral("svg") : QFileInfo(path).suffix().toLower();
-    if (suffix != QLatin1String("svg") && suffix != QLatin1String("png"))
+    const QStringList formats{QStringLiteral("svg"), QStringLiteral("png")};
+    const QString format = formatOf(path, isStream(path) ? formats.first() : QString());
+    if (!formats.contains(format))
         fail(QStringLiteral("--plot: %1: a name that ends in .svg or .png is expected").arg(path));
-    return suffix.toLatin1();
+    return format;
+}
+
+/// Options of the measurement say nothing about a chart of another kind, which takes one scene.
+void checkChart(const Arguments& arguments)
+{
+    const auto chart = arguments.value(QStringLiteral("--chart"));
+    if (!chart)
+        return;
+    if (!chartNames().contains(*chart))
+        fail(QStringLiteral("--chart: \"%1\" is not a value of chart, which takes: %2")
+                 .arg(*chart, chartNames().join(QStringLiteral(", "))));
+    if (arguments.operands.size() > 1)
+        fail(QStringLiteral("--chart distance takes one scene"));
+    for (const char* option : {"--variants", "--frames", "--reference", "--error"})
+        if (arguments.has(QLatin1String(option)))
+            fail(QStringLiteral("%1: cannot be combined with --chart").arg(QLatin1String(option)));
 }
 
 Request requestOf(const Arguments& arguments)
@@ -146,15 +192,12 @@ Request requestOf(const Arguments& arguments)
     readVariants(arguments.value(QStringLiteral("--variants")).value_or(QStringLiteral("all")), request);
     if (const auto frames = wholeOption(arguments, QStringLiteral("--frames"), 1, kMaxFrames))
         request.options.frames = static_cast<int>(*frames);
-    const QString reference = arguments.value(QStringLiteral("--reference")).value_or(QStringLiteral("exact"));
-    if (reference != QLatin1String("exact") && reference != QLatin1String("none"))
-        fail(
-            QStringLiteral("--reference: \"%1\" is not a value of reference, which takes: exact, none").arg(reference));
-    request.options.reference = reference == QLatin1String("exact");
+    readReference(arguments.value(QStringLiteral("--reference")).value_or(QStringLiteral("exact")), request.options);
     if (request.frontierOnly && !request.options.reference)
         fail(QStringLiteral("--variants frontier needs --reference exact"));
     if (const auto measure = arguments.value(QStringLiteral("--error")))
         request.measure = measureOf(*measure);
+    checkChart(arguments);
     request.csv = arguments.value(QStringLiteral("--csv")).value_or(QString());
     request.json = arguments.value(QStringLiteral("--json")).value_or(QString());
     request.plot = arguments.value(QStringLiteral("--plot")).value_or(QString());
@@ -163,9 +206,7 @@ Request requestOf(const Arguments& arguments)
         if (!request.options.reference)
             fail(QStringLiteral("--plot needs --reference exact"));
     }
-    QStringList names{request.csv, request.json, request.plot};
-    names.removeAll(QString());
-    checkOutputs(names);
+    checkOutputs(request.outputs());
     return request;
 }
 
@@ -221,6 +262,7 @@ std::vector<Input> openInputs(const Arguments& arguments, const Request& request
     QStringList warnings;
     for (const QString& scene : request.scenes) {
         inputs.push_back(openInput(scene, arguments));
+        checkInputsStay(request.outputs(), inputs.back().files);
         warnings << checkHeeded(arguments, request, inputs.back());
     }
     warnings.removeDuplicates();
@@ -312,6 +354,10 @@ QString tableOf(std::span<const ExperimentRow> rows, const Input& input, ErrorMe
     if (rows.begin() != rows.end() && errorOf(rows.front(), measure))
         text += QStringLiteral("* on the frontier: no other is as fast with a smaller error (%1)\n")
                     .arg(QLatin1String(infoOf(measure).id));
+    if (rows.begin() != rows.end() && rows.front().reference)
+        text += *rows.front().reference == ReferenceSpace::Object
+                    ? QStringLiteral("judged from object space: the vertex stage's float32 counts as well\n")
+                    : QStringLiteral("judged from clip space: what the vertex stage made is taken as given\n");
     if (const auto advantage = walkingAdvantage(rows))
         text += QStringLiteral("edge equation / edge walking: %1 (the blog post [002]: at least %2)\n")
                     .arg(*advantage, 0, 'f', 2)
@@ -339,6 +385,10 @@ ExitCode runBench(const QStringList& words)
     if (!arguments)
         return ExitCode::Fine;
     const Request request = requestOf(*arguments);
+    if (arguments->has(QStringLiteral("--chart"))) {
+        printDistanceChart(openInput(request.scenes.first(), *arguments), *arguments);
+        return ExitCode::Fine;
+    }
     std::vector<ExperimentRow> all;
     for (const Input& input : openInputs(*arguments, request)) {
         const std::vector<ExperimentRow> rows = measure(request, input);

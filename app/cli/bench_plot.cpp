@@ -313,7 +313,7 @@ QByteArray svgOf(QSize size, const std::vector<std::span<const ExperimentRow>>& 
 
 } // namespace
 
-QByteArray experimentFigure(std::span<const ExperimentRow> rows, ErrorMeasure measure, const QByteArray& format)
+QByteArray experimentFigure(std::span<const ExperimentRow> rows, ErrorMeasure measure, const QString& format)
 {
     // Fonts need an application; this one asks for no display.
     char program[] = "rasterlens-cli";
@@ -325,7 +325,7 @@ QByteArray experimentFigure(std::span<const ExperimentRow> rows, ErrorMeasure me
 
     const auto scenes = scenesOf(rows);
     const QSize size(kPanel.width(), kPanel.height() * std::max(1, static_cast<int>(scenes.size())));
-    if (format == "svg")
+    if (format == QLatin1String("svg"))
         return svgOf(size, scenes, measure);
     QImage image(size, QImage::Format_RGB32);
     image.fill(Qt::white);

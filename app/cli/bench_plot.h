@@ -12,6 +12,6 @@ namespace rasterlens::cli
 /// in      rows with marked frontier; `format` is "svg" or "png"
 /// out     the file; text is in the font of the system, sizes in pixels
 [[nodiscard]] QByteArray experimentFigure(std::span<const ExperimentRow> rows, ErrorMeasure measure,
-                                          const QByteArray& format);
+                                          const QString& format);
 
 } // namespace rasterlens::cli

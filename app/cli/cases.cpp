@@ -2,6 +2,7 @@
 #include "app/cli/output.h"
 #include "app/cli/variant_list.h"
 #include "app/cli/verbs.h"
+#include "core/scenes/load_scene.h"
 #include "core/truth/hard_cases.h"
 
 #include <QJsonArray>

@@ -2,8 +2,10 @@
 
 #include "app/cli/failure.h"
 #include "app/cli/settings_options.h"
+#include "core/io/input_log.h"
 #include "core/io/session.h"
 #include "core/scenes/builtin_scenes.h"
+#include "core/scenes/load_scene.h"
 
 #include <cstdio>
 
@@ -42,7 +44,7 @@ Session openSession(const QString& path)
     if (!load.session)
         failDiagnostics(load.diagnostics);
     printWarnings(load.diagnostics);
-    if (const QStringList unknown = unknownMistakes(settingsOf(*load.session, {})); !unknown.isEmpty())
+    if (const QStringList unknown = unknownMistakes(settingsOf(*load.session, {}).settings); !unknown.isEmpty())
         failInput(
             QStringLiteral("%1: there is no mistake \"%2\"; \"rasterlens-cli render --list-mistakes\" lists those "
                            "there are")
@@ -50,26 +52,49 @@ Session openSession(const QString& path)
     return *load.session;
 }
 
+/// The files that were read, as far as they are there.
+QStringList namesOf(const InputLog& log)
+{
+    QStringList names;
+    for (const InputFile& file : log.files())
+        if (file.stamp.exists)
+            names << file.path;
+    return names;
+}
+
+/// The session's settings in the scene that it names.
+Settings sessionSettings(const Session& session, const Settings& defaults, const QString& path)
+{
+    const SettingsParse parse = settingsOf(session, defaults);
+    Diagnostics errors;
+    for (const Reason& error : parse.errors)
+        errors.push_back({Severity::Error, path, 0, error});
+    if (!errors.empty())
+        failDiagnostics(errors);
+    return parse.settings;
+}
+
 } // namespace
 
 Input openInput(const QString& name, const Arguments& arguments)
 {
+    const InputLog log;
     LoadOptions options;
     options.peerMesh = arguments.isOn(QStringLiteral("--peer-mesh"));
     options.texture = arguments.value(QStringLiteral("--texture")).value_or(QString());
     options.size = withOptions(Settings(), arguments).size;
-    if (!name.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)) {
+    if (!isSession(name)) {
         SceneLoad load = openScene(name, options);
         const Settings settings = withOptions(load.scene->defaults, arguments);
-        return {std::move(*load.scene), settings, std::move(load.diagnostics)};
+        return {std::move(*load.scene), settings, std::move(load.diagnostics), namesOf(log)};
     }
     const Session session = openSession(name);
-    options.size = withOptions(settingsOf(session, {}), arguments).size;
+    options.size = withOptions(settingsOf(session, {}).settings, arguments).size;
     SceneLoad load = openScene(session.scene, options);
     if (const Diagnostics errors = moveVertices(*load.scene, session, name); !errors.empty())
         failDiagnostics(errors);
-    const Settings settings = withOptions(settingsOf(session, load.scene->defaults), arguments);
-    return {std::move(*load.scene), settings, std::move(load.diagnostics)};
+    const Settings settings = withOptions(sessionSettings(session, load.scene->defaults, name), arguments);
+    return {std::move(*load.scene), settings, std::move(load.diagnostics), namesOf(log)};
 }
 
 QList<Option> inputOptions()

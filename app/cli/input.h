@@ -10,6 +10,7 @@ struct Input {
     Scene scene;
     Settings settings;       ///< those of the scene or of the session that named it, changed by the command line
     Diagnostics diagnostics; ///< warnings of the loader
+    QStringList files;       ///< those it was read from, which no output may take the place of
 };
 
 /// Opens what the command line calls SCENE: all that loadScene takes, and session files.

@@ -1,4 +1,6 @@
 #pragma once
+#include "core/io/file_writer.h"
+
 #include <QByteArray>
 #include <QImage>
 #include <QString>
@@ -25,11 +27,7 @@ public:
     void write() const;
 
 private:
-    struct File {
-        QString path;
-        QByteArray bytes;
-    };
-    std::vector<File> m_files;
+    std::vector<OutputFile> m_files;
 };
 
 /// What can be known of the outputs before the work begins. Files that are there already stay as they are.
@@ -37,15 +35,20 @@ private:
 /// errors  throws Failure when two have one name, or one cannot be written
 void checkOutputs(const QStringList& paths);
 
+/// No output may take the place of a file that the picture is made of.
+///
+/// errors  throws Failure when one would
+void checkInputsStay(const QStringList& outputs, const QStringList& inputs);
+
 /// The formats a picture can be written in, by suffix: `png, ppm, bmp, jpg, jpeg`.
 [[nodiscard]] QString imageSuffixes();
 
 /// The format of a picture's file name; PNG for `-` and for names without suffix.
 ///
 /// errors  throws Failure for a suffix that is none of imageSuffixes()
-[[nodiscard]] QByteArray imageFormat(const QString& path);
+[[nodiscard]] QString imageFormat(const QString& path);
 
 /// The picture as a file in that format.
-[[nodiscard]] QByteArray imageBytes(const QImage& image, const QByteArray& format);
+[[nodiscard]] QByteArray imageBytes(const QImage& image, const QString& format);
 
 } // namespace rasterlens::cli

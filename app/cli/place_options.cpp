@@ -1,6 +1,7 @@
 #include "app/cli/place_options.h"
 
 #include "app/cli/failure.h"
+#include "core/base/typed_numbers.h"
 
 namespace rasterlens::cli
 {
@@ -10,12 +11,10 @@ std::optional<QPoint> pixelOption(const Arguments& arguments, QSize size)
     const auto text = arguments.value(QStringLiteral("--pixel"));
     if (!text)
         return std::nullopt;
-    const QStringList parts = text->split(QLatin1Char(','));
-    bool goodX = false;
-    bool goodY = false;
-    const QPoint pixel(parts.value(0).toInt(&goodX), parts.value(1).toInt(&goodY));
-    if (!goodX || !goodY || parts.size() != 2)
+    const auto typed = typedPoint(*text);
+    if (!typed)
         failArguments(QStringLiteral("--pixel: \"%1\" is not a pixel; expected: x,y").arg(*text));
+    const QPoint pixel = *typed;
     if (pixel.x() < 0 || pixel.y() < 0 || pixel.x() >= size.width() || pixel.y() >= size.height())
         failArguments(QStringLiteral("--pixel: %1 lies outside the picture; expected: 0,0 to %2,%3")
                           .arg(*text)

@@ -1,4 +1,5 @@
 #include "core/render/render.h"
+#include "app/cli/empty_remark.h"
 #include "app/cli/input.h"
 #include "app/cli/options.h"
 #include "app/cli/output.h"
@@ -28,7 +29,11 @@ Usage usage()
         {file("-o", "FILE", "The picture; default out.png. The suffix tells the format: png, ppm, bmp, jpg, jpeg."),
          noPicture, file("--depth", "F.npy", "The depth buffer: float32, 0 to 1."),
          file("--ids", "F.npy",
-              "The face seen at each pixel: int32, counted from 0 in the order of the file, -1 none."),
+              "The triangle seen at each pixel: int32, counted from 0, -1 none. The f statements of an OBJ file are "
+              "cut into triangles in their order; an f of n corners makes n - 2 of them."),
+         file("--face-lines", "F.npy",
+              "The line of the OBJ file on which the f statement stands that is seen at each pixel: int32, counted "
+              "from 1, -1 none; of other scenes -1 everywhere."),
          file("--coverage", "F.npy", "How many faces cover each pixel's centre, before the depth test: uint16."),
          file("--stats", "F.json",
               "Counters, times, settings, and the threads and vector instructions that worked. The frame is drawn "
@@ -55,25 +60,32 @@ Usage usage()
 /// The files asked for; an empty name is a file nobody asked for.
 struct OutputNames {
     QString image;
-    QByteArray imageFormat;
+    QString imageFormat;
     QString depth;
     QString ids;
+    QString faceLines;
     QString coverage;
     QString stats;
 
     explicit OutputNames(const Arguments& arguments)
-        : image(imageName(arguments)), imageFormat(image.isEmpty() ? QByteArray() : cli::imageFormat(image)),
+        : image(imageName(arguments)), imageFormat(image.isEmpty() ? QString() : cli::imageFormat(image)),
           depth(arguments.value(QStringLiteral("--depth")).value_or(QString())),
           ids(arguments.value(QStringLiteral("--ids")).value_or(QString())),
+          faceLines(arguments.value(QStringLiteral("--face-lines")).value_or(QString())),
           coverage(arguments.value(QStringLiteral("--coverage")).value_or(QString())),
           stats(arguments.value(QStringLiteral("--stats")).value_or(QString()))
     {
-        QStringList names{image, depth, ids, coverage, stats};
-        names.removeAll(QString());
-        if (names.isEmpty())
+        if (all().isEmpty())
             failArguments(QStringLiteral("rasterlens-cli render: --no-picture leaves nothing to write; one of --depth, "
-                                         "--ids, --coverage, --stats is expected"));
-        checkOutputs(names);
+                                         "--ids, --face-lines, --coverage, --stats is expected"));
+        checkOutputs(all());
+    }
+
+    [[nodiscard]] QStringList all() const
+    {
+        QStringList names{image, depth, ids, faceLines, coverage, stats};
+        names.removeAll(QString());
+        return names;
     }
 
 private:
@@ -96,12 +108,20 @@ void addArray(OutputFiles& files, const QString& path, const Values& values, QSi
                                  size.height(), size.width()));
 }
 
+/// The ids, each replaced by the line of its face in the file.
+std::vector<std::int32_t> faceLines(const Mesh& mesh, std::vector<std::int32_t> ids)
+{
+    for (std::int32_t& id : ids)
+        id = id < 0 ? -1 : mesh.lineOf(static_cast<std::size_t>(id));
+    return ids;
+}
+
 void renderTo(const Scene& scene, const Settings& settings, const OutputNames& names)
 {
     const bool counted = !names.stats.isEmpty();
     Frame frame;
     const Outputs outputs{.depth = !names.depth.isEmpty(),
-                          .ids = !names.ids.isEmpty(),
+                          .ids = !names.ids.isEmpty() || !names.faceLines.isEmpty(),
                           .coverage = !names.coverage.isEmpty(),
                           .picture = !names.image.isEmpty()};
     const Statistics statistics = counted ? renderCounted(scene, settings, frame, outputs) : Statistics();
@@ -112,10 +132,14 @@ void renderTo(const Scene& scene, const Settings& settings, const OutputNames& n
         files.add(names.image, imageBytes(frame.image, names.imageFormat));
     addArray(files, names.depth, frame.depth, settings.size);
     addArray(files, names.ids, frame.ids, settings.size);
+    if (!names.faceLines.isEmpty())
+        addArray(files, names.faceLines, faceLines(scene.mesh, frame.ids), settings.size);
     addArray(files, names.coverage, frame.coverage, settings.size);
     if (counted)
-        files.add(names.stats, QJsonDocument(toJson(statistics, frame.times, settings)).toJson());
+        files.add(names.stats,
+                  QJsonDocument(toJson(statistics, frame.times, settings, withWorkers(settings))).toJson());
     files.write();
+    remarkIfEmpty(scene, settings, frame, outputs);
 }
 
 } // namespace
@@ -132,8 +156,12 @@ ExitCode runRender(const QStringList& words)
 
     const OutputNames names(*arguments);
     const Input input = openInput(arguments->operands.first(), *arguments);
+    checkInputsStay(names.all(), input.files);
     if (const auto reason = refusal(input.scene, input.settings))
         failArguments(QStringLiteral("rasterlens-cli render: %1").arg(*reason));
+    if (input.settings.shading == Shading::Texture && input.scene.textures.empty())
+        std::fprintf(stderr, "%s: note: no material has a texture; shading texture shows a checkerboard\n",
+                     qUtf8Printable(input.scene.id));
     renderTo(input.scene, input.settings, names);
     return ExitCode::Fine;
 }

@@ -1,6 +1,7 @@
 #include "app/cli/settings_options.h"
 
 #include "app/cli/failure.h"
+#include "core/base/typed_numbers.h"
 #include "core/render/render.h"
 #include "core/settings/mistakes.h"
 
@@ -74,19 +75,14 @@ QList<Option> fieldOptions()
                       .arg(option, value, QString(option).remove(QStringLiteral("--")), takes));
 }
 
-/// `count` finite numbers with commas between them.
-std::vector<double> numbers(const QString& option, const QString& text, qsizetype count, const QString& takes)
+/// `count` finite numbers.
+std::vector<double> numbers(const QString& option, const QString& text, std::size_t count, const QString& takes)
 {
-    std::vector<double> values;
-    const QStringList parts = text.split(QLatin1Char(','));
-    for (const QString& part : parts) {
-        bool good = false;
-        const double value = part.toDouble(&good);
-        if (!good || !std::isfinite(value) || std::abs(value) > kMaxDistance || parts.size() != count)
-            failValue(option, text, takes);
-        values.push_back(value);
-    }
-    return values;
+    const auto values = typedNumbers(text);
+    const auto isTooFar = [](double value) { return std::abs(value) > kMaxDistance; };
+    if (!values || values->size() != count || std::ranges::any_of(*values, isTooFar))
+        failValue(option, text, takes);
+    return *values;
 }
 
 /// Reads the options of the camera into a View.
@@ -267,7 +263,7 @@ Settings withOptions(Settings settings, const Arguments& arguments)
 {
     const QString sizeOption = QStringLiteral("--size");
     if (const auto text = arguments.value(sizeOption)) {
-        const auto size = parseSize(*text);
+        const auto size = typedSize(*text, kMaxViewport);
         if (!size)
             failValue(sizeOption, *text, QStringLiteral("WIDTHxHEIGHT in pixels, 1 to %1 each").arg(kMaxViewport));
         settings.size = *size;

@@ -24,7 +24,10 @@ Usage usage()
     };
     const OptionGroup steps{
         QStringLiteral("Steps:"),
-        {value("--face", "N", "Only this face, counted from 0 in the order of the file."),
+        {value(
+             "--face", "N",
+             "Only this face: a triangle, counted from 0 as --ids does. Where the scene is an OBJ file, each step also "
+             "names the line of the f statement that its triangle is a part of."),
          value("--pixel", "X,Y",
                "Only what happens at this pixel, counted from the top left, and to the faces that get there."),
          value("--limit", "N", "Most steps; default 1000000. The drawing ends there, and the last line says so."),
@@ -91,8 +94,10 @@ ExitCode runSteps(const QStringList& words)
         filter.cap = static_cast<std::size_t>(*limit);
 
     const auto file = arguments->value(QStringLiteral("--json"));
-    if (file)
+    if (file) {
         checkOutputs({*file});
+        checkInputsStay({*file}, input.files);
+    }
     const auto log = renderSteps(input.scene, input.settings, filter);
     if (file) {
         OutputFiles files;

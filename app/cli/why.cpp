@@ -23,22 +23,27 @@ Usage usage()
          {QStringLiteral("--json"), Option::Kind::Value, QStringLiteral("F"),
           QStringLiteral("The answer as a JSON object in this file (- is stdout), instead of text.")}}};
     const OptionGroup input{QStringLiteral("Input:"), inputOptions()};
-    return {QStringLiteral("why"),
-            QStringLiteral("rasterlens-cli why SCENE --pixel x,y [--json F] [options]"),
-            QStringLiteral("Says of every face that could concern a pixel what became of it there, and with which "
-                           "numbers.\n\n") +
-                sceneHelp(),
-            {QStringLiteral("SCENE")},
-            QList<OptionGroup>{question, input} + settingsOptionGroups(),
-            QStringLiteral("With several samples a pixel the faces are judged at the sample nearest its centre.\n\n"
-                           "Exit codes: 0 answered; 2 bad arguments, or settings that cannot be combined; 3 input that "
-                           "cannot be read, or output that cannot be written.")};
+    return {
+        QStringLiteral("why"),
+        QStringLiteral("rasterlens-cli why SCENE --pixel x,y [--json F] [options]"),
+        QStringLiteral("Says of every face that could concern a pixel what became of it there, and with which "
+                       "numbers.\n\n") +
+            sceneHelp(),
+        {QStringLiteral("SCENE")},
+        QList<OptionGroup>{question, input} + settingsOptionGroups(),
+        QStringLiteral("A face is a triangle, counted from 0 as --ids does. Where the scene is an OBJ file, the line "
+                       "of the f statement that it is a part of stands behind it.\n\n"
+                       "With several samples a pixel the faces are judged at the sample nearest its centre.\n\n"
+                       "Exit codes: 0 answered; 2 bad arguments, or settings that cannot be combined; 3 input that "
+                       "cannot be read, or output that cannot be written.")};
 }
 
 QString textOf(const WhyReport& report)
 {
     QString text = QStringLiteral("pixel %1,%2: %3").arg(report.x).arg(report.y).arg(colorText(report.color));
-    text += report.visibleFace ? QStringLiteral(", face %1").arg(*report.visibleFace) : QStringLiteral(", background");
+    text += report.visibleFace
+                ? QStringLiteral(", ") + faceText(*report.visibleFace, report.lineOf(*report.visibleFace))
+                : QStringLiteral(", background");
     text += QStringLiteral(", depth %1\n").arg(double(report.depth), 0, 'g', 9);
     for (const WhyFace& face : report.faces)
         text += whyText(report, face) + QLatin1Char('\n');
@@ -58,8 +63,13 @@ ExitCode runWhy(const QStringList& words)
     if (const auto reason = refusal(input.scene, input.settings))
         failArguments(QStringLiteral("rasterlens-cli why: %1").arg(*reason));
     const QPoint pixel = *pixelOption(*arguments, input.settings.size);
+    const auto file = arguments->value(QStringLiteral("--json"));
+    if (file) {
+        checkOutputs({*file});
+        checkInputsStay({*file}, input.files);
+    }
     const WhyReport report = why(input.scene, input.settings, pixel.x(), pixel.y());
-    if (const auto file = arguments->value(QStringLiteral("--json"))) {
+    if (file) {
         OutputFiles files;
         files.add(*file, QJsonDocument(toJson(report)).toJson());
         files.write();
