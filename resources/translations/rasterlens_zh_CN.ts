@@ -354,6 +354,14 @@
         <source>With a guard band the triangle is not clipped; the bounding box alone keeps it on the screen.</source>
         <translation>有保护带时三角形不被裁剪；只靠包围盒把它留在屏幕内。</translation>
     </message>
+    <message>
+        <source>Leaves cut out of squares</source>
+        <translation>从方片中剪出的叶子</translation>
+    </message>
+    <message>
+        <source>Six squares and a wall, sent from front to back. Around each leaf the texture is transparent: without the alpha test the corners of a square hide what lies behind, because they write depth although nothing is to be seen there.</source>
+        <translation>六个方片和一面墙，由前到后送出。每片叶子周围的纹理是透明的：不做 alpha 测试时，方片的四角会挡住后面的东西，因为那里虽然什么也看不见，却写入了深度。</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostic</name>
@@ -434,10 +442,6 @@
         <translation>%1 出现在第一个 newmtl 之前；已忽略</translation>
     </message>
     <message>
-        <source>map_Kd takes a file name; ignored</source>
-        <translation>map_Kd 需要一个文件名；已忽略</translation>
-    </message>
-    <message>
         <source>%1 is negative</source>
         <translation>%1 是负数</translation>
     </message>
@@ -462,10 +466,6 @@
         <translation>mtllib %1：%2；使用默认材质</translation>
     </message>
     <message>
-        <source>map_Kd %1: %2; drawn without texture</source>
-        <translation>map_Kd %1：%2；绘制时不用纹理</translation>
-    </message>
-    <message>
         <source>binary data (a zero byte); an OBJ file is text</source>
         <translation>二进制数据（含零字节）；OBJ 文件应为文本</translation>
     </message>
@@ -486,20 +486,12 @@
         <translation>%1：%2；应为有限数</translation>
     </message>
     <message>
-        <source>%1: a number of %2 characters; at most %3 are expected</source>
-        <translation>%1：一个数长达 %2 个字符；最多 %3 个</translation>
-    </message>
-    <message>
         <source>%1: %2 numbers; %3 expected</source>
         <translation>%1：%2 个数；要求 %3 个</translation>
     </message>
     <message>
         <source>%1 to %2</source>
         <translation>%1 到 %2</translation>
-    </message>
-    <message>
-        <source>v: 5 numbers; x y z, x y z w or x y z r g b expected</source>
-        <translation>v：5 个数；要求 x y z、x y z w 或 x y z r g b</translation>
     </message>
     <message>
         <source>f: %1 corners; at least 3 expected</source>
@@ -582,10 +574,6 @@
         <translation>&quot;view&quot; 中没有这种类型的键 &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>&quot;near&quot; must be smaller than &quot;far&quot;</source>
-        <translation>&quot;near&quot; 必须小于 &quot;far&quot;</translation>
-    </message>
-    <message>
         <source>&quot;mistakes&quot; takes an array of mistake ids</source>
         <translation>&quot;mistakes&quot; 应为错误 id 的数组</translation>
     </message>
@@ -612,10 +600,6 @@
     <message>
         <source>there is no such stress scene; expected: %1</source>
         <translation>没有这个压力测试场景；应为其中之一：%1</translation>
-    </message>
-    <message>
-        <source>and %1 more</source>
-        <translation>还有 %1 条</translation>
     </message>
     <message>
         <source>there is no such file</source>
@@ -684,6 +668,298 @@
     <message>
         <source>there is not enough memory for the image</source>
         <translation>内存不足，放不下这幅图像</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to open it</source>
+        <translation>内存不足，无法打开</translation>
+    </message>
+    <message>
+        <source>it was not opened: the system does not start so many threads</source>
+        <translation>未能打开：系统无法启动这么多线程</translation>
+    </message>
+    <message>
+        <source>the model is %1 across and %2 from 0, where even double keeps only steps of %3; move it nearer to 0 before it is exported</source>
+        <translation>模型宽 %1，距 0 有 %2，那里连 double 的步长也有 %3；请在导出前把它移近 0</translation>
+    </message>
+    <message>
+        <source>the model is %1 across and %2 from 0, where float32 keeps only steps of %3; positions are read in double and drawn about the origin (%4, %5, %6)</source>
+        <translation>模型宽 %1，距 0 有 %2，那里 float32 的步长为 %3；坐标按 double 读入，并以 (%4, %5, %6) 为原点绘制</translation>
+    </message>
+    <message>
+        <source>the file now has %1 vertices instead of %2: moved vertices are back where the file has them</source>
+        <translation>文件现在有 %1 个顶点（原有 %2 个）：移动过的顶点已回到文件中的位置</translation>
+    </message>
+    <message>
+        <source>&quot;near&quot; (%1) must be smaller than &quot;far&quot; (%2)</source>
+        <translation>&quot;near&quot;（%1）必须小于 &quot;far&quot;（%2）</translation>
+    </message>
+    <message>
+        <source>%1; left out</source>
+        <translation>%1；已略去</translation>
+    </message>
+    <message>
+        <source>made by a newer version (%1); this one reads %2</source>
+        <translation>由更新的版本（%1）生成；本版本读取 %2</translation>
+    </message>
+    <message>
+        <source>the scene is neither at %1 nor, by its name, beside the session or in the folder above</source>
+        <translation>场景既不在 %1，也没有按名字在会话旁边或上一级文件夹中找到</translation>
+    </message>
+    <message>
+        <source>the scene is not at %1; %2 is used</source>
+        <translation>场景不在 %1；改用 %2</translation>
+    </message>
+    <message>
+        <source>there is no mistake &quot;%1&quot;</source>
+        <translation>没有名为“%1”的错误</translation>
+    </message>
+    <message>
+        <source>the text is %1; UTF-8 or ASCII is expected</source>
+        <translation>文本是 %1 编码；应为 UTF-8 或 ASCII</translation>
+    </message>
+    <message>
+        <source>the picture carries %1, which is not applied: its colours are taken as they are stored</source>
+        <translation>图像带有%1，但不会应用：颜色按存储的值使用</translation>
+    </message>
+    <message>
+        <source>a gamma of %1</source>
+        <translation>伽马值 %1</translation>
+    </message>
+    <message>
+        <source>the colour profile &quot;%1&quot;</source>
+        <translation>颜色配置文件“%1”</translation>
+    </message>
+    <message>
+        <source>no program reads from this pipe</source>
+        <translation>没有程序从这个管道读取</translation>
+    </message>
+    <message>
+        <source>it is a folder; the name of a file is expected</source>
+        <translation>这是一个文件夹；应为文件名</translation>
+    </message>
+    <message>
+        <source>the disk holds only a part of it</source>
+        <translation>磁盘上只有它的一部分</translation>
+    </message>
+    <message>
+        <source>it is in use as an input and would be overwritten; another name is expected</source>
+        <translation>它正作为输入使用，会被覆盖；请换一个名字</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a format pictures are written in, which are: %2</source>
+        <translation>“%1”不是可写出的图像格式，可用的有：%2</translation>
+    </message>
+    <message>
+        <source>the picture is empty or too large</source>
+        <translation>图像为空或太大</translation>
+    </message>
+    <message>
+        <source>the picture cannot be made a %1: %2</source>
+        <translation>图像无法存为 %1：%2</translation>
+    </message>
+    <message>
+        <source>%1: note: %2</source>
+        <translation>%1：提示：%2</translation>
+    </message>
+    <message>
+        <source>%1: the file&apos;s name has other letters large: %2</source>
+        <translation>%1：文件名的大小写不同：%2</translation>
+    </message>
+    <message>
+        <source>%1: %2 is read from the folder of this file</source>
+        <translation>%1：改从本文件所在的文件夹读取 %2</translation>
+    </message>
+    <message>
+        <source>not drawn: %1</source>
+        <translation>未绘制：%1</translation>
+    </message>
+    <message>
+        <source>not statements of the MTL format; ignored: %1</source>
+        <translation>不是 MTL 格式的语句，已忽略：%1</translation>
+    </message>
+    <message>
+        <source>read, but no part of the lighting here: %1</source>
+        <translation>已读取，但不参与这里的光照：%1</translation>
+    </message>
+    <message>
+        <source>%1 takes a file name; ignored</source>
+        <translation>%1 需要一个文件名；已忽略</translation>
+    </message>
+    <message>
+        <source>%1: there is no option %2; ignored</source>
+        <translation>%1：没有选项 %2；已忽略</translation>
+    </message>
+    <message>
+        <source>%1: the value of %2 is missing or wrong; ignored</source>
+        <translation>%1：%2 的值缺失或有误；已忽略</translation>
+    </message>
+    <message>
+        <source>%1: %2 has no effect here</source>
+        <translation>%1：%2 在此不起作用</translation>
+    </message>
+    <message>
+        <source>and %1 more remarks like that on line %2</source>
+        <translation>还有 %1 条与第 %2 行同类的说明</translation>
+    </message>
+    <message>
+        <source>the text is UTF-16; UTF-8 is smaller and read everywhere</source>
+        <translation>文本是 UTF-16；UTF-8 更小，到处都能读</translation>
+    </message>
+    <message>
+        <source>another program shortened the file while it was read</source>
+        <translation>读取时另一个程序截短了该文件</translation>
+    </message>
+    <message>
+        <source>no mtllib names a file</source>
+        <translation>没有 mtllib 语句指出文件</translation>
+    </message>
+    <message>
+        <source>mtllib %1: %2</source>
+        <translation>mtllib %1：%2</translation>
+    </message>
+    <message>
+        <source>Blender writes Kd as linear light and vertex colours as they are shown; here both are shown as they stand, so Kd looks darker than in Blender</source>
+        <translation>Blender 把 Kd 写成线性光，把顶点颜色写成显示值；这里两者都按原值显示，所以 Kd 看起来比在 Blender 中暗</translation>
+    </message>
+    <message>
+        <source>%1; %2 beside it is read</source>
+        <translation>%1；改读旁边的 %2</translation>
+    </message>
+    <message>
+        <source>f: the outline of %1 corners crosses itself; its inside is a guess</source>
+        <translation>f：%1 个角的轮廓自相交，内部只能猜测</translation>
+    </message>
+    <message>
+        <source>none of the %1 &quot;f&quot; statements can be drawn</source>
+        <translation>%1 条“f”语句都无法绘制</translation>
+    </message>
+    <message>
+        <source>s: %1; a group&apos;s number or off expected</source>
+        <translation>s：%1；应为组号或 off</translation>
+    </message>
+    <message>
+        <source>x y z, x y z w or x y z r g b</source>
+        <translation>x y z、x y z w 或 x y z r g b</translation>
+    </message>
+    <message>
+        <source>v: a weight other than 1 is ignored</source>
+        <translation>v：忽略不等于 1 的权重</translation>
+    </message>
+    <message>
+        <source>f: only %1 of %2 corners are different; at least 3 expected</source>
+        <translation>f：%2 个角中只有 %1 个不同；至少应有 3 个</translation>
+    </message>
+    <message>
+        <source>f: %1 repeated corners are left out</source>
+        <translation>f：略去 %1 个重复的角</translation>
+    </message>
+    <message>
+        <source>f: v %1 is no position; the face is left out</source>
+        <translation>f：v %1 不是位置；略去该面</translation>
+    </message>
+    <message>
+        <source>#MRGB: %1 colours for %2 &quot;v&quot;; white where there is none</source>
+        <translation>#MRGB：%2 个“v”只有 %1 种颜色；缺少处用白色</translation>
+    </message>
+    <message>
+        <source>v: colours up to %1; all are divided by %2</source>
+        <translation>v：颜色值最大为 %1；全部除以 %2</translation>
+    </message>
+    <message>
+        <source>v: colours up to %1; shown as 1 where they are larger</source>
+        <translation>v：颜色值最大为 %1；大于 1 的按 1 显示</translation>
+    </message>
+    <message>
+        <source>%1 of %2 faces are seen edge-on or have no area</source>
+        <translation>%2 个面中有 %1 个正好侧对视线或没有面积</translation>
+    </message>
+    <message>
+        <source>orbit, for example --orbit 30,30</source>
+        <translation>请转动视角，例如 --orbit 30,30</translation>
+    </message>
+    <message>
+        <source>orbit by dragging the canvas</source>
+        <translation>拖动画布以转动视角</translation>
+    </message>
+    <message>
+        <source>%1 of %2 faces show their back and are culled</source>
+        <translation>%2 个面中有 %1 个背面朝前，被剔除</translation>
+    </message>
+    <message>
+        <source>--culling none draws them</source>
+        <translation>--culling none 会绘制它们</translation>
+    </message>
+    <message>
+        <source>C switches culling</source>
+        <translation>按 C 切换剔除</translation>
+    </message>
+    <message>
+        <source>%1 of %2 faces show their front and are culled</source>
+        <translation>%2 个面中有 %1 个正面朝前，被剔除</translation>
+    </message>
+    <message>
+        <source>%1 of %2 faces lie outside the view</source>
+        <translation>%2 个面中有 %1 个在视野之外</translation>
+    </message>
+    <message>
+        <source>--view fit shows all</source>
+        <translation>--view fit 显示全部</translation>
+    </message>
+    <message>
+        <source>Home shows the whole scene</source>
+        <translation>按 Home 显示整个场景</translation>
+    </message>
+    <message>
+        <source>%1 of %2 faces have a corner that is no finite number</source>
+        <translation>%2 个面中有 %1 个含有非有限数的角</translation>
+    </message>
+    <message>
+        <source>the scene has to be mended</source>
+        <translation>需要修正场景</translation>
+    </message>
+    <message>
+        <source>there are no faces</source>
+        <translation>没有面</translation>
+    </message>
+    <message>
+        <source>another scene has some</source>
+        <translation>请换一个场景</translation>
+    </message>
+    <message>
+        <source>%1 faces reach the screen, but each lies between the centres of pixels</source>
+        <translation>%1 个面到达屏幕，但都落在像素中心之间</translation>
+    </message>
+    <message>
+        <source>more --samples or a larger --size shows them</source>
+        <translation>增大 --samples 或 --size 就能看到</translation>
+    </message>
+    <message>
+        <source>more samples a pixel or a larger picture shows them</source>
+        <translation>增加每像素采样数或放大图像就能看到</translation>
+    </message>
+    <message>
+        <source>all %1 fragments failed the depth test</source>
+        <translation>%1 个片元全部未通过深度测试</translation>
+    </message>
+    <message>
+        <source>--depth-test less is the usual one</source>
+        <translation>通常用 --depth-test less</translation>
+    </message>
+    <message>
+        <source>T changes the depth test</source>
+        <translation>按 T 更换深度测试</translation>
+    </message>
+    <message>
+        <source>nothing is seen: %1; %2</source>
+        <translation>什么也看不到：%1；%2</translation>
+    </message>
+    <message>
+        <source>map_Kd %1: %2; drawn without texture</source>
+        <translation>map_Kd %1：%2；绘制时不用纹理</translation>
+    </message>
+    <message>
+        <source>map_d %1: %2; drawn without holes</source>
+        <translation>map_d %1：%2；绘制时不开孔</translation>
     </message>
 </context>
 <context>
@@ -1659,6 +1935,66 @@
         <source>No corner of the snapped outline sees all of it, so no fan of triangles covers it without hitting samples twice.</source>
         <translation>对齐后的轮廓没有一个角能看到全部，所以任何三角形扇都会重复命中样本。</translation>
     </message>
+    <message>
+        <source>A cut corner lies exactly half way between two points of the grid: it snaps to the even one.</source>
+        <translation>切出的角恰好位于两个网格点正中：对齐到偶数点。</translation>
+    </message>
+    <message>
+        <source>A cut corner that is rounded before it is snapped falls off the tie, to either side.</source>
+        <translation>切出的角若在对齐之前先被舍入，就会偏离正中，落到任意一侧。</translation>
+    </message>
+    <message>
+        <source>Two corners with w = 0, whole pixels: a tie of a cut corner decides seven pixels.</source>
+        <translation>两个角的 w = 0，整像素：一个切出的角的平局决定七个像素。</translation>
+    </message>
+    <message>
+        <source>A corner behind the eye, and a cut corner exactly half way between two points of the grid.</source>
+        <translation>一个角在眼睛后面，一个切出的角恰好位于两个网格点正中。</translation>
+    </message>
+    <message>
+        <source>A tie of a cut corner, on an edge that ends at 10^7.</source>
+        <translation>一条边的另一端在 10^7 处，切出的角恰好位于网格点正中。</translation>
+    </message>
+    <message>
+        <source>Corners at 10^8 and whole pixels: 20 pixels, not 4.</source>
+        <translation>位于 10^8 处的角，整像素：20 个像素，而不是 4 个。</translation>
+    </message>
+    <message>
+        <source>A corner made by two planes is computed from the face itself: a cut of a rounded cut lands elsewhere.</source>
+        <translation>由两个平面切出的角要从面本身算起：对已舍入的切点再切，会落到别处。</translation>
+    </message>
+    <message>
+        <source>A corner at w = 10^10, cut at z = 0.</source>
+        <translation>一个角的 w 为 10^10，在 z = 0 处裁剪。</translation>
+    </message>
+    <message>
+        <source>Corners at 10^15, before and behind the eye.</source>
+        <translation>位于 10^15 处的角，眼前眼后都有。</translation>
+    </message>
+    <message>
+        <source>Corners at 10^15 on a finer grid.</source>
+        <translation>位于 10^15 处的角，更细的网格。</translation>
+    </message>
+    <message>
+        <source>No plane has all corners outside, yet nothing of the face is in the view volume.</source>
+        <translation>没有哪个平面把所有角都隔在外面，可是面没有任何部分在视体之内。</translation>
+    </message>
+    <message>
+        <source>Corners at 10^30, one with w = 0: 9 pixels, not 64.</source>
+        <translation>位于 10^30 处的角，一个 w = 0：9 个像素，而不是 64 个。</translation>
+    </message>
+    <message>
+        <source>Corners close to the largest float, one with w = 0 and one behind the eye.</source>
+        <translation>角接近最大的浮点数，一个 w = 0，一个在眼睛后面。</translation>
+    </message>
+    <message>
+        <source>Corners close to the largest float: almost a quarter of the screen, but for 29 pixels.</source>
+        <translation>角接近最大的浮点数：将近四分之一个屏幕，只差 29 个像素。</translation>
+    </message>
+    <message>
+        <source>A fan whose rim reaches the largest float, with w from 1/2 to 2 * 10^38: each pixel once.</source>
+        <translation>边缘伸展到最大浮点数的扇形，w 从 1/2 到 2 * 10^38：每个像素一次。</translation>
+    </message>
 </context>
 <context>
     <name>ImageExport</name>
@@ -1666,9 +2002,16 @@
         <source>%1 could not be written: %2</source>
         <translation>无法写入 %1：%2</translation>
     </message>
+</context>
+<context>
+    <name>LatestResult</name>
     <message>
-        <source>the picture is empty or too large.</source>
-        <translation>图像为空或过大。</translation>
+        <source>there is not enough memory</source>
+        <translation>内存不足</translation>
+    </message>
+    <message>
+        <source>the system does not start so many threads</source>
+        <translation>系统无法启动这么多线程</translation>
     </message>
 </context>
 <context>
@@ -1708,6 +2051,25 @@
     <message>
         <source>tie: %1, %2</source>
         <translation>平局: %1，%2</translation>
+    </message>
+</context>
+<context>
+    <name>LocateModel</name>
+    <message>
+        <source>Locate the model of %1</source>
+        <translation>查找 %1 的模型</translation>
+    </message>
+    <message>
+        <source>Scenes and cases (*.obj *.case)</source>
+        <translation>场景和用例 (*.obj *.case)</translation>
+    </message>
+    <message>
+        <source>The model of this session is not where it was.</source>
+        <translation>这个会话的模型已不在原处。</translation>
+    </message>
+    <message>
+        <source>Locate…</source>
+        <translation>查找…</translation>
     </message>
 </context>
 <context>
@@ -2951,6 +3313,22 @@
         <source>The nearest texel, a blend of the four around the point, or such blends in mipmaps: smaller copies of the texture that keep distant patterns calm.</source>
         <translation>取最近的纹素、混合周围四个纹素，或在 mipmap（纹理的缩小副本）中作同样的混合，使远处的图案不闪烁。</translation>
     </message>
+    <message>
+        <source>On</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>Alpha test</source>
+        <translation>Alpha 测试</translation>
+    </message>
+    <message>
+        <source>Where a texture with transparency is less than half opaque, the face has a hole: nothing is drawn there, and no depth is written. Textures without transparency have none.</source>
+        <translation>带透明度的纹理在不透明度不到一半处，面上就有孔：那里什么都不画，也不写入深度。没有透明度的纹理没有孔。</translation>
+    </message>
 </context>
 <context>
     <name>StatisticsPanel</name>
@@ -3224,10 +3602,6 @@
         <translation>没有名为“%1”的错误；用“rasterlens-cli render --list-mistakes”可列出全部错误</translation>
     </message>
     <message>
-        <source>this algorithm is not built in</source>
-        <translation>程序中没有编入此算法</translation>
-    </message>
-    <message>
         <source>algorithm tiled needs number-type fixed</source>
         <translation>分块算法只能用定点数</translation>
     </message>
@@ -3286,6 +3660,14 @@
         <source>Copy</source>
         <translation>复制</translation>
     </message>
+    <message>
+        <source>The pixel card was not computed: %1.</source>
+        <translation>像素卡未能算出：%1。</translation>
+    </message>
+    <message>
+        <source>The face&apos;s panels were not computed: %1.</source>
+        <translation>此面的面板未能算出：%1。</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::CaseBrowser</name>
@@ -3320,6 +3702,13 @@
     <message>
         <source>Hard cases</source>
         <translation>疑难案例</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::CaseModel</name>
+    <message>
+        <source>The hard cases were not drawn: %1.</source>
+        <translation>疑难案例未能绘制：%1。</translation>
     </message>
 </context>
 <context>
@@ -3514,6 +3903,10 @@
         <source>Mistakes</source>
         <translation>错误</translation>
     </message>
+    <message>
+        <source>A was not drawn: %1</source>
+        <translation>A 未能绘制：%1</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::CurvesPanel</name>
@@ -3613,8 +4006,8 @@
 <context>
     <name>rasterlens::Dock</name>
     <message>
-        <source>Close this panel; the menu View opens it again</source>
-        <translation>关闭此面板；可从“视图”菜单重新打开</translation>
+        <source>Close this panel; the menu Panels opens it again</source>
+        <translation>关闭此面板；可从“面板”菜单重新打开</translation>
     </message>
 </context>
 <context>
@@ -3646,10 +4039,6 @@
 </context>
 <context>
     <name>rasterlens::ExperimentPanel</name>
-    <message>
-        <source>%1 could not be written: %2</source>
-        <translation>无法写入 %1：%2</translation>
-    </message>
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
@@ -3746,8 +4135,8 @@
         <translation>共 %1</translation>
     </message>
     <message>
-        <source>Faces are counted from 0. A click on a pixel chooses the face seen there.</source>
-        <translation>面从 0 开始计数。点击像素即选择在那里看到的面。</translation>
+        <source>Faces are the triangles, counted from 0. A click on a pixel chooses the face seen there; the line beside a face is that of the f statement in the OBJ file that it is a part of.</source>
+        <translation>面就是三角形，从 0 开始编号。点击像素会选中那里看到的面；面旁边的行号是它所属的 f 语句在 OBJ 文件中的行。</translation>
     </message>
 </context>
 <context>
@@ -3763,6 +4152,65 @@
     <message>
         <source>Key %1 steps through the values.</source>
         <translation>按 %1 键切换取值。</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::LifeCycle</name>
+    <message>
+        <source>Unsaved changes cannot be kept in case the program ends unexpectedly: %1</source>
+        <translation>无法保留未保存的更改以防程序意外结束：%1</translation>
+    </message>
+    <message>
+        <source>Save the changes to &quot;%1&quot;?</source>
+        <translation>要保存对“%1”的更改吗？</translation>
+    </message>
+    <message>
+        <source>Otherwise settings, camera and moved vertices are lost.</source>
+        <translation>否则设置、相机和移动过的顶点会丢失。</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>放弃(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Save session</source>
+        <translation>保存会话</translation>
+    </message>
+    <message>
+        <source>Sessions (*.json)</source>
+        <translation>会话 (*.json)</translation>
+    </message>
+    <message>
+        <source>The program ended before changes to &quot;%1&quot; were saved (%2).</source>
+        <translation>对“%1”的更改尚未保存，程序就已结束（%2）。</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>放弃</translation>
+    </message>
+    <message>
+        <source>Changed on the disk: %1</source>
+        <translation>磁盘上已更改：%1</translation>
+    </message>
+    <message>
+        <source>Reload (F5)</source>
+        <translation>重新读取 (F5)</translation>
+    </message>
+    <message>
+        <source>No longer on the disk: %1. The scene stays as it was read.</source>
+        <translation>磁盘上已不存在：%1。场景保持读取时的样子。</translation>
     </message>
 </context>
 <context>
@@ -4160,18 +4608,6 @@
         <translation>所有文件 (*)</translation>
     </message>
     <message>
-        <source>Save session</source>
-        <translation>保存会话</translation>
-    </message>
-    <message>
-        <source>Sessions (*.json)</source>
-        <translation>会话 (*.json)</translation>
-    </message>
-    <message>
-        <source>PNG images (*.png)</source>
-        <translation>PNG 图像 (*.png)</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>适合窗口</translation>
     </message>
@@ -4248,10 +4684,6 @@
         <translation>更慢、更快</translation>
     </message>
     <message>
-        <source>SVG drawings (*.svg)</source>
-        <translation>SVG 图形 (*.svg)</translation>
-    </message>
-    <message>
         <source>&amp;Mistakes</source>
         <translation>错误(&amp;M)</translation>
     </message>
@@ -4294,6 +4726,46 @@
     <message>
         <source>pin A, exchange A and B</source>
         <translation>固定 A，交换 A 与 B</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>leave field, help, presentation, steps</source>
+        <translation>依次离开输入框、帮助、演示模式、单步</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>面板</translation>
+    </message>
+    <message>
+        <source>The name of the dropped file did not arrive. Open it from the menu.</source>
+        <translation>拖入的文件名没有传到。请从菜单中打开它。</translation>
+    </message>
+    <message>
+        <source>judge from object space</source>
+        <translation>从物体空间判起</translation>
+    </message>
+    <message>
+        <source>Re&amp;load from disk</source>
+        <translation>从磁盘重新读取(&amp;L)</translation>
+    </message>
+    <message>
+        <source>save session</source>
+        <translation>保存会话</translation>
+    </message>
+    <message>
+        <source>read files again</source>
+        <translation>重新读取文件</translation>
+    </message>
+    <message>
+        <source>%1 (not found)</source>
+        <translation>%1（未找到）</translation>
+    </message>
+    <message>
+        <source>One file at a time: %1 is opened.</source>
+        <translation>一次只能打开一个文件：已打开 %1。</translation>
     </message>
 </context>
 <context>
@@ -4384,6 +4856,10 @@
         <translation>
             <numerusform>还有 %n 个</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The mistakes were not counted: %1.</source>
+        <translation>错误未能计数：%1。</translation>
     </message>
 </context>
 <context>
@@ -4484,6 +4960,13 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::PanelPlaces</name>
+    <message>
+        <source>Tabs &amp;below the canvas</source>
+        <translation>面板放在画布下方(&amp;B)</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::PipelinePanel</name>
     <message>
         <source>&quot;%1&quot; is not a size. Write WIDTH x HEIGHT with 1 to %2 each.</source>
@@ -4526,6 +5009,10 @@
     <message>
         <source>Opens a scene with float32 and has the referee check it</source>
         <translation>用 float32 打开一个场景，并请裁判核对</translation>
+    </message>
+    <message>
+        <source>No material of this scene has a texture: a checkerboard stands for it.</source>
+        <translation>本场景没有一种材质带纹理：以棋盘格代替。</translation>
     </message>
 </context>
 <context>
@@ -4635,10 +5122,6 @@
         <translation>面 %1</translation>
     </message>
     <message>
-        <source>face %1 is seen</source>
-        <translation>看到的是面 %1</translation>
-    </message>
-    <message>
         <source>background: no face was written</source>
         <translation>背景：没有面写入</translation>
     </message>
@@ -4659,6 +5142,18 @@
         <translation>
             <numerusform>另有 %n 个面；“复制”可得到全部</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>cut out by the alpha test: the texture is opaque by %1</source>
+        <translation>被 alpha 测试剪去：纹理的不透明度为 %1</translation>
+    </message>
+    <message>
+        <source>face %1, line %2</source>
+        <translation>面 %1，第 %2 行</translation>
+    </message>
+    <message>
+        <source>%1 is seen</source>
+        <translation>看到的是%1</translation>
     </message>
 </context>
 <context>
@@ -4754,6 +5249,10 @@
         <source>background</source>
         <translation>背景</translation>
     </message>
+    <message>
+        <source>face %1, line %2</source>
+        <translation>面 %1，第 %2 行</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::Referee</name>
@@ -4833,6 +5332,10 @@
         <source>checking … %1 %</source>
         <translation>正在检查……%1 %</translation>
     </message>
+    <message>
+        <source>not checked: %1</source>
+        <translation>未核对：%1</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::RefereeBar</name>
@@ -4856,6 +5359,26 @@
         <source>Send the referee off (V)</source>
         <translation>请裁判离场（V）</translation>
     </message>
+    <message>
+        <source>from object space</source>
+        <translation>从物体空间判起</translation>
+    </message>
+    <message>
+        <source>from clip space</source>
+        <translation>从裁剪空间判起</translation>
+    </message>
+    <message>
+        <source>The corners of this scene are given in clip space: there is no vertex stage to judge</source>
+        <translation>此场景的顶点直接以裁剪空间坐标给出：没有顶点阶段可判</translation>
+    </message>
+    <message>
+        <source>The truth starts from the mesh and the camera: what float32 loses in the vertex stage counts as well. Click to take that stage&apos;s results as given (Ctrl+Shift+V)</source>
+        <translation>真值从网格和相机算起：顶点阶段中 float32 损失的也算在内。点击则以该阶段的结果为准 (Ctrl+Shift+V)</translation>
+    </message>
+    <message>
+        <source>The truth starts from the clip-space positions that the vertex stage has made: that stage itself is not judged. Click to judge it as well (Ctrl+Shift+V)</source>
+        <translation>真值从顶点阶段算出的裁剪空间位置算起：该阶段本身不受评判。点击则一并评判 (Ctrl+Shift+V)</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::RenderWorker</name>
@@ -4866,6 +5389,14 @@
     <message>
         <source>There is not enough memory for a picture of this size.</source>
         <translation>内存不足，无法绘制这么大的图像。</translation>
+    </message>
+    <message>
+        <source>Pictures of %1 x %2 take up to %3 of memory. It is given back with the next smaller one.</source>
+        <translation>%1 × %2 的图像最多占用 %3 内存，换成较小的图像后即归还。</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a picture of this size: it takes %1, and %2 are free.</source>
+        <translation>内存不足，无法绘制这么大的图像：需要 %1，可用 %2。</translation>
     </message>
 </context>
 <context>
@@ -4985,6 +5516,10 @@
         <source>From a move to its picture on the screen: %1 ms, the median of %2.</source>
         <translation>从移动到画面显示：%1 毫秒（%2 次的中位数）。</translation>
     </message>
+    <message>
+        <source>%1 FPS · clipped %2 · culled %3 · %4</source>
+        <translation>%1 FPS · 裁剪 %2 · 剔除 %3 · %4</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::StepMode</name>
@@ -5026,6 +5561,10 @@
     <message>
         <source>There is not enough memory to record this frame.</source>
         <translation>内存不足，无法记录这一帧。</translation>
+    </message>
+    <message>
+        <source>This frame was not recorded: %1.</source>
+        <translation>无法记录这一帧：%1。</translation>
     </message>
 </context>
 <context>
@@ -5261,6 +5800,10 @@
         <source>Speed against error</source>
         <translation>速度与误差</translation>
     </message>
+    <message>
+        <source>&amp;Judge from object space</source>
+        <translation>从物体空间判起(&amp;J)</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::VertexPanel</name>
@@ -5334,6 +5877,18 @@
     <message>
         <source>One bit each: above, below, right, left of the screen</source>
         <translation>各占一位：屏幕的上、下、右、左</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a position. Write x, y, z, w or x, y, z.</source>
+        <translation>&quot;%1&quot; 不是位置。请写 x, y, z, w 或 x, y, z。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a position. Write x, y, z.</source>
+        <translation>&quot;%1&quot; 不是位置。请写 x, y, z。</translation>
+    </message>
+    <message>
+        <source>world  x, y, z</source>
+        <translation>世界  x, y, z</translation>
     </message>
 </context>
 <context>

@@ -3,13 +3,40 @@
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 namespace rasterlens
 {
 
-Dock::Dock(const QString& id, QWidget* panel, QWidget* parent) : QDockWidget(parent)
+namespace
+{
+
+/// Scrolls, and is as small as may be.
+class PanelScroll : public QScrollArea
+{
+public:
+    explicit PanelScroll(QWidget* panel)
+    {
+        setFrameShape(NoFrame);
+        setWidgetResizable(true);
+        setFocusPolicy(Qt::NoFocus);
+        setWidget(panel);
+        panel->setAutoFillBackground(false); // the card below is seen through
+        viewport()->setAutoFillBackground(false);
+    }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {kLeastWidth, kLeastHeight}; }
+    [[nodiscard]] QSize sizeHint() const override { return widget()->sizeHint(); }
+
+private:
+    static constexpr int kLeastWidth = 200;
+    static constexpr int kLeastHeight = 48;
+};
+
+} // namespace
+
+Dock::Dock(const QString& id, QWidget* panel, QWidget* parent, Fit fit) : QDockWidget(parent)
 {
     setObjectName(id);
     auto* title = new QWidget;
@@ -31,7 +58,7 @@ Dock::Dock(const QString& id, QWidget* panel, QWidget* parent) : QDockWidget(par
     body->setObjectName(QStringLiteral("dockBody"));
     auto* column = new QVBoxLayout(body);
     column->setContentsMargins(1, 0, 1, 1);
-    column->addWidget(panel);
+    column->addWidget(fit == Fit::Scrolls ? new PanelScroll(panel) : panel);
     setWidget(body);
 }
 
@@ -39,7 +66,7 @@ void Dock::setTitle(const QString& title)
 {
     setWindowTitle(title);
     m_title->setText(title);
-    m_close->setToolTip(tr("Close this panel; the menu View opens it again"));
+    m_close->setToolTip(tr("Close this panel; the menu Panels opens it again"));
     m_close->setAccessibleName(m_close->toolTip());
 }
 

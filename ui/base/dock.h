@@ -15,7 +15,9 @@ class Dock : public QDockWidget
     Q_OBJECT
 
 public:
-    Dock(const QString& id, QWidget* panel, QWidget* parent);
+    enum class Fit { Shrinks, Scrolls }; ///< a panel where it has not the room it needs
+
+    Dock(const QString& id, QWidget* panel, QWidget* parent, Fit fit = Fit::Shrinks);
 
     void setTitle(const QString& title);
     /// A link between title and cross.

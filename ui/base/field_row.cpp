@@ -6,6 +6,7 @@
 #include <QCheckBox>
 #include <QCoreApplication>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPainter>
 #include <QSignalBlocker>
@@ -19,6 +20,15 @@ namespace
 {
 
 QString translated(const char* text) { return QCoreApplication::translate("Settings", text); }
+
+/// A field takes Escape for itself, before it is a short-cut of the window.
+bool acceptsEscape(QEvent* event)
+{
+    if (event->type() != QEvent::ShortcutOverride || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
+        return false;
+    event->accept();
+    return true;
+}
 
 } // namespace
 
@@ -52,6 +62,10 @@ PanelCombo::PanelCombo(QWidget* parent) : QComboBox(parent)
     setFocusPolicy(Qt::StrongFocus);
     setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     setMinimumContentsLength(6);
+    connect(this, &QComboBox::activated, this, [this] {
+        if (m_byMouse)
+            clearFocus();
+    });
 }
 
 void PanelCombo::paintEvent(QPaintEvent*)
@@ -73,6 +87,41 @@ void PanelCombo::showPopup()
 }
 
 void PanelCombo::wheelEvent(QWheelEvent* event) { event->ignore(); }
+
+void PanelCombo::mousePressEvent(QMouseEvent* event)
+{
+    m_byMouse = true;
+    QComboBox::mousePressEvent(event);
+}
+
+void PanelCombo::keyPressEvent(QKeyEvent* event)
+{
+    m_byMouse = false;
+    if (event->key() == Qt::Key_Escape)
+        clearFocus();
+    else
+        QComboBox::keyPressEvent(event);
+}
+
+bool PanelCombo::event(QEvent* event) { return acceptsEscape(event) || QComboBox::event(event); }
+
+bool PanelSpin::event(QEvent* event) { return acceptsEscape(event) || QSpinBox::event(event); }
+
+void PanelSpin::keyPressEvent(QKeyEvent* event)
+{
+    switch (event->key()) {
+    case Qt::Key_Escape:
+        setValue(value()); // in place of what was typed
+        clearFocus();
+        break;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        QSpinBox::keyPressEvent(event);
+        clearFocus();
+        break;
+    default: QSpinBox::keyPressEvent(event);
+    }
+}
 
 void PanelSpin::wheelEvent(QWheelEvent* event) { event->ignore(); }
 

@@ -31,7 +31,7 @@ private:
     bool m_changed = false;
 };
 
-/// A combo box that leaves the wheel to the panel around it.
+/// A combo box that leaves the wheel to the panel around it, and the keys to the canvas once the mouse chose a value.
 class PanelCombo : public QComboBox
 {
     Q_OBJECT
@@ -46,8 +46,16 @@ protected:
     void paintEvent(QPaintEvent* event) override; ///< a text without room ends in dots
     void showPopup() override;
     void wheelEvent(QWheelEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    bool m_byMouse = false; ///< opened so
 };
 
+/// A spin box that leaves the wheel to the panel around it. Return and Escape leave the box: the next key is not for
+/// it.
 class PanelSpin : public QSpinBox
 {
     Q_OBJECT
@@ -56,6 +64,8 @@ public:
     using QSpinBox::QSpinBox;
 
 protected:
+    bool event(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
 };
 

@@ -1,57 +1,107 @@
 #include "ui/base/image_export.h"
 
+#include "core/io/file_writer.h"
+#include "core/io/picture_file.h"
+
+#include <QBuffer>
 #include <QCoreApplication>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QPainter>
-#include <QSaveFile>
 #include <QSvgGenerator>
 
 namespace rasterlens
 {
-
 namespace
 {
 
-template <class Write>
-std::optional<QString> saveWhole(const QString& path, bool isEmpty, Write&& write)
+QString inWords(const Reason& reason)
 {
-    const auto failed = [&](const QString& why) {
-        return QCoreApplication::translate("ImageExport", "%1 could not be written: %2").arg(path, why);
-    };
-    if (isEmpty)
-        return failed(QCoreApplication::translate("ImageExport", "the picture is empty or too large."));
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly))
-        return failed(file.errorString());
-    if (!write(file)) {
-        file.cancelWriting();
-        return failed(file.errorString());
-    }
-    if (!file.commit())
-        return failed(file.errorString());
-    return std::nullopt;
+    return textOf(reason, [](const char* text) { return QCoreApplication::translate("Diagnostic", text); });
+}
+
+QString failed(const QString& path, const Reason& why)
+{
+    return QCoreApplication::translate("ImageExport", "%1 could not be written: %2").arg(path, inWords(why));
+}
+
+/// The line of a file dialog for the format with that suffix.
+QString filterOf(const QString& format)
+{
+    const QString patterns =
+        format == QLatin1String("jpg") ? QStringLiteral("*.jpg *.jpeg") : QStringLiteral("*.") + format;
+    return QStringLiteral("%1 (%2)").arg(format.toUpper(), patterns);
 }
 
 } // namespace
 
-std::optional<QString> savePng(const QImage& image, const QString& path)
+std::optional<QString> saveBytes(const QByteArray& bytes, const ExportTarget& target)
 {
-    return saveWhole(path, image.isNull(), [&](QIODevice& file) { return image.save(&file, "PNG"); });
+    if (const auto why = whyNotOver(target.path, target.inputs))
+        return failed(target.path, *why);
+    if (const auto why = writeFile(target.path, bytes, target.waits ? NoReader::Wait : NoReader::Refuse))
+        return failed(target.path, *why);
+    return std::nullopt;
 }
 
-std::optional<QString> saveSvg(QSize size, const QString& path, const std::function<void(QPainter&)>& paint)
+std::optional<QString> savePicture(const QImage& image, const ExportTarget& target, const QStringList& otherFormats)
 {
-    return saveWhole(path, size.isEmpty(), [&](QIODevice& file) {
-        QSvgGenerator drawing;
-        drawing.setOutputDevice(&file);
-        drawing.setSize(size);
-        drawing.setViewBox(QRect(QPoint(0, 0), size));
-        drawing.setTitle(QStringLiteral("RasterLens"));
-        QPainter painter;
-        if (!painter.begin(&drawing))
-            return false;
+    if (auto problem = formatProblem(target.path, pictureSuffixes() + otherFormats))
+        return problem;
+    const PictureBytes picture = pictureBytes(image, formatOf(target.path));
+    return picture.problem ? failed(target.path, *picture.problem) : saveBytes(picture.bytes, target);
+}
+
+std::optional<QString> saveSvg(QSize size, const ExportTarget& target, const std::function<void(QPainter&)>& paint)
+{
+    if (size.isEmpty())
+        return failed(target.path, QT_TRANSLATE_NOOP("Diagnostic", "the picture is empty or too large"));
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    QSvgGenerator drawing;
+    drawing.setOutputDevice(&buffer);
+    drawing.setSize(size);
+    drawing.setViewBox(QRect(QPoint(0, 0), size));
+    drawing.setTitle(QStringLiteral("RasterLens"));
+    QPainter painter;
+    const bool begun = painter.begin(&drawing);
+    if (begun)
         paint(painter);
-        return painter.end();
+    if (!begun || !painter.end())
+        return failed(target.path, QT_TRANSLATE_NOOP("Diagnostic", "the picture is empty or too large"));
+    return saveBytes(bytes, target);
+}
+
+std::optional<QString> formatProblem(const QString& path, const QStringList& formats)
+{
+    const auto why = whyNotFormat(path, formats);
+    return why ? std::optional(failed(path, *why)) : std::nullopt;
+}
+
+QFileDialog* newExportDialog(QWidget* parent, const QString& title, const QString& suggestion,
+                             const QStringList& formats)
+{
+    auto* dialog = new QFileDialog(parent, title);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    QStringList filters;
+    for (const QString& format : formats)
+        if (format != QLatin1String("jpeg")) // shares the line of jpg
+            filters << filterOf(format);
+    dialog->setNameFilters(filters);
+    const QString suggested = QFileInfo(suggestion).suffix();
+    dialog->selectNameFilter(filterOf(suggested));
+    dialog->setDefaultSuffix(suggested);
+    dialog->selectFile(suggestion);
+    QObject::connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, formats](const QString& filter) {
+        for (const QString& format : formats)
+            if (filterOf(format) == filter) {
+                const QFileInfo chosen(dialog->selectedFiles().value(0));
+                dialog->setDefaultSuffix(format);
+                dialog->selectFile(chosen.dir().filePath(chosen.completeBaseName() + QLatin1Char('.') + format));
+            }
     });
+    return dialog;
 }
 
 } // namespace rasterlens

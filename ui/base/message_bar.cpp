@@ -6,6 +6,8 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLayoutItem>
+#include <QPushButton>
 #include <QToolButton>
 
 #include <algorithm>
@@ -44,9 +46,14 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent)
     m_close = new QToolButton;
     m_close->setObjectName(QStringLiteral("link"));
     m_close->setText(QStringLiteral("\u2715"));
-    connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
+    connect(m_close, &QToolButton::clicked, this, [this] {
+        hide();
+        Q_EMIT dismissed();
+    });
+    m_choices = new QHBoxLayout;
     row->addWidget(m_sign, 0, Qt::AlignTop);
     row->addWidget(m_text, 1);
+    row->addLayout(m_choices);
     row->addWidget(m_close, 0, Qt::AlignTop);
     constexpr int kReadingTimeMs = 6000;
     m_farewell.setSingleShot(true);
@@ -57,10 +64,12 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent)
 
 void MessageBar::setClosable(bool closable) { m_close->setVisible(closable); }
 
-void MessageBar::show(MessageKind kind, const QString& text)
+void MessageBar::show(MessageKind kind, const QString& text, const QObject* about)
 {
     m_kind = kind;
+    m_about = about;
     m_diagnostics.clear();
+    setChoices({});
     m_text->setText(text);
     applyColors();
     setVisible(true);
@@ -68,12 +77,60 @@ void MessageBar::show(MessageKind kind, const QString& text)
         m_farewell.start();
     else
         m_farewell.stop();
+    Q_EMIT changed();
+}
+
+void MessageBar::retract(const QObject* about)
+{
+    if (about == m_about)
+        hide();
+}
+
+int MessageBar::naturalWidth() const
+{
+    const int around = layout()->sizeHint().width() - m_text->sizeHint().width();
+    return around + m_text->fontMetrics().size(0, m_text->text()).width() + 2;
+}
+
+void MessageBar::showEvent(QShowEvent* event)
+{
+    QFrame::showEvent(event);
+    Q_EMIT changed();
+}
+
+void MessageBar::hideEvent(QHideEvent* event)
+{
+    QFrame::hideEvent(event);
+    Q_EMIT changed();
 }
 
 void MessageBar::show(const Diagnostics& diagnostics)
 {
     show(hasErrors(diagnostics) ? MessageKind::Error : MessageKind::Warning, wordsOf(diagnostics));
     m_diagnostics = diagnostics;
+}
+
+void MessageBar::offer(const QString& text, const std::vector<Choice>& choices)
+{
+    show(MessageKind::Info, text);
+    m_farewell.stop();
+    setChoices(choices);
+}
+
+void MessageBar::setChoices(const std::vector<Choice>& choices)
+{
+    while (QLayoutItem* item = m_choices->takeAt(0)) {
+        item->widget()->hide();
+        item->widget()->deleteLater(); // it may be the button that was just pressed
+        delete item;
+    }
+    for (const Choice& choice : choices) {
+        auto* button = new QPushButton(choice.text);
+        button->setObjectName(QLatin1String(choice.id));
+        button->setFocusPolicy(Qt::TabFocus);
+        connect(button, &QPushButton::clicked, this, [run = choice.run] { run(); });
+        m_choices->addWidget(button);
+    }
 }
 
 QString MessageBar::text() const { return m_text->text(); }

@@ -101,6 +101,9 @@ QToolButton#fold:focus { border-color: @accent; }
 QToolButton#flat:checked { background: @accent; color: @onAccent; border-color: @accent; }
 QToolButton#flat:disabled { background: transparent; color: @muted; }
 QToolButton#flat:hover:enabled { border-color: @accent; }
+QToolButton#flat:focus { border: 2px solid @accent; }
+QLineEdit[refused="true"], QComboBox[refused="true"], QLineEdit[refused="true"]:focus,
+QComboBox[refused="true"]:focus { border: 2px solid @errorText; padding: 1px 5px; }
 QTabBar { background: @window; }
 QTabBar::tab { background: transparent; color: @muted; padding: 4px 12px; margin-right: 2px; border-radius: 6px; }
 QTabBar::tab:selected { background: @card; color: @text; border: 1px solid @border; font-weight: bold; }
@@ -110,6 +113,7 @@ QTableView { background: @card; alternate-background-color: @window; color: @tex
 QTableView::item { padding: 1px 6px; }
 QHeaderView, QTableCornerButton::section { background: @card; border: none; }
 QHeaderView::section { background: @card; color: @muted; border: none; padding: 2px 8px; }
+QHeaderView::section:vertical { padding: 0 8px; }
 QHeaderView::section:horizontal { color: @text; font-weight: bold; }
 QHeaderView::up-arrow, QHeaderView::down-arrow { width: 8px; height: 8px; }
 QHeaderView::up-arrow { image: url(:/rasterlens/icons/chevron-up-@kind.png); }
@@ -163,10 +167,11 @@ QToolButton#link:disabled { color: @muted; }
 QToolButton#link:checked { background: @accent; color: @onAccent; }
 )");
     const std::pair<QLatin1String, QColor> colorsByName[] = {
-        {QLatin1String("@window"), colors.window},     {QLatin1String("@card"), colors.card},
-        {QLatin1String("@border"), colors.border},     {QLatin1String("@text"), colors.text},
-        {QLatin1String("@muted"), colors.muted},       {QLatin1String("@accentSoft"), colors.accentSoft},
-        {QLatin1String("@onAccent"), colors.onAccent}, {QLatin1String("@accent"), colors.accent}};
+        {QLatin1String("@window"), colors.window},      {QLatin1String("@card"), colors.card},
+        {QLatin1String("@border"), colors.border},      {QLatin1String("@text"), colors.text},
+        {QLatin1String("@muted"), colors.muted},        {QLatin1String("@accentSoft"), colors.accentSoft},
+        {QLatin1String("@onAccent"), colors.onAccent},  {QLatin1String("@accent"), colors.accent},
+        {QLatin1String("@errorText"), colors.errorText}};
     for (const auto& [name, color] : colorsByName)
         sheet.replace(name, color.name());
     return sheet;

@@ -216,13 +216,15 @@ std::optional<PixelReadout> ViewportWidget::readout(QPoint pixel) const
     if (!QRect(QPoint(0, 0), imageSize()).contains(pixel))
         return std::nullopt;
     const Frame& frame = m_frame->frame;
-    PixelReadout readout{pixel, frame.image.pixel(pixel), std::nullopt, std::nullopt};
+    PixelReadout readout{pixel, frame.image.pixel(pixel), std::nullopt, std::nullopt, -1};
     const auto index = static_cast<std::size_t>(pixel.y()) * static_cast<std::size_t>(frame.image.width()) +
                        static_cast<std::size_t>(pixel.x());
     if (m_frame->counted && index < frame.depth.size())
         readout.depth = frame.depth[index];
     if (m_frame->counted && index < frame.ids.size())
         readout.face = frame.ids[index];
+    if (readout.face.value_or(-1) >= 0)
+        readout.line = m_frame->scene->mesh.lineOf(static_cast<std::size_t>(*readout.face));
     return readout;
 }
 
@@ -239,10 +241,10 @@ QImage ViewportWidget::figure(std::optional<int> zoom) const
     return image;
 }
 
-std::optional<QString> ViewportWidget::saveSvgFigure(std::optional<int> zoom, const QString& path) const
+std::optional<QString> ViewportWidget::saveSvgFigure(std::optional<int> zoom, const ExportTarget& target) const
 {
     const auto part = figurePart(zoom);
-    return saveSvg(part ? part->size : QSize(), path, [&](QPainter& painter) { paintFigure(painter, *part); });
+    return saveSvg(part ? part->size : QSize(), target, [&](QPainter& painter) { paintFigure(painter, *part); });
 }
 
 std::optional<ViewportWidget::FigurePart> ViewportWidget::figurePart(std::optional<int> zoom) const
@@ -276,13 +278,24 @@ void ViewportWidget::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.fillRect(rect(), m_canvasColor);
-    if (imageSize().isEmpty())
-        return;
-    paintCanvas(painter, rect(), m_transform, *m_frame, m_options);
-    if (m_stale)
+    if (!imageSize().isEmpty())
+        paintCanvas(painter, rect(), m_transform, *m_frame, m_options);
+    if (m_stale && !imageSize().isEmpty())
         paintStaleMark(painter);
-    if (!std::exchange(m_frameShown, true))
+    if (hasFocus())
+        paintFocus(painter);
+    if (m_frame && !std::exchange(m_frameShown, true))
         Q_EMIT frameShown(m_frame);
+}
+
+/// A line along the edge: the keys are the canvas's.
+void ViewportWidget::paintFocus(QPainter& painter) const
+{
+    constexpr double kWidth = 2;
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setPen(QPen(palette().color(QPalette::Highlight), kWidth, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(QRectF(rect()).adjusted(kWidth / 2, kWidth / 2, -kWidth / 2, -kWidth / 2));
 }
 
 void ViewportWidget::paintStaleMark(QPainter& painter) const
@@ -396,6 +409,8 @@ void ViewportWidget::mouseReleaseEvent(QMouseEvent* event)
             selectPixel(pixel);
         else
             selectPixel(std::nullopt);
+        if (selectedPixel())
+            Q_EMIT pixelChosen();
     }
     Q_EMIT gestureEnded();
 }
@@ -428,12 +443,6 @@ void ViewportWidget::keyPressEvent(QKeyEvent* event)
     case Qt::Key_Right: nudge({step, 0}); return;
     case Qt::Key_Up: nudge({0, -step}); return;
     case Qt::Key_Down: nudge({0, step}); return;
-    case Qt::Key_Escape:
-        if (m_options.selectedPixel) {
-            selectPixel(std::nullopt);
-            return;
-        }
-        break;
     default: break;
     }
     QWidget::keyPressEvent(event);

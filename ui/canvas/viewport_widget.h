@@ -1,4 +1,5 @@
 #pragma once
+#include "ui/base/image_export.h"
 #include "ui/canvas/pixel_overlay.h"
 
 #include <QTimer>
@@ -15,6 +16,7 @@ struct PixelReadout {
     QRgb color = 0;
     std::optional<float> depth;
     std::optional<int> face; ///< -1: background
+    int line = -1;           ///< of the `f` in the scene's file that the face is a part of; -1 none
 };
 
 /// The canvas: shows the picture, zooms at the cursor to single pixels, and turns mouse and keys into camera moves.
@@ -68,7 +70,7 @@ public:
     /// The same as a drawing of lines and areas.
     ///
     /// errors  a sentence in the language in use
-    [[nodiscard]] std::optional<QString> saveSvgFigure(std::optional<int> zoom, const QString& path) const;
+    [[nodiscard]] std::optional<QString> saveSvgFigure(std::optional<int> zoom, const ExportTarget& target) const;
 
     QSize sizeHint() const override { return {640, 480}; }
     QSize minimumSizeHint() const override { return {160, 120}; }
@@ -76,6 +78,7 @@ public:
 Q_SIGNALS:
     void viewChanged();  ///< zoom or origin
     void pixelChanged(); ///< hovered or selected pixel
+    void pixelChosen();  ///< by a click
     void orbited(QPointF drag);
     void cameraPanned(QPointF drag);
     void dollied(double factor);
@@ -112,6 +115,7 @@ private:
     [[nodiscard]] bool isOnWipe(QPointF canvas) const;
     void moveWipe(double column);
     void paintStaleMark(QPainter& painter) const;
+    void paintFocus(QPainter& painter) const;
 
     FramePtr m_frame;
     CanvasTransform m_transform;

@@ -1,8 +1,17 @@
 #pragma once
-#include "ui/canvas/pixel_overlay.h"
+#include "ui/canvas/canvas_transform.h"
+#include "ui/document/render_worker.h"
+
+class QPainter;
 
 namespace rasterlens
 {
+
+/// Another picture of the same size in the left part of the canvas.
+struct Wipe {
+    FramePtr left;
+    double at = 0.5; ///< where it ends, as a fraction of the picture's width
+};
 
 /// The column of the canvas a wipe divides it at: as near to its place in the picture as leaves it in sight.
 [[nodiscard]] double wipeColumn(const Wipe& wipe, const QRect& canvas, const CanvasTransform& transform,

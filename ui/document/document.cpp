@@ -1,11 +1,16 @@
 #include "ui/document/document.h"
 
+#include "core/io/file_writer.h"
 #include "core/io/session.h"
+#include "core/scenes/load_scene.h"
 #include "core/settings/mistakes.h"
+#include "core/truth/mistake_proof.h"
+#include "ui/document/rebase.h"
 
 #include <QFileInfo>
 #include <QSettings>
 
+#include <algorithm>
 #include <utility>
 
 namespace rasterlens
@@ -22,11 +27,6 @@ bool isGenerated(const QString& name)
     return name.startsWith(QLatin1String("builtin:")) || name.startsWith(QLatin1String("stress:"));
 }
 
-bool isSession(const QString& name)
-{
-    return !isGenerated(name) && name.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
-}
-
 std::shared_ptr<const Scene> emptyScene()
 {
     auto scene = std::make_shared<Scene>();
@@ -38,7 +38,8 @@ std::shared_ptr<const Scene> emptyScene()
 
 Document::Document(QObject* parent)
     : QObject(parent), m_scene(emptyScene()), m_settings(m_scene->defaults), m_clean(m_settings), m_cleanScene(m_scene),
-      m_original(m_scene)
+      m_original(m_scene),
+      m_loader([this](const Opened& opened) { finishOpening(opened); }, [this](Lack lack) { failOpening(lack); })
 {
 }
 
@@ -88,11 +89,19 @@ void Document::setScene(std::shared_ptr<const Scene> scene)
 
 void Document::setScene(std::shared_ptr<const Scene> scene, const Settings& settings)
 {
-    m_scene = std::move(scene);
-    m_settings = settings;
-    m_clean = settings;
+    m_sessionPath.clear();
+    install({scene, scene, settings, {}}, false);
+}
+
+void Document::install(const Opened& opened, bool recovered)
+{
+    m_scene = opened.scene;
+    m_settings = opened.settings.value_or(opened.scene->defaults);
+    m_clean = m_settings;
     m_cleanScene = m_scene;
-    m_original = m_scene;
+    m_original = opened.original;
+    m_inputs = opened.inputs;
+    m_recovered = recovered;
     m_undo.clear();
     m_redo.clear();
     m_inGesture = false;
@@ -124,12 +133,12 @@ void Document::redo()
 
 void Document::open(const QString& name)
 {
-    startOpening(name, [name] { return load(name); });
+    startOpening({name}, [name] { return load(name); });
 }
 
 void Document::openWith(const QString& name, std::function<void(Settings&)> change)
 {
-    startOpening(name, [name, change = std::move(change)] {
+    startOpening({name}, [name, change = std::move(change)] {
         Opened opened = load(name);
         if (opened.scene) {
             Settings settings = opened.settings.value_or(opened.scene->defaults);
@@ -145,28 +154,75 @@ void Document::openMistake(const QString& id)
     const Mistake* mistake = findMistake(id);
     if (mistake == nullptr)
         return;
-    startOpening(QStringLiteral("builtin:") + QLatin1String(mistake->scene), [mistake] {
+    startOpening({QStringLiteral("builtin:") + QLatin1String(mistake->scene)}, [mistake] {
         MistakeDemo demo = mistakeDemo(*mistake);
         const auto scene = std::make_shared<const Scene>(std::move(demo.scene));
         return Opened{scene, scene, demo.mistaken, {}};
     });
 }
 
-void Document::startOpening(const QString& name, std::function<Opened()> load)
+void Document::openRecovered(const QString& file, const QString& sessionPath)
 {
-    const quint64 serial = ++m_openSerial;
-    m_loading = true;
-    Q_EMIT loadingChanged(true, name);
-    m_loader.post(
-        [this, name, serial, load = std::move(load)](std::stop_token) {
-            QMetaObject::invokeMethod(
-                this, [this, name, serial, opened = load()] { finishOpening(name, serial, opened); },
-                Qt::QueuedConnection);
-        },
-        LatestTask::Running::Interrupt);
+    startOpening({file, Opening::Kind::Recovered, sessionPath}, [file] { return load(file); });
 }
 
-Document::Opened Document::load(const QString& name)
+bool Document::isReloadable() const
+{
+    const QString& id = m_scene->id;
+    return !id.isEmpty() && !isGenerated(id) && !id.startsWith(QLatin1Char(':'));
+}
+
+void Document::reload()
+{
+    if (isReloadable())
+        beginLoading({m_scene->id, Opening::Kind::Reload}, [name = m_scene->id] { return load(name); });
+}
+
+void Document::startOpening(Opening opening, std::function<Opened()> load)
+{
+    if (!m_leaveGuard || !isDirty()) {
+        beginLoading(std::move(opening), std::move(load));
+        return;
+    }
+    m_leaveGuard([this, opening = std::move(opening), load = std::move(load)](bool mayLeave) mutable {
+        if (!mayLeave) {
+            Q_EMIT loadingChanged(m_loading, opening.name);
+            return;
+        }
+        opening.agreedScene = m_scene;
+        opening.agreedSettings = m_settings;
+        beginLoading(std::move(opening), std::move(load));
+    });
+}
+
+void Document::beginLoading(Opening opening, std::function<Opened()> load)
+{
+    m_loading = true;
+    ++m_openSerial;
+    m_opening = std::move(opening);
+    Q_EMIT loadingChanged(true, m_opening.name);
+    m_loader.ask(
+        [load = std::move(load)](const auto&) {
+            const InputLog log;
+            Opened opened = load();
+            if (opened.inputs.empty())
+                opened.inputs = log.files();
+            return opened;
+        },
+        LatestJob::Running::Interrupt);
+}
+
+void Document::openSessionWith(const QString& path, const QString& scene)
+{
+    Opening opening{path};
+    if (path == m_opening.name) { // a recovered session stays one
+        opening.kind = m_opening.kind;
+        opening.sessionPath = m_opening.sessionPath;
+    }
+    startOpening(std::move(opening), [path, scene] { return load(path, scene); });
+}
+
+Document::Opened Document::load(const QString& name, const QString& sceneInstead)
 {
     Opened opened;
     QString sceneName = name;
@@ -176,19 +232,27 @@ Document::Opened Document::load(const QString& name)
         opened.diagnostics = std::move(session.diagnostics);
         if (!session.session)
             return opened;
-        sceneName = session.session->scene;
+        sceneName = sceneInstead.isEmpty() ? session.session->scene : sceneInstead;
+        opened.isPartial = session.session->isPartial;
+        opened.sceneIsMissing = sceneInstead.isEmpty() && !session.session->sceneFound;
     }
     LoadOptions options;
     if (session.session)
-        options.size = settingsOf(*session.session, {}).size;
+        options.size = settingsOf(*session.session, {}).settings.size;
     SceneLoad load = loadScene(sceneName, options);
     opened.diagnostics.insert(opened.diagnostics.end(), load.diagnostics.begin(), load.diagnostics.end());
     if (!load.scene)
         return opened;
     opened.original = opened.scene = std::make_shared<const Scene>(std::move(*load.scene));
-    if (session.session)
-        opened.settings = settingsOf(*session.session, opened.original->defaults);
-    if (session.session && !session.session->vertices.empty()) {
+    if (session.session) {
+        const SettingsParse parse = settingsOf(*session.session, opened.original->defaults);
+        for (const Reason& error : parse.errors)
+            opened.diagnostics.push_back({Severity::Error, name, 0, error});
+        if (!parse.errors.empty())
+            opened.scene = nullptr;
+        opened.settings = parse.settings;
+    }
+    if (opened.scene && session.session && !session.session->vertices.empty()) {
         auto edited = std::make_shared<Scene>(*opened.original);
         const Diagnostics errors = moveVertices(*edited, *session.session, name);
         opened.diagnostics.insert(opened.diagnostics.end(), errors.begin(), errors.end());
@@ -197,35 +261,132 @@ Document::Opened Document::load(const QString& name)
     return opened;
 }
 
-void Document::finishOpening(const QString& name, quint64 serial, const Opened& opened)
+void Document::finishOpening(const Opened& opened)
 {
-    if (serial != m_openSerial)
-        return;
+    const Opening opening = m_opening;
     m_loading = false;
-    if (opened.scene) {
-        m_sessionPath = isSession(name) ? name : QString();
-        setScene(opened.scene, opened.settings.value_or(opened.scene->defaults));
-        m_original = opened.original;
-        if (!isGenerated(name))
-            rememberRecent(name);
+    const bool isReload = opening.kind == Opening::Kind::Reload;
+    const bool agreed = m_scene == opening.agreedScene && m_settings == opening.agreedSettings;
+    if (opened.scene && !isReload && m_leaveGuard && isDirty() && !agreed) {
+        // The user changed something while the file was being read.
+        m_leaveGuard([this, opening, opened, serial = m_openSerial](bool mayLeave) {
+            if (mayLeave && serial == m_openSerial)
+                take(opening, opened);
+            else
+                Q_EMIT loadingChanged(m_loading, opening.name);
+        });
+        return;
     }
-    Q_EMIT loadingChanged(false, name);
-    if (!opened.diagnostics.empty())
-        Q_EMIT diagnosticsReported(opened.diagnostics);
+    take(opening, opened);
+}
+
+void Document::take(const Opening& opening, const Opened& opened)
+{
+    const bool isReload = opening.kind == Opening::Kind::Reload;
+    if (opened.scene && isReload) {
+        takeReloaded(opening.name, opened);
+    } else if (opened.scene) {
+        const bool recovered = opening.kind == Opening::Kind::Recovered;
+        const bool isWhole = isSession(opening.name) && !opened.isPartial;
+        m_sessionPath = recovered ? opening.sessionPath : isWhole ? opening.name : QString();
+        install(opened, recovered);
+        if (recovered) // the file that an earlier run left behind goes away; the session that it belongs to stays
+            std::erase_if(m_inputs, [&](const InputFile& input) { return input.path == opening.name; });
+        if (recovered && !m_sessionPath.isEmpty())
+            noteInputs({{m_sessionPath, stampOf(m_sessionPath)}});
+        if (!recovered && !isGenerated(opening.name))
+            rememberRecent(opening.name);
+    } else if (isReload) {
+        noteInputs(opened.inputs);
+    }
+    if (opened.scene || isReload)
+        Q_EMIT inputsChanged();
+    Q_EMIT loadingChanged(false, opening.name);
+    if (const Diagnostics remarks = withoutNotes(opened.diagnostics); !remarks.empty())
+        Q_EMIT diagnosticsReported(remarks);
+    if (opened.sceneIsMissing)
+        Q_EMIT sceneMissing(opening.name);
     if (opened.scene)
-        Q_EMIT this->opened(name);
+        Q_EMIT this->opened(opening.name);
+}
+
+void Document::takeReloaded(const QString& name, const Opened& opened)
+{
+    const auto formerCount = m_original->mesh.vertices.size();
+    Rebase rebase(m_original, opened.scene);
+    for (auto* steps : {&m_undo, &m_redo})
+        for (State& step : *steps)
+            step = {rebase.scene(step.scene), rebase.settings(step.settings)};
+    m_cleanScene = rebase.scene(m_cleanScene);
+    m_clean = rebase.settings(m_clean);
+    m_original = opened.scene;
+    m_inGesture = false;
+    noteInputs(opened.inputs);
+    replace({rebase.scene(m_scene), rebase.settings(m_settings)});
+    if (rebase.movesLost())
+        Q_EMIT diagnosticsReported(
+            {{Severity::Warning, name, 0,
+              Reason(QT_TRANSLATE_NOOP("Diagnostic", "the file now has %1 vertices instead of %2: moved vertices are "
+                                                     "back where the file has them"),
+                     {opened.scene->mesh.vertices.size(), formerCount})}});
+}
+
+/// Files read again get their new stamp; new ones join the list.
+void Document::noteInputs(const std::vector<InputFile>& inputs)
+{
+    for (const InputFile& input : inputs) {
+        const auto known = std::ranges::find(m_inputs, input.path, &InputFile::path);
+        if (known == m_inputs.end())
+            m_inputs.push_back(input);
+        else
+            known->stamp = input.stamp;
+    }
+}
+
+bool Document::isDirty() const { return m_recovered || !(m_settings == m_clean) || m_scene != m_cleanScene; }
+
+Session Document::session() const
+{
+    return {m_scene->id, toJson(m_settings), movedVertices(m_original->mesh, m_scene->mesh)};
+}
+
+void Document::failOpening(Lack lack)
+{
+    m_loading = false;
+    Q_EMIT loadingChanged(false, m_opening.name);
+    const char* why =
+        lack == Lack::Memory
+            ? QT_TRANSLATE_NOOP("Diagnostic", "there is not enough memory to open it")
+            : QT_TRANSLATE_NOOP("Diagnostic", "it was not opened: the system does not start so many threads");
+    Q_EMIT diagnosticsReported({{Severity::Error, m_opening.name, 0, why}});
+}
+
+QStringList Document::inputFiles() const
+{
+    QStringList files{m_scene->id, m_sessionPath};
+    for (const InputFile& input : m_inputs)
+        files << input.path;
+    files.removeAll(QString());
+    return files;
 }
 
 bool Document::saveSession(const QString& path)
 {
-    const Session session{m_scene->id, toJson(m_settings), movedVertices(m_original->mesh, m_scene->mesh)};
-    if (const auto error = rasterlens::saveSession(session, path)) {
+    if (const auto why = whyNotOver(path, {m_scene->id})) {
+        Q_EMIT diagnosticsReported({{Severity::Error, path, 0, *why}});
+        return false;
+    }
+    if (const auto error = rasterlens::saveSession(session(), path)) {
         Q_EMIT diagnosticsReported({{Severity::Error, path, 0, *error}});
         return false;
     }
     m_sessionPath = path;
     m_clean = m_settings;
     m_cleanScene = m_scene;
+    m_recovered = false;
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    noteInputs({{absolute, stampOf(absolute)}});
+    Q_EMIT inputsChanged();
     rememberRecent(path);
     Q_EMIT settingsChanged();
     return true;

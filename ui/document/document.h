@@ -1,8 +1,10 @@
 #pragma once
 #include "core/base/diagnostics.h"
+#include "core/io/input_log.h"
+#include "core/io/session.h"
 #include "core/scene/scene.h"
 #include "core/settings/settings.h"
-#include "ui/base/latest_task.h"
+#include "ui/base/latest_result.h"
 
 #include <QObject>
 #include <QStringList>
@@ -49,20 +51,41 @@ public:
 
     /// Opens an `.obj`, a `.case`, a session `.json`, `builtin:NAME` or `stress:NAME` on a background thread.
     ///
-    /// errors  diagnosticsReported; scene and settings stay as they were
+    /// errors  diagnosticsReported, also where memory or threads are wanting; scene and settings stay as they were
     void open(const QString& name);
     /// Likewise, with a change of the settings that the file asks for.
     void openWith(const QString& name, std::function<void(Settings&)> change);
+    /// Opens a session whose scene lies at another place than it says.
+    void openSessionWith(const QString& path, const QString& scene);
     [[nodiscard]] bool isLoading() const { return m_loading; }
     /// Opens the scene and the settings in which a mistake shows, likewise.
     void openMistake(const QString& id);
+    /// Opens the session that an earlier run left behind, as unsaved changes of `sessionPath` (empty: never saved).
+    void openRecovered(const QString& file, const QString& sessionPath);
 
-    /// errors  diagnosticsReported; false
+    /// Reads the files of the scene once more. Settings, moved vertices and the undo steps stay as far as they fit.
+    ///
+    /// errors  diagnosticsReported; all stays as it was
+    void reload();
+    /// Whether the scene comes from files on the disk.
+    [[nodiscard]] bool isReloadable() const;
+    /// Every file that the scene and its session were read from, as it lay on the disk at that time.
+    [[nodiscard]] const std::vector<InputFile>& inputs() const { return m_inputs; }
+
+    /// Is asked before the changes of a dirty document are given up for another scene, and answers when the user does.
+    using LeaveGuard = std::function<void(std::function<void(bool mayLeave)> answer)>;
+    void setLeaveGuard(LeaveGuard guard) { m_leaveGuard = std::move(guard); }
+
+    /// errors  diagnosticsReported, also for a file of the scene, which stays; false
     bool saveSession(const QString& path);
     [[nodiscard]] const QString& sessionPath() const { return m_sessionPath; }
+    /// The files that the picture is made of: scene, materials, textures, session.
+    [[nodiscard]] QStringList inputFiles() const;
+    /// What saveSession() writes.
+    [[nodiscard]] Session session() const;
 
-    /// Whether settings or mesh differ from those last opened or saved.
-    [[nodiscard]] bool isDirty() const { return !(m_settings == m_clean) || m_scene != m_cleanScene; }
+    /// Whether a session would store something else than what was last opened or saved.
+    [[nodiscard]] bool isDirty() const;
 
     [[nodiscard]] QStringList recentFiles() const;
     void clearRecentFiles();
@@ -74,6 +97,8 @@ Q_SIGNALS:
     void diagnosticsReported(const rasterlens::Diagnostics& diagnostics);
     void recentFilesChanged();
     void opened(const QString& name);
+    void sceneMissing(const QString& session); ///< behind diagnosticsReported: the user may say where the model is
+    void inputsChanged();
 
 private:
     /// What the background thread brings back.
@@ -82,6 +107,20 @@ private:
         std::shared_ptr<const Scene> original; ///< before the session moved vertices
         std::optional<Settings> settings;      ///< of a session
         Diagnostics diagnostics;
+        bool isPartial = false;      ///< a session that says more than was understood, which is not to be saved over
+        bool sceneIsMissing = false; ///< the model of a session is at none of its places
+        std::vector<InputFile> inputs{};
+    };
+
+    /// What an opening is for, and what it finds when it ends.
+    struct Opening {
+        enum class Kind { Scene, Recovered, Reload };
+
+        QString name{};
+        Kind kind = Kind::Scene;
+        QString sessionPath{};                      ///< Recovered: where the changes belong
+        std::shared_ptr<const Scene> agreedScene{}; ///< the state that the user gave up for it, if any
+        Settings agreedSettings{};
     };
 
     /// One step of undo.
@@ -90,10 +129,16 @@ private:
         Settings settings;
     };
 
-    [[nodiscard]] static Opened load(const QString& name);
-    void finishOpening(const QString& name, quint64 serial, const Opened& opened);
+    [[nodiscard]] static Opened load(const QString& name, const QString& sceneInstead = {});
+    void startOpening(Opening opening, std::function<Opened()> load);
+    void beginLoading(Opening opening, std::function<Opened()> load);
+    void finishOpening(const Opened& opened);
+    void failOpening(Lack lack);
+    void take(const Opening& opening, const Opened& opened);
+    void takeReloaded(const QString& name, const Opened& opened);
+    void install(const Opened& opened, bool recovered);
+    void noteInputs(const std::vector<InputFile>& inputs);
     void rememberRecent(const QString& path);
-    void startOpening(const QString& name, std::function<Opened()> load);
     void rememberStep(Edit edit);
     void replace(const State& state);
 
@@ -106,9 +151,13 @@ private:
     std::vector<State> m_redo;               ///< the next last
     bool m_inGesture = false;
     QString m_sessionPath;
+    bool m_recovered = false; ///< from an earlier run, and not saved since
+    std::vector<InputFile> m_inputs;
+    LeaveGuard m_leaveGuard;
     bool m_loading = false;
-    quint64 m_openSerial = 0;
-    LatestTask m_loader; ///< last: its thread uses the members above
+    quint64 m_openSerial = 0;      ///< counts openings
+    Opening m_opening;             ///< the last one
+    LatestResult<Opened> m_loader; ///< last: its thread uses the members above
 };
 
 } // namespace rasterlens

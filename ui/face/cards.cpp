@@ -45,13 +45,14 @@ double boxSamples(const Scene& scene, const Settings& settings, std::uint32_t fa
 
 constexpr double kMostRaceSamples = 3e6; ///< every one is kept, with its counts
 
+} // namespace
+
 /// What the face's panels show, computed in one go.
 struct FaceFindings {
     std::shared_ptr<const ClipStory> story;
     std::shared_ptr<const AlgorithmRace> race;
+    bool tooLarge = false; ///< for a race
 };
-
-} // namespace
 
 Cards::Cards(Document& document, ViewportWidget& viewport, QMainWindow& window)
     : m_document(document), m_viewport(viewport), m_window(window), m_pixelCard(new PixelCard),
@@ -61,7 +62,11 @@ Cards::Cards(Document& document, ViewportWidget& viewport, QMainWindow& window)
       m_vertexDock(addDock(QStringLiteral("vertices"), m_vertexPanel)),
       m_clipDock(addDock(QStringLiteral("clip"), m_clipTheatre)),
       m_curvesDock(addDock(QStringLiteral("curves"), m_curvesPanel)),
-      m_raceDock(addDock(QStringLiteral("race"), m_racePanel)), m_copy(m_whyDock->addLink())
+      m_raceDock(addDock(QStringLiteral("race"), m_racePanel)), m_copy(m_whyDock->addLink()),
+      m_why([this](const std::shared_ptr<const WhyReport>& report) { showReport(report); },
+            [this](Lack lack) { Q_EMIT failed(tr("The pixel card was not computed: %1.").arg(lackText(lack))); }),
+      m_face([this](const std::shared_ptr<const FaceFindings>& found) { showFace(*found); },
+             [this](Lack lack) { Q_EMIT failed(tr("The face's panels were not computed: %1.").arg(lackText(lack))); })
 {
     m_soon.setSingleShot(true);
     m_soon.setInterval(0);
@@ -92,7 +97,8 @@ Cards::~Cards() = default;
 
 Dock* Cards::addDock(const QString& name, QWidget* panel)
 {
-    auto* dock = new Dock(name + QStringLiteral("Dock"), panel, &m_window);
+    auto* dock = new Dock(name + QStringLiteral("Dock"), panel, &m_window,
+                          panel == m_pixelCard ? Dock::Fit::Shrinks : Dock::Fit::Scrolls);
     connect(dock, &QDockWidget::visibilityChanged, this, &Cards::refreshSoon);
     connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool on) {
         if (on)
@@ -100,22 +106,6 @@ Dock* Cards::addDock(const QString& name, QWidget* panel)
     });
     m_docks.push_back(dock);
     return dock;
-}
-
-void Cards::place(Dock* neighbour, QDockWidget* bottom)
-{
-    m_window.addDockWidget(Qt::RightDockWidgetArea, m_whyDock);
-    m_window.splitDockWidget(m_whyDock, neighbour, Qt::Vertical);
-    Dock* former = nullptr;
-    for (Dock* dock : {m_vertexDock, m_clipDock, m_curvesDock, m_raceDock}) {
-        m_window.addDockWidget(Qt::BottomDockWidgetArea, dock);
-        if (!former)
-            m_window.splitDockWidget(dock, bottom, Qt::Vertical);
-        else
-            m_window.tabifyDockWidget(former, dock);
-        former = dock;
-        dock->hide();
-    }
 }
 
 QStringList Cards::names()
@@ -140,7 +130,7 @@ bool Cards::canDraw() const { return !unsupported(*m_document.scene(), m_documen
 
 void Cards::refreshSoon() { m_soon.start(); }
 
-bool Cards::isBusy() const { return m_soon.isActive() || m_whySerial != m_whyDone || m_faceSerial != m_faceDone; }
+bool Cards::isBusy() const { return m_soon.isActive() || m_why.isBusy() || m_face.isBusy(); }
 
 void Cards::followPixel()
 {
@@ -178,69 +168,59 @@ void Cards::refresh()
 
 void Cards::askWhy()
 {
-    const quint64 serial = ++m_whySerial;
     const QRect picture(QPoint(0, 0), m_document.settings().size);
     const bool asked = m_whyDock->isVisible() && m_pixel && picture.contains(*m_pixel) && canDraw();
     if (!asked) {
-        m_whyDone = serial;
+        m_why.drop();
         if (m_pixelCard->report())
             m_pixelCard->setReport(nullptr);
         m_whyDock->setTitle(m_pixelCard->title());
         m_copy->setVisible(false);
         return;
     }
-    m_whyTask.post(
-        [this, serial, pixel = *m_pixel, scene = m_document.scene(),
-         settings = m_document.settings()](std::stop_token) {
-            auto report = std::make_shared<const WhyReport>(why(*scene, settings, pixel.x(), pixel.y()));
-            QMetaObject::invokeMethod(
-                this,
-                [this, serial, report] {
-                    if (serial != m_whySerial)
-                        return;
-                    m_whyDone = serial;
-                    m_pixelCard->setReport(report);
-                    m_whyDock->setTitle(m_pixelCard->title());
-                    m_copy->setVisible(true);
-                },
-                Qt::QueuedConnection);
+    m_why.ask(
+        [pixel = *m_pixel, scene = m_document.scene(), settings = m_document.settings()](const auto& turn) {
+            return std::make_shared<const WhyReport>(why(*scene, settings, pixel.x(), pixel.y(), turn.stop()));
         },
-        LatestTask::Running::Finish);
+        LatestJob::Running::Interrupt);
+}
+
+void Cards::showReport(const std::shared_ptr<const WhyReport>& report)
+{
+    m_pixelCard->setReport(report);
+    m_whyDock->setTitle(m_pixelCard->title());
+    m_copy->setVisible(true);
 }
 
 void Cards::askFace()
 {
-    const quint64 serial = ++m_faceSerial;
     const bool wantsStory = m_clipDock->isVisible();
     const bool wantsRace = m_raceDock->isVisible();
     if (!(wantsStory || wantsRace) || m_selection.count() == 0 || !canDraw()) {
-        m_faceDone = serial;
+        m_face.drop();
         m_clipTheatre->setStory(nullptr);
         m_racePanel->setRace(nullptr);
         return;
     }
-    m_faceTask.post(
-        [this, serial, wantsStory, wantsRace, face = m_selection.face(), scene = m_document.scene(),
-         settings = m_document.settings()](std::stop_token) {
-            FaceFindings found;
+    m_face.ask(
+        [wantsStory, wantsRace, face = m_selection.face(), scene = m_document.scene(),
+         settings = m_document.settings()](const auto& turn) {
+            const auto found = std::make_shared<FaceFindings>();
             if (wantsStory)
-                found.story = std::make_shared<const ClipStory>(clipStory(*scene, settings, face));
-            const bool tooLarge = boxSamples(*scene, settings, face) > kMostRaceSamples;
-            if (wantsRace && !tooLarge)
-                found.race = std::make_shared<const AlgorithmRace>(raceAlgorithms(*scene, settings, face));
-            QMetaObject::invokeMethod(
-                this,
-                [this, serial, found, tooLarge] {
-                    if (serial != m_faceSerial)
-                        return;
-                    m_faceDone = serial;
-                    m_clipTheatre->setStory(found.story);
-                    m_racePanel->setRace(found.race,
-                                         tooLarge ? RacePanel::Absence::TooLarge : RacePanel::Absence::NotDrawn);
-                },
-                Qt::QueuedConnection);
+                found->story = std::make_shared<const ClipStory>(clipStory(*scene, settings, face, turn.stop()));
+            found->tooLarge = boxSamples(*scene, settings, face) > kMostRaceSamples;
+            if (wantsRace && !found->tooLarge)
+                found->race =
+                    std::make_shared<const AlgorithmRace>(raceAlgorithms(*scene, settings, face, turn.stop()));
+            return found;
         },
-        LatestTask::Running::Finish);
+        LatestJob::Running::Interrupt);
+}
+
+void Cards::showFace(const FaceFindings& found)
+{
+    m_clipTheatre->setStory(found.story);
+    m_racePanel->setRace(found.race, found.tooLarge ? RacePanel::Absence::TooLarge : RacePanel::Absence::NotDrawn);
 }
 
 void Cards::retranslate()

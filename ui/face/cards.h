@@ -1,5 +1,5 @@
 #pragma once
-#include "ui/base/latest_task.h"
+#include "ui/base/latest_result.h"
 #include "ui/canvas/viewport_widget.h"
 #include "ui/document/document.h"
 #include "ui/face/face_picker.h"
@@ -8,6 +8,7 @@
 #include <QPoint>
 #include <QTimer>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -25,6 +26,8 @@ class PixelCard;
 class RacePanel;
 class VertexHandles;
 class VertexPanel;
+struct FaceFindings;
+struct WhyReport;
 
 /// The panels about one pixel or one face, and what they show: computed on background threads for those in sight.
 class Cards : public QObject
@@ -35,8 +38,7 @@ public:
     Cards(Document& document, ViewportWidget& viewport, QMainWindow& window);
     ~Cards() override;
 
-    /// The pixel card goes above `neighbour`, the others are tabs above `bottom`, hidden.
-    void place(Dock* neighbour, QDockWidget* bottom);
+    /// The pixel card first. They have no place in the window yet.
     [[nodiscard]] const std::vector<Dock*>& docks() const { return m_docks; }
     /// Opens a panel by the short name of the command line: `why`, `vertices`, `clip`, `curves`, `race`.
     bool show(const QString& name);
@@ -61,6 +63,8 @@ public:
 Q_SIGNALS:
     /// A row of the pixel card was clicked.
     void stepRequested(quint32 face, QPoint pixel);
+    /// A panel keeps what it shows, for want of memory or threads.
+    void failed(const QString& message);
 
 private:
     Dock* addDock(const QString& name, QWidget* panel);
@@ -69,6 +73,8 @@ private:
     void followPixel();
     void askWhy();
     void askFace();
+    void showReport(const std::shared_ptr<const WhyReport>& report);
+    void showFace(const FaceFindings& found);
     [[nodiscard]] bool canDraw() const;
 
     Document& m_document;
@@ -92,12 +98,8 @@ private:
     std::optional<QPoint> m_pixel;
     bool m_followPending = false; ///< the pixel was chosen before its frame was counted
     QTimer m_soon;
-    quint64 m_whySerial = 0;
-    quint64 m_whyDone = 0;
-    quint64 m_faceSerial = 0;
-    quint64 m_faceDone = 0;
-    LatestTask m_whyTask; ///< last: the threads use the members above
-    LatestTask m_faceTask;
+    LatestResult<std::shared_ptr<const WhyReport>> m_why;
+    LatestResult<std::shared_ptr<const FaceFindings>> m_face;
 };
 
 } // namespace rasterlens

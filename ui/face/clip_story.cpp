@@ -30,6 +30,7 @@ Scene sceneOfFace(const Scene& scene, std::uint32_t face)
     one.lit = scene.lit;
     one.background = scene.background;
     one.bounds = scene.bounds;
+    one.mesh.origin = scene.mesh.origin;
     one.materials.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t vertex = scene.mesh.indices[3 * static_cast<std::size_t>(face) + i];
@@ -39,7 +40,7 @@ Scene sceneOfFace(const Scene& scene, std::uint32_t face)
     return one;
 }
 
-ClipStory clipStory(const Scene& scene, const Settings& settings, std::uint32_t face)
+ClipStory clipStory(const Scene& scene, const Settings& settings, std::uint32_t face, const std::stop_token& stop)
 {
     ClipStory story;
     story.mode = settings.clipping;
@@ -48,7 +49,7 @@ ClipStory clipStory(const Scene& scene, const Settings& settings, std::uint32_t 
     StepFilter filter;
     filter.kinds = kindBit(StepKind::Vertex) | kindBit(StepKind::ClipPlane) | kindBit(StepKind::CohenSutherland) |
                    kindBit(StepKind::Clipped) | kindBit(StepKind::Fate);
-    const auto log = renderSteps(sceneOfFace(scene, face), settings, filter);
+    const auto log = renderSteps(sceneOfFace(scene, face), settings, filter, stop);
     for (const StepEvent& event : log->events()) {
         switch (event.kind) {
         case StepKind::Vertex: {

@@ -3,6 +3,7 @@
 #include "core/scene/scene.h"
 
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 namespace rasterlens
@@ -30,6 +31,7 @@ struct ClipStory {
 [[nodiscard]] Scene sceneOfFace(const Scene& scene, std::uint32_t face);
 
 /// in  settings for which unsupported() is empty
-[[nodiscard]] ClipStory clipStory(const Scene& scene, const Settings& settings, std::uint32_t face);
+[[nodiscard]] ClipStory clipStory(const Scene& scene, const Settings& settings, std::uint32_t face,
+                                  const std::stop_token& stop = {});
 
 } // namespace rasterlens

@@ -1,8 +1,10 @@
 #include "ui/face/clip_theatre.h"
 
 #include "ui/base/field_row.h"
+#include "ui/base/flow_layout.h"
 #include "ui/base/inks.h"
 #include "ui/base/theme.h"
+#include "ui/base/turning.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -192,7 +194,10 @@ private:
         painter.setPen(m_inks.plus);
         const double reach = std::min((m_area.right() - place({0, 0}).x()), place({0, 0}).y() - m_area.top()) / m_scale;
         const double label = std::max(0.2, reach * 0.82);
-        painter.drawText(place({label, label}) + QPointF(6, 10), name + QStringLiteral(" = w"));
+        const QString plain = name + QStringLiteral(" = w");
+        const QPointF beside = place({label, label}) + QPointF(6, 10);
+        const double rightmost = m_area.right() - QFontMetricsF(painter.font()).horizontalAdvance(plain) - 2;
+        painter.drawText(QPointF(std::min(beside.x(), rightmost), beside.y()), plain);
         const QPointF mirrored = place({-label, label}) + QPointF(-58, 10);
         painter.drawText(QPointF(std::max(mirrored.x(), m_area.left() + 3), mirrored.y()),
                          name + QStringLiteral(" = \u2212w"));
@@ -329,10 +334,8 @@ ClipTheatre::ClipTheatre(FaceSelection& selection, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 2, 12, 8);
     column->setSpacing(6);
-    auto* head = new QHBoxLayout;
-    head->setSpacing(5);
+    auto* head = new FlowLayout(5);
     head->addWidget(new FacePicker(selection));
-    head->addSpacing(8);
     const auto addButton = [&](QToolButton* tool) {
         tool->setObjectName(QStringLiteral("flat"));
         tool->setCheckable(true);
@@ -354,7 +357,6 @@ ClipTheatre::ClipTheatre(FaceSelection& selection, QWidget* parent)
     }
     addButton(m_sides);
     connect(m_sides, &QToolButton::clicked, this, [this] { setStage(m_story ? m_story->steps.size() + 1 : 0); });
-    head->addStretch(1);
     m_axis->addItems({QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")});
     m_axis->setMinimumWidth(52);
     connect(m_axis, &QComboBox::currentIndexChanged, this, [this] { m_stages[0]->update(); });
@@ -376,6 +378,10 @@ ClipTheatre::ClipTheatre(FaceSelection& selection, QWidget* parent)
     scene->addLayout(texts, 3);
     scene->addWidget(m_stages[1], 4);
     column->addLayout(scene, 1);
+    constexpr int kBeside = 560;
+    new Turning(this, kBeside, [scene](bool beside) {
+        scene->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    });
     retranslate();
 }
 

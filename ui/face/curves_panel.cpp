@@ -2,9 +2,11 @@
 
 #include "core/observe/step_text.h"
 #include "ui/base/field_row.h"
+#include "ui/base/flow_layout.h"
 #include "ui/base/inks.h"
 #include "ui/base/plot.h"
 #include "ui/base/theme.h"
+#include "ui/base/turning.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -41,12 +43,15 @@ QString fixed(double value)
     return text.replace(QLatin1Char('-'), QChar(0x2212));
 }
 
+constexpr int kWidthOfOneRow = 640;
+constexpr int kLowest = 170; ///< of a plot
+
 } // namespace
 
 class CurvesPanel::Canvas : public QWidget
 {
 public:
-    explicit Canvas(CurvesPanel& panel) : m_panel(panel) { setMinimumHeight(170); }
+    explicit Canvas(CurvesPanel& panel) : m_panel(panel) { setMinimumHeight(kLowest); }
 
 protected:
     void paintEvent(QPaintEvent*) override
@@ -67,8 +72,7 @@ CurvesPanel::CurvesPanel(FaceSelection& selection, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 2, 12, 8);
     column->setSpacing(6);
-    auto* head = new QHBoxLayout;
-    head->setSpacing(10);
+    auto* head = new FlowLayout(10);
     head->addWidget(new FacePicker(selection));
     m_edge->addItems({QString(), QString(), QString(), QString()});
     head->addWidget(m_edge);
@@ -79,10 +83,12 @@ CurvesPanel::CurvesPanel(FaceSelection& selection, QWidget* parent)
     m_slider->setFixedWidth(150);
     head->addWidget(m_slider);
     m_note->setObjectName(QStringLiteral("muted"));
-    m_note->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    head->addWidget(m_note, 1);
+    m_note->setWordWrap(true);
     column->addLayout(head);
+    column->addWidget(m_note);
     column->addWidget(m_canvas, 1);
+    new Turning(this, kWidthOfOneRow,
+                [this](bool inARow) { m_canvas->setMinimumHeight(inARow ? kLowest : 3 * kLowest); });
     connect(m_edge, &QComboBox::currentIndexChanged, this, &CurvesPanel::choose);
     connect(m_slider, &QSlider::valueChanged, this, &CurvesPanel::choose);
     retranslate();
@@ -133,11 +139,29 @@ QString CurvesPanel::boardText(int row, int column) const
     return fixed(values[column] == 0 ? 0.0 : values[column]);
 }
 
+/// Both plots and the board in a row or, where that is too narrow, one below the other.
+CurvesPanel::Parts CurvesPanel::partsOf(const QRectF& where)
+{
+    constexpr double kGap = 14;
+    if (where.width() >= kWidthOfOneRow) {
+        const double board = std::clamp(where.width() * 0.36, 290.0, 430.0);
+        const QSizeF each((where.width() - board - 2 * kGap) / 2, where.height());
+        return {{where.topLeft(), each},
+                {where.topLeft() + QPointF(each.width() + kGap, 0), each},
+                {where.right() - board, where.top(), board, where.height()}};
+    }
+    constexpr double kLinesOfBoard = 10.5;
+    const double board = std::min(QFontMetricsF(textFont(0, true)).lineSpacing() * kLinesOfBoard, where.height() / 2);
+    const QSizeF each(where.width(), (where.height() - board - kGap) / 2);
+    return {{where.topLeft(), each},
+            {where.topLeft() + QPointF(0, each.height() + kGap / 2), each},
+            {where.left(), where.bottom() - board, where.width(), board}};
+}
+
 void CurvesPanel::paint(QPainter& painter, const QRectF& where) const
 {
     const Inks inks = inksFor(palette());
-    const double board = std::clamp(where.width() * 0.36, 290.0, 430.0);
-    const double each = (where.width() - board - 28) / 2;
+    const Parts parts = partsOf(where);
     const double m = fraction();
 
     Plot correction;
@@ -150,7 +174,7 @@ void CurvesPanel::paint(QPainter& painter, const QRectF& where) const
                           QStringLiteral("z1 %1, z2 %2").arg(shortNumber(m_input.z1), shortNumber(m_input.z2))}};
     const double n = spaceFraction(m, m_input.z1, m_input.z2);
     correction.marks = {{{m, n}, QStringLiteral("n = %1").arg(fixed(n)), palette().color(QPalette::Text)}};
-    paintPlot(painter, QRectF(where.left(), where.top(), each, where.height()), correction, palette());
+    paintPlot(painter, parts.correction, correction, palette());
 
     Plot squeeze;
     squeeze.title = tr("z' = n + f \u2212 nf / z");
@@ -165,8 +189,8 @@ void CurvesPanel::paint(QPainter& painter, const QRectF& where) const
     squeeze.marks = {{{z, squeezed},
                       QStringLiteral("z %1 \u2192 %2").arg(shortNumber(z), shortNumber(squeezed)),
                       palette().color(QPalette::Text)}};
-    paintPlot(painter, QRectF(where.left() + each + 14, where.top(), each, where.height()), squeeze, palette());
-    paintBoard(painter, QRectF(where.right() - board, where.top(), board, where.height()));
+    paintPlot(painter, parts.squeeze, squeeze, palette());
+    paintBoard(painter, parts.board);
 }
 
 void CurvesPanel::paintBoard(QPainter& painter, const QRectF& where) const

@@ -49,7 +49,11 @@ protected:
 
 private:
     class Canvas;
+    struct Parts {
+        QRectF correction, squeeze, board;
+    };
 
+    [[nodiscard]] static Parts partsOf(const QRectF& where);
     void choose();
     void retranslate();
     [[nodiscard]] double fraction() const;

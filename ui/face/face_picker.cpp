@@ -55,7 +55,9 @@ void FacePicker::sync()
     m_name->setText(tr("Face"));
     m_spin->setAccessibleName(m_name->text());
     m_total->setText(tr("of %1").arg(grouped(m_selection.count())));
-    m_spin->setToolTip(tr("Faces are counted from 0. A click on a pixel chooses the face seen there."));
+    m_spin->setToolTip(
+        tr("Faces are the triangles, counted from 0. A click on a pixel chooses the face seen there; the line beside "
+           "a face is that of the f statement in the OBJ file that it is a part of."));
 }
 
 void FacePicker::changeEvent(QEvent* event)

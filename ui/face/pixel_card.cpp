@@ -80,6 +80,8 @@ QString verdictWords(const WhyReport& report, const WhyFace& face)
         const WhyEdge& edge = face.edges[static_cast<std::size_t>(face.edge)];
         return PixelCard::tr("%1, lost the tie: %2").arg(edgeText(face, edge), sideText(edge.side));
     }
+    case WhyVerdict::Hole:
+        return PixelCard::tr("cut out by the alpha test: the texture is opaque by %1").arg(face.opacity, 0, 'g', 3);
     case WhyVerdict::FailedDepth:
         return face.fragment ? PixelCard::tr("failed depth: not %1 %2 %3")
                                    .arg(depthText(face.fragment->depth), compareSign(report),
@@ -172,6 +174,12 @@ private:
     QColor m_color;
 };
 
+/// A triangle, with the line of the `f` in the scene's file that it is a part of.
+QString faceName(std::uint32_t face, std::int32_t line)
+{
+    return line > 0 ? PixelCard::tr("face %1, line %2").arg(face).arg(line) : PixelCard::tr("face %1").arg(face);
+}
+
 QLabel* wrapped(const QString& text, const char* look = "")
 {
     auto* label = new QLabel(text);
@@ -185,7 +193,8 @@ QLabel* wrapped(const QString& text, const char* look = "")
 
 WhyWords whyWords(const WhyReport& report, const WhyFace& face)
 {
-    WhyWords words{face.face, face.verdict == WhyVerdict::Written, verdictWords(report, face), {}};
+    WhyWords words{
+        face.face, faceName(face.face, face.line), face.verdict == WhyVerdict::Written, verdictWords(report, face), {}};
     const bool culled = face.verdict == WhyVerdict::CulledBack || face.verdict == WhyVerdict::CulledFront;
     if (culled && face.facing)
         words.details << PixelCard::tr("%1 %2").arg(face.facing->by == Facing::ScreenArea
@@ -239,7 +248,7 @@ QString PixelCard::asText() const
         return {};
     QStringList lines{QStringLiteral("%1  %2").arg(title(), colorText(m_report->color))};
     for (const WhyWords& row : m_rows) {
-        lines << tr("face %1").arg(row.face) + QStringLiteral(": ") + row.verdict;
+        lines << row.name + QStringLiteral(": ") + row.verdict;
         for (const QString& detail : row.details)
             lines << QStringLiteral("    ") + detail;
     }
@@ -256,9 +265,11 @@ QWidget* PixelCard::makeHeader() const
     row->addWidget(new Swatch(m_report->color, kSide), 0, Qt::AlignTop);
     auto* texts = new QVBoxLayout;
     texts->setSpacing(1);
-    texts->addWidget(wrapped(m_report->visibleFace ? tr("face %1 is seen").arg(*m_report->visibleFace)
-                                                   : tr("background: no face was written"),
-                             "heading"));
+    texts->addWidget(
+        wrapped(m_report->visibleFace
+                    ? tr("%1 is seen").arg(faceName(*m_report->visibleFace, m_report->lineOf(*m_report->visibleFace)))
+                    : tr("background: no face was written"),
+                "heading"));
     QString numbers = QStringLiteral("%1\nz %2").arg(rgbText(m_report->color), depthText(m_report->depth));
     texts->addWidget(wrapped(numbers, "muted"));
     row->addLayout(texts, 1);
@@ -272,13 +283,13 @@ QWidget* PixelCard::makeRow(std::size_t index)
     auto* frame =
         new ClickableRow([this, index] { Q_EMIT rowClicked(m_rows[index].face, QPoint(m_report->x, m_report->y)); });
     frame->setToolTip(tr("Show the step at which this was decided"));
-    frame->setAccessibleName(tr("face %1").arg(words.face) + QStringLiteral(": ") + words.verdict);
+    frame->setAccessibleName(words.name + QStringLiteral(": ") + words.verdict);
     auto* column = new QVBoxLayout(frame);
     column->setContentsMargins(8, 5, 8, 6);
     column->setSpacing(2);
     auto* head = new QHBoxLayout;
     head->setSpacing(7);
-    auto* pill = new QLabel(tr("face %1").arg(words.face));
+    auto* pill = new QLabel(words.name);
     pill->setObjectName(QStringLiteral("pill"));
     head->addWidget(pill, 0, Qt::AlignTop);
     auto* verdict = wrapped(words.verdict);

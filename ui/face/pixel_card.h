@@ -19,6 +19,7 @@ namespace rasterlens
 /// A face on the card, in words.
 struct WhyWords {
     std::uint32_t face = 0;
+    QString name;        ///< the face, with the line of the file that it comes from
     bool good = false;   ///< it got into the picture
     QString verdict;     ///< the headline
     QStringList details; ///< the numbers on the way to it

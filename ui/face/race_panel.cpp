@@ -1,8 +1,10 @@
 #include "ui/face/race_panel.h"
 
+#include "ui/base/flow_layout.h"
 #include "ui/base/inks.h"
 #include "ui/base/numbers.h"
 #include "ui/base/theme.h"
+#include "ui/base/turning.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -199,13 +201,12 @@ RacePanel::RacePanel(FaceSelection& selection, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 2, 12, 8);
     column->setSpacing(6);
-    auto* head = new QHBoxLayout;
-    head->setSpacing(6);
+    auto* head = new FlowLayout(6);
     head->addWidget(new FacePicker(selection));
-    head->addSpacing(8);
     for (QToolButton* tool : {m_back, m_play, m_step})
         head->addWidget(tool);
-    head->addWidget(m_slider, 1);
+    m_slider->setFixedWidth(150);
+    head->addWidget(m_slider);
     m_position->setObjectName(QStringLiteral("muted"));
     head->addWidget(m_position);
     column->addLayout(head);
@@ -214,6 +215,10 @@ RacePanel::RacePanel(FaceSelection& selection, QWidget* parent)
     for (Track* track : m_tracks)
         lanes->addWidget(track, 1);
     column->addLayout(lanes, 1);
+    constexpr int kBeside = 580;
+    new Turning(this, kBeside, [lanes](bool beside) {
+        lanes->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    });
 
     m_clock.setInterval(kFrameMs);
     connect(&m_clock, &QTimer::timeout, this, &RacePanel::advance);

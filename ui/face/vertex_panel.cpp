@@ -1,18 +1,25 @@
 #include "ui/face/vertex_panel.h"
 
+#include "core/base/typed_numbers.h"
 #include "core/observe/step_log.h"
 #include "core/observe/step_text.h"
 #include "ui/base/theme.h"
+#include "ui/base/typed_field.h"
 #include "ui/face/clip_theatre.h"
 
+#include <QAbstractItemView>
 #include <QEvent>
+#include <QFocusEvent>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPalette>
-#include <QRegularExpression>
+#include <QStyledItemDelegate>
 #include <QTableView>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -41,21 +48,83 @@ QString regionText(unsigned region)
     return bits;
 }
 
-std::optional<glm::vec4> positionFrom(const QString& text, const glm::vec4& former)
+/// in   the mesh's origin: what is typed are coordinates of the file
+std::optional<glm::vec4> positionFrom(const QString& text, const glm::vec4& former, const glm::dvec3& origin)
 {
-    static const QRegularExpression between(QStringLiteral("[\\s,;]+"));
-    const QStringList parts = text.split(between, Qt::SkipEmptyParts);
-    if (parts.size() != 3 && parts.size() != 4)
+    const auto numbers = typedNumbers(text);
+    if (!numbers || (numbers->size() != 3 && numbers->size() != 4))
         return std::nullopt;
     glm::vec4 position = former;
-    for (qsizetype i = 0; i < parts.size(); ++i) {
-        bool good = false;
-        position[static_cast<int>(i)] = QString(parts[i]).replace(QChar(0x2212), QLatin1Char('-')).toFloat(&good);
-        if (!good || !std::isfinite(position[static_cast<int>(i)]))
+    for (std::size_t i = 0; i < numbers->size(); ++i) {
+        const double typed = (*numbers)[i];
+        const int k = static_cast<int>(i);
+        position[k] = static_cast<float>(k < 3 ? typed - origin[k] : typed);
+        if (!std::isfinite(position[k]))
             return std::nullopt;
     }
     return position;
 }
+
+/// Keeps a cell open whose text is refused, and says why.
+class VertexDelegate : public QStyledItemDelegate
+{
+public:
+    VertexDelegate(VertexPanel& panel, VertexTableModel& model)
+        : QStyledItemDelegate(&panel), m_panel(panel), m_model(model)
+    {
+    }
+
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option, const QModelIndex& index) const override
+    {
+        QWidget* editor = QStyledItemDelegate::createEditor(parent, option, index);
+        if (auto* edit = qobject_cast<QLineEdit*>(editor)) {
+            connect(edit, &QLineEdit::textEdited, &m_panel, [this, edit](const QString& text) {
+                if (edit->property("refused").toBool() && !m_model.whyRefused(text))
+                    mend(*edit);
+            });
+            connect(edit, &QObject::destroyed, &m_panel, &VertexPanel::inputMended);
+        }
+        return editor;
+    }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override
+    {
+        auto* edit = qobject_cast<QLineEdit*>(watched);
+        if (edit && takesText(*event)) {
+            if (const auto why = m_model.whyRefused(edit->text())) {
+                markRefused(*edit, true);
+                Q_EMIT m_panel.invalidInput(*why);
+                return event->type() == QEvent::KeyPress;
+            }
+            mend(*edit);
+        }
+        return QStyledItemDelegate::eventFilter(watched, event);
+    }
+
+private:
+    /// By Return, by Tab, or by the choice of another widget.
+    static bool takesText(const QEvent& event)
+    {
+        if (event.type() == QEvent::FocusOut) {
+            const auto reason = static_cast<const QFocusEvent&>(event).reason();
+            return reason != Qt::PopupFocusReason && reason != Qt::ActiveWindowFocusReason;
+        }
+        if (event.type() != QEvent::KeyPress)
+            return false;
+        constexpr std::array kKeys{Qt::Key_Return, Qt::Key_Enter, Qt::Key_Tab, Qt::Key_Backtab};
+        return std::ranges::find(kKeys, static_cast<const QKeyEvent&>(event).key()) != kKeys.end();
+    }
+
+    void mend(QLineEdit& edit) const
+    {
+        markRefused(edit, false);
+        Q_EMIT m_panel.inputMended();
+    }
+
+    VertexPanel& m_panel;
+    VertexTableModel& m_model;
+};
 
 } // namespace
 
@@ -87,7 +156,10 @@ QString VertexTableModel::cell(int row, const VertexRow& corner) const
     const bool inClipSpace = m_scene->space == SceneSpace::Clip;
     const auto& o = corner.object;
     switch (row) {
-    case ObjectSpace: return inClipSpace ? tuple({o.x, o.y, o.z, o.w}) : tuple({o.x, o.y, o.z});
+    case ObjectSpace:
+        if (!corner.world.isEmpty())
+            return QString(corner.world).replace(QLatin1Char('-'), QChar(0x2212));
+        return inClipSpace ? tuple({o.x, o.y, o.z, o.w}) : tuple({o.x, o.y, o.z});
     case ViewSpace:
         return inClipSpace ? QStringLiteral("\u2013") : tuple({corner.view.x, corner.view.y, corner.view.z});
     case ClipSpace: return tuple({corner.clip.x, corner.clip.y, corner.clip.z, corner.clip.w});
@@ -133,7 +205,10 @@ QVariant VertexTableModel::headerData(int section, Qt::Orientation orientation, 
                                               .arg((*m_corners)[static_cast<std::size_t>(section)].meshVertex)
                                         : QVariant();
     switch (section) {
-    case ObjectSpace: return m_scene->space == SceneSpace::Clip ? tr("given  x, y, z, w") : tr("object  x, y, z");
+    case ObjectSpace:
+        if (m_scene->space == SceneSpace::Clip)
+            return tr("given  x, y, z, w");
+        return m_scene->mesh.origin == glm::dvec3(0) ? tr("object  x, y, z") : tr("world  x, y, z");
     case ViewSpace: return tr("view  x, y, z");
     case ClipSpace: return tr("clip  x, y, z, w");
     case NdcSpace: return tr("NDC  clip / w");
@@ -154,13 +229,21 @@ Qt::ItemFlags VertexTableModel::flags(const QModelIndex& index) const
     return flags;
 }
 
+std::optional<QString> VertexTableModel::whyRefused(const QString& text) const
+{
+    if (positionFrom(text, {}, m_scene->mesh.origin))
+        return std::nullopt;
+    return m_scene->space == SceneSpace::Clip ? tr("\"%1\" is not a position. Write x, y, z, w or x, y, z.").arg(text)
+                                              : tr("\"%1\" is not a position. Write x, y, z.").arg(text);
+}
+
 bool VertexTableModel::setData(const QModelIndex& index, const QVariant& value, int role)
 {
     if (role != Qt::EditRole || (flags(index) & Qt::ItemIsEditable) == 0)
         return false;
     const std::uint32_t vertex = (*m_corners)[static_cast<std::size_t>(index.column())].meshVertex;
     const glm::vec4 former = m_document.scene()->mesh.vertices[vertex].position;
-    const auto position = positionFrom(value.toString(), former);
+    const auto position = positionFrom(value.toString(), former, m_document.scene()->mesh.origin);
     if (!position)
         return false;
     if (*position != former)
@@ -195,10 +278,19 @@ VertexPanel::VertexPanel(Document& document, FaceSelection& selection, QWidget* 
     head->addWidget(m_hint, 1);
     column->addLayout(head);
     m_table->setModel(m_model);
+    auto* delegate = new VertexDelegate(*this, *m_model);
+    m_table->setItemDelegate(delegate);
+    connect(delegate, &QAbstractItemDelegate::closeEditor, this,
+            [this](const QWidget*, QAbstractItemDelegate::EndEditHint hint) {
+                if (hint == QAbstractItemDelegate::EditNextItem || hint == QAbstractItemDelegate::EditPreviousItem)
+                    return;
+                QTimer::singleShot(0, m_table, [this] { m_table->clearFocus(); }); // the table takes it first
+            });
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->setShowGrid(false);
     m_table->setAlternatingRowColors(true);
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents); // scrolls where it is too narrow
+    m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
@@ -211,7 +303,7 @@ void VertexPanel::refresh()
 {
     m_model->refresh();
     m_table->setRowHidden(VertexTableModel::ViewSpace, m_document.scene()->space == SceneSpace::Clip);
-    constexpr int kRoom = 4;
+    constexpr int kRoom = 8;         ///< of the header's padding: letters keep their lower ends
     constexpr int kFullHeight = 250; ///< at the usual size of type all rows are in sight
     m_table->verticalHeader()->setMinimumSectionSize(fontMetrics().height() + kRoom);
     m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + kRoom);

@@ -53,6 +53,9 @@ public:
     /// in  three numbers, or four, with blanks or commas between them
     bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
 
+    /// Why a text cannot become a position, in the language in use; nothing where it can.
+    [[nodiscard]] std::optional<QString> whyRefused(const QString& text) const;
+
     void refresh();
     [[nodiscard]] const std::optional<std::array<VertexRow, 3>>& corners() const { return m_corners; }
 
@@ -76,6 +79,10 @@ public:
     [[nodiscard]] VertexTableModel& model() { return *m_model; }
     void refresh();
     QSize sizeHint() const override { return {640, 250}; }
+
+Q_SIGNALS:
+    void invalidInput(const QString& message);
+    void inputMended(); ///< what invalidInput() spoke of
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -1,5 +1,6 @@
 #include "ui/pipeline/mistake_badge.h"
 
+#include "core/truth/mistake_proof.h"
 #include "ui/base/theme.h"
 #include "ui/pipeline/mistakes_section.h"
 
@@ -49,16 +50,24 @@ QString proofTitle(Proof proof)
     return {};
 }
 
-MistakeBadge::MistakeBadge(QWidget* canvas) : QWidget(canvas)
+MistakeBadge::MistakeBadge(QWidget* canvas)
+    : QWidget(canvas),
+      m_result(
+          [this](std::vector<Evidence> evidence) {
+              m_evidence = std::move(evidence);
+              fitToText();
+              Q_EMIT counted();
+          },
+          [this](Lack lack) { Q_EMIT failed(tr("The mistakes were not counted: %1.").arg(lackText(lack))); })
 {
     setCursor(Qt::PointingHandCursor);
     hide();
 }
 
-void MistakeBadge::showFor(const std::shared_ptr<const Scene>& scene, const Settings& settings)
+void MistakeBadge::showFor(const FramePtr& frame)
 {
     std::vector<Evidence> evidence;
-    for (const QString& id : settings.mistakes)
+    for (const QString& id : frame->settings.mistakes)
         if (const Mistake* mistake = findMistake(id)) {
             // The former number stays until the new one is there: a badge that flickers is not read.
             const auto former = std::ranges::find(m_evidence, mistake, &Evidence::mistake);
@@ -67,39 +76,37 @@ void MistakeBadge::showFor(const std::shared_ptr<const Scene>& scene, const Sett
     m_evidence = std::move(evidence);
     setVisible(!m_evidence.empty());
     fitToText();
-    const quint64 serial = ++m_serial;
-    m_counting = !m_evidence.empty();
-    if (!m_counting)
+    if (m_evidence.empty()) {
+        m_result.drop();
         return;
-    m_task.post(
-        [this, scene, settings, serial, evidence = m_evidence](std::stop_token) mutable {
-            weigh(*scene, settings, evidence);
-            QMetaObject::invokeMethod(
-                this,
-                [this, serial, evidence = std::move(evidence)] {
-                    if (serial != m_serial)
-                        return;
-                    m_evidence = evidence;
-                    m_counting = false;
-                    fitToText();
-                    Q_EMIT counted();
-                },
-                Qt::QueuedConnection);
+    }
+    m_result.ask(
+        [frame, evidence = m_evidence](const auto& turn) mutable {
+            weigh(*frame, evidence, turn.stop());
+            return evidence;
         },
-        LatestTask::Running::Finish);
+        LatestJob::Running::Interrupt);
 }
 
-void MistakeBadge::weigh(const Scene& scene, const Settings& settings, std::vector<Evidence>& evidence)
+void MistakeBadge::weigh(const RenderedFrame& shown, std::vector<Evidence>& evidence, const std::stop_token& stop)
 {
-    Settings right = settings;
+    Settings right = shown.settings;
     right.mistakes.clear();
-    if (unsupported(scene, settings) || unsupported(scene, right))
+    if (unsupported(*shown.scene, right))
         return;
-    const CountedPicture shownPicture = drawCounted(scene, settings);
-    const CountedPicture rightPicture = drawCounted(scene, right);
+    Outputs outputs{.picture = false};
+    for (const Evidence& one : evidence) {
+        const Outputs needed = proofOutputs(one.mistake->proof);
+        outputs.depth = outputs.depth || needed.depth;
+        outputs.ids = outputs.ids || needed.ids;
+        outputs.picture = outputs.picture || needed.picture;
+    }
+    const CountedPicture rightPicture = drawCounted(*shown.scene, right, outputs, stop);
     for (Evidence& one : evidence) {
+        if (stop.stop_requested())
+            return;
         one.known = true;
-        one.shown = proofValue(one.mistake->proof, shownPicture, rightPicture);
+        one.shown = proofValue(one.mistake->proof, shown, rightPicture);
         one.right = proofValue(one.mistake->proof, rightPicture, rightPicture);
     }
 }

@@ -1,11 +1,11 @@
 #pragma once
-#include "core/scene/scene.h"
 #include "core/settings/mistakes.h"
-#include "ui/base/latest_task.h"
+#include "ui/base/latest_result.h"
+#include "ui/document/render_worker.h"
 
 #include <QWidget>
 
-#include <memory>
+#include <stop_token>
 #include <vector>
 
 namespace rasterlens
@@ -22,17 +22,20 @@ class MistakeBadge : public QWidget
 public:
     explicit MistakeBadge(QWidget* canvas);
 
-    /// Shows the mistakes at once and their proofs when they are counted, on a background thread.
+    /// Shows the mistakes at once and their proofs when they are known: on a background thread the right picture is
+    /// counted and held against this one.
     ///
-    /// in  settings for which unsupported() is empty
-    void showFor(const std::shared_ptr<const Scene>& scene, const Settings& settings);
+    /// in  a counted frame
+    void showFor(const FramePtr& frame);
     /// One line a mistake.
     [[nodiscard]] QStringList lines() const;
-    [[nodiscard]] bool isCounting() const { return m_counting; }
+    [[nodiscard]] bool isCounting() const { return m_result.isBusy(); }
 
 Q_SIGNALS:
     void counted();
     void clicked();
+    /// The numbers are not known, for want of memory or threads.
+    void failed(const QString& message);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -47,13 +50,11 @@ private:
         double right = 0;
     };
 
-    static void weigh(const Scene& scene, const Settings& settings, std::vector<Evidence>& evidence);
+    static void weigh(const RenderedFrame& shown, std::vector<Evidence>& evidence, const std::stop_token& stop);
     void fitToText();
 
     std::vector<Evidence> m_evidence;
-    quint64 m_serial = 0;
-    bool m_counting = false;
-    LatestTask m_task; ///< last: its thread uses the members above
+    LatestResult<std::vector<Evidence>> m_result; ///< last: its thread uses the members above
 };
 
 } // namespace rasterlens

@@ -69,6 +69,9 @@ MistakesSection::MistakesSection(Document& document, const Language& language, Q
     m_clear = new QToolButton;
     m_clear->setObjectName(QStringLiteral("link"));
     m_clear->setCursor(Qt::PointingHandCursor);
+    QSizePolicy keepsItsPlace = m_clear->sizePolicy();
+    keepsItsPlace.setRetainSizeWhenHidden(true); // the list below does not move under the mouse
+    m_clear->setSizePolicy(keepsItsPlace);
     connect(m_clear, &QToolButton::clicked, this, [this] {
         Settings next = m_document.settings();
         next.mistakes.clear();

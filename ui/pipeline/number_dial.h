@@ -48,7 +48,7 @@ public:
     [[nodiscard]] QString bitsText() const;
 
     QSize sizeHint() const override;
-    QSize minimumSizeHint() const override { return sizeHint(); }
+    QSize minimumSizeHint() const override { return {190, sizeHint().height()}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -1,18 +1,19 @@
 #include "ui/pipeline/pipeline_panel.h"
 
+#include "core/base/typed_numbers.h"
 #include "core/render/render.h"
 #include "core/scenes/builtin_scenes.h"
 #include "ui/base/applicability.h"
+#include "ui/base/case_note.h"
 #include "ui/base/field_row.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/number_dial.h"
+#include "ui/pipeline/scene_words.h"
 #include "ui/pipeline/stage_strip.h"
-#include "ui/truth/case_model.h"
 
 #include <QAbstractItemView>
 #include <QCoreApplication>
 #include <QEvent>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -31,7 +32,7 @@ namespace rasterlens
 namespace
 {
 
-constexpr int kReadableWidth = 288; ///< no name or value is cut off
+constexpr int kNarrowest = 222; ///< names still have room, in two lines; the usual width is the window's to choose
 
 constexpr std::array kGroups{Stage::Clip,  Stage::Screen, Stage::Cull, Stage::Cover,
                              Stage::Depth, Stage::Shade,  Stage::Image};
@@ -41,14 +42,6 @@ constexpr std::array kSizePresets{QSize(8, 8),       QSize(16, 16),    QSize(64,
                                   QSize(1920, 1080), QSize(3840, 2160)};
 
 QString sizeText(QSize size) { return QStringLiteral("%1 \u00d7 %2").arg(size.width()).arg(size.height()); }
-
-std::optional<QSize> sizeFromText(QString text)
-{
-    text.remove(QLatin1Char(' '));
-    text.replace(QChar(0xd7), QLatin1Char('x')).replace(QLatin1Char('X'), QLatin1Char('x'));
-    text.replace(QLatin1Char('*'), QLatin1Char('x'));
-    return parseSize(text);
-}
 
 QToolButton* linkButton()
 {
@@ -63,7 +56,7 @@ QToolButton* linkButton()
 PipelinePanel::PipelinePanel(Document& document, const Language& language, QWidget* parent)
     : QWidget(parent), m_document(document), m_language(language)
 {
-    setMinimumWidth(kReadableWidth);
+    setMinimumWidth(kNarrowest);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 2, 0, 6);
     outer->setSpacing(4);
@@ -136,6 +129,10 @@ PipelinePanel::PipelinePanel(Document& document, const Language& language, QWidg
 
     connect(&document, &Document::sceneChanged, this, &PipelinePanel::syncScene);
     connect(&document, &Document::settingsChanged, this, &PipelinePanel::syncSettings);
+    connect(&document, &Document::loadingChanged, this, [this](bool loading) {
+        if (!loading)
+            syncScene(); // the box may name a scene that was not opened
+    });
     retranslate();
 }
 
@@ -222,8 +219,19 @@ void PipelinePanel::addSize(QVBoxLayout* group)
     m_sizeBox->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     for (const QSize& size : kSizePresets)
         m_sizeBox->addItem(sizeText(size));
-    connect(m_sizeBox, &QComboBox::activated, this, &PipelinePanel::applySize);
-    connect(m_sizeBox->lineEdit(), &QLineEdit::editingFinished, this, &PipelinePanel::applySize);
+    m_sizeField = new TypedField(
+        m_sizeBox->lineEdit(),
+        [this](const QString& text, TypedField::Attempt attempt) { return readSize(text, attempt); }, m_sizeBox);
+    connect(m_sizeField, &TypedField::refused, this, &PipelinePanel::invalidInput);
+    connect(m_sizeField, &TypedField::mended, this, &PipelinePanel::inputMended);
+    connect(m_sizeBox, &QComboBox::activated, this, [this](int index) {
+        Settings next = m_document.settings();
+        next.size = kSizePresets[static_cast<std::size_t>(index)];
+        m_sizeField->setValue({}); // a text typed before is given up
+        m_document.setSettings(next);
+        syncSettings();
+        m_sizeBox->clearFocus();
+    });
     auto* room = new QLabel;
     room->setMinimumWidth(14);
     row->addWidget(dot);
@@ -233,20 +241,18 @@ void PipelinePanel::addSize(QVBoxLayout* group)
     group->addWidget(widget);
 }
 
-void PipelinePanel::applySize()
+std::optional<QString> PipelinePanel::readSize(const QString& text, TypedField::Attempt attempt)
 {
-    const auto size = sizeFromText(m_sizeBox->currentText());
-    if (!size) {
-        Q_EMIT invalidInput(tr("\"%1\" is not a size. Write WIDTH x HEIGHT with 1 to %2 each.")
-                                .arg(m_sizeBox->currentText())
-                                .arg(kMaxViewport));
-        syncSettings();
-        return;
-    }
+    const auto size = typedSize(text, kMaxViewport);
+    if (!size)
+        return tr("\"%1\" is not a size. Write WIDTH x HEIGHT with 1 to %2 each.").arg(text).arg(kMaxViewport);
+    if (attempt == TypedField::Attempt::Look)
+        return std::nullopt;
     Settings next = m_document.settings();
     next.size = *size;
     m_document.setSettings(next);
-    syncSettings();
+    m_sizeField->setValue(sizeText(*size));
+    return std::nullopt;
 }
 
 void PipelinePanel::setKeyHint(const QString& fieldId, const QString& key)
@@ -274,8 +280,6 @@ QWidget* PipelinePanel::editor(const QString& fieldId) const
     return nullptr;
 }
 
-QString PipelinePanel::sceneNote() const { return m_sceneNote->text(); }
-
 int PipelinePanel::changedCount() const
 {
     const Settings& now = m_document.settings();
@@ -299,18 +303,27 @@ void PipelinePanel::syncScene()
         m_sceneBox->addItem(QCoreApplication::translate("StressScene", stress.title),
                             QStringLiteral("stress:") + QLatin1String(stress.name));
     int index = m_sceneBox->findData(scene.id);
-    QString note = caseNoteText(scene.note);
+    const QString note = sceneNote(scene);
     if (index < 0 && !scene.id.isEmpty()) {
-        m_sceneBox->insertItem(0, scene.title.isEmpty() ? QFileInfo(scene.id).fileName() : scene.title, scene.id);
+        m_sceneBox->insertItem(0, sceneTitle(scene), scene.id);
         m_sceneBox->insertSeparator(1);
         index = 0;
-    } else if (index >= 0 && std::size_t(index) < builtinScenes().size()) {
-        note = QCoreApplication::translate("BuiltinScene", builtinScenes()[std::size_t(index)].note);
     }
     m_sceneBox->setCurrentIndex(index);
     m_sceneBox->setToolTip(scene.id);
-    m_sceneNote->setText(note);
-    m_sceneNote->setVisible(!note.isEmpty());
+    m_note = note;
+    showNote();
+}
+
+/// What to look at in the scene, and what stands for a texture that it does not have.
+void PipelinePanel::showNote()
+{
+    QStringList notes{m_note};
+    if (m_document.settings().shading == Shading::Texture && m_document.scene()->textures.empty())
+        notes << tr("No material of this scene has a texture: a checkerboard stands for it.");
+    notes.removeAll(QString());
+    m_sceneNote->setText(notes.join(QLatin1Char('\n')));
+    m_sceneNote->setVisible(!notes.isEmpty());
 }
 
 void PipelinePanel::syncSettings()
@@ -318,13 +331,16 @@ void PipelinePanel::syncSettings()
     const Settings& settings = m_document.settings();
     const Settings& defaults = m_document.defaults();
     const bool refused = unsupported(*m_document.scene(), settings).has_value();
+    showNote();
     for (FieldRow* row : m_rows)
         row->sync(settings, defaults, refused);
     {
         const QSignalBlocker blocked(m_sizeBox);
         const QString text = sizeText(settings.size);
+        const QString typed = m_sizeBox->lineEdit()->text();
         m_sizeBox->setCurrentIndex(m_sizeBox->findText(text));
-        m_sizeBox->setEditText(text);
+        m_sizeBox->lineEdit()->setText(typed); // which the former line changed
+        m_sizeField->setValue(text);
     }
     static_cast<ChangeDot*>(m_sizeDot)->setChanged(settings.size != defaults.size);
     const int changed = changedCount();

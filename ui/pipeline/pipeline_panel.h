@@ -1,6 +1,7 @@
 #pragma once
 #include "core/settings/settings.h"
 #include "ui/base/language.h"
+#include "ui/base/typed_field.h"
 #include "ui/document/document.h"
 
 #include <QComboBox>
@@ -8,6 +9,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <vector>
 
 class QLabel;
@@ -45,7 +47,6 @@ public:
     /// The switch of a field: a QComboBox, QSpinBox or QCheckBox.
     [[nodiscard]] QWidget* editor(const QString& fieldId) const;
     [[nodiscard]] QComboBox* sceneBox() const { return m_sceneBox; }
-    [[nodiscard]] QString sceneNote() const;
     [[nodiscard]] QComboBox* sizeBox() const { return m_sizeBox; }
     /// How many settings differ from what the scene asks for.
     [[nodiscard]] int changedCount() const;
@@ -54,6 +55,7 @@ Q_SIGNALS:
     void sceneChosen(const QString& name);
     void openRequested();
     void invalidInput(const QString& message);
+    void inputMended(); ///< what invalidInput() spoke of
     /// A built-in scene that float32 decides wrongly is to be shown.
     void floatFailureChosen(const QString& name);
 
@@ -67,8 +69,9 @@ private:
     void addNumberDial(QVBoxLayout* group);
     void fillFailureMenu();
     void syncScene();
+    void showNote();
     void syncSettings();
-    void applySize();
+    std::optional<QString> readSize(const QString& text, TypedField::Attempt attempt);
     void retranslate();
 
     Document& m_document;
@@ -78,8 +81,10 @@ private:
     QToolButton* m_reset = nullptr;
     QComboBox* m_sceneBox = nullptr;
     QLabel* m_sceneNote = nullptr;
+    QString m_note; ///< of the scene, in the language in use
     QToolButton* m_open = nullptr;
     QComboBox* m_sizeBox = nullptr;
+    TypedField* m_sizeField = nullptr;
     QLabel* m_sizeLabel = nullptr;
     QWidget* m_sizeDot = nullptr;
     std::map<Stage, QLabel*> m_groupHeadings;

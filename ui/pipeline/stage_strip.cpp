@@ -6,7 +6,6 @@
 
 #include <QAbstractButton>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QPainter>
 
 #include <algorithm>
@@ -20,6 +19,10 @@ namespace
 
 constexpr std::array kStages{Stage::Scene, Stage::Clip,  Stage::Screen, Stage::Cull,
                              Stage::Cover, Stage::Depth, Stage::Shade,  Stage::Image};
+constexpr int kChips = static_cast<int>(kStages.size());
+constexpr int kSpacing = 2;
+constexpr QMargins kMargins(8, 6, 8, 6);
+constexpr int kWidthOfOneRow = 400; ///< two rows where there is less
 constexpr int kArrowWidth = 14;
 constexpr int kWidthWithArrows = 690;
 
@@ -63,7 +66,6 @@ public:
     {
         return {96, QFontMetrics(nameFont()).height() + QFontMetrics(figureFont()).height() + 12};
     }
-    QSize minimumSizeHint() const override { return {m_last ? 58 : 48, sizeHint().height()}; } // the last: 3840x2160
 
 protected:
     void paintEvent(QPaintEvent*) override
@@ -140,20 +142,42 @@ QString stageTitle(Stage stage)
 
 StageStrip::StageStrip(QWidget* parent) : QWidget(parent)
 {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(8, 6, 8, 6);
-    row->setSpacing(2);
+    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
     for (const Stage stage : kStages) {
         auto* chip = new StageChip(this, stage == kStages.back());
         chip->setObjectName(QStringLiteral("stage%1").arg(static_cast<int>(stage)));
         connect(chip, &QAbstractButton::clicked, this, [this, stage] { Q_EMIT stageClicked(stage); });
-        row->addWidget(chip, 1);
         m_chips.push_back(chip);
     }
     updateTexts();
 }
 
-QSize StageStrip::minimumSizeHint() const { return {static_cast<int>(kStages.size()) * 51 + 16, sizeHint().height()}; }
+int StageStrip::chipsInARow(int width) { return width >= kWidthOfOneRow ? kChips : kChips / 2; }
+
+int StageStrip::heightForWidth(int width) const
+{
+    const int rows = kChips / chipsInARow(width);
+    return rows * m_chips.front()->sizeHint().height() + (rows - 1) * kSpacing + kMargins.top() + kMargins.bottom();
+}
+
+QSize StageStrip::sizeHint() const { return {kChips * 96, heightForWidth(kWidthOfOneRow)}; }
+
+QSize StageStrip::minimumSizeHint() const { return {kWidthOfOneRow / 2, heightForWidth(kWidthOfOneRow)}; }
+
+void StageStrip::resizeEvent(QResizeEvent*)
+{
+    const QRect room = rect().marginsRemoved(kMargins);
+    const int inARow = chipsInARow(width());
+    const int height = m_chips.front()->sizeHint().height();
+    for (int i = 0; i < kChips; ++i) {
+        const auto edge = [&](int column) { return room.left() + column * (room.width() + kSpacing) / inARow; };
+        const int left = edge(i % inARow);
+        m_chips[static_cast<std::size_t>(i)]->setGeometry(left, room.top() + i / inARow * (height + kSpacing),
+                                                          edge(i % inARow + 1) - kSpacing - left, height);
+    }
+}
 
 void StageStrip::setScene(const Scene& scene)
 {
@@ -172,7 +196,7 @@ void StageStrip::setFrame(const FramePtr& frame)
 {
     if (!frame->counted)
         return;
-    m_counted = frame;
+    m_counted = frame->statistics;
     updateTexts();
 }
 
@@ -187,7 +211,7 @@ QString StageStrip::figure(Stage stage) const
 {
     if (!m_counted && isCounted(stage))
         return QStringLiteral("\u2013");
-    const Statistics counts = m_counted ? m_counted->statistics : Statistics{};
+    const Statistics counts = m_counted.value_or(Statistics{});
     const auto shading = findSettingsField(QStringLiteral("shading"));
     switch (stage) {
     case Stage::Scene: return m_faceCount == 1 ? tr("1 face") : tr("%1 faces").arg(grouped(m_faceCount));
@@ -208,7 +232,7 @@ QString StageStrip::shortFigure(Stage stage) const
 {
     if (!m_counted && isCounted(stage))
         return figure(stage);
-    const Statistics counts = m_counted ? m_counted->statistics : Statistics{};
+    const Statistics counts = m_counted.value_or(Statistics{});
     switch (stage) {
     case Stage::Scene: return shortened(m_faceCount);
     case Stage::Clip: return shortened(counts.faces.clipped);
@@ -236,8 +260,10 @@ void StageStrip::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange)
         updateTexts();
-    if (event->type() == QEvent::FontChange || event->type() == QEvent::ApplicationFontChange)
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::ApplicationFontChange) {
         updateGeometry();
+        resizeEvent(nullptr);
+    }
     QWidget::changeEvent(event);
 }
 

@@ -30,22 +30,26 @@ public:
     /// The figure shown under a stage; a dash where nothing is counted yet.
     [[nodiscard]] QString figure(Stage stage) const;
 
+    QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
+    [[nodiscard]] int heightForWidth(int width) const override;
 
 Q_SIGNALS:
     void stageClicked(rasterlens::Stage stage);
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
+    [[nodiscard]] static int chipsInARow(int width);
     [[nodiscard]] QString shortFigure(Stage stage) const;
     void updateTexts();
 
     std::vector<StageChip*> m_chips;
     std::size_t m_faceCount = 0;
     Settings m_settings;
-    FramePtr m_counted;
+    std::optional<Statistics> m_counted;
     std::optional<Stage> m_current;
 };
 

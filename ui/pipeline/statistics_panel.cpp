@@ -1,5 +1,6 @@
 #include "ui/pipeline/statistics_panel.h"
 
+#include "core/render/render.h"
 #include "ui/base/numbers.h"
 
 #include <QCoreApplication>
@@ -169,7 +170,8 @@ QHBoxLayout* StatisticsPanel::counterLine(std::vector<Counter>& counters)
 
 void StatisticsPanel::setFrame(const FramePtr& frame)
 {
-    if (frame->timed) {
+    // Where threads and memory of the tiled algorithm were new, the counted picture tells that time, dimmed.
+    if (frame->timed || frame->counted) {
         m_times = frame->frame.times;
         m_fast = frame->fast;
     }
@@ -183,7 +185,7 @@ void StatisticsPanel::setFrame(const FramePtr& frame)
 
 void StatisticsPanel::showCounters(const FramePtr& frame)
 {
-    m_counted = frame;
+    m_counted = {frame->scene, frame->settings, frame->statistics};
     for (const Row& row : m_rows)
         for (const Counter& counter : row.counters)
             counter.value->setText(grouped(counter.get(frame->statistics)));
@@ -241,6 +243,18 @@ QSize StatisticsPanel::sizeHint() const
     return QWidget::sizeHint() + QSize(0, scrolled);
 }
 
+QSize StatisticsPanel::minimumSizeHint() const
+{
+    const auto culled = std::ranges::find_if(m_rows, [](const Row& row) {
+        return !row.counters.empty() && QLatin1String(row.counters.front().id) == QLatin1String("culled_back");
+    });
+    int rows = 0;
+    for (auto row = m_rows.begin(); row <= culled; ++row)
+        rows += row->name->sizeHint().height();
+    const QSize scroll = m_scroll->minimumSizeHint();
+    return QWidget::minimumSizeHint() + QSize(0, std::max(rows + 4 - scroll.height(), 0));
+}
+
 void StatisticsPanel::setStale(bool stale)
 {
     m_stale = stale;
@@ -268,26 +282,39 @@ void StatisticsPanel::showTimes()
     m_fps->setText(rate > 0
                        ? (rate < 10 ? QString::number(rate, 'f', 1) : grouped(static_cast<std::uint64_t>(rate + 0.5)))
                        : kUnknown);
-    m_fps->setEnabled(!(m_stale && m_timesLag));
+    m_fps->setEnabled(!m_timesLag);
     m_fpsUnit->setText(m_fast ? tr("FPS, tiled") : QStringLiteral("FPS"));
     const auto shown = [this](double ms) { return m_times.total > 0 ? milliseconds(ms) : kUnknown; };
     m_frameTime->setText(tr("%1 ms").arg(shown(m_times.total)));
     m_stageTimes->setText(tr("vertex %1 · geometry %2 · raster %3")
                               .arg(shown(m_times.vertex), shown(m_times.geometry), shown(m_times.raster)));
+    Q_EMIT changed();
+}
+
+QString StatisticsPanel::brief() const
+{
+    return tr("%1 FPS \u00b7 clipped %2 \u00b7 culled %3 \u00b7 %4")
+        .arg(m_fps->text(), shown(QStringLiteral("clipped")), shown(QStringLiteral("culled_back")),
+             shown(QStringLiteral("culled_front")));
+}
+
+QJsonObject StatisticsPanel::statisticsDocument() const
+{
+    return toJson(m_counted->statistics, m_times, m_counted->settings, withWorkers(m_counted->settings));
 }
 
 QString StatisticsPanel::asJson() const
 {
     if (!m_counted)
         return {};
-    return QString::fromUtf8(QJsonDocument(toJson(m_counted->statistics, m_times, m_counted->settings)).toJson());
+    return QString::fromUtf8(QJsonDocument(statisticsDocument()).toJson());
 }
 
 QString StatisticsPanel::asCsv() const
 {
     if (!m_counted)
         return {};
-    const QJsonObject json = toJson(m_counted->statistics, m_times, m_counted->settings);
+    const QJsonObject json = statisticsDocument();
     QStringList names;
     QStringList values;
     for (const char* group : {"faces", "pixels", "milliseconds"}) {
@@ -300,13 +327,19 @@ QString StatisticsPanel::asCsv() const
     return names.join(QLatin1Char(',')) + QLatin1Char('\n') + values.join(QLatin1Char(',')) + QLatin1Char('\n');
 }
 
-QString StatisticsPanel::shown(const QString& counter) const
+const QLabel* StatisticsPanel::counter(const QString& id) const
 {
     for (const Row& row : m_rows)
         for (const Counter& candidate : row.counters)
-            if (QLatin1String(candidate.id) == counter)
-                return candidate.value->text();
-    return {};
+            if (QLatin1String(candidate.id) == id)
+                return candidate.value;
+    return nullptr;
+}
+
+QString StatisticsPanel::shown(const QString& id) const
+{
+    const QLabel* label = counter(id);
+    return label ? label->text() : QString();
 }
 
 void StatisticsPanel::explainRate()

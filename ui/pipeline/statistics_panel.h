@@ -7,6 +7,8 @@
 #include <QWidget>
 
 #include <deque>
+#include <memory>
+#include <optional>
 #include <vector>
 
 class QHBoxLayout;
@@ -26,6 +28,9 @@ public:
     /// Counters that stay behind the picture, as while the camera moves, are dimmed until they are counted.
     void setFrame(const FramePtr& frame);
     void setStale(bool stale);
+    /// Frames a second, clipped and culled faces in one line.
+    [[nodiscard]] QString brief() const;
+    [[nodiscard]] const QLabel* counter(const QString& id) const;
     [[nodiscard]] bool isStale() const { return m_stale; }
     /// The frame is on the screen.
     void setShown(const FramePtr& frame);
@@ -38,7 +43,11 @@ public:
     /// The text shown for a counter, by its JSON name: `submitted`, `covered`.
     [[nodiscard]] QString shown(const QString& counter) const;
 
-    QSize sizeHint() const override; ///< with every row in sight
+    QSize sizeHint() const override;        ///< with every row in sight
+    QSize minimumSizeHint() const override; ///< rate, clipped and culled faces are in sight
+
+Q_SIGNALS:
+    void changed(); ///< brief()
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -59,6 +68,8 @@ private:
     static QHBoxLayout* counterLine(std::vector<Counter>& counters);
     void showCounters(const FramePtr& frame);
     void noteFinished(const FramePtr& frame);
+    /// in   a counted frame
+    [[nodiscard]] QJsonObject statisticsDocument() const;
     [[nodiscard]] double framesPerSecond() const;
     void retranslate();
     void explainRate();
@@ -71,7 +82,13 @@ private:
     QLabel* m_fpsUnit = nullptr;
     QLabel* m_frameTime = nullptr;
     QLabel* m_stageTimes = nullptr;
-    FramePtr m_counted;
+    /// What is kept of the last counted frame: its picture goes with the window's.
+    struct Counted {
+        std::shared_ptr<const Scene> scene;
+        Settings settings;
+        Statistics statistics;
+    };
+    std::optional<Counted> m_counted;
     StageTimes m_times;
     bool m_fast = false; ///< m_times are those of the tiled algorithm, while the camera moves
     std::deque<double> m_latencies;

@@ -29,7 +29,8 @@ void RunExport::writeNext()
     const int digits = int(QString::number(m_run.last).size());
     const QString name = QStringLiteral("step-%1.png").arg(m_next, digits, 10, QLatin1Char('0'));
     m_session.moveTo(m_next);
-    if (const auto error = savePng(m_viewport.figure(m_run.zoom), QDir(m_folder).filePath(name))) {
+    if (const auto error = savePicture(m_viewport.figure(m_run.zoom),
+                                       {QDir(m_folder).filePath(name), m_session.document().inputFiles()})) {
         finish(*error);
         return;
     }

@@ -19,6 +19,7 @@ namespace
 {
 
 constexpr std::size_t kListingLines = 4;
+constexpr int kFormulaLines = 2;
 constexpr int kCompactBelow = 560; ///< height of the canvas card from which on the whole listing has room
 
 QString translated(const char* text) { return QCoreApplication::translate("StepListing", text); }
@@ -309,10 +310,13 @@ void StepListing::sync()
     const bool isCompact = parentWidget()->height() < kCompactBelow;
     const QFont font = numberFont(-0.5);
     const QString accent = palette().color(QPalette::AlternateBase).name();
+    // The canvas above keeps its height: there are as many lines at every step, all of one height.
+    const int kept = std::clamp(m_explanation.line, 0, int(m_lines.size()) - 1);
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
         const bool now = int(i) == m_explanation.line;
         m_lines[i]->setFont(font);
-        m_lines[i]->setVisible(now || !isCompact);
+        m_lines[i]->setFixedHeight(lineHeight());
+        m_lines[i]->setVisible(int(i) == kept || !isCompact);
         m_lines[i]->setText(m_explanation.listing.value(int(i)));
         m_lines[i]->setStyleSheet(
             QStringLiteral("padding: 0 4px; border-radius: 3px; %1")
@@ -323,6 +327,13 @@ void StepListing::sync()
     fitFormula();
 }
 
+/// Room for digits and for the taller signs of other scripts.
+int StepListing::lineHeight()
+{
+    constexpr int kAir = 2;
+    return std::max(QFontMetrics(numberFont(-0.5)).height(), QFontMetrics(textFont(-0.5)).height()) + kAir;
+}
+
 /// Long numbers first make the formula smaller, then leave dots in its middle; the tool tip has all of it.
 void StepListing::fitFormula()
 {
@@ -330,6 +341,12 @@ void StepListing::fitFormula()
     const QMargins around = layout()->contentsMargins() + m_formula->contentsMargins();
     const int room = width() - around.left() - around.right();
     QStringList lines = m_explanation.formula.split(QLatin1Char('\n'));
+    while (lines.size() > kFormulaLines) {
+        const QString last = lines.takeLast();
+        lines.last() += QStringLiteral("   ") + last;
+    }
+    while (lines.size() < kFormulaLines)
+        lines << QString();
     QFont font = numberFont(-0.5);
     int longest = 1;
     for (const QString& line : lines)
@@ -337,10 +354,8 @@ void StepListing::fitFormula()
     font.setPointSizeF(font.pointSizeF() * std::clamp(double(room) / longest, kSmallest, 1.0));
     for (QString& line : lines)
         line = QFontMetrics(font).elidedText(line, Qt::ElideMiddle, room);
-    if (lines.size() == 1)
-        lines << QString(); // the canvas above keeps its height
     m_formula->setFont(font);
-    m_formula->setFixedHeight(int(lines.size()) * QFontMetrics(numberFont(-0.5)).lineSpacing() + 2);
+    m_formula->setFixedHeight(kFormulaLines * lineHeight() + 2);
     m_formula->setText(lines.join(QLatin1Char('\n')));
     m_formula->setToolTip(m_explanation.formula);
 }

@@ -47,6 +47,7 @@ protected:
 private:
     void sync();
     void fitFormula();
+    [[nodiscard]] static int lineHeight();
 
     const StepSession& m_session;
     StepExplanation m_explanation;

@@ -52,7 +52,6 @@ StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& wi
         Q_EMIT frameChanged();
     });
     connect(&m_session, &StepSession::selectionChanged, this, &StepMode::syncSelection);
-    connect(&m_session, &StepSession::failed, this, &StepMode::message);
     connect(&m_session, &StepSession::recordingChanged, this, [this](bool recording) {
         syncLens();
         Q_EMIT frameChanged();

@@ -3,7 +3,6 @@
 #include "core/render/render.h"
 
 #include <algorithm>
-#include <new>
 #include <utility>
 
 namespace rasterlens
@@ -15,7 +14,10 @@ constexpr int kTickMs = 16;
 
 } // namespace
 
-StepSession::StepSession(Document& document, QObject* parent) : QObject(parent), m_document(document)
+StepSession::StepSession(Document& document, QObject* parent)
+    : QObject(parent), m_document(document),
+      m_result([this](std::shared_ptr<const StepLog> log) { take(std::move(log)); },
+               [this](Lack lack) { giveUp(lack); })
 {
     m_clock.setInterval(kTickMs);
     m_clock.setTimerType(Qt::PreciseTimer);
@@ -41,9 +43,9 @@ void StepSession::close()
     if (!m_open)
         return;
     m_open = false;
-    m_task.post([](std::stop_token) {}, LatestTask::Running::Interrupt);
+    m_result.drop();
     drop();
-    setBusy(m_asked, m_asked);
+    syncRecording();
     Q_EMIT openChanged(false);
 }
 
@@ -62,46 +64,34 @@ void StepSession::record()
     if (!m_open)
         return;
     if (unsupported(*m_document.scene(), m_document.settings())) {
-        m_task.post([](std::stop_token) {}, LatestTask::Running::Interrupt);
+        m_result.drop();
         drop();
-        setBusy(m_asked, m_asked);
+        syncRecording();
         return;
     }
-    const quint64 serial = m_asked + 1;
-    setBusy(serial, m_delivered);
-    const auto work = [this, serial, scene = m_document.scene(), settings = m_document.settings(),
-                       filter = filter()](std::stop_token stop) {
-        std::shared_ptr<const StepLog> log;
-        try {
-            log = renderSteps(*scene, settings, filter, stop);
-        } catch (const std::bad_alloc&) {
-            // Reported as a missing record.
-        }
-        if (stop.stop_requested())
-            return;
-        QMetaObject::invokeMethod(
-            this, [this, serial, log = std::move(log)] { take(log, serial); }, Qt::QueuedConnection);
-    };
-    m_task.post(work, LatestTask::Running::Interrupt);
+    m_result.ask([scene = m_document.scene(), settings = m_document.settings(),
+                  filter = filter()](const auto& turn) { return renderSteps(*scene, settings, filter, turn.stop()); },
+                 LatestJob::Running::Interrupt);
+    syncRecording();
 }
 
-void StepSession::take(std::shared_ptr<const StepLog> log, quint64 serial)
+void StepSession::giveUp(Lack lack)
 {
-    if (!m_open || serial != m_asked)
-        return;
-    if (!log) {
-        drop();
-        setBusy(serial, serial);
-        Q_EMIT failed(tr("There is not enough memory to record this frame."));
-        return;
-    }
+    drop(); // the former record is one of other settings
+    syncRecording();
+    Q_EMIT failed(lack == Lack::Memory ? tr("There is not enough memory to record this frame.")
+                                       : tr("This frame was not recorded: %1.").arg(lackText(lack)));
+}
+
+void StepSession::take(std::shared_ptr<const StepLog> log)
+{
     const std::size_t position = this->position();
     m_scene = m_document.scene();
     m_log = std::move(log);
     m_cursor = std::make_unique<StepCursor>(m_log);
     m_cursor->moveTo(position);
     m_triangle = currentTriangle();
-    setBusy(serial, serial);
+    syncRecording();
     Q_EMIT logChanged();
     Q_EMIT positionChanged();
 }
@@ -119,12 +109,9 @@ void StepSession::drop()
     Q_EMIT positionChanged();
 }
 
-void StepSession::setBusy(quint64 asked, quint64 delivered)
+void StepSession::syncRecording()
 {
-    const bool before = isRecording();
-    m_asked = asked;
-    m_delivered = delivered;
-    if (before != isRecording())
+    if (std::exchange(m_wasRecording, isRecording()) != isRecording())
         Q_EMIT recordingChanged(isRecording());
 }
 
@@ -255,14 +242,13 @@ const StepEvent* StepSession::currentTriangle() const
     const auto wanted = face();
     if (!m_log || !wanted)
         return nullptr;
-    // Triangles come in order, face by face.
+    // Triangles come in the order of drawing, the painter's faces in any order.
     const auto triangles = m_log->eventsOf(StepKind::Triangle);
     const bool isNow = now && now->face == *wanted && now->triangle != StepEvent::kNone;
-    const auto comesBefore = [&](std::uint32_t i, std::uint32_t sought) {
-        return (isNow ? m_log->event(i).triangle : m_log->event(i).face) < sought;
-    };
     const auto first =
-        std::lower_bound(triangles.begin(), triangles.end(), isNow ? now->triangle : *wanted, comesBefore);
+        isNow ? std::ranges::lower_bound(triangles, now->triangle, {},
+                                         [&](std::uint32_t i) { return m_log->event(i).triangle; })
+              : std::ranges::find(triangles, *wanted, [&](std::uint32_t i) { return m_log->event(i).face; });
     if (first == triangles.end() || m_log->event(*first).face != *wanted)
         return nullptr;
     return &m_log->event(*first);

@@ -1,6 +1,6 @@
 #pragma once
 #include "core/render/steps.h"
-#include "ui/base/latest_task.h"
+#include "ui/base/latest_result.h"
 #include "ui/document/document.h"
 
 #include <QElapsedTimer>
@@ -36,7 +36,7 @@ public:
     /// Leaves the step mode and lets go of the record.
     void close();
     [[nodiscard]] bool isOpen() const { return m_open; }
-    [[nodiscard]] bool isRecording() const { return m_asked != m_delivered; }
+    [[nodiscard]] bool isRecording() const { return m_result.isBusy(); }
 
     [[nodiscard]] const Document& document() const { return m_document; }
     /// The record; null where there is none (yet).
@@ -95,8 +95,9 @@ Q_SIGNALS:
 private:
     void record();
     void drop();
-    void take(std::shared_ptr<const StepLog> log, quint64 serial);
-    void setBusy(quint64 asked, quint64 delivered);
+    void take(std::shared_ptr<const StepLog> log);
+    void giveUp(Lack lack);
+    void syncRecording();
     void advance();
     [[nodiscard]] const StepEvent* currentTriangle() const;
     [[nodiscard]] StepFilter filter() const;
@@ -107,8 +108,7 @@ private:
     std::shared_ptr<const StepLog> m_log;
     std::unique_ptr<StepCursor> m_cursor;
     const StepEvent* m_triangle = nullptr;
-    quint64 m_asked = 0;
-    quint64 m_delivered = 0;
+    bool m_wasRecording = false; ///< as recordingChanged() told
 
     StepScope m_scope = StepScope::Frame;
     std::optional<PixelRect> m_rectangle;
@@ -120,7 +120,7 @@ private:
     double m_owedSteps = 0;
     double m_speed = 1;
     bool m_looping = false;
-    LatestTask m_task; ///< last: its thread uses the members above
+    LatestResult<std::shared_ptr<const StepLog>> m_result; ///< last: its thread uses the members above
 };
 
 } // namespace rasterlens

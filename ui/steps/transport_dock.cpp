@@ -1,5 +1,6 @@
 #include "ui/steps/transport_dock.h"
 
+#include "ui/base/elided_label.h"
 #include "ui/base/theme.h"
 #include "ui/steps/scrubber.h"
 #include "ui/steps/step_listing.h"
@@ -18,7 +19,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
-#include <QPainter>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -30,6 +30,7 @@ namespace rasterlens
 namespace
 {
 
+constexpr int kLowWindow = 580; ///< the line below the scrubber is the canvas's then
 constexpr double kSpeeds[] = {0.25, 0.5, 1, 2, 4, 8, 16, 32, 64};
 
 QString grouped(std::size_t number) { return QLocale(QLocale::English).toString(qulonglong(number)); }
@@ -47,23 +48,18 @@ bool keepsKey(const QObject* widget, int key)
            key == Qt::Key_Space;
 }
 
-/// A line of text that ends in dots where it has no room.
-class ElidedLabel : public QLabel
+/// Says all where there is room, and leaves it to the buttons where there is none.
+class NoticeLabel : public ElidedLabel
 {
 public:
-    ElidedLabel()
+    NoticeLabel() : ElidedLabel(QStringLiteral("stepNotice"))
     {
-        setObjectName(QStringLiteral("muted"));
-        setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {kLeastWidth, sizeHint().height()}; }
 
-protected:
-    void paintEvent(QPaintEvent*) override
-    {
-        QPainter painter(this);
-        painter.setPen(palette().color(foregroundRole()));
-        painter.drawText(rect(), int(alignment()), fontMetrics().elidedText(text(), Qt::ElideRight, width()));
-    }
+private:
+    static constexpr int kLeastWidth = 16;
 };
 
 } // namespace
@@ -227,7 +223,7 @@ QToolButton* TransportDock::addButton(QAction* action, TransportSign sign, bool 
 {
     auto* button = new QToolButton;
     button->setObjectName(QStringLiteral("flat"));
-    button->setFocusPolicy(Qt::NoFocus); // Space plays
+    button->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the canvas: Space plays
     button->setIconSize({20, 20});
     button->setFixedSize(31, 28);
     button->setStyleSheet(QStringLiteral("padding: 0;"));
@@ -249,7 +245,7 @@ QToolButton* TransportDock::addLink(QMenu* menu)
 {
     auto* link = new QToolButton;
     link->setObjectName(QStringLiteral("link"));
-    link->setFocusPolicy(Qt::NoFocus);
+    link->setFocusPolicy(Qt::TabFocus);
     link->setCursor(Qt::PointingHandCursor);
     link->setPopupMode(QToolButton::InstantPopup);
     link->setMenu(menu);
@@ -281,10 +277,8 @@ QWidget* TransportDock::buildTitleRow()
     row->addSpacing(8);
     m_summary = new ElidedLabel;
     row->addWidget(m_summary, 1);
-    m_notice = new QLabel;
-    m_notice->setObjectName(QStringLiteral("stepNotice"));
+    m_notice = new NoticeLabel;
     row->addWidget(m_notice);
-    row->addWidget(m_scopeLink = addLink(m_scopeMenu));
     row->addWidget(m_speedLink = addLink(m_speedMenu));
     row->addWidget(m_runLink = addLink(m_runMenu));
     return m_titleRow;
@@ -312,6 +306,8 @@ QWidget* TransportDock::buildBody()
     m_hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     row->addWidget(m_legend);
     row->addWidget(m_hint, 1);
+    row->addSpacing(6);
+    row->addWidget(m_scopeLink = addLink(m_scopeMenu));
     column->addLayout(row);
     return m_body;
 }
@@ -356,7 +352,6 @@ void TransportDock::syncIcons()
 void TransportDock::syncLog()
 {
     m_scrubber->setLog(m_session.log());
-    m_body->setVisible(m_session.isOpen());
     sync();
 }
 
@@ -398,18 +393,21 @@ void TransportDock::sync()
     else
         m_summary->clear();
     m_notice->setText(noticeText());
+    m_notice->setToolTip(m_notice->text());
     m_notice->setVisible(!m_notice->text().isEmpty());
     const std::array scopes{tr("whole frame"), tr("one face"), tr("rectangle")};
     m_scopeLink->setText(scopes[std::size_t(m_session.scope())] + QStringLiteral(" \u25be"));
     m_speedLink->setText(tr("speed %1 \u25be").arg(speedText(m_session.speed())));
     for (QToolButton* link : {m_speedLink, m_runLink})
         link->setVisible(open);
-    m_scopeLink->setVisible(open && !m_brief);
+    const bool hasRoom = !m_brief && !m_isLow;
+    m_legend->setVisible(!m_isLow);
+    m_scopeLink->setVisible(hasRoom);
     const bool another = m_session.log() && m_session.document().settings().algorithm == Algorithm::Tiled;
     m_hint->setText(
         another ? tr("recorded by edge equation: the same pixels as tiled")
                 : tr("Space play \u00b7 \u2190 \u2192 step \u00b7 Shift row \u00b7 Ctrl face \u00b7 Ctrl+Shift stage"));
-    m_hint->setVisible(another || !m_brief);
+    m_hint->setVisible((another && !m_isLow) || hasRoom);
     m_scrubber->setPosition(position);
 }
 
@@ -426,6 +424,11 @@ void TransportDock::changeEvent(QEvent* event)
 
 bool TransportDock::eventFilter(QObject* watched, QEvent* event)
 {
+    if (watched == parentWidget() && event->type() == QEvent::Resize) {
+        const bool isLow = parentWidget()->height() < kLowWindow;
+        if (std::exchange(m_isLow, isLow) != isLow)
+            sync();
+    }
     if (event->type() == QEvent::ShortcutOverride && watched->isWidgetType()) {
         auto* key = static_cast<QKeyEvent*>(event);
         if (keepsKey(watched, key->key())) {

@@ -95,6 +95,7 @@ private:
     QLabel* m_step = nullptr;
     QLabel* m_summary = nullptr;
     bool m_brief = false;
+    bool m_isLow = false; ///< the window
     QLabel* m_notice = nullptr;
     QLabel* m_legend = nullptr;
     QLabel* m_hint = nullptr; ///< the keys, or who records in place of the chosen algorithm

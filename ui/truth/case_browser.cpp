@@ -1,7 +1,9 @@
 #include "ui/truth/case_browser.h"
 
+#include "ui/base/flow_layout.h"
 #include "ui/base/inks.h"
 #include "ui/base/theme.h"
+#include "ui/base/turning.h"
 
 #include <QCheckBox>
 #include <QEvent>
@@ -169,17 +171,15 @@ CaseBrowser::CaseBrowser(QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 2, 12, 8);
     column->setSpacing(4);
-    auto* head = new QHBoxLayout;
-    head->setSpacing(10);
+    auto* head = new FlowLayout(10);
     m_filter->setClearButtonEnabled(true);
     m_filter->setMaximumWidth(280);
     m_progress->setTextVisible(false);
     m_progress->setFixedSize(90, 8);
     m_progress->setRange(0, m_model->rowCount());
     m_state->setObjectName(QStringLiteral("muted"));
-    head->addWidget(m_filter, 1);
+    head->addWidget(m_filter);
     head->addWidget(m_failing);
-    head->addStretch(1);
     head->addWidget(m_state);
     head->addWidget(m_progress);
     column->addLayout(head);
@@ -212,6 +212,12 @@ CaseBrowser::CaseBrowser(QWidget* parent)
     scroll->setWidget(m_detail);
     row->addWidget(scroll);
     column->addLayout(row, 1);
+    constexpr int kBeside = 620;
+    new Turning(this, kBeside, [row, scroll](bool beside) {
+        row->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+        scroll->setMinimumWidth(beside ? kDetailWidth : 0);
+        scroll->setMaximumWidth(beside ? kDetailWidth : QWIDGETSIZE_MAX);
+    });
 
     connect(m_filter, &QLineEdit::textChanged, this, [this](const QString& text) {
         m_filtered->setWords(text);

@@ -3,6 +3,7 @@
 #include "core/io/case_file.h"
 #include "core/truth/expectations.h"
 #include "ui/base/applicability.h"
+#include "ui/base/case_note.h"
 
 #include <QCoreApplication>
 #include <QPainter>
@@ -76,15 +77,13 @@ QString CaseModel::Case::reasonText(std::size_t variant) const
                                                    : textOf(verdict.reasons, translated);
 }
 
-QString caseNoteText(const QString& note)
-{
-    QStringList lines;
-    for (const QString& line : note.split(QLatin1Char('\n')))
-        lines << translated(line.toUtf8().constData());
-    return lines.join(QLatin1Char('\n'));
-}
-
-CaseModel::CaseModel(QObject* parent) : QAbstractListModel(parent)
+CaseModel::CaseModel(QObject* parent)
+    : QAbstractListModel(parent),
+      m_result([this](const Judged& judged) { take(judged); },
+               [this](Lack lack) {
+                   Q_EMIT progressed();
+                   Q_EMIT failed(tr("The hard cases were not drawn: %1.").arg(lackText(lack)));
+               })
 {
     for (const QString& name : hardCaseNames()) {
         m_cases.emplace_back();
@@ -94,27 +93,26 @@ CaseModel::CaseModel(QObject* parent) : QAbstractListModel(parent)
 
 void CaseModel::start()
 {
-    if (m_running || m_judged == rowCount())
+    if (isBusy() || m_judged == rowCount())
         return;
-    m_running = true;
     QStringList names;
     for (const Case& one : m_cases)
         names << one.name;
-    m_task.post(
-        [this, names, first = m_judged](std::stop_token stop) {
-            for (int row = first; row < names.size() && !stop.stop_requested(); ++row)
-                QMetaObject::invokeMethod(
-                    this, [this, row, one = judgedCase(names[row], stop)] { take(row, one); }, Qt::QueuedConnection);
+    m_result.ask(
+        [names, first = m_judged](const auto& turn) {
+            const int last = static_cast<int>(names.size()) - 1;
+            for (int row = first; row < last && !turn.stop().stop_requested(); ++row)
+                turn.deliver({row, judgedCase(names[row], turn.stop())});
+            return Judged{last, judgedCase(names[last], turn.stop())};
         },
-        LatestTask::Running::Finish);
+        LatestJob::Running::Finish);
 }
 
-void CaseModel::take(int row, const Case& judged)
+void CaseModel::take(const Judged& judged)
 {
-    m_cases[static_cast<std::size_t>(row)] = judged;
-    m_judged = row + 1;
-    m_running = m_judged < rowCount();
-    Q_EMIT dataChanged(index(row), index(row));
+    m_cases[static_cast<std::size_t>(judged.row)] = judged.result;
+    m_judged = judged.row + 1;
+    Q_EMIT dataChanged(index(judged.row), index(judged.row));
     Q_EMIT progressed();
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "core/truth/hard_cases.h"
 #include "core/truth/variants.h"
-#include "ui/base/latest_task.h"
+#include "ui/base/latest_result.h"
 
 #include <QAbstractListModel>
 #include <QImage>
@@ -13,9 +13,6 @@
 
 namespace rasterlens
 {
-
-/// The note of a case of the catalogue in the language in use, line by line; others come back as they are.
-[[nodiscard]] QString caseNoteText(const QString& note);
 
 /// The hard cases with thumbnails and what came of each variant, drawn and judged one after the other on a background
 /// thread.
@@ -49,7 +46,7 @@ public:
 
     /// Draws and judges what has not been yet.
     void start();
-    [[nodiscard]] bool isBusy() const { return m_running; }
+    [[nodiscard]] bool isBusy() const { return m_result.isBusy(); }
     [[nodiscard]] int judged() const { return m_judged; }
 
     [[nodiscard]] const Case& at(int row) const { return m_cases[static_cast<std::size_t>(row)]; }
@@ -63,14 +60,20 @@ public:
 
 Q_SIGNALS:
     void progressed(); ///< one more case is judged; or all
+    /// Judging ended early, for want of memory or threads; start() goes on with the next case.
+    void failed(const QString& message);
 
 private:
-    void take(int row, const Case& judged);
+    struct Judged {
+        int row = 0;
+        Case result;
+    };
+
+    void take(const Judged& judged);
 
     std::vector<Case> m_cases;
     int m_judged = 0;
-    bool m_running = false;
-    LatestTask m_task; ///< last: its thread uses the members above
+    LatestResult<Judged> m_result; ///< last: its thread uses the members above
 };
 
 } // namespace rasterlens

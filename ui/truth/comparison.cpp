@@ -3,12 +3,11 @@
 #include "core/settings/mistakes.h"
 #include "ui/base/applicability.h"
 #include "ui/base/numbers.h"
+#include "ui/document/picture_memory.h"
 
 #include <QCoreApplication>
 
 #include <cmath>
-#include <new>
-#include <system_error>
 #include <utility>
 
 namespace rasterlens
@@ -29,7 +28,16 @@ QString mistakesText(const Settings& settings)
 
 } // namespace
 
-Comparison::Comparison(Document& document, QObject* parent) : QObject(parent), m_document(document)
+Comparison::Comparison(Document& document, QObject* parent)
+    : QObject(parent), m_document(document),
+      m_result([this](const Pair& pair) { take(pair); },
+               [this](Lack lack) {
+                   refuse([lack] {
+                       return lack == Lack::Memory ? tr("There is not enough memory for another picture of this size.")
+                                                   : tr("A was not drawn: %1").arg(lackText(lack));
+                   });
+               },
+               LatestJob::Late::Taken)
 {
     m_blink.setInterval(kBlinkMs);
     connect(&m_blink, &QTimer::timeout, this, [this] {
@@ -125,9 +133,7 @@ void Comparison::drop()
     m_pair = {};
     m_difference.reset();
     m_refusal = nullptr;
-    ++m_asked;
-    m_delivered = m_asked;
-    m_task.post([](std::stop_token) {}, LatestTask::Running::Interrupt);
+    m_result.drop();
 }
 
 bool Comparison::mustInterrupt(const Settings& other) const
@@ -143,38 +149,20 @@ void Comparison::compare()
         return;
     const Settings other = this->other(m_present->settings);
     if (const auto why = unsupported(*m_present->scene, other)) {
-        drop();
-        m_refusal = [why = *why] { return tr("A cannot be drawn: %1").arg(whyUnsupported(why)); };
-        Q_EMIT changed();
-        Q_EMIT frameChanged();
+        refuse([why = *why] { return tr("A cannot be drawn: %1").arg(whyUnsupported(why)); });
         return;
     }
     m_refusal = nullptr;
-    const auto running = mustInterrupt(other) ? LatestTask::Running::Interrupt : LatestTask::Running::Finish;
+    const auto running = mustInterrupt(other) ? LatestJob::Running::Interrupt : LatestJob::Running::Finish;
     m_askedFor = other;
     Pair pair;
     pair.b = m_present;
     pair.amplification = m_amplification;
     if (m_pair.a && m_pair.a->scene == m_present->scene && m_pair.a->settings == other)
         pair.a = m_pair.a;
-    const quint64 serial = ++m_asked;
     const bool withHeat = m_view == CompareView::Difference;
-    m_task.post(
-        [this, pair, other, withHeat, serial](std::stop_token stop) {
-            Pair done;
-            try {
-                done = draw(pair, other, withHeat, stop);
-            } catch (const std::bad_alloc&) {
-                done = {};
-            } catch (const std::system_error&) { // no more threads
-                done = {};
-            }
-            if (stop.stop_requested())
-                return;
-            QMetaObject::invokeMethod(
-                this, [this, done, serial] { take(done, serial); }, Qt::QueuedConnection);
-        },
-        running);
+    m_result.ask([this, pair, other, withHeat](const auto& turn) { return draw(pair, other, withHeat, turn.stop()); },
+                 running);
     Q_EMIT changed();
 }
 
@@ -188,6 +176,8 @@ Comparison::Pair Comparison::draw(Pair pair, const Settings& other, bool withHea
         a->frame.tiled = std::exchange(m_context, nullptr);
         render(*a->scene, other, a->frame, {}, stop);
         m_context = std::exchange(a->frame.tiled, nullptr);
+        if (isLarge(other))
+            m_context.reset(); // small pictures are not to pay for it
         pair.a = a;
     }
     if (stop.stop_requested())
@@ -203,19 +193,18 @@ Comparison::Pair Comparison::draw(Pair pair, const Settings& other, bool withHea
     return pair;
 }
 
-void Comparison::take(const Pair& pair, quint64 serial)
+void Comparison::take(const Pair& pair)
 {
-    // A pair of a scene or a comparison that is no more.
-    if (m_view == CompareView::Off || m_delivered >= serial)
-        return;
-    m_delivered = serial;
-    if (!pair.a) {
-        drop();
-        m_refusal = [] { return tr("There is not enough memory for another picture of this size."); };
-    } else {
-        m_pair = pair;
-        m_difference = pair.difference;
-    }
+    m_pair = pair;
+    m_difference = pair.difference;
+    Q_EMIT changed();
+    Q_EMIT frameChanged();
+}
+
+void Comparison::refuse(std::function<QString()> why)
+{
+    drop();
+    m_refusal = std::move(why);
     Q_EMIT changed();
     Q_EMIT frameChanged();
 }

@@ -1,6 +1,6 @@
 #pragma once
 #include "core/truth/difference.h"
-#include "ui/base/latest_task.h"
+#include "ui/base/latest_result.h"
 #include "ui/document/document.h"
 #include "ui/document/render_worker.h"
 
@@ -66,7 +66,7 @@ public:
     [[nodiscard]] FramePtr wiped() const;
     /// `A` or `B` where the canvas shows only one of them; empty otherwise.
     [[nodiscard]] QString tag() const;
-    [[nodiscard]] bool isBusy() const { return m_asked != m_delivered; }
+    [[nodiscard]] bool isBusy() const { return m_result.isBusy(); }
 
     [[nodiscard]] const std::optional<Difference>& difference() const { return m_difference; }
     /// `1,234 of 40,000 pixels differ ..`, or why there is nothing to compare.
@@ -98,7 +98,8 @@ private:
     void compare();
     void drop();
     [[nodiscard]] Pair draw(Pair pair, const Settings& other, bool withHeat, const std::stop_token& stop);
-    void take(const Pair& pair, quint64 serial);
+    void take(const Pair& pair);
+    void refuse(std::function<QString()> why);
     [[nodiscard]] bool mustInterrupt(const Settings& other) const;
 
     Document& m_document;
@@ -112,12 +113,10 @@ private:
     std::optional<Difference> m_difference;
     std::function<QString()> m_refusal; ///< why there is no A, in the language in use
     Settings m_askedFor;                ///< of A
-    quint64 m_asked = 0;
-    quint64 m_delivered = 0;
     QTimer m_blink;
     bool m_showsA = false;
     std::shared_ptr<TiledContext> m_context; ///< of the background thread
-    LatestTask m_task;                       ///< last: its thread uses the members above
+    LatestResult<Pair> m_result;             ///< last: its thread uses the members above
 };
 
 } // namespace rasterlens

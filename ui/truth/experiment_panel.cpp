@@ -1,8 +1,10 @@
 #include "ui/truth/experiment_panel.h"
 
+#include "core/io/picture_file.h"
 #include "core/truth/experiment_export.h"
 #include "ui/base/field_row.h"
 #include "ui/base/image_export.h"
+#include "ui/base/turning.h"
 #include "ui/truth/experiment_model.h"
 
 #include <QCoreApplication>
@@ -16,7 +18,6 @@
 #include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QSignalBlocker>
 #include <QSortFilterProxyModel>
 #include <QSplitter>
@@ -25,8 +26,6 @@
 #include <QToolTip>
 #include <QVBoxLayout>
 
-#include <new>
-#include <system_error>
 #include <utility>
 
 namespace rasterlens
@@ -37,19 +36,20 @@ namespace
 constexpr int kProgressMs = 100;
 constexpr QSize kFigure(1000, 640);
 
-std::optional<QString> saveText(const QByteArray& text, const QString& path)
+/// What measurements are written as besides pictures.
+const QStringList& tableFormats()
 {
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
-        return ExperimentPanel::tr("%1 could not be written: %2").arg(path, file.errorString());
-    return std::nullopt;
+    static const QStringList formats{QStringLiteral("csv"), QStringLiteral("json"), QStringLiteral("svg")};
+    return formats;
 }
 
 } // namespace
 
-ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent) : QWidget(parent), m_document(document)
+ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent)
+    : QWidget(parent), m_document(document),
+      m_result([this](Measured measured) { take(std::move(measured)); }, [this](Lack lack) { giveUp(lack); })
 {
-    // Below a canvas height is what there is least of: controls, plot and table lie side by side.
+    // Below a canvas height is what there is least of: there controls, plot and table lie side by side.
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(12, 2, 12, 8);
     row->setSpacing(10);
@@ -77,11 +77,17 @@ ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent) : QWidget(
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(ExperimentModel::Name, QHeaderView::Stretch);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_table->setMinimumSize(360, 60);
+    m_table->setMinimumSize(200, 120);
     m_table->sortByColumn(ExperimentModel::Speed, Qt::AscendingOrder);
     parts->addWidget(m_table);
     parts->setSizes({480, 520});
     row->addWidget(parts, 1);
+    constexpr int kBeside = 780;
+    new Turning(this, kBeside, [this, row, parts](bool beside) {
+        row->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+        parts->setOrientation(beside ? Qt::Horizontal : Qt::Vertical);
+        m_table->setHorizontalScrollBarPolicy(beside ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
+    });
 
     connect(m_plot, &ExperimentPlot::rowClicked, this, &ExperimentPanel::load);
     connect(m_plot, &ExperimentPlot::rowHovered, this, [this](int row, QPoint at) {
@@ -104,7 +110,7 @@ ExperimentPanel::~ExperimentPanel() = default;
 QWidget* ExperimentPanel::buildControls()
 {
     m_run = new QPushButton;
-    connect(m_run, &QPushButton::clicked, this, [this] { m_running ? cancel() : run(m_frames->value()); });
+    connect(m_run, &QPushButton::clicked, this, [this] { isRunning() ? cancel() : run(m_frames->value()); });
     m_frames = new PanelSpin;
     m_frames->setRange(1, 1000);
     m_frames->setValue(ExperimentOptions().frames);
@@ -169,77 +175,49 @@ void ExperimentPanel::run(int frames)
     const auto scene = m_document.scene();
     const Settings base = m_document.settings();
     const std::vector<const Variant*> supported = supportedVariants(*scene, base);
-    const quint64 serial = ++m_serial;
-    m_running = true;
     m_rows.clear();
     m_sceneTitle =
         scene->title.isEmpty() ? scene->id : QCoreApplication::translate("BuiltinScene", qPrintable(scene->title));
     m_progress->setRange(0, 0);
-    m_task.post(
-        [this, scene, base, supported, frames, serial](std::stop_token stop) {
-            const auto deliver = [this, serial](std::span<const ExperimentRow> rows, int done, int total, bool last) {
-                QMetaObject::invokeMethod(
-                    this,
-                    [this, serial, rows = std::vector<ExperimentRow>(rows.begin(), rows.end()), done, total, last] {
-                        take(serial, rows, done, total, last);
-                    },
-                    Qt::QueuedConnection);
-            };
+    show(); // before: where no thread starts, the note says so at once
+    m_result.ask(
+        [scene, base, supported, frames](const auto& turn) {
             QElapsedTimer clock;
             clock.start();
             const auto progress = [&](const ExperimentProgress& now) {
                 if (clock.elapsed() < kProgressMs)
                     return;
-                deliver(now.rows, now.done, now.total, false);
+                turn.deliver({{now.rows.begin(), now.rows.end()}, now.done, now.total});
                 clock.restart();
             };
-            try {
-                const auto rows =
-                    runExperiment(*scene, base, supported, {.frames = frames, .reference = true}, progress, stop);
-                deliver(rows, 1, 1, true);
-            } catch (const std::bad_alloc&) {
-                giveUp(serial, tr("There is not enough memory for a picture of this size."));
-            } catch (const std::system_error&) {
-                giveUp(serial, tr("The system does not start so many threads."));
-            }
+            return Measured{
+                runExperiment(*scene, base, supported, {.frames = frames, .reference = true}, progress, turn.stop())};
         },
-        LatestTask::Running::Interrupt);
-    show();
+        LatestJob::Running::Interrupt);
     syncState();
 }
 
-/// On the background thread: what has been measured so far stays.
-void ExperimentPanel::giveUp(quint64 serial, const QString& why)
+void ExperimentPanel::giveUp(Lack lack)
 {
-    QMetaObject::invokeMethod(
-        this,
-        [this, serial, why] {
-            if (serial != m_serial)
-                return;
-            take(serial, m_rows, 1, 1, true);
-            m_note->setText(why);
-        },
-        Qt::QueuedConnection);
+    take({m_rows});
+    m_note->setText(lack == Lack::Memory ? tr("There is not enough memory for a picture of this size.")
+                                         : tr("The system does not start so many threads."));
 }
 
 void ExperimentPanel::cancel()
 {
-    m_task.post([](std::stop_token) {}, LatestTask::Running::Interrupt);
-    m_run->setEnabled(false); // until the frame at work is finished
+    m_result.drop();
+    take({m_rows});
 }
 
-void ExperimentPanel::take(quint64 serial, std::vector<ExperimentRow> rows, int done, int total, bool last)
+void ExperimentPanel::take(Measured measured)
 {
-    if (serial != m_serial)
-        return;
-    m_rows = std::move(rows);
-    m_progress->setRange(0, total);
-    m_progress->setValue(done);
-    if (last)
-        m_running = false;
+    m_rows = std::move(measured.rows);
+    m_progress->setRange(0, measured.total);
+    m_progress->setValue(measured.done);
     show();
     syncState();
-    if (last)
+    if (!isRunning())
         Q_EMIT finished();
 }
 
@@ -256,8 +234,8 @@ void ExperimentPanel::show()
 void ExperimentPanel::syncState()
 {
     m_run->setEnabled(true);
-    m_run->setText(m_running ? tr("Cancel") : tr("Measure"));
-    m_progress->setVisible(m_running);
+    m_run->setText(isRunning() ? tr("Cancel") : tr("Measure"));
+    m_progress->setVisible(isRunning());
     m_export->setEnabled(!m_rows.empty());
 }
 
@@ -270,7 +248,7 @@ QString ExperimentPanel::ratioText() const
                               .arg(m_rows.front().settings.size.width())
                               .arg(m_rows.front().settings.size.height());
     const auto advantage = walkingAdvantage(m_rows);
-    if (m_plot->dotCount() == 0 && !m_running)
+    if (m_plot->dotCount() == 0 && !isRunning())
         return tr("%1 \u00b7 no variant has this error here: colours need Gouraud shading, depths a depth test")
             .arg(scene);
     if (!advantage)
@@ -299,12 +277,14 @@ void ExperimentPanel::load(int row)
 
 std::optional<QString> ExperimentPanel::exportTo(const QString& path)
 {
-    if (path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive))
-        return saveText(experimentCsv(m_rows), path);
-    if (path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive))
-        return saveText(experimentJson(m_rows), path);
-    if (path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive))
-        return saveSvg(kFigure, path, [this](QPainter& painter) { m_plot->paintTo(painter, kFigure); });
+    const ExportTarget target{path, m_document.inputFiles()};
+    const QString format = formatOf(path);
+    if (format == QLatin1String("csv"))
+        return saveBytes(experimentCsv(m_rows), target);
+    if (format == QLatin1String("json"))
+        return saveBytes(experimentJson(m_rows), target);
+    if (format == QLatin1String("svg"))
+        return saveSvg(kFigure, target, [this](QPainter& painter) { m_plot->paintTo(painter, kFigure); });
     constexpr int kSharper = 2;
     QImage image(kFigure * kSharper, QImage::Format_RGB32);
     {
@@ -313,17 +293,13 @@ std::optional<QString> ExperimentPanel::exportTo(const QString& path)
         painter.scale(kSharper, kSharper);
         m_plot->paintTo(painter, kFigure);
     }
-    return savePng(image, path);
+    return savePicture(image, target, tableFormats());
 }
 
 void ExperimentPanel::chooseFile(const QString& suffix)
 {
-    auto* dialog = new QFileDialog(this, tr("Export the measurements"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(suffix);
-    dialog->setNameFilter(QStringLiteral("%1 (*.%2)").arg(suffix.toUpper(), suffix));
-    dialog->selectFile(QStringLiteral("speed-error.") + suffix);
+    QFileDialog* dialog = newExportDialog(this, tr("Export the measurements"), QStringLiteral("speed-error.") + suffix,
+                                          tableFormats() + pictureSuffixes());
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         if (const auto error = exportTo(path))
             Q_EMIT failed(*error);

@@ -1,6 +1,6 @@
 #pragma once
 #include "core/truth/experiment.h"
-#include "ui/base/latest_task.h"
+#include "ui/base/latest_result.h"
 #include "ui/document/document.h"
 #include "ui/truth/experiment_plot.h"
 
@@ -38,7 +38,7 @@ public:
     void run(int frames);
     /// Stops; what has been measured stays.
     void cancel();
-    [[nodiscard]] bool isRunning() const { return m_running; }
+    [[nodiscard]] bool isRunning() const { return m_result.isBusy(); }
 
     [[nodiscard]] const std::vector<ExperimentRow>& rows() const { return m_rows; }
     [[nodiscard]] ExperimentPlot& plot() { return *m_plot; }
@@ -68,8 +68,15 @@ protected:
 private:
     QWidget* buildControls();
     [[nodiscard]] QWidget* arrangedControls();
-    void take(quint64 serial, std::vector<ExperimentRow> rows, int done, int total, bool last);
-    void giveUp(quint64 serial, const QString& why);
+    /// What has been measured so far.
+    struct Measured {
+        std::vector<ExperimentRow> rows;
+        int done = 1;
+        int total = 1;
+    };
+
+    void take(Measured measured);
+    void giveUp(Lack lack);
     void show();
     void choose(int row);
     void chooseFile(const QString& suffix);
@@ -79,8 +86,6 @@ private:
     Document& m_document;
     std::vector<ExperimentRow> m_rows;
     QString m_sceneTitle;
-    bool m_running = false;
-    quint64 m_serial = 0;
     QPushButton* m_run = nullptr;
     QSpinBox* m_frames = nullptr;
     QProgressBar* m_progress = nullptr;
@@ -92,7 +97,7 @@ private:
     ExperimentPlot* m_plot = nullptr;
     QTableView* m_table = nullptr;
     ExperimentModel* m_model = nullptr;
-    LatestTask m_task; ///< last: its thread uses the members above
+    LatestResult<Measured> m_result; ///< last: its thread uses the members above
 };
 
 } // namespace rasterlens

@@ -5,7 +5,6 @@
 #include <QElapsedTimer>
 
 #include <algorithm>
-#include <new>
 #include <utility>
 
 namespace rasterlens
@@ -17,7 +16,17 @@ constexpr int kProgressMs = 100;
 
 } // namespace
 
-Referee::Referee(Document& document, QObject* parent) : QObject(parent), m_document(document)
+Referee::Referee(Document& document, QObject* parent)
+    : QObject(parent), m_document(document), m_result(
+                                                 [this](const Check& check) {
+                                                     m_percent = check.percent;
+                                                     m_judgement = check.judgement;
+                                                     Q_EMIT changed();
+                                                 },
+                                                 [this](Lack lack) {
+                                                     m_lack = lack;
+                                                     Q_EMIT changed();
+                                                 })
 {
     connect(&document, &Document::settingsChanged, this, [this] {
         if (m_on)
@@ -33,42 +42,34 @@ void Referee::setOn(bool on)
     check();
 }
 
+void Referee::setSpace(ReferenceSpace space)
+{
+    if (space == m_space)
+        return;
+    m_space = space;
+    check();
+}
+
+ReferenceSpace Referee::space() const { return referenceSpace(*m_document.scene(), m_space); }
+
+bool Referee::hasSpaces() const { return m_document.scene()->space == SceneSpace::Object; }
+
 void Referee::check()
 {
     m_judgement.reset();
-    m_failure.clear();
+    m_lack.reset();
     m_percent = 0;
-    const quint64 serial = ++m_asked;
-    if (!m_on || notJudged(*m_document.scene(), m_document.settings()) != NotJudged::No) {
-        m_delivered = serial;
-        // A check at work is for nothing now.
-        m_task.post([](std::stop_token) {}, LatestTask::Running::Interrupt);
-        Q_EMIT changed();
-        return;
-    }
-    m_task.post([this, serial, scene = m_document.scene(),
-                 settings = m_document.settings()](std::stop_token stop) { run(serial, *scene, settings, stop); },
-                LatestTask::Running::Interrupt);
+    if (!m_on || notJudged(*m_document.scene(), m_document.settings()) != NotJudged::No)
+        m_result.drop();
+    else
+        m_result.ask([scene = m_document.scene(), settings = m_document.settings(),
+                      space = m_space](const Turn& turn) { return run(*scene, settings, space, turn); },
+                     LatestJob::Running::Interrupt);
     Q_EMIT changed();
 }
 
-/// Runs on the thread of the window what belongs to the latest check.
-template <class Deliver>
-void Referee::post(quint64 serial, Deliver deliver)
-{
-    QMetaObject::invokeMethod(
-        this,
-        [this, serial, deliver = std::move(deliver)] {
-            if (serial != m_asked)
-                return;
-            deliver();
-            Q_EMIT changed();
-        },
-        Qt::QueuedConnection);
-}
-
 /// On the background thread.
-void Referee::run(quint64 serial, const Scene& scene, const Settings& settings, const std::stop_token& stop)
+Referee::Check Referee::run(const Scene& scene, const Settings& settings, ReferenceSpace space, const Turn& turn)
 {
     QElapsedTimer clock;
     clock.start();
@@ -76,21 +77,9 @@ void Referee::run(quint64 serial, const Scene& scene, const Settings& settings, 
         if (clock.elapsed() < kProgressMs)
             return;
         clock.restart();
-        post(serial, [this, percent = static_cast<int>(100 * share)] { m_percent = percent; });
+        turn.deliver({static_cast<int>(100 * share), nullptr});
     };
-    try {
-        auto judgement = std::make_shared<const Judgement>(judge(scene, settings, stop, progress));
-        if (!stop.stop_requested())
-            post(serial, [this, serial, judgement = std::move(judgement)] {
-                m_delivered = serial;
-                m_judgement = judgement;
-            });
-    } catch (const std::bad_alloc&) {
-        post(serial, [this, serial] {
-            m_delivered = serial;
-            m_failure = tr("not checked: there is not enough memory for another picture of this size");
-        });
-    }
+    return {100, std::make_shared<const Judgement>(judge(scene, settings, turn.stop(), progress, space))};
 }
 
 QString Referee::whyNot() const
@@ -100,7 +89,9 @@ QString Referee::whyNot() const
     case NotJudged::Unsupported: return tr("not checked: these settings cannot be drawn");
     case NotJudged::NotFilled: return tr("not checked: only filled triangles have a true coverage");
     }
-    return m_failure;
+    if (m_lack == Lack::Memory)
+        return tr("not checked: there is not enough memory for another picture of this size");
+    return m_lack ? tr("not checked: %1").arg(lackText(*m_lack)) : QString();
 }
 
 QString Referee::text() const

@@ -1,6 +1,6 @@
 #pragma once
 #include "core/truth/judgement.h"
-#include "ui/base/latest_task.h"
+#include "ui/base/latest_result.h"
 #include "ui/canvas/pixel_overlay.h"
 #include "ui/document/document.h"
 
@@ -23,7 +23,13 @@ public:
 
     void setOn(bool on);
     [[nodiscard]] bool isOn() const { return m_on; }
-    [[nodiscard]] bool isChecking() const { return m_asked != m_delivered; }
+    [[nodiscard]] bool isChecking() const { return m_result.isBusy(); }
+    /// Where the truth is to start: from clip space, or from object space, which judges the vertex stage as well.
+    void setSpace(ReferenceSpace space);
+    /// The space in use: scenes without a camera are judged from clip space.
+    [[nodiscard]] ReferenceSpace space() const;
+    /// Whether the scene leaves a choice.
+    [[nodiscard]] bool hasSpaces() const;
     /// The verdict on the present picture; null while it is off, checking or does not judge.
     [[nodiscard]] const Judgement* judgement() const { return m_judgement.get(); }
     /// `3 extra, 1 missing of 40,000 samples`, or why there is no verdict; empty while it is off.
@@ -34,23 +40,28 @@ public:
     [[nodiscard]] std::optional<QPoint> nextWrong(std::optional<QPoint> after) const;
 
 Q_SIGNALS:
-    void changed(); ///< on or off, checking, verdict
+    void changed(); ///< on or off, checking, verdict, space
 
 private:
+    /// How far a check is, or what it found.
+    struct Check {
+        int percent = 0;
+        std::shared_ptr<const Judgement> judgement; ///< null before the end
+    };
+    using Turn = LatestResult<Check>::Turn;
+
     void check();
-    void run(quint64 serial, const Scene& scene, const Settings& settings, const std::stop_token& stop);
-    template <class Deliver>
-    void post(quint64 serial, Deliver deliver);
+    [[nodiscard]] static Check run(const Scene& scene, const Settings& settings, ReferenceSpace space,
+                                   const Turn& turn);
     [[nodiscard]] QString whyNot() const;
 
     Document& m_document;
     bool m_on = false;
+    ReferenceSpace m_space = ReferenceSpace::Clip; ///< asked for
     std::shared_ptr<const Judgement> m_judgement;
-    QString m_failure;
+    std::optional<Lack> m_lack; ///< for which there is no verdict
     int m_percent = 0;
-    quint64 m_asked = 0;
-    quint64 m_delivered = 0;
-    LatestTask m_task; ///< last: its thread uses the members above
+    LatestResult<Check> m_result; ///< last: its thread uses the members above
 };
 
 /// The verdicts in the order in which they are named, and how many pixels are of each.

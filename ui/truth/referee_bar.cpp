@@ -40,8 +40,8 @@ QToolButton* link()
 } // namespace
 
 RefereeBar::RefereeBar(Referee& referee, QWidget* parent)
-    : QFrame(parent), m_referee(referee), m_title(new QLabel), m_text(new QLabel), m_next(link()), m_close(link()),
-      m_detail(new QLabel)
+    : QFrame(parent), m_referee(referee), m_title(new QLabel), m_text(new QLabel), m_space(link()), m_next(link()),
+      m_close(link()), m_detail(new QLabel)
 {
     setObjectName(QStringLiteral("toolRow"));
     auto* column = new QVBoxLayout(this);
@@ -58,11 +58,15 @@ RefereeBar::RefereeBar(Referee& referee, QWidget* parent)
     m_text->setContentsMargins(kOnALineWithButtons);
     row->addWidget(m_title, 0, Qt::AlignTop);
     row->addWidget(m_text, 1, Qt::AlignTop);
+    row->addWidget(m_space, 0, Qt::AlignTop);
     row->addWidget(m_next, 0, Qt::AlignTop);
     row->addWidget(m_close, 0, Qt::AlignTop);
     m_detail->setObjectName(QStringLiteral("muted"));
     m_detail->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     column->addWidget(m_detail);
+    connect(m_space, &QToolButton::clicked, this, [this] {
+        m_referee.setSpace(m_referee.space() == ReferenceSpace::Clip ? ReferenceSpace::Object : ReferenceSpace::Clip);
+    });
     connect(m_next, &QToolButton::clicked, this, &RefereeBar::nextRequested);
     connect(m_close, &QToolButton::clicked, this, [this] { m_referee.setOn(false); });
     connect(&referee, &Referee::changed, this, &RefereeBar::sync);
@@ -101,7 +105,8 @@ void RefereeBar::sync()
     m_title->setToolTip(tr("Every sample against the exact reference: integers of any length, no rounding anywhere"));
     m_text->setText(richText());
     m_text->setAccessibleName(m_referee.text());
-    m_detail->setVisible(m_referee.judgement() && !m_brief);
+    syncSpace();
+    m_detail->setVisible(!m_brief); // also while the referee is at work: the canvas below stays where it is
     m_detail->setText(m_referee.detail());
     m_detail->setToolTip(m_referee.detail());
     const Judgement* judgement = m_referee.judgement();
@@ -110,6 +115,21 @@ void RefereeBar::sync()
     m_next->setToolTip(tr("Show the next wrong pixel (Shift+V)"));
     m_close->setText(QStringLiteral("\u00d7"));
     m_close->setToolTip(tr("Send the referee off (V)"));
+}
+
+void RefereeBar::syncSpace()
+{
+    const bool fromObject = m_referee.space() == ReferenceSpace::Object;
+    m_space->setText(fromObject ? tr("from object space") : tr("from clip space"));
+    m_space->setEnabled(m_referee.hasSpaces());
+    if (!m_referee.hasSpaces())
+        m_space->setToolTip(tr("The corners of this scene are given in clip space: there is no vertex stage to judge"));
+    else if (fromObject)
+        m_space->setToolTip(tr("The truth starts from the mesh and the camera: what float32 loses in the vertex stage "
+                               "counts as well. Click to take that stage's results as given (Ctrl+Shift+V)"));
+    else
+        m_space->setToolTip(tr("The truth starts from the clip-space positions that the vertex stage has made: that "
+                               "stage itself is not judged. Click to judge it as well (Ctrl+Shift+V)"));
 }
 
 void RefereeBar::changeEvent(QEvent* event)

@@ -17,6 +17,8 @@ class RefereeBar : public QFrame
 public:
     explicit RefereeBar(Referee& referee, QWidget* parent = nullptr);
 
+    /// Says where the truth starts, and changes it.
+    [[nodiscard]] QToolButton& spaceButton() { return *m_space; }
     /// Without the second line.
     void setBrief(bool brief);
 
@@ -28,12 +30,14 @@ protected:
 
 private:
     void sync();
+    void syncSpace();
     [[nodiscard]] QString richText() const;
 
     Referee& m_referee;
     bool m_brief = false;
     QLabel* m_title;
     QLabel* m_text;
+    QToolButton* m_space;
     QToolButton* m_next;
     QToolButton* m_close;
     QLabel* m_detail;

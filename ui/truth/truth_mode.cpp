@@ -27,10 +27,11 @@ TruthMode::TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& 
     bars.addWidget(m_refereeBar);
     bars.addWidget(m_compareBar);
     buildMenu();
-    m_docks = {new Dock(QStringLiteral("casesDock"), m_cases, &window),
-               new Dock(QStringLiteral("experimentDock"), m_experiment, &window)};
+    m_docks = {new Dock(QStringLiteral("casesDock"), m_cases, &window, Dock::Fit::Scrolls),
+               new Dock(QStringLiteral("experimentDock"), m_experiment, &window, Dock::Fit::Scrolls)};
     connect(m_cases, &CaseBrowser::caseChosen, this, &TruthMode::showCase);
     connect(&m_referee, &Referee::changed, this, &TruthMode::openLens);
+    connect(&m_cases->model(), &CaseModel::failed, this, &TruthMode::failed);
     connect(m_experiment, &ExperimentPanel::message, this, &TruthMode::message);
     connect(m_experiment, &ExperimentPanel::failed, this, &TruthMode::failed);
     connect(m_refereeBar, &RefereeBar::nextRequested, this, &TruthMode::showNextWrong);
@@ -42,31 +43,6 @@ TruthMode::TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& 
 
 TruthMode::~TruthMode() { m_viewport.removeLayer(&m_refereeLayer); }
 
-void TruthMode::place(QDockWidget* neighbour)
-{
-    for (Dock* dock : m_docks) {
-        m_window.addDockWidget(Qt::BottomDockWidgetArea, dock);
-        m_window.tabifyDockWidget(neighbour, dock);
-        dock->hide();
-        connect(dock->toggleViewAction(), &QAction::triggered, dock, [this, dock](bool on) {
-            if (on)
-                open(*dock);
-        });
-    }
-}
-
-/// The first time with a third of the window's height, from then on as it was left.
-void TruthMode::open(Dock& dock)
-{
-    constexpr double kShare = 0.34;
-    dock.show();
-    dock.raise();
-    const int height = qRound(m_window.height() * kShare);
-    if (!m_opened.contains(&dock) && !dock.isFloating() && dock.height() < height)
-        m_window.resizeDocks({&dock}, {height}, Qt::Vertical);
-    m_opened << &dock;
-}
-
 QStringList TruthMode::panelNames() { return {QStringLiteral("cases"), QStringLiteral("experiment")}; }
 
 bool TruthMode::showPanel(const QString& name)
@@ -74,7 +50,9 @@ bool TruthMode::showPanel(const QString& name)
     const qsizetype index = panelNames().indexOf(name);
     if (index < 0)
         return false;
-    open(*m_docks[static_cast<std::size_t>(index)]);
+    Dock* dock = m_docks[static_cast<std::size_t>(index)];
+    dock->show();
+    dock->raise();
     return true;
 }
 
@@ -93,6 +71,13 @@ void TruthMode::buildMenu()
 {
     m_refereeAction = add(
         QT_TR_NOOP("&Exact referee"), Qt::Key_V, [this] { m_referee.setOn(!m_referee.isOn()); }, true);
+    m_vertexStage = add(
+        QT_TR_NOOP("&Judge from object space"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_V),
+        [this] {
+            m_referee.setSpace(m_vertexStage->isChecked() ? ReferenceSpace::Object : ReferenceSpace::Clip);
+            m_referee.setOn(true);
+        },
+        true);
     m_nextWrong =
         add(QT_TR_NOOP("&Next wrong pixel"), QKeySequence(Qt::SHIFT | Qt::Key_V), [this] { showNextWrong(); });
     m_menu->addSeparator();
@@ -115,6 +100,8 @@ void TruthMode::toggle(CompareView view)
 void TruthMode::sync()
 {
     m_refereeAction->setChecked(m_referee.isOn());
+    m_vertexStage->setChecked(m_referee.space() == ReferenceSpace::Object);
+    m_vertexStage->setEnabled(m_referee.hasSpaces());
     m_nextWrong->setEnabled(m_referee.nextWrong({}).has_value());
     m_wipe->setChecked(m_comparison.view() == CompareView::Wipe);
     m_blink->setChecked(m_comparison.view() == CompareView::Blink);

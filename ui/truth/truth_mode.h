@@ -4,13 +4,11 @@
 
 #include <QKeySequence>
 #include <QObject>
-#include <QSet>
 
 #include <functional>
 #include <vector>
 
 class QAction;
-class QDockWidget;
 class QMainWindow;
 class QMenu;
 class QVBoxLayout;
@@ -43,8 +41,7 @@ public:
     [[nodiscard]] CaseBrowser& caseBrowser() { return *m_cases; }
     [[nodiscard]] ExperimentPanel& experiment() { return *m_experiment; }
 
-    /// Puts the panels as tabs beside a neighbour at the bottom; they are hidden.
-    void place(QDockWidget* neighbour);
+    /// They have no place in the window yet.
     [[nodiscard]] const std::vector<Dock*>& docks() const { return m_docks; }
     /// Opens a panel by the short name of the command line.
     bool showPanel(const QString& name);
@@ -84,7 +81,6 @@ private:
     void buildMenu();
     QAction* add(const char* text, const QKeySequence& key, std::function<void()> run, bool checkable = false);
     void toggle(CompareView view);
-    void open(Dock& dock);
     void sync();
     void syncCanvas();
     void openLens();
@@ -103,10 +99,10 @@ private:
     CaseBrowser* m_cases;
     ExperimentPanel* m_experiment;
     std::vector<Dock*> m_docks;
-    QSet<const Dock*> m_opened; ///< before
     QMenu* m_menu;
     std::vector<TranslatedAction> m_texts;
     QAction* m_refereeAction = nullptr;
+    QAction* m_vertexStage = nullptr;
     QAction* m_nextWrong = nullptr;
     QAction* m_wipe = nullptr;
     QAction* m_blink = nullptr;

@@ -4,33 +4,41 @@
 #include "core/scenes/builtin_scenes.h"
 #include "ui/base/applicability.h"
 #include "ui/base/dock.h"
+#include "ui/base/elided_label.h"
 #include "ui/base/message_bar.h"
+#include "ui/base/message_column.h"
+#include "ui/base/typed_field.h"
 #include "ui/document/navigation.h"
 #include "ui/face/cards.h"
+#include "ui/face/vertex_panel.h"
 #include "ui/pipeline/mistake_badge.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/pipeline_panel.h"
+#include "ui/pipeline/scene_words.h"
 #include "ui/pipeline/stage_strip.h"
 #include "ui/pipeline/statistics_panel.h"
 #include "ui/steps/step_listing.h"
 #include "ui/steps/step_mode.h"
 #include "ui/steps/transport_dock.h"
 #include "ui/truth/truth_mode.h"
+#include "ui/window/dragged_file.h"
 #include "ui/window/help_overlay.h"
+#include "ui/window/life_cycle.h"
+#include "ui/window/locate_model.h"
+#include "ui/window/panel_places.h"
 #include "ui/window/readout_bar.h"
+#include "ui/window/window_placement.h"
 
 #include <QApplication>
 #include <QClipboard>
-#include <QCloseEvent>
-#include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
-#include <QMimeData>
 #include <QSettings>
 #include <QStatusBar>
+#include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -42,10 +50,7 @@ namespace
 {
 
 constexpr int kCardGap = 7;
-constexpr int kPipelineWidth = 298;
-constexpr int kStatisticsWidth = 272;
 constexpr int kActivityDelayMs = 150;
-constexpr int kLayoutVersion = 3;
 
 QToolButton* canvasLink(QAction* action)
 {
@@ -68,8 +73,11 @@ QString zoomText(double zoom)
 MainWindow::MainWindow(Memory memory, QWidget* parent) : QMainWindow(parent), m_memory(memory)
 {
     applyLook(*qApp, m_look);
+    m_placement = new WindowPlacement(*this);
+    m_placement->start({});
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
     buildLayout();
@@ -77,12 +85,14 @@ MainWindow::MainWindow(Memory memory, QWidget* parent) : QMainWindow(parent), m_
     buildStatusBar();
     m_help = new HelpOverlay(this);
     connectParts();
-    resize(1440, 900);
+    buildFocus();
     m_defaultState = saveState(kLayoutVersion);
     if (m_memory == Memory::Remember)
         restoreMemory();
     setLook(m_look);
     retranslate();
+    if (m_memory == Memory::Remember)
+        m_lifeCycle->start();
 }
 
 MainWindow::~MainWindow() = default;
@@ -105,7 +115,6 @@ void MainWindow::buildLayout()
 
     m_pipelinePanel = new PipelinePanel(m_document, m_language);
     m_pipelineDock = new Dock(QStringLiteral("pipelineDock"), m_pipelinePanel, this);
-    addDockWidget(Qt::LeftDockWidgetArea, m_pipelineDock);
 
     m_statisticsPanel = new StatisticsPanel;
     m_statisticsDock = new Dock(QStringLiteral("statisticsDock"), m_statisticsPanel, this);
@@ -113,21 +122,15 @@ void MainWindow::buildLayout()
     m_copyJson = m_statisticsDock->addLink();
     m_copyCsv->setText(QStringLiteral("CSV"));
     m_copyJson->setText(QStringLiteral("JSON"));
-    addDockWidget(Qt::RightDockWidgetArea, m_statisticsDock);
     m_cards = new Cards(m_document, *m_viewport, *this);
     m_cards->setParent(this);
-    m_cards->place(m_statisticsDock, &m_stepMode->transport());
-    m_truth->place(m_cards->docks().back());
+    QList<QDockWidget*> tabs;
+    for (const auto& docks : {m_cards->docks(), m_truth->docks()})
+        for (Dock* dock : docks)
+            tabs << dock;
+    const PanelPlaces::Columns columns{m_pipelineDock, m_statisticsDock, tabs.takeFirst(), &m_stepMode->transport()};
+    m_panels = new PanelPlaces(*this, *m_viewport, columns, tabs);
     setContentsMargins(kCardGap, 0, kCardGap, 0);
-}
-
-void MainWindow::sizeDocks()
-{
-    resizeDocks({m_pipelineDock, m_statisticsDock}, {kPipelineWidth, kStatisticsWidth}, Qt::Horizontal);
-    QDockWidget* above = m_cards->docks().front();
-    const int column = above->height() + m_statisticsDock->height();
-    const int statistics = m_statisticsDock->sizeHint().height();
-    resizeDocks({above, m_statisticsDock}, {std::max(column - statistics, 1), statistics}, Qt::Vertical);
 }
 
 QWidget* MainWindow::buildCanvas()
@@ -142,28 +145,26 @@ QWidget* MainWindow::buildCanvas()
     header->setObjectName(QStringLiteral("canvasHeader"));
     header->setContentsMargins(12, 0, 8, 0);
     header->setSpacing(2);
-    m_canvasTitle = new QLabel;
-    m_canvasTitle->setObjectName(QStringLiteral("muted"));
-    m_canvasTitle->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_canvasTitle = new ElidedLabel;
     header->addWidget(m_canvasTitle, 1);
     column->addLayout(header);
 
-    auto* messages = new QVBoxLayout;
-    messages->setContentsMargins(8, 0, 8, 0);
-    m_unsupported = new MessageBar;
-    m_unsupported->setClosable(false);
-    m_message = new MessageBar;
-    messages->addWidget(m_unsupported);
-    messages->addWidget(m_message);
-    column->addLayout(messages);
-
     m_viewport = new ViewportWidget;
+    m_viewport->setObjectName(QStringLiteral("canvas"));
+    auto* messages = new MessageColumn(m_viewport);
+    m_unsupported = messages->addBar();
+    m_unsupported->setClosable(false);
+    m_message = messages->addBar();
+    m_recoveryOffer = messages->addBar();
+    m_filesOffer = messages->addBar();
     auto* bars = new QVBoxLayout;
     column->addLayout(bars);
     m_mistakeBadge = new MistakeBadge(m_viewport);
     column->addWidget(m_viewport, 1);
     m_stepMode = std::make_unique<StepMode>(m_document, *m_viewport, *this);
     m_truth = std::make_unique<TruthMode>(m_document, *m_viewport, *this, *bars);
+    m_lifeCycle =
+        std::make_unique<LifeCycle>(m_document, *m_stepMode, LifeCycle::Bars{m_recoveryOffer, m_filesOffer}, *this);
     column->addWidget(&m_stepMode->listing());
 
     m_caption = new QLabel;
@@ -180,8 +181,13 @@ void MainWindow::buildStatusBar()
     m_readout = new ReadoutBar;
     m_activity = new QLabel;
     m_activity->setObjectName(QStringLiteral("muted"));
+    m_counters = new QLabel;
+    m_counters->setObjectName(QStringLiteral("counters"));
     statusBar()->addWidget(m_readout, 1);
     statusBar()->addPermanentWidget(m_activity);
+    statusBar()->addPermanentWidget(m_counters);
+    connect(m_statisticsPanel, &StatisticsPanel::changed, this, &MainWindow::syncCounters);
+    connect(m_panels, &PanelPlaces::changed, this, &MainWindow::syncCounters);
     statusBar()->setSizeGripEnabled(false);
     m_activityDelay.setSingleShot(true);
     m_activityDelay.setInterval(kActivityDelayMs);
@@ -197,8 +203,19 @@ void MainWindow::buildStatusBar()
     m_goToEdit->setPlaceholderText(QStringLiteral("x, y"));
     m_goToEdit->setFixedWidth(110);
     m_goToEdit->hide();
-    connect(m_goToEdit, &QLineEdit::returnPressed, this, &MainWindow::goToTypedPixel);
+    m_goToField = new TypedField(m_goToEdit, [this](const QString& text, TypedField::Attempt attempt) {
+        return goToTyped(text, attempt == TypedField::Attempt::Take);
+    });
+    connect(m_goToField, &TypedField::left, this, [this] { showGoToPixel(false); });
     header->addWidget(m_goToEdit);
+}
+
+template <class Field, class Refused, class Mended>
+void MainWindow::connectField(Field* field, Refused refused, Mended mended)
+{
+    connect(field, refused, m_message,
+            [this, field](const QString& why) { m_message->show(MessageKind::Error, why, field); });
+    connect(field, mended, m_message, [this, field] { m_message->retract(field); });
 }
 
 void MainWindow::connectParts()
@@ -220,6 +237,12 @@ void MainWindow::connectParts()
     });
     connect(&m_document, &Document::diagnosticsReported, m_message,
             [this](const Diagnostics& diagnostics) { m_message->show(diagnostics); });
+    connect(m_lifeCycle.get(), &LifeCycle::saved, this,
+            [this](const QString& path) { reportSaved(std::nullopt, path); });
+    connect(m_lifeCycle.get(), &LifeCycle::warned, m_message,
+            [this](const QString& text) { m_message->show(MessageKind::Warning, text); });
+    connect(&m_document, &Document::sceneMissing, this,
+            [this](const QString& session) { offerToLocateModel(*this, m_document, session); });
     connect(&m_document, &Document::recentFilesChanged, this, &MainWindow::fillRecentMenu);
     connect(&m_document, &Document::loadingChanged, this, [this](bool loading, const QString& name) {
         m_activity->setText(loading ? tr("opening %1 \u2026").arg(QFileInfo(name).fileName()) : QString());
@@ -231,6 +254,8 @@ void MainWindow::connectParts()
         if (isSettled())
             Q_EMIT settled();
     });
+    connect(&m_worker, &RenderWorker::memoryNeeded, m_message,
+            [this](const QString& message) { m_message->show(MessageKind::Info, message); });
     connect(&m_worker, &RenderWorker::busyChanged, this, [this](bool busy) {
         if (busy)
             m_activityDelay.start();
@@ -252,8 +277,9 @@ void MainWindow::connectParts()
     connect(m_pipelinePanel, &PipelinePanel::sceneChosen, &m_document, &Document::open);
     connect(m_pipelinePanel, &PipelinePanel::floatFailureChosen, m_truth.get(), &TruthMode::showFloatFailure);
     connect(m_pipelinePanel, &PipelinePanel::openRequested, this, &MainWindow::chooseFileToOpen);
-    connect(m_pipelinePanel, &PipelinePanel::invalidInput, m_message,
-            [this](const QString& message) { m_message->show(MessageKind::Error, message); });
+    connectField(m_pipelinePanel, &PipelinePanel::invalidInput, &PipelinePanel::inputMended);
+    connectField(&m_cards->vertexPanel(), &VertexPanel::invalidInput, &VertexPanel::inputMended);
+    connectField(m_goToField, &TypedField::refused, &TypedField::mended);
     connect(m_copyCsv, &QToolButton::clicked, this,
             [this] { QGuiApplication::clipboard()->setText(m_statisticsPanel->asCsv()); });
     connect(m_copyJson, &QToolButton::clicked, this,
@@ -266,8 +292,11 @@ void MainWindow::connectParts()
     connect(&m_truth->comparison(), &Comparison::changed, this, &MainWindow::syncReadout);
     connect(m_truth.get(), &TruthMode::message, m_message,
             [this](const QString& text) { m_message->show(MessageKind::Info, text); });
-    connect(m_truth.get(), &TruthMode::failed, m_message,
-            [this](const QString& text) { m_message->show(MessageKind::Error, text); });
+    const auto showError = [this](const QString& text) { m_message->show(MessageKind::Error, text); };
+    connect(m_truth.get(), &TruthMode::failed, m_message, showError);
+    connect(m_cards, &Cards::failed, m_message, showError);
+    connect(m_mistakeBadge, &MistakeBadge::failed, m_message, showError);
+    connect(&m_stepMode->session(), &StepSession::failed, m_message, showError);
     connect(m_stepMode.get(), &StepMode::message, m_message,
             [this](const QString& text) { m_message->show(MessageKind::Info, text); });
     connect(&m_stepMode->session(), &StepSession::positionChanged, this, [this] {
@@ -282,6 +311,7 @@ void MainWindow::connectParts()
     connect(m_viewport, &ViewportWidget::frameShown, m_statisticsPanel, &StatisticsPanel::setShown);
     connect(m_viewport, &ViewportWidget::viewChanged, this, &MainWindow::syncCanvasHeader);
     connect(m_viewport, &ViewportWidget::pixelChanged, this, &MainWindow::syncReadout);
+    connect(m_viewport, &ViewportWidget::pixelChosen, m_panels, &PanelPlaces::revealCard);
     connect(m_viewport, &ViewportWidget::gestureEnded, this, [this] { m_document.endGesture(); });
     const auto height = [this] { return m_document.settings().size.height(); };
     connect(m_viewport, &ViewportWidget::orbited, this,
@@ -351,7 +381,8 @@ void MainWindow::takeFrame(const FramePtr& frame)
         m_viewport->fit(frame->scene->window);
     if (frame->counted) {
         m_cards->frameCounted();
-        m_mistakeBadge->showFor(frame->scene, frame->settings);
+        m_mistakeBadge->showFor(frame);
+        m_emptyRemark.update(*frame, *m_message);
     }
     syncCanvasHeader();
     if (isSettled())
@@ -408,12 +439,6 @@ void MainWindow::syncReadout()
     m_readout->show(at ? m_viewport->readout(*at) : std::nullopt, at ? m_truth->comparison().at(*at) : std::nullopt);
 }
 
-void MainWindow::syncTitle()
-{
-    setWindowTitle(QStringLiteral("%1[*] \u2013 RasterLens").arg(m_pipelinePanel->sceneBox()->currentText()));
-    setWindowModified(m_document.isDirty());
-}
-
 /// The caption of the presentation names the scene and what was changed about it, or else what there is to see.
 void MainWindow::syncCaption()
 {
@@ -422,42 +447,9 @@ void MainWindow::syncCaption()
         if (field.get(m_document.settings()) != field.get(m_document.defaults()))
             changes << QStringLiteral("%1: %2").arg(QCoreApplication::translate("Settings", field.title),
                                                     valueTitle(field, m_document.settings()));
-    const QString title = m_pipelinePanel->sceneBox()->currentText().toHtmlEscaped();
-    const QString text = changes.isEmpty() ? m_pipelinePanel->sceneNote() : changes.join(QStringLiteral(" \u00b7 "));
+    const QString title = sceneTitle(*m_document.scene()).toHtmlEscaped();
+    const QString text = changes.isEmpty() ? sceneNote(*m_document.scene()) : changes.join(QStringLiteral(" \u00b7 "));
     m_caption->setText(QStringLiteral("<b>%1</b> &nbsp; %2").arg(title, text.toHtmlEscaped()));
-}
-
-void MainWindow::toggleGoToPixel()
-{
-    const bool opening = m_goToEdit->isHidden();
-    m_goToEdit->setVisible(opening);
-    m_goToButton->setVisible(!opening);
-    if (!opening) {
-        m_viewport->setFocus();
-        return;
-    }
-    m_goToEdit->selectAll();
-    m_goToEdit->setFocus(Qt::ShortcutFocusReason);
-}
-
-void MainWindow::goToTypedPixel()
-{
-    const QStringList parts = m_goToEdit->text().split(QLatin1Char(','));
-    bool goodX = false;
-    bool goodY = false;
-    const QPoint pixel(parts.value(0).trimmed().toInt(&goodX), parts.value(1).trimmed().toInt(&goodY));
-    const QSize size = m_document.settings().size;
-    if (parts.size() != 2 || !goodX || !goodY || !QRect(QPoint(0, 0), size).contains(pixel)) {
-        m_message->show(MessageKind::Error,
-                        tr("\"%1\" is no pixel of the picture. Write x, y with 0 to %2 and 0 to %3.")
-                            .arg(m_goToEdit->text())
-                            .arg(size.width() - 1)
-                            .arg(size.height() - 1));
-        return;
-    }
-    m_message->hide();
-    toggleGoToPixel();
-    m_viewport->goToPixel(pixel);
 }
 
 void MainWindow::setLanguage(LanguageKind kind)
@@ -477,47 +469,15 @@ void MainWindow::setLook(const Look& look)
     m_dark->setChecked(look.kind == ThemeKind::Dark);
 }
 
-void MainWindow::setPresentation(bool on)
-{
-    if (on == m_look.presentation)
-        return;
-    if (on) {
-        m_stateBeforePresentation = saveState(kLayoutVersion);
-        for (Dock* dock : findChildren<Dock*>()) // before the type grows, and the window with it
-            dock->hide();
-    }
-    m_stepMode->transport().setBrief(on);
-    Look look = m_look;
-    look.presentation = on;
-    setLook(look);
-    menuBar()->setVisible(!on);
-    centralWidget()->layout()->setContentsMargins(0, on ? kCardGap : 0, 0, 0);
-    m_caption->setVisible(on);
-    m_presentation->setChecked(on);
-    if (on) {
-        m_stepMode->transport().setVisible(m_stepMode->session().isOpen());
-        showFullScreen();
-        m_viewport->setFocus();
-    } else {
-        restoreState(m_stateBeforePresentation, kLayoutVersion);
-        showNormal();
-    }
-}
-
-void MainWindow::resetLayout()
-{
-    setPresentation(false);
-    restoreState(m_defaultState, kLayoutVersion);
-    m_docksArranged = false;
-    sizeDocks();
-    m_viewport->fit(m_document.scene()->window);
-}
-
 void MainWindow::restoreMemory()
 {
     const QSettings memory;
-    restoreGeometry(memory.value(QStringLiteral("window/geometry")).toByteArray());
-    m_docksArranged = restoreState(memory.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion);
+    m_placement->start(memory.value(QStringLiteral("window/geometry")).toByteArray());
+    bool restored = false;
+    m_panels->quietly(
+        [&] { restored = restoreState(memory.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion); });
+    m_panels->restore(restored && memory.value(QStringLiteral("window/arranged")).toBool(),
+                      memory.value(QStringLiteral("window/tabsBelow")).toBool());
     setLook({memory.value(QStringLiteral("window/dark")).toBool() ? ThemeKind::Dark : ThemeKind::Light, false});
     m_worker.setFastMotion(memory.value(QStringLiteral("window/fastFirst"), true).toBool());
     m_fastMotion->setChecked(m_worker.hasFastMotion());
@@ -530,9 +490,11 @@ void MainWindow::restoreMemory()
 void MainWindow::saveMemory()
 {
     QSettings memory;
-    setPresentation(false);
-    memory.setValue(QStringLiteral("window/geometry"), saveGeometry());
-    memory.setValue(QStringLiteral("window/state"), saveState(kLayoutVersion));
+    memory.setValue(QStringLiteral("window/geometry"), m_placement->geometry());
+    memory.setValue(QStringLiteral("window/state"),
+                    m_look.presentation ? m_stateBeforePresentation : saveState(kLayoutVersion));
+    memory.setValue(QStringLiteral("window/arranged"), m_panels->areArranged());
+    memory.setValue(QStringLiteral("window/tabsBelow"), m_panels->areTabsAtBottom());
     memory.setValue(QStringLiteral("window/dark"), m_look.kind == ThemeKind::Dark);
     memory.setValue(QStringLiteral("window/fastFirst"), m_worker.hasFastMotion());
     memory.setValue(QStringLiteral("window/language"),
@@ -546,44 +508,25 @@ void MainWindow::changeEvent(QEvent* event)
     QMainWindow::changeEvent(event);
 }
 
-void MainWindow::closeEvent(QCloseEvent* event)
-{
-    if (m_memory == Memory::Remember)
-        saveMemory();
-    m_worker.setContinuous(false);
-    event->accept();
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event)
-{
-    if (event->mimeData()->hasUrls() && event->mimeData()->urls().first().isLocalFile())
-        event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event)
-{
-    m_document.open(event->mimeData()->urls().first().toLocalFile());
-    event->acceptProposedAction();
-}
-
 void MainWindow::showEvent(QShowEvent* event)
 {
     QMainWindow::showEvent(event);
+    m_placement->shown();
     m_viewport->setFocus();
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event)
 {
     QMainWindow::resizeEvent(event);
-    if (!m_docksArranged)
-        QTimer::singleShot(0, this, &MainWindow::sizeDocks); // once the docks have followed the window
+    if (!m_look.presentation)
+        QTimer::singleShot(0, m_panels, &PanelPlaces::follow); // once the docks have followed the window
 }
 
 bool MainWindow::event(QEvent* event)
 {
     // Where the main window itself takes the mouse there are only the lines between the docks.
     if (event->type() == QEvent::MouseMove)
-        m_docksArranged = m_docksArranged || (QGuiApplication::mouseButtons() & Qt::LeftButton) != 0;
+        m_panels->setArranged(m_panels->areArranged() || (QGuiApplication::mouseButtons() & Qt::LeftButton) != 0);
     return QMainWindow::event(event);
 }
 

@@ -4,6 +4,7 @@
 #include "ui/canvas/viewport_widget.h"
 #include "ui/document/document.h"
 #include "ui/document/render_worker.h"
+#include "ui/window/empty_remark.h"
 
 #include <QMainWindow>
 
@@ -22,15 +23,20 @@ namespace rasterlens
 class Cards;
 class Dock;
 class HelpOverlay;
+class LifeCycle;
 class MessageBar;
 class MistakeBadge;
 class MistakesMenu;
 class PipelinePanel;
+class FocusOrder;
+class PanelPlaces;
 class ReadoutBar;
 class StageStrip;
 class StatisticsPanel;
 class StepMode;
 class TruthMode;
+class TypedField;
+class WindowPlacement;
 
 /// The window: canvas in the middle, pipeline left, statistics right.
 class MainWindow : public QMainWindow
@@ -54,6 +60,9 @@ public:
     [[nodiscard]] RenderWorker& worker() { return m_worker; }
     [[nodiscard]] StepMode& stepMode() { return *m_stepMode; }
     [[nodiscard]] TruthMode& truthMode() { return *m_truth; }
+    [[nodiscard]] PanelPlaces& panels() { return *m_panels; }
+    [[nodiscard]] FocusOrder& focusOrder() { return *m_focusOrder; }
+    [[nodiscard]] LifeCycle& lifeCycle() { return *m_lifeCycle; }
 
     void openDefaultScene();
     void setLanguage(LanguageKind kind);
@@ -62,18 +71,20 @@ public:
     [[nodiscard]] const Look& look() const { return m_look; }
     void setPresentation(bool on);
     void resetLayout();
+    /// Keeps layout and unsaved changes for the next start, without a question: the system ends program or session.
+    void keepAll();
 
     /// Whether the picture of the present settings is shown and counted, or refused with a message.
     [[nodiscard]] bool isSettled() const;
     /// Whether all that is shown is also computed: settled, the badge and the cards with it.
     [[nodiscard]] bool isComplete() const;
-    /// The message above the canvas; empty when there is none.
+    /// The message over the canvas; empty when there is none.
     [[nodiscard]] QString message() const;
     /// The window with the panels that float above it.
     [[nodiscard]] QImage picture();
 
-    /// errors  a message above the canvas; false
-    bool exportFigure(const QString& path); ///< as SVG where the name says so
+    /// errors  a message over the canvas; false
+    bool exportFigure(const QString& path); ///< in the format that the suffix names, also SVG
     bool exportFramebuffer(const QString& path);
     bool exportWindow(const QString& path);
 
@@ -88,8 +99,11 @@ protected:
     void showEvent(QShowEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     bool event(QEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
 
 private:
+    static constexpr int kLayoutVersion = 4; ///< another one makes the program forget former layouts
+
     /// An action or menu whose text follows the language.
     struct TranslatedAction {
         QAction* action;
@@ -103,7 +117,7 @@ private:
     };
 
     void buildLayout();
-    void sizeDocks();
+    void buildFocus();
     QWidget* buildCanvas();
     void buildStatusBar();
     void connectParts();
@@ -137,11 +151,18 @@ private:
     void moveCamera(const View& view);
     void toggleHelp();
     void toggleGoToPixel();
-    void goToTypedPixel();
+    void showGoToPixel(bool on);
+    std::optional<QString> goToTyped(const QString& text, bool go);
+    /// Shows why a field refuses a text, until it is mended.
+    template <class Field, class Refused, class Mended>
+    void connectField(Field* field, Refused refused, Mended mended);
+    void leaveInnermost();
+    void followHelpStates();
+    void syncCounters();
     void reportSaved(const std::optional<QString>& error, const QString& path);
     void chooseFileToOpen();
-    void chooseSessionToSave();
-    void chooseFileToExport(const QString& title, const QString& suggestion, std::function<void(const QString&)> save);
+    void chooseFileToExport(const QString& title, const QString& suggestion, bool asDrawing,
+                            std::function<void(const QString&)> save);
     void restoreMemory();
     void saveMemory();
 
@@ -154,6 +175,7 @@ private:
     ViewportWidget* m_viewport = nullptr;
     std::unique_ptr<StepMode> m_stepMode;
     std::unique_ptr<TruthMode> m_truth;
+    std::unique_ptr<LifeCycle> m_lifeCycle;
     StageStrip* m_stageStrip = nullptr;
     PipelinePanel* m_pipelinePanel = nullptr;
     StatisticsPanel* m_statisticsPanel = nullptr;
@@ -163,15 +185,22 @@ private:
     Dock* m_statisticsDock = nullptr;
     QToolButton* m_copyCsv = nullptr;
     QToolButton* m_copyJson = nullptr;
-    MessageBar* m_message = nullptr;     ///< what happened last
+    MessageBar* m_message = nullptr; ///< what happened last
+    MessageBar* m_recoveryOffer = nullptr;
+    MessageBar* m_filesOffer = nullptr;
     MessageBar* m_unsupported = nullptr; ///< why the present settings are not drawn
     HelpOverlay* m_help = nullptr;
     QLabel* m_canvasTitle = nullptr;
     QToolButton* m_goToButton = nullptr;
     QLineEdit* m_goToEdit = nullptr;
+    TypedField* m_goToField = nullptr;
     QLabel* m_caption = nullptr;
     ReadoutBar* m_readout = nullptr;
     QLabel* m_activity = nullptr;
+    QLabel* m_counters = nullptr; ///< the most important ones, where the panel is out of sight
+    PanelPlaces* m_panels = nullptr;
+    WindowPlacement* m_placement = nullptr;
+    FocusOrder* m_focusOrder = nullptr;
     QTimer m_activityDelay;
 
     std::vector<TranslatedAction> m_actions;
@@ -182,12 +211,14 @@ private:
     QAction* m_undo = nullptr;
     QAction* m_redo = nullptr;
     QAction* m_reset = nullptr;
+    QAction* m_reload = nullptr;
     QAction* m_fit = nullptr;
     QAction* m_oneToOne = nullptr;
     QAction* m_zoomIn = nullptr;
     QAction* m_zoomOut = nullptr;
     QAction* m_goTo = nullptr;
     QAction* m_fastMotion = nullptr;
+    QAction* m_continuous = nullptr;
     QAction* m_presentation = nullptr;
     QAction* m_fullScreen = nullptr;
     QAction* m_dark = nullptr;
@@ -198,8 +229,8 @@ private:
 
     FramePtr m_lastFrame;
     bool m_refused = false;
-    bool m_gaveUp = false;        ///< the system had no memory or no threads for the present picture
-    bool m_docksArranged = false; ///< by the user, in this run or an earlier one
+    EmptyRemark m_emptyRemark;
+    bool m_gaveUp = false; ///< the system had no memory or no threads for the present picture
     QByteArray m_defaultState;
     QByteArray m_stateBeforePresentation;
 };

@@ -1,3 +1,4 @@
+#include "core/io/picture_file.h"
 #include "core/scenes/builtin_scenes.h"
 #include "ui/base/applicability.h"
 #include "ui/base/dock.h"
@@ -11,7 +12,10 @@
 #include "ui/steps/transport_dock.h"
 #include "ui/truth/truth_mode.h"
 #include "ui/window/help_overlay.h"
+#include "ui/window/life_cycle.h"
 #include "ui/window/main_window.h"
+#include "ui/window/panel_places.h"
+#include "ui/window/window_placement.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -31,6 +35,12 @@
 
 namespace rasterlens
 {
+namespace
+{
+
+const QString kSvg = QStringLiteral("svg");
+
+} // namespace
 
 QMenu* MainWindow::addMenu(QMenu* parent, const char* text)
 {
@@ -67,6 +77,7 @@ void MainWindow::buildMenus()
     buildFileMenu();
     buildEditMenu();
     buildViewMenu();
+    m_panels->buildMenu(addMenu(nullptr, QT_TR_NOOP("&Panels")));
     buildSettingsMenu();
     menuBar()->addMenu(m_stepMode->transport().menu());
     menuBar()->addMenu(m_truth->menu());
@@ -79,23 +90,20 @@ void MainWindow::buildFileMenu()
     QMenu* file = addMenu(nullptr, QT_TR_NOOP("&File"));
     add(file, QT_TR_NOOP("&Open\u2026"), QKeySequence::Open, [this] { chooseFileToOpen(); });
     m_recentMenu = addMenu(file, QT_TR_NOOP("Open &recent"));
+    connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu); // files come and go
     m_builtinMenu = addMenu(file, QT_TR_NOOP("&Built-in scenes"));
+    m_reload = add(file, QT_TR_NOOP("Re&load from disk"), Qt::Key_F5, [this] { m_lifeCycle->reload(); });
     file->addSeparator();
-    add(file, QT_TR_NOOP("&Save session"), QKeySequence::Save, [this] {
-        if (m_document.sessionPath().isEmpty())
-            chooseSessionToSave();
-        else if (m_document.saveSession(m_document.sessionPath()))
-            reportSaved(std::nullopt, m_document.sessionPath());
-    });
+    add(file, QT_TR_NOOP("&Save session"), QKeySequence::Save, [this] { m_lifeCycle->save(); });
     add(file, QT_TR_NOOP("Save session &as\u2026"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
-        [this] { chooseSessionToSave(); });
+        [this] { m_lifeCycle->saveAs(); });
     file->addSeparator();
     add(file, QT_TR_NOOP("Export &figure\u2026"), Qt::Key_F12, [this] {
-        chooseFileToExport(tr("Export figure"), QStringLiteral("figure.png"),
+        chooseFileToExport(tr("Export figure"), QStringLiteral("figure.png"), true,
                            [this](const QString& path) { exportFigure(path); });
     });
     add(file, QT_TR_NOOP("Export figure as S&VG\u2026"), {}, [this] {
-        chooseFileToExport(tr("Export figure as SVG"), QStringLiteral("figure.svg"),
+        chooseFileToExport(tr("Export figure as SVG"), QStringLiteral("figure.svg"), true,
                            [this](const QString& path) { exportFigure(path); });
     });
     add(file, QT_TR_NOOP("Export a &run of steps\u2026"), {}, [this] { m_stepMode->chooseRunToExport(m_figureZoom); });
@@ -111,11 +119,11 @@ void MainWindow::buildFileMenu()
     for (const int zoom : {1, 2, 3, 4, 6, 8, 12, 16, 24, 32})
         addScale(scale->addAction(QStringLiteral("%1\u00d7").arg(zoom)), zoom);
     add(file, QT_TR_NOOP("Export frame&buffer 1:1\u2026"), QKeySequence(Qt::CTRL | Qt::Key_F12), [this] {
-        chooseFileToExport(tr("Export framebuffer"), QStringLiteral("framebuffer.png"),
+        chooseFileToExport(tr("Export framebuffer"), QStringLiteral("framebuffer.png"), false,
                            [this](const QString& path) { exportFramebuffer(path); });
     });
     add(file, QT_TR_NOOP("Export &window\u2026"), QKeySequence(Qt::SHIFT | Qt::Key_F12), [this] {
-        chooseFileToExport(tr("Export window"), QStringLiteral("window.png"),
+        chooseFileToExport(tr("Export window"), QStringLiteral("window.png"), false,
                            [this](const QString& path) { exportWindow(path); });
     });
     add(file, QT_TR_NOOP("Copy &image"), QKeySequence::Copy, [this] {
@@ -176,26 +184,22 @@ void MainWindow::buildViewMenu()
     addToggle(view, QT_TR_NOOP("Pixel values (from 48\u00d7)"), {}, true, overlay(&OverlayOptions::numbers));
     m_fastMotion = addToggle(view, QT_TR_NOOP("Fast first picture (camera moves, slow scenes)"), {}, true,
                              [this](bool on) { m_worker.setFastMotion(on); });
-    addToggle(view, QT_TR_NOOP("Draw continuously (measures FPS)"), QKeySequence(Qt::SHIFT | Qt::Key_R), false,
-              [this](bool on) { m_worker.setContinuous(on); });
+    m_continuous = addToggle(view, QT_TR_NOOP("Draw continuously (measures FPS)"), QKeySequence(Qt::SHIFT | Qt::Key_R),
+                             false, [this](bool on) { m_worker.setContinuous(on); });
     view->addSeparator();
     buildAppearanceMenus(view);
 }
 
 void MainWindow::buildAppearanceMenus(QMenu* view)
 {
-    QMenu* panels = addMenu(view, QT_TR_NOOP("&Panels"));
-    for (Dock* dock : {m_pipelineDock, m_statisticsDock})
-        panels->addAction(dock->toggleViewAction());
-    panels->addAction(m_stepMode->transport().toggleViewAction());
-    for (const auto& docks : {m_cards->docks(), m_truth->docks()})
-        for (Dock* dock : docks)
-            panels->addAction(dock->toggleViewAction());
     add(view, QT_TR_NOOP("Reset &layout"), QKeySequence(Qt::CTRL | Qt::Key_0), [this] { resetLayout(); });
     m_presentation =
         addToggle(view, QT_TR_NOOP("P&resentation"), Qt::Key_F11, false, [this](bool on) { setPresentation(on); });
-    m_fullScreen = addToggle(view, QT_TR_NOOP("Full s&creen"), QKeySequence(Qt::SHIFT | Qt::Key_F11), false,
-                             [this](bool on) { on ? showFullScreen() : showNormal(); });
+    m_fullScreen =
+        addToggle(view, QT_TR_NOOP("Full s&creen"), QKeySequence(Qt::SHIFT | Qt::Key_F11), false, [this](bool on) {
+            if (!m_look.presentation) // which takes the whole screen anyway
+                m_placement->setFullScreen(on);
+        });
     m_dark = addToggle(view, QT_TR_NOOP("&Dark theme"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D), false,
                        [this](bool on) {
                            Look look = m_look;
@@ -262,11 +266,11 @@ void MainWindow::retranslate()
     m_mistakesMenu->retranslate();
     m_cards->retranslate();
     m_truth->retranslate();
-    if (m_refused)
-        updatePicture(); // says why again
+    m_lifeCycle->retranslate();
     m_pipelineDock->setTitle(tr("Scene"));
     m_statisticsDock->setTitle(tr("Statistics"));
     m_pipelineDock->toggleViewAction()->setText(tr("Scene and pipeline"));
+    m_panels->retranslate();
     m_copyCsv->setToolTip(tr("Copy the counters as CSV"));
     m_copyJson->setToolTip(tr("Copy the counters as JSON"));
     m_goToButton->setText(tr("Go to pixel (%1)").arg(m_goTo->shortcut().toString(QKeySequence::NativeText)));
@@ -288,25 +292,6 @@ void MainWindow::retranslateActions()
     m_fit->setIconText(tr("Fit"));
     m_zoomIn->setIconText(QStringLiteral("+"));
     m_zoomOut->setIconText(QStringLiteral("\u2212"));
-}
-
-void MainWindow::fillRecentMenu()
-{
-    m_recentMenu->clear();
-    const QStringList files = m_document.recentFiles();
-    for (const QString& path : files) {
-        QAction* action = m_recentMenu->addAction(QFileInfo(path).fileName());
-        action->setToolTip(path);
-        action->setStatusTip(path);
-        connect(action, &QAction::triggered, this, [this, path] { m_document.open(path); });
-    }
-    m_recentMenu->setToolTipsVisible(true);
-    if (!files.isEmpty()) {
-        m_recentMenu->addSeparator();
-        connect(m_recentMenu->addAction(tr("Clear")), &QAction::triggered, this,
-                [this] { m_document.clearRecentFiles(); });
-    }
-    m_recentMenu->menuAction()->setEnabled(!files.isEmpty());
 }
 
 void MainWindow::fillBuiltinMenu()
@@ -332,6 +317,7 @@ void MainWindow::syncActions()
 {
     m_undo->setEnabled(m_document.canUndo());
     m_redo->setEnabled(m_document.canRedo());
+    m_reload->setEnabled(m_document.isReloadable());
     m_reset->setEnabled(!(m_document.settings() == m_document.defaults()));
     for (const FieldKey& entry : m_fieldKeys) {
         const SettingsField* field = findSettingsField(QLatin1String(entry.field));
@@ -385,8 +371,11 @@ void MainWindow::syncHelp()
                     {QStringLiteral("Ctrl+Shift+D"), tr("dark theme"), m_look.kind == ThemeKind::Dark ? on : off},
                     {QStringLiteral("Shift+R"), tr("draw continuously"), m_worker.isContinuous() ? on : off},
                     {tr("Menu View"), tr("fast first picture"), m_worker.hasFastMotion() ? on : off},
+                    {tr("Esc"), tr("leave field, help, presentation, steps"), {}},
                     {QStringLiteral("Ctrl+0"), tr("reset layout"), {}},
                     {QStringLiteral("Ctrl+Z  Ctrl+Y"), tr("undo, redo"), {}},
+                    {QStringLiteral("Ctrl+S"), tr("save session"), {}},
+                    {QStringLiteral("F5"), tr("read files again"), {}},
                     {QStringLiteral("F12"), tr("figure with overlay"), {}},
                     {QStringLiteral("Ctrl+F12"), tr("framebuffer 1:1"), {}},
                     {QStringLiteral("Shift+F12"), tr("whole window"), {}},
@@ -405,47 +394,25 @@ void MainWindow::syncHelp()
         {tr("Compare"),
          {{QStringLiteral("V"), tr("exact referee"), m_truth->referee().isOn() ? on : off},
           {QStringLiteral("Shift+V"), tr("next wrong pixel"), {}},
+          {QStringLiteral("Ctrl+Shift+V"), tr("judge from object space"),
+           m_truth->referee().space() == ReferenceSpace::Object ? on : off},
           {QStringLiteral("S"), tr("wipe between A and B"), compared == CompareView::Wipe ? on : off},
           {QStringLiteral("B"), tr("blink A and B"), compared == CompareView::Blink ? on : off},
           {QStringLiteral("D"), tr("difference of A and B"), compared == CompareView::Difference ? on : off},
           {QStringLiteral("A  Shift+A"), tr("pin A, exchange A and B"), {}}}});
+    HelpOverlay::Section panels{tr("Panels"), {}};
+    for (const auto& [action, dock] : m_panels->actions())
+        panels.lines.push_back(
+            {action->shortcut().toString(), dock->toggleViewAction()->text(), m_panels->isInSight(dock) ? on : off});
+    sections.push_back(std::move(panels));
     m_help->setSections(sections);
 }
 
-void MainWindow::chooseFileToOpen()
-{
-    auto* dialog = new QFileDialog(this, tr("Open"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    dialog->setNameFilters({tr("Scenes, cases and sessions (*.obj *.case *.json)"), tr("All files (*)")});
-    connect(dialog, &QFileDialog::fileSelected, &m_document, &Document::open);
-    dialog->open();
-}
-
-void MainWindow::chooseSessionToSave()
-{
-    auto* dialog = new QFileDialog(this, tr("Save session"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QStringLiteral("json"));
-    dialog->setNameFilter(tr("Sessions (*.json)"));
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        if (m_document.saveSession(path))
-            reportSaved(std::nullopt, path);
-    });
-    dialog->open();
-}
-
-void MainWindow::chooseFileToExport(const QString& title, const QString& suggestion,
+void MainWindow::chooseFileToExport(const QString& title, const QString& suggestion, bool asDrawing,
                                     std::function<void(const QString&)> save)
 {
-    auto* dialog = new QFileDialog(this, title);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    const QString suffix = QFileInfo(suggestion).suffix();
-    dialog->setDefaultSuffix(suffix);
-    dialog->setNameFilter(suffix == QLatin1String("svg") ? tr("SVG drawings (*.svg)") : tr("PNG images (*.png)"));
-    dialog->selectFile(suggestion);
+    const QStringList formats = pictureSuffixes() + (asDrawing ? QStringList{kSvg} : QStringList());
+    QFileDialog* dialog = newExportDialog(this, title, suggestion, formats);
     connect(dialog, &QFileDialog::fileSelected, this, std::move(save));
     dialog->open();
 }
@@ -463,23 +430,23 @@ QImage MainWindow::picture()
 
 bool MainWindow::exportFigure(const QString& path)
 {
-    const auto error = path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)
-                           ? m_viewport->saveSvgFigure(m_figureZoom, path)
-                           : savePng(m_viewport->figure(m_figureZoom), path);
+    const ExportTarget target{path, m_document.inputFiles()};
+    const auto error = formatOf(path) == kSvg ? m_viewport->saveSvgFigure(m_figureZoom, target)
+                                              : savePicture(m_viewport->figure(m_figureZoom), target, {kSvg});
     reportSaved(error, path);
     return !error;
 }
 
 bool MainWindow::exportFramebuffer(const QString& path)
 {
-    const auto error = savePng(m_lastFrame ? m_lastFrame->frame.image : QImage(), path);
+    const auto error = savePicture(m_lastFrame ? m_lastFrame->frame.image : QImage(), {path, m_document.inputFiles()});
     reportSaved(error, path);
     return !error;
 }
 
 bool MainWindow::exportWindow(const QString& path)
 {
-    const auto error = savePng(picture(), path);
+    const auto error = savePicture(picture(), {path, m_document.inputFiles()});
     reportSaved(error, path);
     return !error;
 }

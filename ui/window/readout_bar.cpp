@@ -1,5 +1,7 @@
 #include "ui/window/readout_bar.h"
 
+#include "ui/base/elided_label.h"
+
 #include <QHBoxLayout>
 #include <QLabel>
 
@@ -31,13 +33,13 @@ QString changeText(const QColor& from, const QColor& to)
 
 } // namespace
 
-ReadoutBar::ReadoutBar(QWidget* parent) : QWidget(parent), m_swatch(new QLabel), m_text(new QLabel)
+ReadoutBar::ReadoutBar(QWidget* parent)
+    : QWidget(parent), m_swatch(new QLabel), m_text(new ElidedLabel(QStringLiteral("readout")))
 {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     m_swatch->setFixedSize(18, 14);
     m_swatch->hide();
-    m_text->setObjectName(QStringLiteral("readout"));
     row->addWidget(m_swatch);
     row->addWidget(m_text, 1);
 }
@@ -66,11 +68,12 @@ void ReadoutBar::show(const std::optional<PixelReadout>& pixel, const std::optio
     constexpr int kBackground = -1;
     const int face = pixel->face.value_or(kBackground);
     if (face != kBackground)
-        parts << tr("face %1").arg(face)
+        parts << (pixel->line > 0 ? tr("face %1, line %2").arg(face).arg(pixel->line) : tr("face %1").arg(face))
               << tr("depth %1").arg(static_cast<double>(pixel->depth.value_or(1.0F)), 0, 'f', 6);
     else if (pixel->face.has_value())
         parts << tr("background");
     m_text->setText(parts.join(QStringLiteral("    ")));
+    m_text->setToolTip(m_text->text());
 }
 
 } // namespace rasterlens

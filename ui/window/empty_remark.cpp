@@ -1,0 +1,21 @@
+#include "ui/window/empty_remark.h"
+
+#include "core/questions/empty_picture.h"
+#include "ui/base/message_bar.h"
+
+namespace rasterlens
+{
+
+void EmptyRemark::update(const RenderedFrame& frame, MessageBar& bar)
+{
+    const auto empty = whyEmpty(frame.statistics);
+    if (empty && !m_shown && !bar.isHidden())
+        return; // what the bar says already comes first
+    if (empty)
+        bar.show(Diagnostics{{Severity::Warning, frame.scene->title, 0, sentenceOf(*empty, empty->action)}});
+    else if (m_shown)
+        bar.hide();
+    m_shown = empty.has_value();
+}
+
+} // namespace rasterlens

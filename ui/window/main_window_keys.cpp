@@ -1,0 +1,104 @@
+// Where the keys go: Tab, Escape, and the field for a pixel.
+#include "core/base/typed_numbers.h"
+#include "ui/base/dock.h"
+#include "ui/base/message_bar.h"
+#include "ui/base/typed_field.h"
+#include "ui/face/cards.h"
+#include "ui/pipeline/stage_strip.h"
+#include "ui/steps/step_mode.h"
+#include "ui/steps/transport_dock.h"
+#include "ui/truth/truth_mode.h"
+#include "ui/window/focus_order.h"
+#include "ui/window/help_overlay.h"
+#include "ui/window/main_window.h"
+
+#include <QApplication>
+#include <QLineEdit>
+#include <QShortcut>
+#include <QToolButton>
+
+namespace rasterlens
+{
+
+void MainWindow::buildFocus()
+{
+    std::vector<QWidget*> groups{m_pipelineDock, m_stageStrip, m_viewport, centralWidget()};
+    for (const auto& docks : {m_cards->docks(), m_truth->docks()})
+        groups.insert(groups.end(), docks.begin(), docks.end());
+    groups.push_back(m_statisticsDock);
+    groups.push_back(&m_stepMode->transport());
+    m_focusOrder = new FocusOrder(*this, *m_viewport, std::move(groups));
+    auto* escape = new QShortcut(Qt::Key_Escape, this);
+    connect(escape, &QShortcut::activated, this, &MainWindow::leaveInnermost);
+    connect(escape, &QShortcut::activatedAmbiguously, this, &MainWindow::leaveInnermost);
+    followHelpStates();
+}
+
+bool MainWindow::focusNextPrevChild(bool next) { return m_focusOrder->move(next); }
+
+/// One press leaves one thing: what has the keys, the help, the presentation, the steps, the comparison, the pixel.
+void MainWindow::leaveInnermost()
+{
+    QWidget* focused = focusWidget();
+    if (focused && focused != m_viewport && focused->hasFocus())
+        m_viewport->setFocus(Qt::OtherFocusReason);
+    else if (m_help->isVisible())
+        toggleHelp();
+    else if (m_look.presentation)
+        setPresentation(false);
+    else if (m_stepMode->session().isOpen())
+        m_stepMode->session().close();
+    else if (m_truth->comparison().view() != CompareView::Off)
+        m_truth->comparison().setView(CompareView::Off);
+    else
+        m_viewport->selectPixel(std::nullopt);
+}
+
+/// The help shows what is on and off; it follows every key that changes that.
+void MainWindow::followHelpStates()
+{
+    const auto sync = [this] {
+        if (m_help->isVisible())
+            syncHelp();
+    };
+    connect(&m_stepMode->session(), &StepSession::openChanged, m_help, sync);
+    connect(&m_stepMode->session(), &StepSession::playbackChanged, m_help, sync);
+    connect(&m_truth->comparison(), &Comparison::changed, m_help, sync);
+    connect(&m_truth->referee(), &Referee::changed, m_help, sync);
+    for (const QAction* action : {m_presentation, m_dark, m_continuous, m_fastMotion})
+        connect(action, &QAction::changed, m_help, sync, Qt::QueuedConnection);
+}
+
+void MainWindow::toggleGoToPixel() { showGoToPixel(m_goToEdit->isHidden()); }
+
+void MainWindow::showGoToPixel(bool on)
+{
+    m_goToEdit->setVisible(on);
+    m_goToButton->setVisible(!on);
+    if (!on) {
+        m_viewport->setFocus();
+        return;
+    }
+    m_goToEdit->selectAll();
+    m_goToEdit->setFocus(Qt::ShortcutFocusReason);
+}
+
+/// in   go: not only judge the text, but show that pixel
+/// out  why the text is no pixel; nothing where it is one
+std::optional<QString> MainWindow::goToTyped(const QString& text, bool go)
+{
+    const auto pixel = typedPoint(text);
+    const QSize size = m_document.settings().size;
+    if (!pixel || !QRect(QPoint(0, 0), size).contains(*pixel))
+        return tr("\"%1\" is no pixel of the picture. Write x, y with 0 to %2 and 0 to %3.")
+            .arg(text)
+            .arg(size.width() - 1)
+            .arg(size.height() - 1);
+    if (go) {
+        m_goToField->setValue(text);
+        m_viewport->goToPixel(*pixel);
+    }
+    return std::nullopt;
+}
+
+} // namespace rasterlens

@@ -1,0 +1,310 @@
+#include "ui/window/panel_places.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QEvent>
+#include <QMainWindow>
+#include <QMenu>
+#include <QTimer>
+
+#include <algorithm>
+#include <utility>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr int kNarrowBelow = 900; ///< width of the window from which on three columns have room
+constexpr int kSceneWidth = 298;
+constexpr int kStatisticsWidth = 272;
+constexpr int kTabWidth = 440;       ///< of a panel beside the canvas
+constexpr double kCanvasShare = 0.4; ///< of the window's width that a panel beside the canvas leaves to it
+constexpr int kLowestPanel = 130;    ///< a lower panel below the canvas shows nothing of use
+constexpr int kMost = QWIDGETSIZE_MAX;
+
+} // namespace
+
+PanelPlaces::PanelPlaces(QMainWindow& window, QWidget& canvas, const Columns& columns, const QList<QDockWidget*>& tabs)
+    : QObject(&window), m_window(window), m_canvas(canvas), m_columns(columns), m_tabs(tabs)
+{
+    window.installEventFilter(this);
+    canvas.installEventFilter(this);
+    for (QDockWidget* dock : tabs)
+        dock->hide();
+    for (QDockWidget* dock : QList<QDockWidget*>{columns.scene, columns.statistics, columns.card} + tabs)
+        watch(dock);
+    arrange();
+}
+
+void PanelPlaces::watch(QDockWidget* dock)
+{
+    connect(dock, &QDockWidget::visibilityChanged, this, [this, dock] { visibilityChanged(dock); });
+    connect(dock, &QDockWidget::dockLocationChanged, this, [this] { limit(); });
+    connect(dock, &QDockWidget::topLevelChanged, this, [this, dock] {
+        m_arranged = m_arranged || !m_quiet;
+        dock->setMaximumHeight(kMost);
+        limit();
+    });
+}
+
+void PanelPlaces::buildMenu(QMenu* menu)
+{
+    // Digits with Alt: no menu and no other action has them.
+    QList<QDockWidget*> docks{m_columns.scene, m_columns.statistics, m_columns.card};
+    docks += m_tabs;
+    int digit = Qt::Key_1;
+    for (QDockWidget* dock : docks) {
+        QAction* action = menu->addAction(QString());
+        action->setCheckable(true);
+        action->setShortcut(QKeySequence(Qt::ALT | static_cast<Qt::Key>(digit++)));
+        connect(action, &QAction::triggered, this, [this, dock] { toggle(dock); });
+        m_window.addAction(action); // keys work also while the menu bar is hidden
+        m_actions.emplace_back(action, dock);
+    }
+    QAction* transport = m_columns.transport->toggleViewAction();
+    transport->setShortcut(QKeySequence(Qt::ALT | Qt::Key_0));
+    menu->addAction(transport);
+    m_window.addAction(transport);
+    menu->addSeparator();
+    m_bottom = menu->addAction(QString());
+    m_bottom->setCheckable(true);
+    connect(m_bottom, &QAction::triggered, this, &PanelPlaces::setTabsAtBottom);
+    retranslate();
+}
+
+void PanelPlaces::retranslate()
+{
+    for (const auto& [action, dock] : m_actions)
+        action->setText(dock->toggleViewAction()->text());
+    if (m_bottom)
+        m_bottom->setText(tr("Tabs &below the canvas"));
+    syncActions();
+}
+
+bool PanelPlaces::isNarrow() const { return m_window.width() < kNarrowBelow; }
+
+void PanelPlaces::arrange()
+{
+    quietly([this] {
+        noteOpen();
+        m_narrow = isNarrow();
+        m_window.addDockWidget(Qt::LeftDockWidgetArea, m_columns.scene);
+        if (m_narrow) {
+            m_window.addDockWidget(Qt::LeftDockWidgetArea, m_columns.statistics);
+            m_window.tabifyDockWidget(m_columns.scene, m_columns.statistics);
+            m_window.tabifyDockWidget(m_columns.statistics, m_columns.card);
+        } else {
+            m_window.addDockWidget(Qt::RightDockWidgetArea, m_columns.card);
+            m_window.addDockWidget(Qt::RightDockWidgetArea, m_columns.statistics);
+            m_window.splitDockWidget(m_columns.card, m_columns.statistics, Qt::Vertical);
+        }
+        placeTabs();
+        QDockWidget* front = m_columns.scene;
+        for (QDockWidget* dock : std::as_const(m_tabs))
+            if (m_open.contains(dock))
+                front = dock;
+        front->raise();
+    });
+}
+
+void PanelPlaces::placeTabs()
+{
+    QDockWidget* former = m_columns.card;
+    for (QDockWidget* dock : std::as_const(m_tabs)) {
+        dock->setMaximumHeight(kMost);
+        if (m_atBottom) {
+            m_window.addDockWidget(Qt::BottomDockWidgetArea, dock);
+            if (former == m_columns.card)
+                m_window.splitDockWidget(dock, m_columns.transport, Qt::Vertical);
+            else
+                m_window.tabifyDockWidget(former, dock);
+        } else {
+            m_window.tabifyDockWidget(former, dock);
+        }
+        former = dock;
+    }
+}
+
+void PanelPlaces::follow()
+{
+    if (m_arranged)
+        return;
+    if (m_narrow != isNarrow())
+        arrange();
+    sizeColumns();
+}
+
+void PanelPlaces::sizeColumns()
+{
+    const auto isOpen = [this](const QDockWidget* dock) { return m_open.contains(dock) && !dock->isFloating(); };
+    if (!m_atBottom)
+        if (const auto tab = std::ranges::find_if(m_tabs, isOpen); tab != m_tabs.end()) {
+            makeRoom(*tab);
+            return;
+        }
+    if (m_narrow) {
+        m_window.resizeDocks({m_columns.scene}, {kStatisticsWidth}, Qt::Horizontal);
+        return;
+    }
+    const int scene = std::min(kSceneWidth, m_window.width() / 4);
+    m_window.resizeDocks({m_columns.scene, m_columns.statistics}, {scene, kStatisticsWidth}, Qt::Horizontal);
+    const int column = m_columns.card->height() + m_columns.statistics->height();
+    const int statistics = m_columns.statistics->sizeHint().height();
+    m_window.resizeDocks({m_columns.card, m_columns.statistics}, {std::max(column - statistics, 1), statistics},
+                         Qt::Vertical);
+}
+
+void PanelPlaces::restore(bool arranged, bool atBottom)
+{
+    m_arranged = arranged;
+    m_narrow = isNarrow();
+    if (!arranged) {
+        setTabsAtBottom(atBottom);
+        return;
+    }
+    m_atBottom = atBottom;
+    m_bottom->setChecked(atBottom);
+}
+
+void PanelPlaces::setTabsAtBottom(bool bottom)
+{
+    m_atBottom = bottom;
+    if (m_bottom)
+        m_bottom->setChecked(bottom);
+    arrange();
+    sizeColumns();
+    limit();
+}
+
+bool PanelPlaces::isInSight(const QDockWidget* dock) const
+{
+    if (!dock->isVisible())
+        return false;
+    return dock->isFloating() || m_window.rect().intersects(dock->geometry()); // a tab behind another lies outside
+}
+
+void PanelPlaces::toggle(QDockWidget* dock)
+{
+    if (isInSight(dock)) {
+        dock->hide();
+        return;
+    }
+    dock->show();
+    dock->raise();
+}
+
+void PanelPlaces::revealCard()
+{
+    const bool isBehind = m_columns.card->isVisible() && !isInSight(m_columns.card);
+    if (isBehind && (isInSight(m_columns.scene) || isInSight(m_columns.statistics)) && m_narrow)
+        m_columns.card->raise();
+}
+
+void PanelPlaces::quietly(const std::function<void()>& change)
+{
+    const bool former = std::exchange(m_quiet, true);
+    change();
+    m_quiet = former;
+    noteOpen();
+    syncActions();
+}
+
+void PanelPlaces::noteOpen()
+{
+    m_open.clear();
+    for (const QDockWidget* dock : std::as_const(m_tabs))
+        if (!dock->isHidden())
+            m_open.insert(dock);
+}
+
+void PanelPlaces::visibilityChanged(QDockWidget* dock)
+{
+    QTimer::singleShot(0, this, &PanelPlaces::syncActions); // once the layout knows
+    if (m_quiet || !m_tabs.contains(dock) || !m_window.isVisible())
+        return;
+    const bool isOpen = !dock->isHidden();
+    if (isOpen == m_open.contains(dock))
+        return;
+    noteOpen();
+    QTimer::singleShot(0, dock, [this, dock, isOpen] {
+        if (isOpen) {
+            m_growing = dock;
+            makeRoom(dock);
+        } else if (m_open.isEmpty() && !m_arranged)
+            sizeColumns();
+        limit();
+    });
+}
+
+/// A panel that opens beside the canvas gets the width it needs, as far as the canvas can spare it.
+void PanelPlaces::makeRoom(QDockWidget* dock)
+{
+    if (dock->isFloating() || dock->isHidden() || m_window.dockWidgetArea(dock) == Qt::BottomDockWidgetArea)
+        return;
+    const bool sharesColumn = m_window.dockWidgetArea(dock) == m_window.dockWidgetArea(m_columns.scene);
+    const int other = sharesColumn || m_columns.scene->isHidden() ? 0 : m_columns.scene->width();
+    const int spare = m_window.width() - other - static_cast<int>(m_window.width() * kCanvasShare);
+    const int width = std::min(kTabWidth, spare);
+    if (dock->width() < width)
+        m_window.resizeDocks({dock}, {width}, Qt::Horizontal);
+    if (!m_narrow && !m_columns.statistics->isHidden())
+        m_window.resizeDocks({dock, m_columns.statistics}, {m_window.height(), 1}, Qt::Vertical);
+}
+
+/// Panels below the canvas leave it half of the window's height; where that is not enough for them, they go beside it.
+void PanelPlaces::limit()
+{
+    if (std::exchange(m_limitPending, true))
+        return;
+    QTimer::singleShot(0, this, [this] {
+        m_limitPending = false;
+        QList<QDockWidget*> below;
+        int used = 0;
+        QSet<int> rows;
+        for (QDockWidget* dock : m_window.findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+            const bool isBelow = m_window.dockWidgetArea(dock) == Qt::BottomDockWidgetArea && !dock->isFloating();
+            if (!isBelow || !isInSight(dock) || dock == m_columns.transport)
+                continue;
+            below << dock;
+            if (!rows.contains(dock->y()))
+                used += dock->height();
+            rows << dock->y();
+        }
+        if (below.isEmpty() || !m_window.isVisible())
+            return;
+        const int least = (m_window.height() + 1) / 2;
+        const int most = (m_canvas.height() + used - least) / static_cast<int>(rows.size());
+        for (QDockWidget* dock : std::as_const(below)) {
+            if (most >= kLowestPanel) {
+                dock->setMaximumHeight(most);
+                if (dock == m_growing)
+                    m_window.resizeDocks({dock}, {std::min(most, dock->sizeHint().height())}, Qt::Vertical);
+                continue;
+            }
+            quietly([this, dock] {
+                dock->setMaximumHeight(kMost);
+                m_window.tabifyDockWidget(m_columns.card, dock);
+                dock->raise();
+            });
+            makeRoom(dock);
+        }
+        m_growing = nullptr;
+    });
+}
+
+void PanelPlaces::syncActions()
+{
+    for (const auto& [action, dock] : m_actions)
+        action->setChecked(isInSight(dock));
+    Q_EMIT changed();
+}
+
+bool PanelPlaces::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Resize)
+        limit();
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace rasterlens
