@@ -1,4 +1,5 @@
 #pragma once
+#include "core/pipeline/rules_for.h"
 // What several tests need: seeded random numbers, small scenes in clip space, frames and how to compare them.
 #include "core/observe/counting_observer.h"
 #include "core/pipeline/geometry.h"

@@ -129,23 +129,24 @@ private Q_SLOTS:
 
 void TestBuiltinScenes::listIsStable()
 {
-    const QStringList expected{"triangle",       "square-diagonal",
-                               "triangle-600",   "games101",
-                               "tile-square",    "head",
-                               "teapot",         "torus-knot",
-                               "floor",          "letter-f",
-                               "leaf",           "fan",
-                               "tunnel",         "cube",
-                               "sphere",         "painter-cycle",
-                               "piercing",       "z-fighting",
-                               "slivers",        "behind-camera",
-                               "covering",       "edge-guardband",
-                               "lines",          "four-z",
-                               "square-counted", "thin-gap",
-                               "three-layers",   "two-windings",
-                               "tiny-tiles",     "samples",
-                               "zero-area",      "long-sliver",
-                               "huge-triangle",  "overhang"};
+    const QStringList expected{"triangle",     "square-diagonal",
+                               "triangle-600", "games101",
+                               "tile-square",  "head",
+                               "teapot",       "torus-knot",
+                               "floor",        "letter-f",
+                               "leaf",         "fan",
+                               "tunnel",       "cube",
+                               "sphere",       "painter-cycle",
+                               "piercing",     "z-fighting",
+                               "slivers",      "behind-camera",
+                               "covering",     "edge-guardband",
+                               "lines",        "four-z",
+                               "cut-outs",     "square-counted",
+                               "thin-gap",     "three-layers",
+                               "two-windings", "tiny-tiles",
+                               "samples",      "zero-area",
+                               "long-sliver",  "huge-triangle",
+                               "overhang"};
     QStringList names;
     for (const BuiltinScene& entry : builtinScenes())
         names << entry.name;
@@ -190,7 +191,9 @@ void TestBuiltinScenes::everySceneIsSound()
             QVERIFY(v.color[k] >= 0 && v.color[k] <= 1);
     }
     QVERIFY(!scene.materials.empty());
-    QVERIFY(scene.mesh.faceMaterial.empty());
+    QVERIFY(scene.mesh.faceMaterial.empty() || scene.mesh.faceMaterial.size() == scene.mesh.faceCount());
+    for (const std::uint32_t material : scene.mesh.faceMaterial)
+        QVERIFY(material < scene.materials.size());
     for (const Material& material : scene.materials)
         QVERIFY(material.texture < static_cast<int>(scene.textures.size()));
     for (const Texture& texture : scene.textures)

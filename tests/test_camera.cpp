@@ -39,6 +39,7 @@ private Q_SLOTS:
     void peerMatrixBitForBit();
     void sphereTouchesTheFrustum();
     void nearAndFarMapToTheEnds();
+    void farStaysBeyondNear();
     void orbitGoesRoundTheTarget();
     void lookingAlongUp();
     void clipScenesHaveNoCamera();
@@ -121,6 +122,26 @@ void TestCamera::nearAndFarMapToTheEnds()
     settings.view.near = 10;
     settings.view.far = 1e-3;
     QVERIFY(std::isfinite(cameraMatrices(scene, settings).clipFromObject[2][2]));
+}
+
+/// A near plane that a session or a user puts behind the far plane pushes it on.
+void TestCamera::farStaysBeyondNear()
+{
+    const Scene scene = ball({1, 2, 3}, 1);
+    Settings settings;
+    settings.size = {64, 64};
+    const Matrices ordinary = cameraMatrices(scene, settings);
+    QVERIFY(ordinary.far > ordinary.near * 1.5);
+    for (const double near : {ordinary.far, 10.0, 1000.0}) {
+        settings.view.near = near; // beyond the far plane that the scene's size gives
+        settings.view.far.reset();
+        QCOMPARE(cameraMatrices(scene, settings).near, near);
+        QCOMPARE(cameraMatrices(scene, settings).far, near * 1.001);
+        settings.view.far = near / 2;
+        QCOMPARE(cameraMatrices(scene, settings).far, near * 1.001);
+        settings.view.far = near * 2;
+        QCOMPARE(cameraMatrices(scene, settings).far, near * 2);
+    }
 }
 
 void TestCamera::orbitGoesRoundTheTarget()

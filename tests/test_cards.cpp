@@ -1,3 +1,4 @@
+#include "core/truth/mistake_proof.h"
 // The panels about one pixel or one face show what core computes, and edit what they say they edit.
 #include "core/observe/step_text.h"
 #include "core/questions/race.h"

@@ -1,3 +1,4 @@
+#include "core/scenes/load_scene.h"
 // `.case` files: every directive, every kind of number, and what is said about broken ones.
 #include "core/io/case_file.h"
 #include "scene_files.h"

@@ -1,60 +1,27 @@
 // The command line as scripts see it: exit codes, messages, and files that are written whole or not at all.
+#include "cli_support.h"
 #include "core/io/npy.h"
 #include "core/scenes/builtin_scenes.h"
 #include "core/settings/mistakes.h"
 #include "core/settings/settings.h"
 
 #include <QDir>
-#include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
 #include <memory>
+#include <utility>
+#include <variant>
+#include <vector>
 
 using namespace rasterlens;
+using namespace rasterlens::test;
 
 namespace
 {
-
-struct Run {
-    int exitCode = -1;
-    QByteArray out;
-    QString err;
-};
-
-Run run(const QStringList& arguments, const QString& folder, const QString& program = QStringLiteral(RASTERLENS_CLI))
-{
-    QProcess process;
-    process.setWorkingDirectory(folder);
-    process.start(program, arguments);
-    if (!process.waitForFinished(-1) || process.exitStatus() != QProcess::NormalExit)
-        return {-1, {}, process.errorString() + QString::fromUtf8(process.readAllStandardError())};
-    return {process.exitCode(), process.readAllStandardOutput(), QString::fromUtf8(process.readAllStandardError())};
-}
-
-void writeFile(const QString& path, const QByteArray& bytes)
-{
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    QCOMPARE(file.write(bytes), bytes.size());
-}
-
-QByteArray readFile(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-QImage filled(int width, int height, QRgb color)
-{
-    QImage image(width, height, QImage::Format_RGB32);
-    image.fill(color);
-    return image;
-}
 
 /// A red rectangle over the left half of 8 x 6 pixels at depth 0.75.
 constexpr char kCase[] = "size 8 6\n"
@@ -82,6 +49,7 @@ private Q_SLOTS:
     void drawsWithoutAPicture();
     void arraysHaveTheShapeOfThePicture();
     void sizeComesFromTheSceneUnlessGiven();
+    void numbersAreReadAsPeopleTypeThem();
     void everyOptionReachesTheSettings();
     void sessionIsTheBase();
     void countersAreConserved_data();
@@ -89,8 +57,6 @@ private Q_SLOTS:
     void statisticsNameWhatWorked();
     void missingInstructionsAreNamed();
     void infoAsTextAndJson();
-    void diffOfPictures();
-    void diffOfArrays();
 
 private:
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -117,6 +83,11 @@ void TestCli::init()
     const float numbers[] = {0, 1};
     writeFile(path("f.npy"), npyBytes(std::span<const float>(numbers), 1, 2));
     writeFile(path("tall.npy"), npyBytes(std::span<const float>(numbers), 2, 1));
+    writeFile(path("none.npy"), npyBytes(std::span<const float>(), 0, 2));
+    QVERIFY(filled(2, 2, qRgb(9, 9, 9)).save(path("t.png")));
+    writeFile(path("t.mtl"), "newmtl m\nmap_Kd t.png\n");
+    writeFile(path("textured.obj"), QByteArray("mtllib t.mtl\nusemtl m\n") + kObj);
+    writeFile(path("session.json"), R"({"rasterlens": 1, "scene": "a.case", "settings": {}})");
 }
 
 void TestCli::helpAndVersion()
@@ -202,6 +173,7 @@ void TestCli::badCalls_data()
     row("render a.obj --near 0", 2, "--near: \"0\" is not a value of near, which takes: a distance greater than 0");
     row("render a.obj --far -1", 2, "--far: \"-1\" is not a value of far, which takes: a distance greater than 0");
     row("render a.obj --view side", 2, "--view: \"side\" is not a value of view, which takes: fit");
+    row("render a.obj --eye (1,2", 2, "--eye: \"(1,2\" is not a value of eye, which takes: three numbers x,y,z");
     row("render a.obj --eye 1,2", 2, "--eye: \"1,2\" is not a value of eye, which takes: three numbers x,y,z");
     row("render a.obj --eye 1,2,x", 2, "--eye: \"1,2,x\" is not a value of eye, which takes: three numbers x,y,z");
     row("render a.obj --eye 0,0,0", 2, "--eye: the eye is where the target is; two different points are expected");
@@ -243,10 +215,12 @@ void TestCli::badCalls_data()
     row("info missing.obj", 3, "missing.obj: *");
     row("info a.obj --culling none", 2, "rasterlens-cli info: there is no option --culling; *");
     row("diff 4x4.png", 2,
-        "rasterlens-cli diff: B is missing; expected: rasterlens-cli diff A B [-o heat.png] [--threshold T]");
+        "rasterlens-cli diff: B is missing; expected: rasterlens-cli diff A B [-o heat.png] [--threshold T] [--json "
+        "F.json]");
     row("diff 4x4.png 8x4.png", 3, "8x4.png: is 8x4, but 4x4.png is 4x4; pictures of equal size are expected");
     row("diff 4x4.png missing.png", 3, "missing.png: cannot be read: *");
-    row("diff text.txt 4x4.png", 3, "text.txt: is not a picture that can be read; PNG, PPM, BMP or JPEG is expected");
+    row("diff text.txt 4x4.png", 3,
+        "text.txt: is not a picture that can be read; PNG, PPM, BMP, JPEG or TGA is expected: *");
     row("diff 4x4.png folder", 3, "folder: cannot be read: *");
     row("diff 4x4.png 4x4.png --threshold -1", 2,
         "--threshold: \"-1\" is not a value of threshold, which takes: a number, 0 or more");
@@ -257,7 +231,24 @@ void TestCli::badCalls_data()
         "rasterlens-cli diff: a picture and an array cannot be compared; two of a kind are expected");
     row("diff f.npy f.npy -o heat.png", 2, "rasterlens-cli diff: -o draws a heat map of pictures; arrays have none");
     row("diff f.npy tall.npy", 3,
-        "tall.npy: is <f4 of shape (2, 1), but f.npy is <f4 of shape (1, 2); equal ones are expected");
+        "tall.npy: is <f4 of shape (2, 1), but f.npy is <f4 of shape (1, 2); equal shapes are expected");
+    row("diff none.npy none.npy", 3, "none.npy: is of shape (0, 2): no values to compare");
+    const QString inUse =
+        QStringLiteral(": it is in use as an input and would be overwritten; another name is expected");
+    for (const auto& [words, name] : std::initializer_list<std::pair<const char*, const char*>>{
+             {"render a.case -o p.png --depth a.case", "a.case"},
+             {"render a.case -o p.png --stats ./a.case", "./a.case"},
+             {"render textured.obj -o t.png", "t.png"},
+             {"render textured.obj -o p.png --ids t.mtl", "t.mtl"},
+             {"render a.obj --texture t.png -o t.png", "t.png"},
+             {"render session.json -o p.png --stats session.json", "session.json"},
+             {"render session.json -o p.png --stats a.case", "a.case"},
+             {"steps a.case --json a.case", "a.case"},
+             {"why a.case --pixel 1,1 --json a.case", "a.case"},
+             {"bench a.case --csv a.case --frames 1", "a.case"},
+             {"diff 4x4.png 8x4.png -o 8x4.png", "8x4.png"},
+             {"diff f.npy tall.npy --json tall.npy", "tall.npy"}})
+        QTest::newRow(words) << 2 << QLatin1String(name) + inUse;
 }
 
 void TestCli::badCalls()
@@ -382,19 +373,22 @@ void TestCli::arraysHaveTheShapeOfThePicture()
     QCOMPARE(ids.array->type, QStringLiteral("<i4"));
     QCOMPARE(coverage.array->type, QStringLiteral("<u2"));
     for (const NpyRead* read : {&depth, &ids, &coverage}) {
-        QCOMPARE(read->array->rows, 6);
-        QCOMPARE(read->array->columns, 8);
+        QVERIFY(read->array->shape == (std::vector<qint64>{6, 8}));
     }
     const QImage image(path("p.png"));
     QCOMPARE(image.size(), QSize(8, 6));
+    const auto valuesOf = [](const NpyRead& read) { return std::get<std::vector<double>>(read.array->values); };
+    const std::vector<double> depths = valuesOf(depth);
+    const std::vector<double> faces = valuesOf(ids);
+    const std::vector<double> counts = valuesOf(coverage);
     for (int y = 0; y < 6; ++y)
         for (int x = 0; x < 8; ++x) {
             const auto i = static_cast<std::size_t>(8 * y + x);
             const bool inside = x < 4;
             QCOMPARE(image.pixel(x, y), inside ? qRgb(255, 0, 0) : qRgb(0, 0, 0));
-            QCOMPARE(depth.array->values[i], inside ? 0.75 : 1.0);
-            QCOMPARE(coverage.array->values[i], inside ? 1.0 : 0.0);
-            QVERIFY(inside ? ids.array->values[i] >= 0 : ids.array->values[i] == -1);
+            QCOMPARE(depths[i], inside ? 0.75 : 1.0);
+            QCOMPARE(counts[i], inside ? 1.0 : 0.0);
+            QVERIFY(inside ? faces[i] >= 0 : faces[i] == -1);
         }
 }
 
@@ -415,6 +409,24 @@ void TestCli::sizeComesFromTheSceneUnlessGiven()
     QCOMPARE(size("render a.case --size 3x5"), QStringLiteral("3x5"));
     QCOMPARE(QImage(path("picture.ppm")).size(), QSize(3, 5));
     QCOMPARE(size("render a.obj"), QStringLiteral("1920x1080"));
+}
+
+void TestCli::numbersAreReadAsPeopleTypeThem()
+{
+    const auto why = [this](const QString& size, const QString& pixel, const QString& eye) {
+        return run({"why", "a.obj", "--size", size, "--pixel", pixel, "--eye", eye}, m_folder->path());
+    };
+    const Run plain = why("12x9", "3,4", "0,0,5");
+    QCOMPARE(plain.exitCode, 0);
+    const std::pair<const char*, const char*> kForms[] = {
+        {"12 x 9", "3 4"}, {"12\u00d79", "(3, 4)"}, {"12*9", "3\uff0c4"}, {"12 9", "\uff083\uff0c4\uff09"}};
+    for (const auto& [size, pixel] : kForms) {
+        const Run run = why(QString::fromUtf8(size), QString::fromUtf8(pixel), QString::fromUtf8("0\uff0c 0 5"));
+        QVERIFY2(run.exitCode == 0, qPrintable(run.err));
+        QCOMPARE(run.out, plain.out);
+    }
+    QCOMPARE(why("12x9e", "3,4", "0,0,5").exitCode, 2);
+    QCOMPARE(why("12x9", "3,4,5", "0,0,5").exitCode, 2);
 }
 
 void TestCli::everyOptionReachesTheSettings()
@@ -565,38 +577,6 @@ void TestCli::infoAsTextAndJson()
     QVERIFY(call(QStringLiteral("info closed.obj")).out.contains("closed     yes\n"));
     writeFile(path("turned.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
     QVERIFY(call(QStringLiteral("info turned.obj")).out.contains("closed     no, 6 open sides\n"));
-}
-
-void TestCli::diffOfPictures()
-{
-    QImage b = filled(4, 4, qRgb(0, 0, 0));
-    b.setPixel(1, 2, qRgb(3, 0, 9));
-    QVERIFY(b.save(path("b.png")));
-    const Run equal = call(QStringLiteral("diff 4x4.png 4x4.png"));
-    QCOMPARE(equal.out, QByteArray("differing 0 of 16 (0 %)\nmax 0\nmean 0\npsnr inf\n"));
-    QCOMPARE(equal.exitCode, 0);
-    const Run different = call(QStringLiteral("diff 4x4.png b.png -o heat.png"));
-    QCOMPARE(different.out, QByteArray("differing 1 of 16 (6.25 %)\nmax 9\nmean 0.25\npsnr 45.4008\n"));
-    QCOMPARE(different.exitCode, 1);
-    const QImage heat(path("heat.png"));
-    QCOMPARE(heat.size(), QSize(4, 4));
-    QVERIFY(heat.pixel(1, 2) != heat.pixel(0, 0));
-    QCOMPARE(call(QStringLiteral("diff 4x4.png b.png --threshold 8")).exitCode, 1);
-    QCOMPARE(call(QStringLiteral("diff 4x4.png b.png --threshold 9")).exitCode, 0);
-    const Run heatOut = call(QStringLiteral("diff 4x4.png b.png -o -"));
-    QCOMPARE(heatOut.out, readFile(path("heat.png")));
-    QCOMPARE(heatOut.exitCode, 1);
-}
-
-void TestCli::diffOfArrays()
-{
-    const float numbers[] = {0, 1.5};
-    writeFile(path("g.npy"), npyBytes(std::span<const float>(numbers), 1, 2));
-    const Run different = call(QStringLiteral("diff f.npy g.npy"));
-    QCOMPARE(different.out, QByteArray("differing 1 of 2 (50 %)\nmax 0.5\nmean 0.25\n"));
-    QCOMPARE(different.exitCode, 1);
-    QCOMPARE(call(QStringLiteral("diff f.npy g.npy --threshold 0.5")).exitCode, 0);
-    QCOMPARE(call(QStringLiteral("diff f.npy f.npy")).exitCode, 0);
 }
 
 QTEST_GUILESS_MAIN(TestCli)

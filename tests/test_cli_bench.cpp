@@ -221,7 +221,7 @@ void TestCliBench::refusals_data()
     row("variant", {"--variants", "edge-eqation"}, 2, "did you mean edge-equation?");
     row("unsupported", {"--variants", "tiled", "--fill", "wireframe"}, 2, "tiled: algorithm tiled needs fill solid");
     row("frames", {"--frames", "0"}, 2, "--frames");
-    row("reference", {"--reference", "some"}, 2, "exact, none");
+    row("reference", {"--reference", "some"}, 2, "exact, exact-object, none");
     row("error", {"--error", "speed"}, 2, "coverage, depth, color");
     row("plot", {"--plot", "b.gif"}, 2, ".svg or .png");
     row("frontier", {"--variants", "frontier", "--reference", "none"}, 2, "needs --reference exact");

@@ -194,6 +194,7 @@ private Q_SLOTS:
     void watertightInPerspectiveAndThroughTheBorders();
     void tieRulesEqualBruteForce();
     void squareCutByItsDiagonal();
+    void floatSpansKnowTheTieRule();
     void algorithmsAgreeOnSoups();
     void algorithmsAgreeOnBuiltinScenes_data();
     void algorithmsAgreeOnBuiltinScenes();
@@ -314,6 +315,43 @@ void TestCoverage::squareCutByItsDiagonal()
         Frame frame;
         QCOMPARE(renderCounted(scene, settings, frame).pixels.coveredTwice, std::uint64_t(8));
     });
+}
+
+/// A square whose four sides and diagonal run through centres: its positions are exact in float32 and float64, so that
+/// the tie rules have to give what they give in fixed point.
+void TestCoverage::floatSpansKnowTheTieRule()
+{
+    const QSize size(8, 8);
+    const auto at = [&](double x, double y) { return atPixel(x, y, 0.5, size); };
+    const Scene scene = clipScene({at(1.5, 1.5), at(1.5, 6.5), at(6.5, 6.5), at(6.5, 1.5)}, {0, 1, 2, 0, 2, 3});
+    const auto edgeCentres = [&](TieRule tie, int hits) {
+        // 36 centres lie in the square or on its border, 6 of them on the diagonal; 16 lie inside of the border.
+        switch (tie) {
+        case TieRule::TopLeft: return hits == 1 ? 25 : 0; // the top and left sides, not the others
+        case TieRule::Inclusive: return hits == 1 ? 30 : 6;
+        case TieRule::Exclusive: return hits == 1 ? 12 : 0;
+        }
+        return -1;
+    };
+    for (const NumberType type : {NumberType::Fixed, NumberType::Float32, NumberType::Float64})
+        for (const TieRule tie : {TieRule::TopLeft, TieRule::Inclusive, TieRule::Exclusive}) {
+            Settings settings = plainSettings(size);
+            settings.numberType = type;
+            settings.tieRule = tie;
+            forEachWay(scene, settings, [&](const Settings& s, const QString& way) {
+                const Frame frame = draw(scene, s);
+                for (const int hits : {1, 2}) {
+                    const auto found = std::ranges::count(frame.coverage, hits);
+                    QVERIFY2(found == edgeCentres(tie, hits), qPrintable(QStringLiteral("%1, number type %2, tie rule "
+                                                                                        "%3: %4 pixels hit %5 times")
+                                                                             .arg(way)
+                                                                             .arg(int(type))
+                                                                             .arg(int(tie))
+                                                                             .arg(found)
+                                                                             .arg(hits)));
+                }
+            });
+        }
 }
 
 void TestCoverage::algorithmsAgreeOnSoups()

@@ -1,3 +1,4 @@
+#include "core/pipeline/rules_for.h"
 // Depth: what the formats store, what the comparisons keep, reversed z, painter's order and submission order.
 #include "core/pipeline/depth_test.h"
 #include "tests/support.h"

@@ -179,9 +179,9 @@ private Q_SLOTS:
         QTest::newRow("index out of range") << write(QStringLiteral("range.obj"), "v 0 0 0\nf 1 2 3\n");
         QTest::newRow("broken case") << write(QStringLiteral("broken.case"), "size 8 8\ntri 0 0\n");
         QTest::newRow("broken json") << write(QStringLiteral("broken.json"), "{\"rasterlens\": 1,");
-        QTest::newRow("session with unknown key")
+        QTest::newRow("session with an unknown value")
             << write(QStringLiteral("unknown.json"),
-                     R"({"rasterlens": 1, "scene": "builtin:cube", "settings": {"no-such": 1}})");
+                     R"({"rasterlens": 1, "scene": "builtin:cube", "settings": {"culling": "sideways"}})");
         QTest::newRow("session of a missing scene")
             << write(QStringLiteral("lost.json"), R"({"rasterlens": 1, "scene": "lost.obj", "settings": {}})");
     }

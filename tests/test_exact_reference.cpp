@@ -1,7 +1,9 @@
 // The exact reference against answers known by hand, against itself, and against the shared results.
 #include "core/io/case_file.h"
 #include "core/truth/edge_distance.h"
+#include "core/truth/exact_geometry.h"
 #include "core/truth/exact_reference.h"
+#include "tests/support.h"
 
 #include <QDir>
 #include <QFile>
@@ -9,6 +11,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -131,6 +134,7 @@ class TestExactReference : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void longNumbersRoundToNearest();
     void diagonalBelongsToOneFace();
     void quadWithEdgesOnCentres();
     void coverageIsThatOfTheDisplacedSample();
@@ -157,6 +161,51 @@ private Q_SLOTS:
     void sharedCases_data();
     void sharedCases();
 };
+
+/// A double is nearest to a number if its two neighbours are no nearer; of two equally near the even one is right.
+bool isNearest(double rounded, const boost::multiprecision::cpp_rational& number)
+{
+    using boost::multiprecision::cpp_rational;
+    const cpp_rational error = abs(cpp_rational(rounded) - number);
+    for (const double side : {-1.0, 1.0}) {
+        const double next = std::nextafter(rounded, side * std::numeric_limits<double>::infinity());
+        const cpp_rational other = abs(cpp_rational(next) - number);
+        const bool isEven = std::bit_cast<std::uint64_t>(rounded) % 2 == 0;
+        if (other < error || (other == error && !isEven))
+            return false;
+    }
+    return true;
+}
+
+void TestExactReference::longNumbersRoundToNearest()
+{
+    using boost::multiprecision::cpp_rational;
+    test::Random random = test::seededRandom();
+    // Random bits, and some that lie exactly between two doubles or one beside.
+    const auto longNumber = [&](int bits) {
+        exact::Integer value = 1;
+        const bool nearTie = test::integer(random, 0, 2) == 0;
+        for (int i = 1; i < bits; ++i)
+            value = 2 * value + (nearTie && i > 52 ? (i == 53 ? 1 : 0) : test::integer(random, 0, 1));
+        value += nearTie ? test::integer(random, -1, 1) : 0;
+        return test::integer(random, 0, 1) == 0 ? value : exact::Integer(-value);
+    };
+    const auto rational = [](const exact::Integer& value) {
+        return cpp_rational(boost::multiprecision::cpp_int(value));
+    };
+    for (int i = 0; i < test::casesOfBuild(20'000); ++i) {
+        const exact::Integer top = longNumber(test::integer(random, 60, i % 2 == 0 ? 70 : 700));
+        const exact::Integer bottom = longNumber(test::integer(random, 60, i % 2 == 0 ? 70 : 700));
+        const Scaled scaled = nearestScaled(top);
+        const exact::Integer unit = exact::Integer(1) << static_cast<unsigned>(scaled.exponent);
+        QVERIFY2(isNearest(scaled.mantissa, rational(top) / rational(unit)), qPrintable(QString::number(i)));
+        QVERIFY2(isNearest(nearestQuotient(top, bottom), rational(top) / rational(bottom)),
+                 qPrintable(QString::number(i)));
+        QCOMPARE(nearestQuotient(top, exact::Integer(1)), static_cast<double>(rational(top)));
+    }
+    QCOMPARE(nearestQuotient(exact::Integer(0), exact::Integer(-3)), 0.0);
+    QCOMPARE(nearestScaled(exact::Integer(0)).mantissa, 0.0);
+}
 
 void TestExactReference::diagonalBelongsToOneFace()
 {

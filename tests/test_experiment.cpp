@@ -316,8 +316,8 @@ void TestExperiment::exportsSayTheSame()
     const QJsonArray json = QJsonDocument::fromJson(experimentJson(rows)).array();
     QCOMPARE(json.size(), 2);
     const QJsonObject first = json[0].toObject();
-    QCOMPARE(first.keys(), QStringList({"error", "frontier", "ms", "mtri_per_s", "ns_per_covered_pixel", "scene",
-                                        "settings", "simd", "threads", "variant"}));
+    QCOMPARE(first.keys(), QStringList({"error", "frontier", "ms", "mtri_per_s", "ns_per_covered_pixel", "reference",
+                                        "scene", "settings", "simd", "threads", "variant"}));
     QCOMPARE(first["scene"].toString(), drawn.id);
     QCOMPARE(first["settings"].toObject(), toJson(base));
     QCOMPARE(first["error"].toObject().keys(), QStringList({"color_max", "color_mean", "depth_max", "depth_mean",

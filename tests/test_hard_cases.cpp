@@ -1,3 +1,4 @@
+#include "core/scenes/load_scene.h"
 // The catalogue of hard cases: every file says what must hold; the exact reference and the fixed-point rasterizers hold
 // it, and floating point is seen to fail.
 #include "core/io/case_file.h"

@@ -11,7 +11,9 @@
 #include <QMenu>
 #include <QSignalSpy>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 using namespace rasterlens;
 using namespace rasterlens::test;
@@ -79,6 +81,7 @@ private Q_SLOTS:
     void bresenhamShowsItsLine();
     void changesRecordAnew();
     void otherSceneDropsTheRecord();
+    void everyFaceOfThePainterHasItsTriangle();
     void scopeLimitsTheRecord();
     void capIsNoticed();
     void recordingNeverBlocks();
@@ -459,6 +462,28 @@ void TestLens::otherSceneDropsTheRecord()
     QVERIFY(session().log());
     QCOMPARE(session().position(), std::size_t(0));
     QCOMPARE(viewport().frame()->scene, document().scene());
+}
+
+/// The painter draws faces from far to near: their numbers come in any order.
+void TestLens::everyFaceOfThePainterHasItsTriangle()
+{
+    QVERIFY(openSmall(QStringLiteral("builtin:cube"), {32, 24}));
+    QVERIFY(change([](Settings& s) {
+        s.visibility = Visibility::Painter;
+        s.culling = Culling::None;
+    }));
+    QVERIFY(record());
+    std::vector<std::uint32_t> order;
+    for (const std::uint32_t event : log().eventsOf(StepKind::Triangle))
+        order.push_back(log().event(event).face);
+    QCOMPARE(order.size(), std::size_t(12));
+    QVERIFY2(!std::ranges::is_sorted(order), "the order of drawing is not that of the numbers");
+    for (const std::uint32_t face : order) {
+        session().selectFace(face);
+        const StepTriangle* triangle = session().triangle();
+        QVERIFY2(triangle, qPrintable(QStringLiteral("face %1").arg(face)));
+        QCOMPARE(triangle->screen.face, face);
+    }
 }
 
 void TestLens::scopeLimitsTheRecord()

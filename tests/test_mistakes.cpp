@@ -1,5 +1,7 @@
+#include "core/truth/mistake_proof.h"
 // The mistake table: every mistake changes the picture and its counter in its scene, and is gone when it is taken out.
 #include "core/rasterizers/lines.h"
+#include "core/render/count.h"
 #include "core/scenes/builtin_scenes.h"
 #include "core/settings/mistakes.h"
 
@@ -111,10 +113,19 @@ void TestMistakes::changesPictureAndProof()
     else
         QVERIFY2(after < before, proofId(mistake.proof));
 
+    // The proof asks no more of the right picture than it says.
+    const CountedPicture least = drawCounted(demo.scene, demo.right, proofOutputs(mistake.proof));
+    QCOMPARE(proofValue(mistake.proof, mistaken, least), after);
+    QCOMPARE(proofValue(mistake.proof, least, least), before);
+
     // Without counters the same picture, and taken out again the right one, into the same memory.
     Frame frame;
     render(demo.scene, demo.mistaken, frame);
     QCOMPARE(frame.image, mistaken.frame.image);
+    Frame counted; // afterwards
+    QVERIFY(countPicture(demo.scene, demo.mistaken, frame, counted) == mistaken.statistics);
+    QVERIFY(counted.ids == mistaken.frame.ids && counted.depth == mistaken.frame.depth);
+    QCOMPARE(counted.image, mistaken.frame.image);
     render(demo.scene, demo.right, frame);
     QCOMPARE(frame.image, right.frame.image);
 }

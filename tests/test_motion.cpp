@@ -38,7 +38,8 @@ private Q_SLOTS:
     void theChosenAlgorithmIsNotReplacedWhereItMatters_data();
     void theChosenAlgorithmIsNotReplacedWhereItMatters();
     void canBeSwitchedOff();
-    void coldPicturesAreNotTimed();
+    void onlyColdTiledPicturesAreNotTimed();
+    void memoryIsWrittenBefore();
     void framesKeepNoThreads();
     void slowPicturesAreDrawnFastFirst();
 };
@@ -118,22 +119,36 @@ void TestMotion::canBeSwitchedOff()
     QCOMPARE(m_frames.size(), 2U);
 }
 
-/// The first picture after a change tells no time; the counted one tells that of a further picture.
-void TestMotion::coldPicturesAreNotTimed()
+/// The counted picture tells the time of the one before it, unless that had to start the tiled algorithm's threads.
+void TestMotion::onlyColdTiledPicturesAreNotTimed()
 {
     RenderWorker worker;
     Settings settings = m_scene->defaults;
     settings.algorithm = Algorithm::Tiled;
     draw(worker, settings);
     QCOMPARE(m_frames.size(), 2U);
-    QVERIFY(!m_frames[0]->timed && m_frames[1]->timed);
+    QVERIFY(!m_frames[0]->timed && !m_frames[1]->timed);
     QVERIFY(m_frames[1]->frame.times.total > 0);
 
     draw(worker, orbited(settings));
     QVERIFY(m_frames[0]->timed && m_frames[1]->timed);
-    settings.shading = Shading::Depth;
+    QCOMPARE(m_frames[1]->frame.times.total, m_frames[0]->frame.times.total);
+    settings.algorithm = Algorithm::EdgeEquation;
     draw(worker, settings);
-    QVERIFY(!m_frames[0]->timed && m_frames[1]->timed);
+    QVERIFY(m_frames[0]->timed && m_frames[1]->timed);
+}
+
+/// The picture that tells the time draws into memory that was written before, also the first one of a size.
+void TestMotion::memoryIsWrittenBefore()
+{
+    RenderWorker worker;
+    Settings settings = m_scene->defaults;
+    for (const QSize size : {QSize(64, 48), QSize(80, 60)}) {
+        settings.size = size;
+        draw(worker, settings);
+        for (const FramePtr& frame : m_frames)
+            QCOMPARE(frame->warmSamples, std::int64_t(size.width()) * size.height());
+    }
 }
 
 /// Threads and memory of the tiled algorithm stay with the worker, however many pictures are about.

@@ -1,4 +1,6 @@
 // Observers do not change pixels: the plain frame and the counted one are the same for every scene and any settings.
+#include "core/render/count.h"
+#include "core/render/draw.h"
 #include "tests/support.h"
 
 #include <QJsonDocument>
@@ -25,6 +27,18 @@ QString text(const Settings& settings)
     return QString::fromUtf8(QJsonDocument(toJson(settings)).toJson(QJsonDocument::Compact));
 }
 
+/// Asks for the end at the first covered sample, and counts what is covered all the same.
+struct StopAtFirstSample : NullObserver {
+    std::stop_source source;
+    int fragments = 0;
+
+    void onFragment(const Fragment&, float, bool)
+    {
+        source.request_stop();
+        ++fragments;
+    }
+};
+
 } // namespace
 
 class TestObservers : public QObject
@@ -36,6 +50,8 @@ private Q_SLOTS:
     void builtinScenes();
     void randomSettingsOfAllFields();
     void stoppingEndsTheWork();
+    void stoppingEndsWithinAFace_data();
+    void stoppingEndsWithinAFace();
 };
 
 void TestObservers::builtinScenes_data()
@@ -88,8 +104,13 @@ void TestObservers::randomSettingsOfAllFields()
         ++run;
         Frame counted;
         const Statistics s = renderCounted(scene, settings, counted, kAllOutputs);
-        const QString text = difference(draw(scene, settings), counted);
+        const Frame plain = draw(scene, settings);
+        const QString text = difference(plain, counted);
         QVERIFY2(text.isEmpty(), qPrintable(text + ::text(settings)));
+        Frame later; // counted afterwards, without its colours
+        later.image = QImage(3, 2, QImage::Format_RGB32);
+        QVERIFY(countPicture(scene, settings, plain, later) == s);
+        QVERIFY(later.image == counted.image && later.ids == counted.ids && later.depth == counted.depth);
         const Statistics::Faces& f = s.faces;
         QCOMPARE(f.submitted, f.rejected + f.culledBack + f.culledFront + f.degenerate + f.nonFinite + f.rasterized);
         QCOMPARE(s.pixels.covered, s.pixels.depthPassed + s.pixels.depthFailed);
@@ -111,6 +132,37 @@ void TestObservers::stoppingEndsTheWork()
     const Statistics s = renderCounted(scene, settings, frame, kAllOutputs, stop.get_token());
     QVERIFY(s.faces.submitted < scene.mesh.faceCount());
     QCOMPARE(frame.image.size(), settings.size);
+}
+
+void TestObservers::stoppingEndsWithinAFace_data()
+{
+    QTest::addColumn<Settings>("settings");
+    for (const Algorithm algorithm : {Algorithm::EdgeEquation, Algorithm::EdgeWalking})
+        for (const Stepping stepping : {Stepping::Direct, Stepping::Incremental})
+            for (const bool mistaken : {false, true}) {
+                Settings settings;
+                settings.algorithm = algorithm;
+                settings.stepping = stepping;
+                if (mistaken)
+                    settings.mistakes = {QStringLiteral("inside-either-sign")};
+                QTest::addRow("%s%s%s", algorithm == Algorithm::EdgeEquation ? "equation" : "walking",
+                              stepping == Stepping::Direct ? ", direct" : "", mistaken ? ", mistaken" : "")
+                    << settings;
+            }
+}
+
+/// One face may be all there is to a large picture: not more than the row at work is finished.
+void TestObservers::stoppingEndsWithinAFace()
+{
+    QFETCH(Settings, settings);
+    constexpr int kSide = 60;
+    settings.size = {kSide, kSide};
+    const Scene scene = clipScene({{-1, 1, 0, 1}, {-1, -3, 0, 1}, {3, 1, 0, 1}}, {0, 1, 2});
+    StopAtFirstSample observer;
+    Frame frame;
+    drawScene(scene, settings, frame, kAllOutputs, observer, observer.source.get_token());
+    QVERIFY(observer.fragments > 0);
+    QVERIFY2(observer.fragments <= kSide, qPrintable(QString::number(observer.fragments)));
 }
 
 QTEST_APPLESS_MAIN(TestObservers)

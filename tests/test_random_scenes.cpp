@@ -1,3 +1,4 @@
+#include "core/scenes/load_scene.h"
 // The tiled algorithm against edge-equation, on scenes nobody thought of and on every scene there is.
 // RASTERLENS_SCENES=N draws N random ones; the CTest label `long` draws ten thousand, and every scene and model.
 #include "tests/seed.h"

@@ -1,9 +1,12 @@
+#include "core/scenes/load_scene.h"
 // Session files: what is saved comes back; broken ones are named with their line. And loadScene's choice of a reader.
 #include "core/io/session.h"
 #include "core/scenes/builtin_scenes.h"
 #include "scene_files.h"
 
 #include <QDir>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTest>
 
 #include <limits>
@@ -21,6 +24,15 @@ private Q_SLOTS:
     void savedWholeOrNotAtAll();
     void broken_data();
     void broken();
+    void movedTogetherOrAlone();
+    void modelIsLookedForByItsName_data();
+    void modelIsLookedForByItsName();
+    void missingModelIsSaid();
+    void newerVersion();
+    void unknownKeysAreNamed();
+    void contradictionWithTheScene();
+    void sessionsByContent();
+    void byteOrderMark();
     void loadSceneChoosesTheReader();
     void boundingSphereOfFinitePositions();
     void checker();
@@ -43,7 +55,7 @@ void TestSession::roundTrip()
     const SessionLoad load = loadSession(path);
     QVERIFY2(load.session && load.diagnostics.empty(), qPrintable(textOf(load.diagnostics)));
     QCOMPARE(load.session->scene, session.scene);
-    QVERIFY(settingsOf(*load.session, {}) == settings);
+    QVERIFY(settingsOf(*load.session, {}).settings == settings);
     QVERIFY(load.session->vertices == session.vertices);
 
     const Scene original = *loadScene(session.scene).scene;
@@ -55,11 +67,11 @@ void TestSession::roundTrip()
 
     const QString least = folder.write(QStringLiteral("least.json"), R"({"rasterlens": 1, "scene": "stress:tiny"})");
     QVERIFY(loadSession(least).session);
-    QVERIFY(settingsOf(*loadSession(least).session, settings) == settings); // what it does not name stays
+    QVERIFY(settingsOf(*loadSession(least).session, settings).settings == settings); // what it does not name stays
     const QString one = folder.write(QStringLiteral("one.json"),
                                      R"({"rasterlens": 1, "scene": "stress:tiny", "settings": {"culling": "none"}})");
     settings.culling = Culling::None;
-    QVERIFY(settingsOf(*loadSession(one).session, settings) == settings);
+    QVERIFY(settingsOf(*loadSession(one).session, settings).settings == settings);
 }
 
 void TestSession::pathsAreRelativeToTheFile()
@@ -74,7 +86,7 @@ void TestSession::pathsAreRelativeToTheFile()
     QVERIFY(file.readAll().contains("\"models/head.obj\""));
     QCOMPARE(loadSession(path).session->scene, inside);
 
-    const QString outside = folder.path(QStringLiteral("head.obj"));
+    const QString outside = folder.write(QStringLiteral("head.obj"), "v 0 0 0\n");
     QCOMPARE(saveSession({outside, {}, {}}, path), std::nullopt);
     QCOMPARE(loadSession(path).session->scene, outside);
 
@@ -110,10 +122,12 @@ void TestSession::broken_data()
     row("array", "[1, 2]", 1, "a JSON object is expected");
     row("binary", QByteArray("\0\1\2\3", 4), 1, "broken JSON");
     row("no version", R"({"scene": "stress:tiny"})", 0, "\"rasterlens\": 1 is expected");
-    row("later version", R"({"rasterlens": 2, "scene": "stress:tiny"})", 0, "\"rasterlens\": 1 is expected");
+    row("version 0", R"({"rasterlens": 0, "scene": "stress:tiny"})", 0, "\"rasterlens\": 1 is expected");
+    row("version in words", R"({"rasterlens": "1", "scene": "stress:tiny"})", 0, "\"rasterlens\": 1 is expected");
+    row("UTF-16", QByteArray("\xff\xfe{\0}\0", 6), 0, "the text is UTF-16; UTF-8 or ASCII is expected");
+    row("UTF-16 without mark", QByteArray("{\0\n\0}\0", 6), 0, "the text is UTF-16");
     row("no scene", R"({"rasterlens": 1})", 0, "\"scene\" takes the name of a scene");
     row("scene is a number", R"({"rasterlens": 1, "scene": 5})", 0, "\"scene\" takes the name");
-    row("unknown key", R"({"rasterlens": 1, "scene": "a.obj", "colour": 1})", 0, "there is no key \"colour\"");
     row("settings is a list", R"({"rasterlens": 1, "scene": "a.obj", "settings": []})", 0,
         "\"settings\" takes an object");
     row("vertices is a list", R"({"rasterlens": 1, "scene": "a.obj", "vertices": []})", 0,
@@ -122,8 +136,6 @@ void TestSession::broken_data()
         "\"vertices\" takes an index and a position");
     row("vertex beyond float32", R"({"rasterlens": 1, "scene": "a.obj", "vertices": {"0": [1, 2, 3, 1e300]}})", 0,
         "\"vertices\" takes an index and a position");
-    row("unknown setting", R"({"rasterlens": 1, "scene": "a.obj", "settings": {"gloss": 1}})", 0,
-        "there is no setting \"gloss\"");
     row("setting out of range", R"({"rasterlens": 1, "scene": "a.obj", "settings": {"subpixel-bits": 12}})", 0,
         "subpixel-bits");
     row("size out of range", R"({"rasterlens": 1, "scene": "a.obj", "settings": {"size": "0x0"}})", 0,
@@ -141,6 +153,193 @@ void TestSession::broken()
     QVERIFY(!load.session);
     const QString place = line > 0 ? QStringLiteral("%1:%2: ").arg(path).arg(line) : path + QStringLiteral(": ");
     verifyRemark(load.diagnostics, place, phrase);
+}
+
+/// A model above the session's folder is found when both are moved, and when the session is moved alone.
+void TestSession::movedTogetherOrAlone()
+{
+    const Folder folder;
+    QDir root(folder.path());
+    QVERIFY(root.mkpath(QStringLiteral("work/sessions")) && root.mkpath(QStringLiteral("work/models")));
+    const QString model = folder.write(QStringLiteral("work/models/m.obj"), "v 0 0 0\n");
+    const QString session = folder.path(QStringLiteral("work/sessions/s.json"));
+    QCOMPARE(saveSession({model, {}, {}}, session), std::nullopt);
+
+    QVERIFY(root.mkdir(QStringLiteral("elsewhere")));
+    const QString alone = folder.path(QStringLiteral("elsewhere/s.json"));
+    QVERIFY(QFile::copy(session, alone));
+    const SessionLoad absolute = loadSession(alone);
+    QVERIFY(absolute.session && absolute.session->sceneFound);
+    QCOMPARE(absolute.session->scene, model);
+
+    // The relative place wins where both hold a model.
+    QVERIFY(root.mkpath(QStringLiteral("copy/sessions")) && root.mkpath(QStringLiteral("copy/models")));
+    QVERIFY(QFile::copy(model, folder.path(QStringLiteral("copy/models/m.obj"))));
+    const QString copied = folder.path(QStringLiteral("copy/sessions/s.json"));
+    QVERIFY(QFile::copy(session, copied));
+    QCOMPARE(loadSession(copied).session->scene, folder.path(QStringLiteral("copy/models/m.obj")));
+    QVERIFY(loadSession(copied).diagnostics.empty());
+
+    QVERIFY(root.rename(QStringLiteral("work"), QStringLiteral("moved")));
+    const SessionLoad relative = loadSession(folder.path(QStringLiteral("moved/sessions/s.json")));
+    QVERIFY(relative.session && relative.session->sceneFound && relative.diagnostics.empty());
+    QCOMPARE(relative.session->scene, folder.path(QStringLiteral("moved/models/m.obj")));
+}
+
+void TestSession::modelIsLookedForByItsName_data()
+{
+    QTest::addColumn<QString>("stored");
+    QTest::addColumn<QString>("place");
+    const auto row = [](const char* name, const char* stored, const char* place) {
+        QTest::newRow(name) << QString::fromLatin1(stored) << QString::fromLatin1(place);
+    };
+    row("beside", "/gone/models/m.obj", "a/b/m.obj");
+    row("in a folder of its name beside", "/gone/models/m.obj", "a/b/models/m.obj");
+    row("above", "/gone/models/m.obj", "a/m.obj");
+    row("in a folder of its name above", "models/m.obj", "a/models/m.obj");
+    row("of Windows, beside", "C:\\gone\\models\\m.obj", "a/b/m.obj");
+    row("of Windows, relative", "..\\models\\m.obj", "a/models/m.obj");
+    row("a case", "/gone/m.case", "a/b/m.case");
+}
+
+void TestSession::modelIsLookedForByItsName()
+{
+    QFETCH(QString, stored);
+    QFETCH(QString, place);
+    const Folder folder;
+    QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("a/b/models")));
+    QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("a/models")));
+    const QString model = folder.write(place, "v 0 0 0\n");
+    const QByteArray json = QJsonDocument(QJsonObject{{"rasterlens", 1}, {"scene", stored}}).toJson();
+    const QString path = folder.write(QStringLiteral("a/b/s.json"), json);
+    const SessionLoad load = loadSession(path);
+    QVERIFY2(load.session && load.session->sceneFound, qPrintable(textOf(load.diagnostics)));
+    QCOMPARE(load.session->scene, model);
+    verifyRemark(load.diagnostics, path + QStringLiteral(": "), model + QStringLiteral(" is used"));
+    QVERIFY(!load.session->isPartial);
+}
+
+void TestSession::missingModelIsSaid()
+{
+    const Folder folder;
+    const QString path =
+        folder.write(QStringLiteral("s.json"), R"({"rasterlens": 1, "scene": "models/m.obj", "settings": {}})");
+    const SessionLoad load = loadSession(path);
+    QVERIFY(load.session && !load.session->sceneFound);
+    verifyRemark(load.diagnostics, path + QStringLiteral(": "), QStringLiteral("beside the session"));
+    QCOMPARE(load.session->scene, folder.path(QStringLiteral("models/m.obj")));
+    QVERIFY(loadSession(folder.write(QStringLiteral("b.json"), R"({"rasterlens": 1, "scene": "builtin:cube"})"))
+                .session->sceneFound);
+}
+
+/// What is understood is opened, the rest named; what nothing can be made of is still an error.
+void TestSession::newerVersion()
+{
+    const Folder folder;
+    const QString path = folder.write(QStringLiteral("s.json"), R"({"rasterlens": 2.5, "scene": "builtin:cube",
+        "mood": "calm", "vertices": {"0": [1, 2, 3, 4], "all": "up", "1": [1, 2]},
+        "settings": {"culling": "front", "shading": "marble", "gloss": 3, "subpixel-bits": 12, "size": "640x480x3",
+                     "mistakes": ["all-inclusive", "of-the-future"], "view": {"yaw": 30, "roll": 5, "pitch": "up"}}})");
+    const SessionLoad load = loadSession(path);
+    QVERIFY2(load.session, qPrintable(textOf(load.diagnostics)));
+    verifyRemark(load.diagnostics, path + QStringLiteral(": "),
+                 QStringLiteral("made by a newer version (2.5); this one reads 1"));
+    for (const char* named : {"\"mood\"", "\"marble\"", "\"gloss\"", "\"12\"", "\"size\"", "\"roll\"", "\"pitch\"",
+                              "\"of-the-future\"", "\"all\"", "\"1\""})
+        verifyRemark(load.diagnostics, path + QStringLiteral(": "), QLatin1String(named));
+    QVERIFY(!hasErrors(load.diagnostics));
+    QVERIFY(load.session->isPartial);
+    const SettingsParse parse = settingsOf(*load.session, {});
+    QVERIFY(parse.errors.empty());
+    Settings expected;
+    expected.culling = Culling::Front;
+    expected.view.yaw = 30;
+    expected.mistakes = {QStringLiteral("all-inclusive")};
+    QVERIFY(parse.settings == expected);
+    QVERIFY(load.session->vertices == (std::map<std::uint32_t, glm::dvec4>{{0, {1, 2, 3, 4}}}));
+
+    for (const char* wrong : {R"({"rasterlens": 2})", R"({"rasterlens": 2, "scene": 5})"})
+        QVERIFY2(!loadSession(folder.write(QStringLiteral("w.json"), wrong)).session, wrong);
+    for (const char* odd : {R"({"rasterlens": 2, "scene": "builtin:cube", "settings": []})",
+                            R"({"rasterlens": 2, "scene": "builtin:cube", "vertices": 1, "settings": {"view": 3}})"})
+        QVERIFY2(loadSession(folder.write(QStringLiteral("o.json"), odd)).session, odd);
+}
+
+void TestSession::unknownKeysAreNamed()
+{
+    const Folder folder;
+    const QString path = folder.write(QStringLiteral("s.json"), R"({"rasterlens": 1, "scene": "builtin:cube",
+        "colour": 1, "settings": {"culling": "front", "gloss": 1}})");
+    const SessionLoad load = loadSession(path);
+    QVERIFY2(load.session, qPrintable(textOf(load.diagnostics)));
+    verifyRemark(load.diagnostics, path + QStringLiteral(": "), QStringLiteral("there is no key \"colour\""));
+    verifyRemark(load.diagnostics, path + QStringLiteral(": "), QStringLiteral("there is no setting \"gloss\""));
+    QVERIFY(load.session->isPartial);
+    QCOMPARE(settingsOf(*load.session, {}).settings.culling, Culling::Front);
+}
+
+/// A near plane beyond the far plane that the scene brings: said, and no setting is taken.
+void TestSession::contradictionWithTheScene()
+{
+    const Folder folder;
+    const QString path = folder.write(
+        QStringLiteral("s.json"),
+        R"({"rasterlens": 1, "scene": "builtin:cube", "settings": {"culling": "front", "view": {"near": 150}}})");
+    const SessionLoad load = loadSession(path);
+    QVERIFY(load.session && load.diagnostics.empty());
+    Settings base;
+    QVERIFY(settingsOf(*load.session, base).errors.empty());
+    base.view.far = 120;
+    const SettingsParse parse = settingsOf(*load.session, base);
+    QCOMPARE(parse.errors.size(), 1U);
+    QCOMPARE(textOf(parse.errors.front()), QStringLiteral("\"near\" (150) must be smaller than \"far\" (120)"));
+    QVERIFY(parse.settings == base);
+    base.view.far = 151;
+    QVERIFY(settingsOf(*load.session, base).errors.empty());
+}
+
+void TestSession::sessionsByContent()
+{
+    const Folder folder;
+    const QByteArray json = R"({"rasterlens": 1, "scene": "builtin:cube"})";
+    for (const char* name : {"a.json", "a.JSON", "a.session", "a", "a.txt", "a.rasterlens"})
+        QVERIFY2(isSession(folder.write(QLatin1String(name), json)), name);
+    QVERIFY(isSession(folder.write(QStringLiteral("blank.txt"), "\xef\xbb\xbf \n\t" + json)));
+    QVERIFY(isSession(QStringLiteral("missing.json")));
+    for (const char* name : {"a.obj", "a.case"})
+        QVERIFY2(!isSession(folder.write(QLatin1String(name), json)), name);
+    QVERIFY(!isSession(folder.write(QStringLiteral("list.txt"), "[1, 2]")));
+    QVERIFY(!isSession(folder.write(QStringLiteral("empty.txt"), "")));
+    QVERIFY(!isSession(QStringLiteral("builtin:cube")));
+    QVERIFY(!isSession(QStringLiteral("missing.txt")));
+    QVERIFY(!isSession(folder.path()));
+}
+
+void TestSession::byteOrderMark()
+{
+    const Folder folder;
+    const QByteArray mark = "\xef\xbb\xbf";
+    QVERIFY(loadSession(folder.write(QStringLiteral("s.json"), mark + R"({"rasterlens": 1, "scene": "builtin:cube"})"))
+                .session);
+    const QByteArray text = "size 8 8\ntri -1 -1 0 1 1 0 0  1 -1 0 1 0 1 0  0 1 0 1 0 0 1\n";
+    const SceneLoad marked = loadScene(folder.write(QStringLiteral("m.case"), mark + text));
+    QVERIFY2(marked.scene, qPrintable(textOf(marked.diagnostics)));
+    QCOMPARE(marked.scene->mesh.faceCount(), std::size_t(1));
+    QByteArray little;
+    QByteArray big;
+    for (const char c : text) {
+        little.append(c).append('\0');
+        big.append('\0').append(c);
+    }
+    for (const QByteArray& wide : {QByteArray("\xff\xfe" + little), QByteArray("\xfe\xff" + big), little, big}) {
+        const QString path = folder.write(QStringLiteral("w.case"), wide);
+        const SceneLoad load = loadScene(path);
+        QVERIFY(!load.scene);
+        verifyRemark(load.diagnostics, path + QStringLiteral(": "),
+                     QStringLiteral("the text is UTF-16; UTF-8 or ASCII is expected"));
+    }
+    verifyRemark(loadScene(folder.write(QStringLiteral("4.case"), QByteArray("\xff\xfe\0\0s\0\0\0", 8))).diagnostics,
+                 folder.path(), QStringLiteral("the text is UTF-32"));
 }
 
 void TestSession::loadSceneChoosesTheReader()

@@ -1,3 +1,4 @@
+#include "core/pipeline/rules_for.h"
 // The step log: stepping shows what the plain run does, and every position is a moment of it.
 #include "core/io/case_file.h"
 #include "core/observe/counting_observer.h"
@@ -7,9 +8,11 @@
 #include "core/scenes/builtin_scenes.h"
 #include "core/settings/mistakes.h"
 #include "tests/seed.h"
+#include "tests/support.h"
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <random>
@@ -142,6 +145,7 @@ private Q_SLOTS:
     void stoppedLogSaysSo();
     void stepsOfEveryLevelGoBackWhereTheyCame();
     void diagonalHasEightTiesWithOwners();
+    void tiesLieOnTheTriangle();
     void edgeValuesAreExact();
     void cutsLieOnTheirPlane();
     void bresenhamDistancesAreThoseOfTheLine();
@@ -366,6 +370,32 @@ void TestStepLog::diagonalHasEightTiesWithOwners()
         }
         QCOMPARE(owners, 1);
     }
+}
+
+/// The line of an edge goes on beyond the edge: a centre there has an edge value of 0, yet there is no tie to decide.
+void TestStepLog::tiesLieOnTheTriangle()
+{
+    const QSize size(8, 8);
+    const auto at = [&](double x, double y) { return test::atPixel(x, y, 0.5, size); };
+    // The line of the first edge runs on through the centres of the pixels (4, 2), (5, 1) and (6, 0), which lie in the
+    // bounding box of the face but not in the face.
+    const Scene scene = test::soup({at(0.5, 6.5), at(3.5, 3.5), at(7.5, 0.5)});
+    const auto log = renderSteps(scene, test::plainSettings(size));
+    int ties = 0;
+    int beyond = 0;
+    for (std::size_t i = 0; i < log->size(); ++i) {
+        const StepEvent& event = log->event(i);
+        if (event.kind != StepKind::Sample)
+            continue;
+        const EdgeValues& values = log->payload<SampleStep>(event).values;
+        const bool onLine = std::ranges::any_of(values, [](double v) { return v == 0; });
+        const bool inside = std::ranges::all_of(values, [](double v) { return v >= 0; });
+        QCOMPARE(event.has(StepEvent::kTie), onLine && inside);
+        ties += onLine && inside ? 1 : 0;
+        beyond += onLine && !inside ? 1 : 0;
+    }
+    QVERIFY(ties > 0);
+    QCOMPARE(beyond, 3);
 }
 
 void TestStepLog::edgeValuesAreExact()

@@ -1,3 +1,4 @@
+#include "core/pipeline/rules_for.h"
 // Triangle set-up: edge functions against wide integers, ownership, thresholds, bounds, and the largest triangles.
 #include "core/pipeline/triangle_setup.h"
 #include "core/rasterizers/edge_equation.h"

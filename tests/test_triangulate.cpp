@@ -1,4 +1,5 @@
 // Polygons become triangles that cover them exactly.
+#include "core/scene/orientation.h"
 #include "core/scene/triangulate.h"
 #include "tests/seed.h"
 
@@ -25,7 +26,7 @@ double signedArea(const std::vector<glm::vec3>& points, const CornerTriple& t)
 void verifyTriangulation(const std::vector<glm::vec3>& polygon)
 {
     std::vector<CornerTriple> triangles;
-    triangulate(polygon, triangles);
+    QVERIFY(triangulate(polygon, triangles) == Cut::Exact);
     QCOMPARE(triangles.size(), polygon.size() - 2);
     double expected = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -50,6 +51,11 @@ private Q_SLOTS:
     void randomStars();
     void tiltedPolygon();
     void withoutArea();
+    void outlinesOfManyCorners_data();
+    void outlinesOfManyCorners();
+    void holesByBridges();
+    void crossingOutlinesAreTold();
+    void orientationIsExact();
 };
 
 void TestTriangulate::concavePolygons()
@@ -104,6 +110,83 @@ void TestTriangulate::withoutArea()
         triangulate(shape, triangles);
         QCOMPARE(triangles.size(), shape.size() - 2);
     }
+}
+
+void TestTriangulate::outlinesOfManyCorners_data()
+{
+    QTest::addColumn<int>("shape");
+    QTest::newRow("coast") << 0;
+    QTest::newRow("star") << 1;
+    QTest::newRow("comb") << 2;
+    QTest::newRow("spiral") << 3;
+}
+
+/// A hundred thousand corners: no overlap, nothing given up.
+void TestTriangulate::outlinesOfManyCorners()
+{
+    QFETCH(int, shape);
+    constexpr int kCorners = 100'000;
+    constexpr float kTurn = 6.2831853F;
+    std::mt19937 random(test::seedOfRun());
+    std::uniform_real_distribution<float> jitter(0.97F, 1);
+    std::vector<glm::vec3> outline;
+    const auto polar = [&](float radius, float angle) {
+        outline.push_back(radius * glm::vec3(std::cos(angle), std::sin(angle), 0));
+    };
+    for (int i = 0; i < kCorners; ++i) {
+        const float part = static_cast<float>(i) / kCorners;
+        const float half = static_cast<float>(i % (kCorners / 2)) / (kCorners / 2);
+        switch (shape) {
+        case 0: polar((1 + 0.3F * std::sin(29 * part * kTurn)) * jitter(random), part * kTurn); break;
+        case 1: polar(i % 2 == 0 ? 1.0F : 0.7F, part * kTurn); break;
+        case 2: outline.emplace_back(static_cast<float>(-i), i % 2 == 0 ? 0.0F : 40'000 * jitter(random), 0.0F); break;
+        default: {
+            const float inwards = i < kCorners / 2 ? half : 1 - half;
+            polar(0.5F + 6 * inwards - (i < kCorners / 2 ? 0 : 0.3F), 6 * kTurn * inwards);
+        }
+        }
+    }
+    if (shape == 2) {
+        outline.emplace_back(-kCorners, -5.0F, 0.0F);
+        outline.emplace_back(0.0F, -5.0F, 0.0F);
+    }
+    verifyTriangulation(outline);
+}
+
+void TestTriangulate::holesByBridges()
+{
+    verifyTriangulation(
+        {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0}, {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}});
+    verifyTriangulation(
+        {{0, 0, 0}, {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}, {0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}});
+}
+
+void TestTriangulate::crossingOutlinesAreTold()
+{
+    const std::vector<glm::vec3> shapes[] = {
+        {{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2, 0}},                         // bow tie
+        {{0, 3, 0}, {2, -3, 0}, {-3, 1, 0}, {3, 1, 0}, {-2, -3, 0}},          // pentagram
+        {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, -1, 0}, {1, 5, 0}, {0, 4, 0}}}; // a spike through the bottom
+    for (const std::vector<glm::vec3>& shape : shapes) {
+        std::vector<CornerTriple> triangles;
+        QVERIFY(triangulate(shape, triangles) == Cut::Overlaps);
+        QCOMPARE(triangles.size(), shape.size() - 2);
+    }
+}
+
+/// Points on a line at places where the plain formula rounds to the wrong side.
+void TestTriangulate::orientationIsExact()
+{
+    constexpr double kStep = 1.0 / (1LL << 53);
+    const glm::dvec2 b(12, 12);
+    const glm::dvec2 c(24, 24);
+    for (int i = 0; i < 64; ++i)
+        for (int k = 0; k < 64; ++k) {
+            const glm::dvec2 a(0.5 + i * kStep, 0.5 + k * kStep);
+            const double area = orientation(a, b, c);
+            QVERIFY2(a.x == a.y ? area == 0 : (area > 0) == (a.x < a.y),
+                     qPrintable(QStringLiteral("%1 %2").arg(i).arg(k)));
+        }
 }
 
 QTEST_APPLESS_MAIN(TestTriangulate)

@@ -7,6 +7,7 @@
 #include "ui/truth/experiment_model.h"
 #include "ui/truth/experiment_panel.h"
 #include "ui/truth/truth_mode.h"
+#include "ui/window/panel_places.h"
 
 #include <QAbstractItemModelTester>
 #include <QCheckBox>
@@ -235,34 +236,42 @@ private Q_SLOTS:
         QCOMPARE(truth().referee().judgement()->difference.wrong(), std::uint64_t{0});
     }
 
-    /// Docked below the canvas, which keeps room at the smallest window of a class room; nothing lies above it.
-    void panelsAreDockedBelowTheCanvas_data()
+    /// Beside the canvas or, in a window with room for it, below; nothing lies above the canvas, which keeps half of
+    /// the window's height.
+    void panelsLeaveTheCanvasItsRoom_data()
     {
         QTest::addColumn<QString>("panel");
         QTest::addColumn<QSize>("size");
+        QTest::addColumn<bool>("below");
         for (const char* panel : {"cases", "experiment"})
-            for (const QSize size : {QSize(1024, 768), QSize(1280, 800)})
-                QTest::addRow("%s %d", panel, size.width()) << QString::fromLatin1(panel) << size;
+            for (const auto& [size, below] :
+                 {std::pair(QSize(1024, 768), false), {QSize(1280, 800), false}, {QSize(1440, 960), true}})
+                QTest::addRow("%s %d", panel, size.width()) << QString::fromLatin1(panel) << size << below;
     }
-    void panelsAreDockedBelowTheCanvas()
+    void panelsLeaveTheCanvasItsRoom()
     {
         QFETCH(QString, panel);
         QFETCH(QSize, size);
+        QFETCH(bool, below);
         m_window->resize(size);
+        m_window->panels().setTabsAtBottom(below);
         truth().showPanel(panel);
-        QCoreApplication::processEvents();
+        for (int i = 0; i < 5; ++i)
+            QCoreApplication::processEvents();
         QCOMPARE(m_window->size(), size);
-        const Dock* dock = truth().docks()[static_cast<std::size_t>(TruthMode::panelNames().indexOf(panel))];
+        Dock* dock = truth().docks()[static_cast<std::size_t>(TruthMode::panelNames().indexOf(panel))];
         QVERIFY(!dock->isFloating());
-        QCOMPARE(m_window->dockWidgetArea(const_cast<Dock*>(dock)), Qt::BottomDockWidgetArea);
+        QCOMPARE(m_window->dockWidgetArea(dock), below ? Qt::BottomDockWidgetArea : Qt::RightDockWidgetArea);
         const auto inWindow = [this](const QWidget& widget) {
             return QRect(widget.mapTo(m_window.get(), QPoint(0, 0)), widget.size());
         };
         const ViewportWidget& canvas = m_window->viewport();
         QVERIFY(!inWindow(*dock).intersects(inWindow(canvas)));
         QVERIFY(m_window->rect().contains(inWindow(*dock)));
-        QVERIFY2(canvas.height() >= 200 && dock->height() >= 200,
-                 qPrintable(QStringLiteral("%1, %2").arg(canvas.height()).arg(dock->height())));
+        QVERIFY2(2 * canvas.height() >= size.height() && canvas.width() >= 250,
+                 qPrintable(QStringLiteral("%1 x %2").arg(canvas.width()).arg(canvas.height())));
+        QVERIFY2(dock->height() >= 130 && dock->width() >= 300,
+                 qPrintable(QStringLiteral("%1 x %2").arg(dock->width()).arg(dock->height())));
         m_window->resetLayout();
         QVERIFY(!dock->isVisible());
     }

@@ -217,11 +217,16 @@ private Q_SLOTS:
             QTest::newRow(name) << QString::fromLatin1(name) << text << QString::fromUtf8(english)
                                 << QString::fromUtf8(chinese);
         };
-        row("corners.obj", "v 0 0 0\nf 1 1\n", "%1:2: f: 2 corners; at least 3 expected",
-            "%1:2：f：2 个顶点；至少 3 个");
+        row("corners.obj", "v 0 0 0\nf 1 1\n",
+            "%1:2: f: 2 corners; at least 3 expected\n%1: none of the 1 \"f\" statements can be drawn",
+            "%1:2：f：2 个顶点；至少 3 个\n%1：1 条“f”语句都无法绘制");
         row("100%2.obj", "v 0 %2\nf 1 1 1\n",
-            "%1:1: v: \"%2\" is not a number; a finite number is expected\n%1:1: v: 2 numbers; 3 to 7 expected",
-            "%1:1：v：\"%2\" 不是数；应为有限数\n%1:1：v：2 个数；要求 3 到 7 个");
+            "%1:1: v: \"%2\" is not a number; a finite number is expected\n%1:1: v: 2 numbers; 3 to 7 expected\n"
+            "%1:2: f: only 1 of 3 corners are different; at least 3 expected\n"
+            "%1: none of the 1 \"f\" statements can be drawn",
+            "%1:1：v：\"%2\" 不是数；应为有限数\n%1:1：v：2 个数；要求 3 到 7 个\n"
+            "%1:2：f：3 个角中只有 1 个不同；至少应有 3 个\n"
+            "%1：1 条“f”语句都无法绘制");
         row("remarks.obj", "foo\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
             "%1:1: warning: \"foo\" is not a statement of the OBJ format; ignored",
             "%1:1：警告：\"foo\" 不是 OBJ 格式的语句；已忽略");

@@ -1,0 +1,230 @@
+// What the window draws and keeps: at most two pictures a change, none that waits behind another, and no memory of
+// large pictures. And drags that bring nothing.
+#include "tests/window_fixture.h"
+#include "ui/document/picture_memory.h"
+#include "ui/pipeline/mistake_badge.h"
+#include "ui/truth/truth_mode.h"
+
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFile>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QUrl>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+using namespace rasterlens;
+using namespace rasterlens::test;
+
+class TestFrameFlow : public WindowFixture
+{
+    Q_OBJECT
+
+private:
+    RenderWorker& worker() { return m_window->worker(); }
+
+    /// Counts the events of one type that a widget gets.
+    class EventCounter : public QObject
+    {
+    public:
+        explicit EventCounter(QEvent::Type type) : m_type(type) {}
+        int events = 0;
+
+    protected:
+        bool eventFilter(QObject*, QEvent* event) override
+        {
+            events += event->type() == m_type ? 1 : 0;
+            return false;
+        }
+
+    private:
+        QEvent::Type m_type;
+    };
+
+    /// Drags over the window; Qt hands a drop on to what accepted that.
+    bool dragIn(const QMimeData& data, Qt::DropActions offered)
+    {
+        QDragEnterEvent enter(QPoint(200, 200), offered, &data, Qt::LeftButton, Qt::NoModifier);
+        enter.ignore();
+        QCoreApplication::sendEvent(m_window.get(), &enter);
+        return enter.isAccepted();
+    }
+
+    QUrl droppedCase()
+    {
+        QFile file(m_folder.filePath(QStringLiteral("dropped.case")));
+        if (file.open(QIODevice::WriteOnly))
+            file.write("size 8 8\ntri 0 0 0 1 1 0 0  1 0 0 1 0 1 0  0 1 0 1 0 0 1\n");
+        return QUrl::fromLocalFile(file.fileName());
+    }
+
+private Q_SLOTS:
+    void aChangeIsDrawnTwice_data()
+    {
+        QTest::addColumn<QStringList>("mistakes");
+        QTest::newRow("right") << QStringList();
+        QTest::newRow("with a mistake") << QStringList{QStringLiteral("all-inclusive")};
+    }
+
+    void aChangeIsDrawnTwice()
+    {
+        QFETCH(QStringList, mistakes);
+        QVERIFY(openSmall(QStringLiteral("builtin:tile-square")));
+        QVERIFY(change([&](Settings& s) { s.mistakes = mistakes; }));
+        const auto before = worker().picturesDrawn();
+        key(Qt::Key_P);
+        QVERIFY(complete());
+        QCOMPARE(worker().picturesDrawn() - before, 2U);
+        key(Qt::Key_P);
+        QVERIFY(complete());
+        QCOMPARE(worker().picturesDrawn() - before, 4U);
+        QCOMPARE(m_window->mistakeBadge().isVisible(), !mistakes.isEmpty());
+    }
+
+    void aRefusedPictureIsRefusedOnce()
+    {
+        QVERIFY(openSmall(QStringLiteral("builtin:tile-square")));
+        const auto before = worker().picturesDrawn();
+        Settings refused = settings();
+        refused.cullSpace = CullSpace::View;
+        refused.algorithm = Algorithm::Tiled;
+        refused.numberType = NumberType::Float32;
+        document().setSettings(refused);
+        QVERIFY(unsupported(*document().scene(), refused).has_value());
+        QSignalSpy settled(m_window.get(), &MainWindow::settled);
+        EventCounter changes(QEvent::LanguageChange);
+        m_window->installEventFilter(&changes);
+        m_window->setLanguage(LanguageKind::Chinese);
+        QCoreApplication::processEvents();
+        QVERIFY(changes.events > 0);
+        QCOMPARE(settled.size(), changes.events); // each is answered once
+        QCOMPARE(worker().picturesDrawn(), before);
+        QVERIFY(!m_window->message().contains(QStringLiteral("cannot be drawn")));
+    }
+
+    /// While the window does something else, the worker waits with the next picture.
+    void continuousDrawingWaitsForTheWindow()
+    {
+        QVERIFY(openSmall(QStringLiteral("builtin:tile-square")));
+        worker().setContinuous(true);
+        const auto start = worker().picturesDrawn();
+        QVERIFY(waitFor([&] { return worker().picturesDrawn() > start + 20; }));
+        const auto before = worker().picturesDrawn();
+        QTest::qSleep(300); // without events
+        QVERIFY2(worker().picturesDrawn() <= before + 2,
+                 qPrintable(QString::number(worker().picturesDrawn() - before)));
+        worker().setContinuous(false);
+        QVERIFY(waitFor([&] { return !worker().busy(); }));
+    }
+
+    /// With a selected pixel and both pictures of a comparison: pictures come and go, and each is painted.
+    void continuousDrawingKeepsFewPictures()
+    {
+        QVERIFY(openSmall(QStringLiteral("builtin:tile-square")));
+        viewport().selectPixel(QPoint(10, 10));
+        m_window->truthMode().comparison().setView(CompareView::Wipe);
+        QVERIFY(complete());
+        std::vector<std::weak_ptr<const RenderedFrame>> seen;
+        std::ptrdiff_t mostAlive = 0;
+        EventCounter counter(QEvent::Paint);
+        viewport().installEventFilter(&counter);
+        connect(&worker(), &RenderWorker::frameReady, &counter, [&](const FramePtr& frame) {
+            seen.push_back(frame);
+            mostAlive = std::max(mostAlive, std::ranges::count_if(seen, [](const auto& f) { return !f.expired(); }));
+        });
+        worker().setContinuous(true);
+        QVERIFY(waitFor([&] { return seen.size() >= 60; }));
+        worker().setContinuous(false);
+        QVERIFY2(mostAlive <= 8, qPrintable(QString::number(mostAlive)));
+        QVERIFY2(counter.events >= 50, qPrintable(QString::number(counter.events)));
+    }
+
+    void aPictureThatMemoryCannotHoldIsNotBegun()
+    {
+        QVERIFY(openSmall(QStringLiteral("builtin:tile-square")));
+        const QImage former = picture();
+        const auto before = worker().picturesDrawn();
+        worker().setFreeMemory([] { return std::int64_t(2'000'000'000); });
+        QVERIFY(change([](Settings& s) { s.size = {16384, 16384}; }));
+        QCOMPARE(worker().picturesDrawn(), before);
+        QCOMPARE(picture(), former);
+        QVERIFY2(m_window->message().contains(QStringLiteral("it takes 3.2 GB, and 2.0 GB are free")),
+                 qPrintable(m_window->message()));
+        document().undo();
+        QVERIFY(complete());
+        QCOMPARE(picture(), former);
+    }
+
+    void aLargePictureIsAnnounced()
+    {
+        RenderWorker alone;
+        QSignalSpy needed(&alone, &RenderWorker::memoryNeeded);
+        const auto scene = std::make_shared<const Scene>();
+        Settings settings;
+        settings.size = {16384, 8192};
+        alone.setFreeMemory([] { return std::int64_t(1) << 40; });
+        alone.request(scene, settings);
+        settings.size = {64, 64}; // it is not drawn here
+        alone.request(scene, settings);
+        QCOMPARE(needed.size(), 1);
+        QVERIFY2(needed[0][0].toString().contains(QStringLiteral("16,384 x 8,192 take up to 1.6 GB")),
+                 qPrintable(needed[0][0].toString()));
+        QVERIFY(waitFor([&] { return !alone.busy(); }));
+    }
+
+    void emptyDragsDoNothing()
+    {
+        QVERIFY(open(QStringLiteral("builtin:cube")));
+        const auto former = document().scene();
+        QMimeData empty;
+        empty.setUrls({});
+        QVERIFY(!dragIn(empty, Qt::CopyAction));
+
+        // The other program has gone by the time of the drop, and its data with it.
+        QMimeData full;
+        full.setUrls({droppedCase()});
+        QVERIFY(dragIn(full, Qt::CopyAction));
+        QDropEvent drop(QPointF(200, 200), Qt::CopyAction, &empty, Qt::LeftButton, Qt::NoModifier);
+        drop.ignore();
+        QCoreApplication::sendEvent(m_window.get(), &drop);
+        QVERIFY(!drop.isAccepted());
+        QVERIFY(m_window->message().contains(QStringLiteral("did not arrive")));
+        QVERIFY(!document().isLoading());
+        QCOMPARE(document().scene(), former);
+    }
+
+    /// Who drags to move would delete the file after a drop that was accepted as a move.
+    void drops_data()
+    {
+        QTest::addColumn<int>("offered");
+        QTest::addColumn<int>("answer"); ///< 0: refused
+        QTest::newRow("copy") << int(Qt::CopyAction) << int(Qt::CopyAction);
+        QTest::newRow("move or copy") << int(Qt::MoveAction | Qt::CopyAction) << int(Qt::CopyAction);
+        QTest::newRow("link") << int(Qt::LinkAction | Qt::MoveAction) << int(Qt::LinkAction);
+        QTest::newRow("move") << int(Qt::MoveAction) << 0;
+    }
+
+    void drops()
+    {
+        QFETCH(int, offered);
+        QFETCH(int, answer);
+        QVERIFY(open(QStringLiteral("builtin:cube")));
+        QMimeData data;
+        data.setUrls({droppedCase()});
+        QCOMPARE(dragIn(data, Qt::DropActions(offered)), answer != 0);
+        QDropEvent drop(QPointF(200, 200), Qt::DropActions(offered), &data, Qt::LeftButton, Qt::NoModifier);
+        drop.ignore();
+        QCoreApplication::sendEvent(m_window.get(), &drop);
+        QCOMPARE(drop.isAccepted(), answer != 0);
+        if (answer != 0)
+            QCOMPARE(int(drop.dropAction()), answer);
+        QVERIFY(complete());
+        QCOMPARE(document().scene()->id == data.urls().first().toLocalFile(), answer != 0);
+    }
+};
+
+QTEST_MAIN(TestFrameFlow)
+#include "test_frame_flow.moc"
