@@ -1,3 +1,4 @@
+#include "core/scenes/load_scene.h"
 // Milliseconds a frame of the tiled algorithm, in this process: clear + frame into the QImage. Beside the clock on the
 // wall, the processor time of the whole process, which a busy machine disturbs less.
 #include "core/render/render.h"

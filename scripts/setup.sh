@@ -46,11 +46,16 @@ install_packages()
     as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
-# build PRESET [TARGET...]: these targets, or all
+# build PRESET [TARGET...]: these targets, or all. Warnings stop the build in continuous integration only, and there
+# with the compiler that they are mended for.
 build()
 {
     local preset=$1
     shift
-    cmake --preset "$preset"
+    local options=()
+    if [[ ${CI:-} != true ]]; then
+        options=(-DRASTERLENS_WERROR=OFF)
+    fi
+    cmake --preset "$preset" "${options[@]}"
     cmake --build --preset "$preset" --parallel "$(nproc 2>/dev/null || echo 2)" ${1:+--target "$@"}
 }
