@@ -25,8 +25,8 @@ struct Outputs {
 struct Frame {
     QImage image;                  ///< Format_RGB32; null if not asked for
     DepthBuffer depth;             ///< depth buffer, 0..1; with several samples that of the sample nearest the centre
-    std::vector<std::int32_t> ids; ///< face that was written last, -1 none; likewise
-    std::vector<std::uint16_t> coverage; ///< how many faces covered it, before the depth test; likewise
+    std::vector<std::int32_t> ids; ///< face written last, -1 none; sample as for depth
+    std::vector<std::uint16_t> coverage; ///< faces that covered that sample, before the depth test
     StageTimes times;
     std::shared_ptr<TiledContext> tiled; ///< threads and memory of the tiled algorithm, for the next picture
 };

@@ -27,7 +27,7 @@ struct CountedPicture {
 [[nodiscard]] CountedPicture drawCounted(const Scene& scene, const Settings& settings,
                                          Outputs outputs = {.depth = true, .ids = true}, std::stop_token stop = {});
 
-/// The name of a counter as in the statistics document, or of a measure likewise: `covered_twice`, `holes`.
+/// The name of a counter as in the statistics document, or of a measure: `covered_twice`, `holes`.
 [[nodiscard]] const char* proofId(Proof proof);
 
 /// The value of a counter or a measure for a picture.
