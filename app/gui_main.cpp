@@ -67,7 +67,7 @@ ParsedArguments refuse(const QString& why)
     return {std::nullopt, kBadArguments};
 }
 
-/// Of `zh`, `zh_CN`, `zh-Hans`, `en_GB.UTF-8` and the like.
+/// The language that a locale names: `zh`, `zh_CN`, `zh-Hans`, `en_GB.UTF-8` and the like.
 std::optional<rasterlens::LanguageKind> languageOf(const QString& locale)
 {
     const QString language =

@@ -29,7 +29,7 @@ enum class Keeps {
 /// The usual case knows its depth test when it is compiled; every other one reads it from here.
 template <Keeps kKeep>
 struct UsualDepth {
-    static constexpr bool kUsual = true; ///< float32, smaller wins, nobody counts
+    static constexpr bool kUsual = true; ///< float32 depths, the nearer one wins, samples are not counted
     static constexpr Keeps kKeeps = kKeep;
     UsualDepth(const FrameJob& j, TileOrigin o) : job(j), origin(o) {}
     const FrameJob& job;

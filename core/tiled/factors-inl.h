@@ -22,7 +22,7 @@ HWY_INLINE Uints Modulate(const RgbLanes& texels, const RgbLanes& factors)
     return PackHeld(product.red, product.green, product.blue);
 }
 
-/// The same of texels as they are stored, rounded to nearest; samples that nobody wants get anything.
+/// Stored texels times factors, rounded to nearest. The result is defined for the wanted samples only.
 HWY_INLINE Uints Modulate(Uints texels, const RgbLanes& factors, hn::Mask<FloatTag> wanted)
 {
     constexpr UintTag tag;

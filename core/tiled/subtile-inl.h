@@ -95,7 +95,7 @@ inline void ColorSubtile(const FrameJob& job, const ColorPlanes& planes, int x, 
         std::copy_n(pixels.begin() + 4 * row, 4, job.color + pixelIndex(job, x / 4, y / 4 + row));
 }
 
-/// Colours blocks of a subtile, a bit each, that a triangle has or nobody.
+/// Colours blocks of a subtile, a bit each: all of them belong to the triangle `owner` or, for kNobody, to none.
 ///
 /// in   the first of the blocks of the subtile
 inline void ColorOwned(const FrameJob& job, Worker& worker, TileOrigin origin, std::size_t first, std::uint32_t owner,

@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
 {
 
-/// Colours of a vector of samples; whoever makes them says in what range.
+/// Colours of a vector of samples. Each function that makes them says in which range they are.
 struct RgbLanes {
     Floats red, green, blue;
 };

@@ -134,7 +134,8 @@ HWY_INLINE Floats PlaneAt(const Planes& planes, std::size_t i, Floats x, Floats 
                    hn::Add(hn::Mul(NumberOf(planes.perX[i]), x), hn::Mul(NumberOf(planes.perY[i]), y)));
 }
 
-/// The same where nobody minds how it is rounded.
+/// A plane at samples relative to the anchor, for results whose last bits do not matter: the multiplication and the
+/// addition are fused where the instruction set can, and then round once instead of twice.
 template <class Planes>
 HWY_INLINE Floats FusedPlaneAt(const Planes& planes, std::size_t i, Floats x, Floats y)
 {
@@ -280,8 +281,8 @@ struct TexturedShare {
     [[nodiscard]] std::size_t square() const { return lanesAndSquare & 0xffff; }
 };
 
-/// A subtile while it is shaded, in loops that do not depend on each other's outcome: who won what; where in the
-/// texture that is; and the texels of a block together, whoever they belong to.
+/// A subtile while it is shaded, in three loops that do not wait for each other: find which triangle won which samples;
+/// find where in the texture these samples lie; fetch the texels of a block together, whichever triangles they are of.
 template <TextureFilter kFilter>
 class TexturedSubtile
 {

@@ -58,7 +58,8 @@ inline void WriteColor(const FrameJob& job, const Worker& worker, TileOrigin ori
     }
 }
 
-/// Whether a tile is nothing but background, and was in the last frame; of numbers and counts nobody keeps track.
+/// Whether a tile holds nothing but background now as in the last frame, so that it need not be cleared. Face ids and
+/// coverage are not tracked: a frame that has them clears every tile.
 inline bool StaysBlank(const FrameJob& job, std::size_t tile)
 {
     return job.ids == nullptr && job.coverage == nullptr && job.blank[tile] != 0;

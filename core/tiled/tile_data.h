@@ -108,8 +108,8 @@ enum class ColorWay : std::int32_t {
 /// the channels.
 ///
 /// units  Affine: 2^-24 of a step of 255, modulo 2^32, with what rounding takes added to the origin. So sums are exact
-///        in any order, and may leave the range where nobody looks. Perspective: steps, as the bits of float32.
-///        Shading texture: factors, 0 to 65535, and always 1/w, as the bits of float32.
+///        in any order; outside the triangle they may wrap round, and are not used. Perspective: steps, as the bits of
+///        float32. Shading texture: factors, 0 to 65535, and always 1/w, as the bits of float32.
 struct alignas(64) ColorPlanes {
     std::array<std::int32_t, 4> origin; ///< at the anchor
     std::array<std::int32_t, 4> perX;
@@ -139,14 +139,14 @@ constexpr int kMostTexels = 1 << 16; ///< along an axis, for TexelPlanes::first
 constexpr std::uint32_t kNobody = 0xffffffffU;
 constexpr std::uint32_t kEmpty = 0xfffffffeU;
 
-/// A tile's part of the faces of a chunk, in their order, is a list of these.
+/// One link in the list of triangles that a chunk has for a tile, in the order of the faces.
 struct BinBlock {
     static constexpr std::uint32_t kCapacity = 32;
     std::array<TileTriangle, kCapacity> triangles;
     std::array<ColorPlanes, kCapacity> colors; ///< of shadings that interpolate a colour
 };
 
-/// The same triangles' planes of shading texture.
+/// Texture planes of the triangles of a BinBlock, in the same order. Only shading texture has them.
 using TexelBlock = std::array<TexelPlanes, BinBlock::kCapacity>;
 
 /// Blocks of bins, by number. Their memory is kept from frame to frame.

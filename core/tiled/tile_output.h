@@ -33,7 +33,7 @@ void writeBlocks(const FrameJob& job, TileOrigin origin, int firstBlock, const s
 /// Brings the pixels of a tile near while there is something else to do.
 void prefetchTile(const FrameJob& job, TileOrigin origin);
 
-/// The same for tiles side by side that no triangle touches.
+/// Clears the pixels of `count` tiles side by side that no triangle touches.
 void clearTiles(const FrameJob& job, TileOrigin origin, int count);
 
 } // namespace rasterlens::tiled
