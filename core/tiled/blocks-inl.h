@@ -1,4 +1,4 @@
-// Blocks of samples: which of them a triangle covers, and the depth test. Included once for each target.
+// Blocks of samples: which of them a triangle covers, and the depth test. Included once for each target: see README.md.
 #if defined(RASTERLENS_TILED_BLOCKS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_BLOCKS_INL_H
 #undef RASTERLENS_TILED_BLOCKS_INL_H
@@ -29,7 +29,7 @@ enum class Keeps {
 /// The usual case knows its depth test when it is compiled; every other one reads it from here.
 template <Keeps kKeep>
 struct UsualDepth {
-    static constexpr bool kUsual = true; ///< float32 depths, the nearer one wins, samples are not counted
+    static constexpr bool kUsual = true; ///< float32 depths, the smaller one wins, samples are not counted
     static constexpr Keeps kKeeps = kKeep;
     UsualDepth(const FrameJob& j, TileOrigin o) : job(j), origin(o) {}
     const FrameJob& job;

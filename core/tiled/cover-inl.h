@@ -1,4 +1,5 @@
-// First phase of a tile: coverage, depth and the number of the nearest triangle. Included once for each target.
+// First phase of a tile: coverage, depth and the number of the nearest triangle. Included once for each target: see
+// README.md.
 #if defined(RASTERLENS_TILED_COVER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_COVER_INL_H
 #undef RASTERLENS_TILED_COVER_INL_H

@@ -1,4 +1,4 @@
-// Faces: reject, cull, set up many at once and sort them into the tiles. Included once for each target.
+// Faces: reject, cull, set up many at once and sort them into the tiles. Included once for each target: see README.md.
 #if defined(RASTERLENS_TILED_FACES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_FACES_INL_H
 #undef RASTERLENS_TILED_FACES_INL_H

@@ -1,4 +1,5 @@
-// What texels are multiplied with: interpolated colours as 16-bit fractions. Included once for each target.
+// What texels are multiplied with: interpolated colours as 16-bit fractions. Included once for each target: see
+// README.md.
 #if defined(RASTERLENS_TILED_FACTORS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_FACTORS_INL_H
 #undef RASTERLENS_TILED_FACTORS_INL_H

@@ -76,7 +76,7 @@ struct FrameJob {
     {
         return counting || outputs.coverage || rules.shading == Shading::Overdraw;
     }
-    /// True for the usual depth test (float32, the nearer sample wins) if covered samples are not counted. Only then
+    /// True for the usual depth test (float32, the smaller depth wins) if covered samples are not counted. Only then
     /// may hidden samples be skipped.
     [[nodiscard]] bool usualDepth() const
     {

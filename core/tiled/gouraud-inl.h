@@ -1,5 +1,5 @@
 // Interpolated colours: each block of a tile is shaded as it is met, triangle by triangle, in registers. Included once
-// for each target.
+// for each target: see README.md.
 #if defined(RASTERLENS_TILED_GOURAUD_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_GOURAUD_INL_H
 #undef RASTERLENS_TILED_GOURAUD_INL_H

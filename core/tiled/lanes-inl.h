@@ -1,4 +1,5 @@
-// Vectors of this instruction set, and what Highway's one-lane target lacks. Included once for each target.
+// Vectors of this instruction set, and what Highway's one-lane target lacks. Included once for each target: see
+// README.md.
 #if defined(RASTERLENS_TILED_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_LANES_INL_H
 #undef RASTERLENS_TILED_LANES_INL_H

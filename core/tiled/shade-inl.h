@@ -1,5 +1,5 @@
 // Second phase of a tile: every visible sample is shaded once, block by block and triangle by triangle. Included once
-// for each target.
+// for each target: see README.md.
 #if defined(RASTERLENS_TILED_SHADE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_SHADE_INL_H
 #undef RASTERLENS_TILED_SHADE_INL_H

@@ -1,4 +1,4 @@
-// Texture look-up, a vector of samples at a time: sampleTexture(). Included once for each target.
+// Texture look-up, a vector of samples at a time: sampleTexture(). Included once for each target: see README.md.
 #if defined(RASTERLENS_TILED_TEXTURE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_TEXTURE_INL_H
 #undef RASTERLENS_TILED_TEXTURE_INL_H

@@ -1,4 +1,4 @@
-// Textures multiplied with interpolated colours. Included once for each target.
+// Textures multiplied with interpolated colours. Included once for each target: see README.md.
 #if defined(RASTERLENS_TILED_TEXTURED_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_TEXTURED_INL_H
 #undef RASTERLENS_TILED_TEXTURED_INL_H

@@ -1,4 +1,4 @@
-// One tile from its bins to the picture. Included once for each target.
+// One tile from its bins to the picture. Included once for each target: see README.md.
 #if defined(RASTERLENS_TILED_TILE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_TILE_INL_H
 #undef RASTERLENS_TILED_TILE_INL_H

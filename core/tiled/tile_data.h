@@ -136,8 +136,8 @@ struct alignas(32) TexelPlanes {
 static_assert(sizeof(TexelPlanes) == 32);
 constexpr int kMostTexels = 1 << 16; ///< along an axis, for TexelPlanes::first
 
-constexpr std::uint32_t kNobody = 0xffffffffU;
-constexpr std::uint32_t kEmpty = 0xfffffffeU;
+constexpr std::uint32_t kNobody = 0xffffffffU; ///< in place of a number: no triangle
+constexpr std::uint32_t kEmpty = 0xfffffffeU;  ///< in place of an owner: no triangle has touched the block yet
 
 /// One link in the list of triangles that a chunk has for a tile, in the order of the faces.
 struct BinBlock {
@@ -282,8 +282,8 @@ struct alignas(64) TileSamples {
     std::array<std::uint16_t, kTileSamples> coverage; ///< only if asked for
     std::array<std::int32_t, kTileBlocks> farthest;   ///< a key no sample of the block is farther than
     std::array<std::int32_t, kTileBlocks> nearest;    ///< a key no sample of the block is nearer than
-    /// Number of the triangle that has the whole block, or kEmpty: its keys and ids are then not written yet. Or
-    /// kNobody.
+    /// Number of the triangle that has the whole block, or kEmpty for a block without triangles: in both cases its
+    /// keys and ids are not written yet. kNobody: they are written, and the block may belong to several triangles.
     std::array<std::uint32_t, kTileBlocks> owner;
     std::int32_t clearKey; ///< last: the arrays stay aligned
 };

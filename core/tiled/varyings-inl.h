@@ -1,4 +1,4 @@
-// Varyings of triangles as planes over the target. Included once for each target.
+// Varyings of triangles as planes over the target. Included once for each target: see README.md.
 #if defined(RASTERLENS_TILED_VARYINGS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_VARYINGS_INL_H
 #undef RASTERLENS_TILED_VARYINGS_INL_H
