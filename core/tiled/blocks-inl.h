@@ -21,8 +21,8 @@ constexpr std::int32_t kKeyOfOne = 0x3f800000; ///< the bits of 1.0F
 
 /// What a sample keeps of the triangle that won it, beside its depth.
 enum class Keeps {
-    Number, ///< who it is
-    Color,  ///< the interpolated colour: that is less work than to remember who and to come back for it
+    Number, ///< the number of the triangle
+    Color,  ///< its interpolated colour: computing it at once is less work than coming back with the number
     Nothing ///< where only depth is asked for
 };
 
@@ -151,7 +151,7 @@ HWY_INLINE Ints StoredKey(const WideDoubles& depth, const AnyDepth& policy)
     return hn::Xor(key, hn::Set(tag, policy.flip));
 }
 
-/// What is beyond 1 needs no holding: it loses against everything.
+/// The key of a depth in the usual depth test. Depths beyond 1 need not be clamped: they lose against every stored one.
 template <class Policy>
 HWY_INLINE Ints StoredKey(const WideDoubles& depth, const Policy&)
 {

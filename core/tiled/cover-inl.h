@@ -390,7 +390,7 @@ inline void CoverExactly(const FrameJob& job, const ScreenTriangle& piece, const
     }
 }
 
-/// Brings a triangle of a bin near; a number beyond the last one does no harm.
+/// Prefetches the record of a triangle of a bin into the cache. A number beyond the last one does no harm.
 template <class Policy>
 HWY_INLINE void FetchRecord(const TileBlock& block, std::size_t triangle)
 {

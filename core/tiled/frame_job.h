@@ -120,7 +120,7 @@ struct TileBlock {
     std::uint32_t count;
 };
 
-/// Texture coordinates of the triangles of a tile that some sample asked to have them precisely.
+/// Texture coordinates in double, for those triangles of a tile of which a sample needed them.
 struct PreciseTexels {
     static constexpr std::size_t kCapacity = 32;
     std::array<std::uint32_t, kCapacity> number; ///< of the triangle at this place, or kNobody

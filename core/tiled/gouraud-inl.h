@@ -123,7 +123,7 @@ HWY_INLINE ChannelPairs PairsInBlock(const ColorSlopes& slopes, std::size_t v)
     return {hn::Add(hn::And(red[v], high), hn::ShiftRight<16>(blue[v])), hn::ShiftRight<16>(green[v])};
 }
 
-/// Half a step of alpha to spare: green may take something away.
+/// Opaque alpha plus half a step, because a negative green borrows from it.
 constexpr std::uint32_t kOpaque = 0xff800000U;
 
 /// A channel of ColorWay::Affine at (x, y) relative to the anchor.

@@ -345,7 +345,8 @@ private:
         return finder.find<kFilter>(x, y, v, wanted);
     }
 
-    /// Brings pixels of the next subtile near, one row a block: many at once would wait for each other.
+    /// Prefetches pixels of the next subtile into the cache, one row for each block: many at once would wait for each
+    /// other.
     HWY_INLINE void fetchPixels(std::size_t square) const
     {
         if (m_job.rules.sampleGrid != 1)
@@ -362,7 +363,8 @@ private:
             hn::Store(hn::Set(UintTag(), m_job.clearColor), UintTag(), m_out + square * kLanes + lane);
     }
 
-    /// Finds who won what of four blocks side by side: they take turns, as each step waits for the one before.
+    /// Finds which triangles won which samples of four blocks side by side. The blocks take turns, because each step
+    /// for a block waits for the step before.
     HWY_INLINE void collectRow(std::size_t firstSquare, std::uint32_t mixed)
     {
         const std::uint32_t* ids = m_worker.samples.ids.data() + (m_first.block + firstSquare) * kLanes;

@@ -29,7 +29,7 @@ inline void CollectBlocks(const FrameJob& job, std::size_t tile, Worker& worker)
     }
 }
 
-/// Brings the first triangles of a tile near while another one is drawn.
+/// Prefetches the first triangles of a tile into the cache while another tile is drawn.
 inline void FetchBins(const FrameJob& job, std::size_t tile)
 {
     constexpr std::size_t kAhead = 8; // triangles
