@@ -2,6 +2,8 @@
 # the one before it: "the same", "likewise" or "is told" leave the reader to guess what is meant, and "nobody" stands in
 # place of the function that does not read a value. The patterns below are the words that such comments were found by.
 #
+# It also fails when a document names a file of the tree that does not exist.
+#
 # cmake -D ROOT=<tree> -P check_prose.cmake
 #
 # It reads the // comments of core, ui, app, tests and bench, and every .md file of the project and of these folders.
@@ -47,6 +49,20 @@ function(check_lines file text prose)
     set(violations "${violations}" PARENT_SCOPE)
 endfunction()
 
+# Looks at the paths of a document, `like/this.cpp`; a header and its source may be named without the suffix.
+function(check_paths file text)
+    string(REGEX MATCHALL "`(core|ui|app|tests|bench|docs|scripts|resources)/[A-Za-z0-9_./*-]+`" paths "${text}")
+    foreach(path IN LISTS paths)
+        string(REPLACE "`" "" path "${path}")
+        string(REGEX REPLACE "/$" "" path "${path}")
+        file(GLOB found ${ROOT}/${path} ${ROOT}/${path}.*)
+        if(NOT found)
+            string(APPEND violations "${file}: there is no ${path}\n")
+        endif()
+    endforeach()
+    set(violations "${violations}" PARENT_SCOPE)
+endfunction()
+
 file(GLOB documents RELATIVE ${ROOT} ${ROOT}/*.md ${ROOT}/docs/*.md)
 foreach(folder IN LISTS folders)
     file(GLOB_RECURSE sources RELATIVE ${ROOT} ${ROOT}/${folder}/*.h ${ROOT}/${folder}/*.cpp)
@@ -57,12 +73,14 @@ foreach(folder IN LISTS folders)
     file(GLOB_RECURSE more RELATIVE ${ROOT} ${ROOT}/${folder}/*.md)
     list(APPEND documents ${more})
 endforeach()
-# docs/MISTAKES.md repeats the texts of core/settings/mistakes.cpp, in which people say why they make a mistake.
+# docs/MISTAKES.md is left out: it repeats the texts of core/settings/mistakes.cpp, in which people say why they make a
+# mistake.
 list(REMOVE_ITEM documents docs/MISTAKES.md)
 foreach(document IN LISTS documents)
     file(READ ${ROOT}/${document} text)
+    check_paths(${document} "${text}")
     check_lines(${document} "${text}" "^[-#>| \t]*(.*)$")
 endforeach()
 if(violations)
-    message(FATAL_ERROR "Sentences without a subject:\n${violations}")
+    message(FATAL_ERROR "Sentences without a subject, or files that do not exist:\n${violations}")
 endif()
