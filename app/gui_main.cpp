@@ -67,7 +67,7 @@ ParsedArguments refuse(const QString& why)
     return {std::nullopt, kBadArguments};
 }
 
-/// Of `zh`, `zh_CN`, `zh-Hans`, `en_GB.UTF-8` and the like.
+/// The language that a locale names: `zh`, `zh_CN`, `zh-Hans`, `en_GB.UTF-8` and the like.
 std::optional<rasterlens::LanguageKind> languageOf(const QString& locale)
 {
     const QString language =
@@ -79,123 +79,160 @@ std::optional<rasterlens::LanguageKind> languageOf(const QString& locale)
     return std::nullopt;
 }
 
-ParsedArguments parseArguments(const QStringList& words)
-{
-    QCommandLineParser parser;
-    parser.setApplicationDescription(QStringLiteral("Shows how a triangle becomes pixels."));
-    const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Shows this list."));
-    const QCommandLineOption version({QStringLiteral("v"), QStringLiteral("version")},
-                                     QStringLiteral("Shows the version."));
-    const QCommandLineOption screenshot(
+/// The options of the program; each has one word or none behind it.
+struct Options {
+    QCommandLineOption help{{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Shows this list.")};
+    QCommandLineOption version{{QStringLiteral("v"), QStringLiteral("version")}, QStringLiteral("Shows the version.")};
+    QCommandLineOption screenshot{
         QStringLiteral("screenshot"),
         QStringLiteral("Writes the window as a picture to <file> and exits; needs no display. The suffix tells the "
                        "format: %1; - is stdout.")
             .arg(rasterlens::pictureSuffixes().join(QStringLiteral(", "))),
-        QStringLiteral("file"));
-    const QCommandLineOption windowSize(QStringLiteral("size-window"), QStringLiteral("Size of the window in pixels."),
-                                        QStringLiteral("WxH"));
-    const QCommandLineOption language(QStringLiteral("language"),
-                                      QStringLiteral("Language of the window: en or zh, also zh_CN and the like."),
-                                      QStringLiteral("en|zh"));
-    const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("Colours of the window: light or dark."),
-                                   QStringLiteral("light|dark"));
-    const QCommandLineOption panel(QStringLiteral("panel"),
-                                   QStringLiteral("Opens a panel: %1.").arg(panelNames().join(", ")),
-                                   QStringLiteral("name"));
-    const QCommandLineOption pixel(QStringLiteral("pixel"), QStringLiteral("Selects a pixel of the picture."),
-                                   QStringLiteral("x,y"));
-    const QCommandLineOption step(
+        QStringLiteral("file")};
+    QCommandLineOption windowSize{QStringLiteral("size-window"), QStringLiteral("Size of the window in pixels."),
+                                  QStringLiteral("WxH")};
+    QCommandLineOption language{QStringLiteral("language"),
+                                QStringLiteral("Language of the window: en or zh, also zh_CN and the like."),
+                                QStringLiteral("en|zh")};
+    QCommandLineOption theme{QStringLiteral("theme"), QStringLiteral("Colours of the window: light or dark."),
+                             QStringLiteral("light|dark")};
+    QCommandLineOption panel{QStringLiteral("panel"), QStringLiteral("Opens a panel: %1.").arg(panelNames().join(", ")),
+                             QStringLiteral("name")};
+    QCommandLineOption pixel{QStringLiteral("pixel"), QStringLiteral("Selects a pixel of the picture."),
+                             QStringLiteral("x,y")};
+    QCommandLineOption step{
         QStringLiteral("step"),
         QStringLiteral("Opens the step mode at a position, or at the first tie, sign-change, depth-fail, clip or nan."),
-        QStringLiteral("where"));
-    const QCommandLineOption referee(QStringLiteral("referee"),
-                                     QStringLiteral("Checks the picture against the exact reference."));
-    const QCommandLineOption reference(
+        QStringLiteral("where")};
+    QCommandLineOption referee{QStringLiteral("referee"),
+                               QStringLiteral("Checks the picture against the exact reference.")};
+    QCommandLineOption reference{
         QStringLiteral("reference"),
         QStringLiteral("The same, from clip space (exact) or from object space (exact-object): that judges the vertex "
                        "stage as well."),
-        QStringLiteral("exact|exact-object"));
-    const QCommandLineOption measure(
+        QStringLiteral("exact|exact-object")};
+    QCommandLineOption measure{
         QStringLiteral("measure"),
         QStringLiteral("Measures speed against error, <frames> frames a variant (with --panel experiment)."),
-        QStringLiteral("frames"));
-    const QCommandLineOption compare(
+        QStringLiteral("frames")};
+    QCommandLineOption compare{
         QStringLiteral("compare"),
         QStringLiteral("Compares with the picture without mistakes or as the scene asks: wipe, blink or difference."),
-        QStringLiteral("view"));
-    parser.addOptions({help, version, screenshot, windowSize, language, theme, panel, pixel, step, referee, reference,
-                       compare, measure});
+        QStringLiteral("view")};
+
+    [[nodiscard]] QList<QCommandLineOption> all() const
+    {
+        return {help,  version, screenshot, windowSize, language, theme,  panel,
+                pixel, step,    referee,    reference,  compare,  measure};
+    }
+};
+
+/// Reads the options about the window and its look.
+///
+/// out  why one of them is refused
+std::optional<QString> readLook(const QCommandLineParser& parser, const Options& options, Arguments& arguments)
+{
+    if (parser.isSet(options.windowSize)) {
+        arguments.windowSize = rasterlens::typedSize(parser.value(options.windowSize), rasterlens::kMaxViewport);
+        if (!arguments.windowSize)
+            return QStringLiteral("--size-window takes WIDTHxHEIGHT");
+    }
+    if (parser.isSet(options.language)) {
+        arguments.language = languageOf(parser.value(options.language));
+        if (!arguments.language)
+            return QStringLiteral("--language takes en or zh, also with a country: zh_CN");
+    }
+    if (parser.isSet(options.theme)) {
+        const QString value = parser.value(options.theme);
+        if (value != QLatin1String("light") && value != QLatin1String("dark"))
+            return QStringLiteral("--theme takes light or dark");
+        arguments.theme = value == QLatin1String("dark") ? rasterlens::ThemeKind::Dark : rasterlens::ThemeKind::Light;
+    }
+    if (parser.isSet(options.panel)) {
+        arguments.panel = parser.value(options.panel);
+        if (!panelNames().contains(arguments.panel))
+            return QStringLiteral("--panel takes %1").arg(panelNames().join(", "));
+    }
+    return std::nullopt;
+}
+
+/// Reads the options about how right the picture is.
+///
+/// out  why one of them is refused
+std::optional<QString> readTruth(const QCommandLineParser& parser, const Options& options, Arguments& arguments)
+{
+    arguments.referee = parser.isSet(options.referee) || parser.isSet(options.reference);
+    if (parser.isSet(options.reference)) {
+        const QString value = parser.value(options.reference);
+        if (value == QLatin1String("exact-object"))
+            arguments.reference = rasterlens::ReferenceSpace::Object;
+        else if (value != QLatin1String("exact"))
+            return QStringLiteral("--reference takes exact or exact-object");
+    }
+    arguments.measuredFrames = parser.value(options.measure).toInt();
+    if (parser.isSet(options.measure) && arguments.measuredFrames < 1)
+        return QStringLiteral("--measure takes a number of frames");
+    if (parser.isSet(options.compare)) {
+        const QStringList views{QStringLiteral("wipe"), QStringLiteral("blink"), QStringLiteral("difference")};
+        const qsizetype view = views.indexOf(parser.value(options.compare));
+        if (view < 0)
+            return QStringLiteral("--compare takes %1").arg(views.join(QStringLiteral(", ")));
+        arguments.compare = static_cast<rasterlens::CompareView>(view + 1);
+    }
+    return std::nullopt;
+}
+
+/// Reads all words but --help and --version.
+///
+/// out  why one of them is refused
+std::optional<QString> readAll(const QCommandLineParser& parser, const Options& options, Arguments& arguments)
+{
+    if (parser.positionalArguments().size() > 1)
+        return QStringLiteral("more than one scene given");
+    arguments.scene = parser.positionalArguments().value(0);
+    arguments.screenshot = parser.value(options.screenshot);
+    if (parser.isSet(options.screenshot) && arguments.screenshot.isEmpty())
+        return QStringLiteral("--screenshot needs a file");
+    if (const auto why = rasterlens::whyNotFormat(arguments.screenshot, rasterlens::pictureSuffixes()))
+        return QStringLiteral("--screenshot %1: %2").arg(arguments.screenshot, rasterlens::textOf(*why));
+    arguments.step = parser.value(options.step);
+    if (parser.isSet(options.step) && !rasterlens::StepMode::isPlace(arguments.step))
+        return QStringLiteral("--step takes a position, tie, sign-change, depth-fail, clip or nan");
+    if (const auto why = readLook(parser, options, arguments))
+        return why;
+    if (const auto why = readTruth(parser, options, arguments))
+        return why;
+    if (parser.isSet(options.pixel)) {
+        arguments.pixel = rasterlens::typedPoint(parser.value(options.pixel));
+        if (!arguments.pixel || arguments.pixel->x() < 0 || arguments.pixel->y() < 0)
+            return QStringLiteral("--pixel: \"%1\" is not a pixel; expected: x,y").arg(parser.value(options.pixel));
+    }
+    return std::nullopt;
+}
+
+ParsedArguments parseArguments(const QStringList& words)
+{
+    const Options options;
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral("Shows how a triangle becomes pixels."));
+    parser.addOptions(options.all());
     parser.addPositionalArgument(QStringLiteral("scene"),
                                  QStringLiteral("An .obj, a .case, a session .json, builtin:NAME or stress:NAME."),
                                  QStringLiteral("[scene]"));
     if (!parser.parse(words))
         return refuse(parser.errorText());
-    if (parser.isSet(help)) {
+    if (parser.isSet(options.help)) {
         QString text = parser.helpText(); // there is no QApplication yet that knows the program's name
         std::fputs(qPrintable(text.replace(QLatin1String("<executable_name>"), QLatin1String("rasterlens"))), stdout);
         return {};
     }
-    if (parser.isSet(version)) {
+    if (parser.isSet(options.version)) {
         std::printf("rasterlens %s\n", RASTERLENS_VERSION);
         return {};
     }
-
     Arguments arguments;
-    if (parser.positionalArguments().size() > 1)
-        return refuse(QStringLiteral("more than one scene given"));
-    arguments.scene = parser.positionalArguments().value(0);
-    arguments.screenshot = parser.value(screenshot);
-    if (parser.isSet(screenshot) && arguments.screenshot.isEmpty())
-        return refuse(QStringLiteral("--screenshot needs a file"));
-    if (const auto why = rasterlens::whyNotFormat(arguments.screenshot, rasterlens::pictureSuffixes()))
-        return refuse(QStringLiteral("--screenshot %1: %2").arg(arguments.screenshot, rasterlens::textOf(*why)));
-    arguments.step = parser.value(step);
-    if (parser.isSet(step) && !rasterlens::StepMode::isPlace(arguments.step))
-        return refuse(QStringLiteral("--step takes a position, tie, sign-change, depth-fail, clip or nan"));
-    if (parser.isSet(windowSize)) {
-        arguments.windowSize = rasterlens::typedSize(parser.value(windowSize), rasterlens::kMaxViewport);
-        if (!arguments.windowSize)
-            return refuse(QStringLiteral("--size-window takes WIDTHxHEIGHT"));
-    }
-    if (parser.isSet(language)) {
-        arguments.language = languageOf(parser.value(language));
-        if (!arguments.language)
-            return refuse(QStringLiteral("--language takes en or zh, also with a country: zh_CN"));
-    }
-    if (parser.isSet(theme)) {
-        const QString value = parser.value(theme);
-        if (value != QLatin1String("light") && value != QLatin1String("dark"))
-            return refuse(QStringLiteral("--theme takes light or dark"));
-        arguments.theme = value == QLatin1String("dark") ? rasterlens::ThemeKind::Dark : rasterlens::ThemeKind::Light;
-    }
-    if (parser.isSet(panel)) {
-        arguments.panel = parser.value(panel);
-        if (!panelNames().contains(arguments.panel))
-            return refuse(QStringLiteral("--panel takes %1").arg(panelNames().join(", ")));
-    }
-    arguments.referee = parser.isSet(referee) || parser.isSet(reference);
-    if (parser.isSet(reference)) {
-        const QString value = parser.value(reference);
-        if (value == QLatin1String("exact-object"))
-            arguments.reference = rasterlens::ReferenceSpace::Object;
-        else if (value != QLatin1String("exact"))
-            return refuse(QStringLiteral("--reference takes exact or exact-object"));
-    }
-    arguments.measuredFrames = parser.value(measure).toInt();
-    if (parser.isSet(measure) && arguments.measuredFrames < 1)
-        return refuse(QStringLiteral("--measure takes a number of frames"));
-    if (parser.isSet(compare)) {
-        const QStringList views{QStringLiteral("wipe"), QStringLiteral("blink"), QStringLiteral("difference")};
-        const qsizetype view = views.indexOf(parser.value(compare));
-        if (view < 0)
-            return refuse(QStringLiteral("--compare takes %1").arg(views.join(QStringLiteral(", "))));
-        arguments.compare = static_cast<rasterlens::CompareView>(view + 1);
-    }
-    if (parser.isSet(pixel)) {
-        arguments.pixel = rasterlens::typedPoint(parser.value(pixel));
-        if (!arguments.pixel || arguments.pixel->x() < 0 || arguments.pixel->y() < 0)
-            return refuse(QStringLiteral("--pixel: \"%1\" is not a pixel; expected: x,y").arg(parser.value(pixel)));
-    }
+    if (const auto why = readAll(parser, options, arguments))
+        return refuse(*why);
     return {arguments, kFine};
 }
 
@@ -224,6 +261,55 @@ void takeScreenshot(rasterlens::MainWindow& window, const QString& path)
     });
 }
 
+/// Keeps what the window holds when the system ends the program or the session.
+void keepAllAtTheEnd(const QApplication& application, const rasterlens::EndSignals& signals,
+                     rasterlens::MainWindow& window)
+{
+    constexpr int kEndedBySignal = 128; // shells count from here
+    QObject::connect(&signals, &rasterlens::EndSignals::received, &window, [&window](int signal) {
+        window.keepAll();
+        QApplication::exit(kEndedBySignal + signal);
+    });
+    QObject::connect(
+        &application, &QGuiApplication::commitDataRequest, &window, [&window] { window.keepAll(); },
+        Qt::DirectConnection);
+}
+
+/// Does what the arguments ask for once the first picture is there. A scene named on the command line must open; later
+/// ones only leave a message in the window.
+///
+/// in  `starting` lives as long as the window's event loop; its connections end with the start
+void startWith(rasterlens::MainWindow& window, const Arguments& arguments, QObject& starting)
+{
+    QObject::connect(&window.document(), &rasterlens::Document::diagnosticsReported, &starting,
+                     [](const rasterlens::Diagnostics& diagnostics) {
+                         for (const rasterlens::Diagnostic& diagnostic : diagnostics)
+                             printError(diagnostic.text());
+                         if (rasterlens::hasErrors(diagnostics))
+                             QApplication::exit(kInvalidInput);
+                     });
+    QObject::connect(&window, &rasterlens::MainWindow::settled, &starting,
+                     [&window, &starting, arguments, step = arguments.step]() mutable {
+                         if (!step.isEmpty()) {
+                             window.stepMode().showStep(std::exchange(step, {}));
+                             return;
+                         }
+                         window.disconnect(&starting);
+                         window.document().disconnect(&starting);
+                         if (arguments.pixel)
+                             window.viewport().selectPixel(arguments.pixel);
+                         window.truthMode().referee().setSpace(arguments.reference);
+                         window.truthMode().referee().setOn(arguments.referee);
+                         window.truthMode().comparison().setView(arguments.compare);
+                         if (arguments.measuredFrames > 0)
+                             window.truthMode().experiment().run(arguments.measuredFrames);
+                         if (!arguments.panel.isEmpty())
+                             openPanel(window, arguments.panel);
+                         if (!arguments.screenshot.isEmpty())
+                             takeScreenshot(window, arguments.screenshot);
+                     });
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -250,18 +336,11 @@ int main(int argc, char** argv)
     choosePlatform();
     QApplication application(argc, argv);
     rasterlens::useSettingsFormat();
-    constexpr int kEndedBySignal = 128; // shells count from here
     const rasterlens::EndSignals endSignals;
     const bool forScreenshot = !arguments.screenshot.isEmpty();
     using rasterlens::MainWindow;
     MainWindow window(forScreenshot ? MainWindow::Memory::Forget : MainWindow::Memory::Remember);
-    QObject::connect(&endSignals, &rasterlens::EndSignals::received, &window, [&window](int signal) {
-        window.keepAll();
-        QApplication::exit(kEndedBySignal + signal);
-    });
-    QObject::connect(
-        &application, &QGuiApplication::commitDataRequest, &window, [&window] { window.keepAll(); },
-        Qt::DirectConnection);
+    keepAllAtTheEnd(application, endSignals, window);
     if (arguments.language)
         window.setLanguage(*arguments.language);
     if (arguments.theme)
@@ -270,35 +349,8 @@ int main(int argc, char** argv)
     if (arguments.windowSize || forScreenshot)
         window.resize(arguments.windowSize.value_or(kPictureSize));
 
-    // A scene named on the command line must open; later ones only leave a message in the window.
     QObject starting;
-    QObject::connect(&window.document(), &rasterlens::Document::diagnosticsReported, &starting,
-                     [](const rasterlens::Diagnostics& diagnostics) {
-                         for (const rasterlens::Diagnostic& diagnostic : diagnostics)
-                             printError(diagnostic.text());
-                         if (rasterlens::hasErrors(diagnostics))
-                             QApplication::exit(kInvalidInput);
-                     });
-    QString step = arguments.step;
-    QObject::connect(&window, &MainWindow::settled, &starting, [&] {
-        if (!step.isEmpty()) {
-            window.stepMode().showStep(std::exchange(step, {}));
-            return;
-        }
-        window.disconnect(&starting);
-        window.document().disconnect(&starting);
-        if (arguments.pixel)
-            window.viewport().selectPixel(arguments.pixel);
-        window.truthMode().referee().setSpace(arguments.reference);
-        window.truthMode().referee().setOn(arguments.referee);
-        window.truthMode().comparison().setView(arguments.compare);
-        if (arguments.measuredFrames > 0)
-            window.truthMode().experiment().run(arguments.measuredFrames);
-        if (!arguments.panel.isEmpty())
-            openPanel(window, arguments.panel);
-        if (forScreenshot)
-            takeScreenshot(window, arguments.screenshot);
-    });
+    startWith(window, arguments, starting);
     if (arguments.scene.isEmpty())
         window.openDefaultScene();
     else

@@ -31,7 +31,8 @@ set(rooms
     "ui/truth: ui/base ui/document ui/canvas"
     "ui/window: ui/base ui/document ui/canvas ui/pipeline ui/steps ui/face ui/truth")
 
-# What ui and app see of core: all rooms but those of the stages and the rasterizers, of which they see results only.
+# What ui and app may include of core: every room but those of the stages and the rasterizers, and of the stages' room the
+# results.
 set(entry_rooms core/base core/settings core/scene core/io core/scenes core/observe core/render core/questions core/truth)
 set(entry_headers core/pipeline/frame.h core/pipeline/statistics.h)
 
@@ -72,9 +73,12 @@ function(ui_rule source header)
 endfunction()
 
 function(app_rule source header)
+    get_filename_component(used "${header}" DIRECTORY)
     is_widgets_header("${header}" is_widgets)
     if(source MATCHES "^app/cli" AND (is_widgets OR header MATCHES "^ui/"))
         set(why "the command line knows no widgets" PARENT_SCOPE)
+    elseif(header MATCHES "^core/" AND NOT used IN_LIST entry_rooms AND NOT header IN_LIST entry_headers)
+        set(why "app knows neither the stages nor the rasterizers" PARENT_SCOPE)
     endif()
 endfunction()
 
@@ -172,9 +176,19 @@ foreach(row IN LISTS rooms)
     endforeach()
     list(APPEND room_names ${room})
 endforeach()
+# The picture of the rooms, if the tree has one, shows this list.
+if(EXISTS ${ROOT}/docs/images/rooms.svg)
+    file(READ ${ROOT}/docs/images/rooms.svg picture)
+    foreach(row IN LISTS rooms)
+        string(FIND "${picture}" "<title>${row}</title>" place)
+        if(place EQUAL -1)
+            string(APPEND violations "docs/images/rooms.svg does not show \"${row}\"; scripts/draw_rooms draws it anew\n")
+        endif()
+    endforeach()
+endif()
 check_folder(core core_rule)
 check_folder(ui ui_rule)
 check_folder(app app_rule)
 if(violations)
-    message(FATAL_ERROR "Forbidden includes:\n${violations}")
+    message(FATAL_ERROR "Forbidden includes, or an old picture of them:\n${violations}")
 endif()

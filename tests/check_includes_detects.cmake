@@ -53,6 +53,8 @@ plant(ui/base/a.cpp "\"app/cli/verbs.h\"" FAIL)
 plant(app/cli/a.cpp "<QMainWindow>" FAIL)
 plant(app/cli_main.cpp "\"ui/document/document.h\"" FAIL)
 plant(app/gui_main.cpp "<QApplication>" PASS)
+plant(app/cli/a.cpp "\"core/pipeline/clipping.h\"" FAIL)
+plant(app/cli/a.cpp "\"core/pipeline/frame.h\"" PASS)
 
 # Folders that the list of rooms does not know
 file(REMOVE_RECURSE ${SCRATCH})
@@ -67,3 +69,8 @@ expect_check("a chain of two" PASS)
 write_source(core/base/b.cpp "\"core/base/c.h\"")
 write_source(core/base/c.h "\"core/base/a.h\"")
 expect_check("a circle of three" FAIL "in a circle")
+
+# A picture of other rooms
+file(REMOVE_RECURSE ${SCRATCH})
+file(WRITE ${SCRATCH}/docs/images/rooms.svg "<title>core/base:</title>")
+expect_check("a picture without core/settings" FAIL "does not show \"core/settings: core/base\"")

@@ -103,7 +103,7 @@ void TestCamera::nearAndFarMapToTheEnds()
             QVERIFY(std::abs(ndc(m, {0, 0, 3 - 0.5}).z - (reversed ? 1 : low)) < 1e-12);
             QVERIFY(std::abs(ndc(m, {0, 0, 3 - 40}).z - (reversed ? low : 1)) < 1e-12);
         }
-    // The same picture in all four.
+    // All four depth ranges draw the same picture.
     const Scene scene = *makeBuiltinScene(QStringLiteral("teapot")).scene;
     Settings settings = scene.defaults;
     settings.size = {100, 80};

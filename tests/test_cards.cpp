@@ -392,7 +392,7 @@ void TestCards::clipTheatreShowsCuts()
     // From A (-0.5) to B (2): x = w at t = 1.5 / 2.5.
     QVERIFY2(cuts.join(QLatin1Char('\n')).contains(QStringLiteral("A \u2192 B  t = 0.6000")),
              qPrintable(cuts.join(QLatin1Char('\n'))));
-    // From C (-0.5, 2) to B (2, -0.5), likewise.
+    // From C (-0.5, 2) to B (2, -0.5): x = w at t = 1.5 / 2.5.
     QVERIFY(cuts.join(QLatin1Char('\n')).contains(QStringLiteral("C \u2192 B  t = 0.6000")));
     theatre.setStage(0);
     QCOMPARE(theatre.cuts().size(), 3);

@@ -88,7 +88,7 @@ void TestCliFiles::diffOfArrays()
     QCOMPARE(call(QStringLiteral("diff f.npy f.npy")).exitCode, 0);
 }
 
-/// The same colours as a PNG and as a TGA of 24 bits, whose rows go up and whose blue comes first.
+/// A PNG and a TGA of 24 bits hold the same colours, though a TGA's rows go up and its blue comes first.
 void TestCliFiles::diffOfPicturesInOtherFormats()
 {
     QByteArray tga(18, '\0');

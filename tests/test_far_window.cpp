@@ -104,7 +104,7 @@ private Q_SLOTS:
         QCOMPARE(picture(), moved);
     }
 
-    /// The same drags of the mouse give the same pictures as near 0, with either kind of camera.
+    /// Far from 0, drags of the mouse give the pictures they give near 0, with either kind of camera.
     void camerasMoveAsNearTheOrigin()
     {
         QImage pictures[2][3];

@@ -171,7 +171,8 @@ void TestFramebuffer::superSamplingAveragesAnEdge()
     for (MeshVertex& v : scene.mesh.vertices)
         v.color = {1, 1, 1};
     Settings settings = plainSettings(size);
-    // Of 1, 2, 3, 4 columns of samples those left of the middle are white; one at the middle is not (right edge).
+    // With 1, 2, 3, 4 columns of samples, the columns left of the middle are white. A column at the middle lies on a
+    // right edge and is not.
     const std::array<int, 4> expected{0, 128, 85, 128};
     for (int i = 0; i < 4; ++i) {
         settings.samples = static_cast<Samples>(i);

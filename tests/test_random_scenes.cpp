@@ -1,5 +1,5 @@
 #include "core/scenes/load_scene.h"
-// The tiled algorithm against edge-equation, on scenes nobody thought of and on every scene there is.
+// The tiled algorithm against edge-equation, on random scenes and on every scene there is.
 // RASTERLENS_SCENES=N draws N random ones; the CTest label `long` draws ten thousand, and every scene and model.
 #include "tests/seed.h"
 #include "tests/tiled_support.h"

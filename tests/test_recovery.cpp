@@ -72,7 +72,7 @@ private:
         return load.session ? settingsOf(*load.session, {}).settings.size.width() : -1;
     }
 
-    /// As a program that was killed leaves it: nobody holds the lock.
+    /// Leaves a folder as a program that was killed does: no process holds its lock.
     QString leaveBehind(const QString& name, const QString& scene, int width, const QString& origin = {})
     {
         const QString folder = Recovery::folder() + QLatin1Char('/') + name;

@@ -210,7 +210,7 @@ void TestSceneLessons::closedSolidsLoseNothingByCulling()
     const Shot culled = draw(scene);
     const Shot whole = draw(scene, [](Settings& s) { s.culling = Culling::None; });
     QVERIFY(culled.statistics.faces.culledBack > 0);
-    // The same silhouette: no pixel loses its surface.
+    // Culling keeps the silhouette: no pixel loses its surface.
     QCOMPARE(emptyPixels(culled), emptyPixels(whole));
 }
 

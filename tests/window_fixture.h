@@ -54,7 +54,7 @@ protected:
         return complete() && document().scene()->id == name;
     }
 
-    /// The same in a picture small enough for many tests.
+    /// Opens a scene in a picture small enough for many tests.
     bool openSmall(const QString& name, QSize most = {320, 240})
     {
         document().open(name);

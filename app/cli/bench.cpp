@@ -39,9 +39,9 @@ QString measureIds()
     return ids.join(QStringLiteral(", "));
 }
 
-Usage usage()
+OptionGroup measuredOptions()
 {
-    const OptionGroup what{
+    return {
         QStringLiteral("What is measured:"),
         {value("--variants", "LIST",
                QStringLiteral("all (default), frontier (measure all, keep those that no other beats), or ids joined by "
@@ -69,6 +69,10 @@ Usage usage()
                               "missing, extra or hit twice; depth: the largest error; color: root mean square over the "
                               "picture in 8-bit steps.")
                    .arg(measureIds()))}};
+}
+
+Usage usage()
+{
     const OptionGroup outputs{
         QStringLiteral("Outputs (- is stdout, and then there is no table):"),
         {value("--csv", "FILE", QStringLiteral("The rows, a line each.")),
@@ -83,7 +87,8 @@ Usage usage()
         QStringLiteral("Measures speed against error: every variant of the pipeline on every SCENE. Without SCENE: ") +
             scenes.join(QStringLiteral(", ")) + QStringLiteral(".\n\n") + sceneHelp(),
         {},
-        QList<OptionGroup>{what, outputs, {QStringLiteral("Input:"), inputOptions()}} + settingsOptionGroups(),
+        QList<OptionGroup>{measuredOptions(), outputs, {QStringLiteral("Input:"), inputOptions()}} +
+            settingsOptionGroups(),
         QStringLiteral(
             "A time is clear + frame into the picture; frames of all variants are interleaved, after a warm-up. "
             "ns/px is the median over the fragments of the scene (the counter `covered` of edge-equation with one "

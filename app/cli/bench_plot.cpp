@@ -85,7 +85,7 @@ private:
 struct Dot {
     QPointF at;
     double top;    ///< of the bar, pixels
-    double bottom; ///< likewise
+    double bottom; ///< of the bar, pixels
     const ExperimentRow* row;
 };
 
@@ -130,7 +130,7 @@ public:
     }
 
 private:
-    /// The same share of the time as of the median.
+    /// A time as ns per covered pixel, scaled as the median is.
     static double ns(const ExperimentRow& row, double ms) { return row.nsPerCoveredPixel * ms / row.ms.median; }
 
     Dot dotOf(const ExperimentRow& row) const

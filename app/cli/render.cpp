@@ -57,7 +57,7 @@ Usage usage()
                        "be read, or output that cannot be written.")};
 }
 
-/// The files asked for; an empty name is a file nobody asked for.
+/// The files to write. An empty name: the command line does not ask for that file.
 struct OutputNames {
     QString image;
     QString imageFormat;

@@ -15,7 +15,7 @@ namespace rasterlens::cli
 namespace
 {
 
-// The same limits as in session files.
+// The camera's limits; session files have the same ones.
 constexpr double kMinFovDegrees = 1e-3;
 constexpr double kMaxFovDegrees = 179.9;
 constexpr double kMaxDistance = 1e30;

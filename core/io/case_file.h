@@ -10,7 +10,7 @@ namespace rasterlens
 /// errors  diagnostics with file and line for any directive or number that is not of the format
 [[nodiscard]] SceneLoad loadCase(const QString& path);
 
-/// The same from text; `name` stands for the file in diagnostics.
+/// Reads the text of a `.case` file; diagnostics name the file `name`.
 [[nodiscard]] SceneLoad parseCase(const QByteArray& text, const QString& name);
 
 } // namespace rasterlens

@@ -25,7 +25,7 @@ struct MtlMap {
 
 /// Reads what follows the name of a `map_...` statement: options, then the file name.
 ///
-/// covers  all options of the MTL text. Of `-s`, `-o` and `-t` the second and third number may be left out
+/// covers  all options of the MTL text; `-s`, `-o` and `-t` may leave out their second and third number
 /// out     nothing if no file is named
 /// errors  warnings with line, and the option is left out: values that are wrong, options that no MTL text knows. A
 ///         warning, too, for options that would change the picture elsewhere and change nothing here

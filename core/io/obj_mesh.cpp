@@ -218,7 +218,7 @@ private:
         return {kOfFace + face, unit(m_faceArea[face]).value_or(glm::vec3(0, 0, 1))};
     }
 
-    /// The vertex of a corner. Those of one position are chained; where that grows long, a hash finds them.
+    /// The vertex of a corner. Vertices of one position form a chain; where the chain grows long, a hash finds them.
     std::uint32_t vertex(const ObjCorner& corner, std::uint32_t face)
     {
         constexpr int kLongChain = 24;

@@ -121,12 +121,11 @@ struct NumberText {
 /// A decimal number with an optional sign as the nearest float32, whatever the locale.
 ///
 /// covers  nan and inf, and as some C libraries print them (`-1.#IND`, `nan(ind)`): NotFinite. What is too small
-/// becomes
-///         zero.
+///         becomes zero.
 /// errors  NotANumber for any other text, OutOfRange for what rounds to infinity
 [[nodiscard]] NumberText decimalFromText(std::string_view word);
 
-/// The same number as the nearest double; for words of which decimalFromText found no fault.
+/// The double nearest to a decimal number. in: a word in which decimalFromText found no fault
 [[nodiscard]] double doubleFromText(std::string_view word);
 
 /// As decimalFromText, and C99 hexadecimal floating-point numbers.

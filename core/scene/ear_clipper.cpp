@@ -146,7 +146,8 @@ public:
                 m_reflex.insert(i);
     }
 
-    /// Goes round and round. Of two neighbours one is left for the next time round, so that the triangles stay small.
+    /// Walks round the polygon until no ear is left. If two neighbouring corners are both ears, one of them waits for
+    /// the next round, so that the triangles stay small.
     void run()
     {
         std::uint32_t corner = 1;

@@ -9,7 +9,7 @@ namespace rasterlens
 struct BuiltinScene {
     const char* name;  ///< stable id, used as `builtin:NAME`
     const char* title; ///< marked with QT_TRANSLATE_NOOP("BuiltinScene", ...)
-    const char* note;  ///< what to look at, marked likewise
+    const char* note;  ///< what to look at; marked for translation as the title is
     Scene (*make)();   ///< fills mesh, space, lit and defaults; id, title, note and bounds are set by the caller
 };
 
@@ -28,7 +28,7 @@ struct StressScene {
 /// The scenes of the benchmark, in the order of the menu.
 [[nodiscard]] std::span<const StressScene> stressScenes();
 
-/// Likewise of a stress scene (without the `stress:` prefix).
+/// The stress scene of that name (without the `stress:` prefix), or an error that lists the names there are.
 ///
 /// in   the size in pixels the triangles are laid out for
 [[nodiscard]] SceneLoad makeStressScene(const QString& name, QSize size);

@@ -1,4 +1,4 @@
-// Blocks of samples: which of them a triangle covers, and the depth test. Included once for each target.
+// Blocks of samples: which of them a triangle covers, and the depth test. Included once for each target: see README.md.
 #if defined(RASTERLENS_TILED_BLOCKS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_BLOCKS_INL_H
 #undef RASTERLENS_TILED_BLOCKS_INL_H
@@ -21,15 +21,15 @@ constexpr std::int32_t kKeyOfOne = 0x3f800000; ///< the bits of 1.0F
 
 /// What a sample keeps of the triangle that won it, beside its depth.
 enum class Keeps {
-    Number, ///< who it is
-    Color,  ///< the interpolated colour: that is less work than to remember who and to come back for it
+    Number, ///< the number of the triangle
+    Color,  ///< its interpolated colour: computing it at once is less work than coming back with the number
     Nothing ///< where only depth is asked for
 };
 
 /// The usual case knows its depth test when it is compiled; every other one reads it from here.
 template <Keeps kKeep>
 struct UsualDepth {
-    static constexpr bool kUsual = true; ///< float32, smaller wins, nobody counts
+    static constexpr bool kUsual = true; ///< float32 depths, the smaller one wins, samples are not counted
     static constexpr Keeps kKeeps = kKeep;
     UsualDepth(const FrameJob& j, TileOrigin o) : job(j), origin(o) {}
     const FrameJob& job;
@@ -151,7 +151,7 @@ HWY_INLINE Ints StoredKey(const WideDoubles& depth, const AnyDepth& policy)
     return hn::Xor(key, hn::Set(tag, policy.flip));
 }
 
-/// What is beyond 1 needs no holding: it loses against everything.
+/// The key of a depth in the usual depth test. Depths beyond 1 need not be clamped: they lose against every stored one.
 template <class Policy>
 HWY_INLINE Ints StoredKey(const WideDoubles& depth, const Policy&)
 {

@@ -11,7 +11,7 @@ namespace rasterlens
 struct PictureMemory {
     QSize size;
     int pitch = 0;
-    qint64 image = 0; ///< QImage::cacheKey(), which changes whenever anyone gets at the pixels to write
+    qint64 image = 0; ///< QImage::cacheKey(), which changes whenever the pixels are handed out for writing
     std::uint32_t emptyColor = 0;
     std::uint64_t depth = 0; ///< DepthBuffer::key()
     float depthClear = 0;

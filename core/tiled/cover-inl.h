@@ -1,4 +1,5 @@
-// First phase of a tile: coverage, depth and the number of the nearest triangle. Included once for each target.
+// First phase of a tile: coverage, depth and the number of the nearest triangle. Included once for each target: see
+// README.md.
 #if defined(RASTERLENS_TILED_COVER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_COVER_INL_H
 #undef RASTERLENS_TILED_COVER_INL_H
@@ -20,11 +21,12 @@ struct TileDepth {
     std::int32_t farthest;     ///< a key no sample of the tile is farther than
     std::int32_t nearestSmall; ///< a key no small triangle so far is nearer than
     int updates = 0;           ///< blocks that came nearer since `farthest` was found
-    bool blank = true;         ///< there are blocks that nobody wrote to
+    bool blank = true;         ///< there are blocks without any sample written yet
     bool owners = false;       ///< there may be blocks that belong to one triangle
 };
 
-/// Clears the samples of the blocks that nobody wrote to: all at once, as those to come are anybody's guess.
+/// Clears all blocks that are still unwritten. This is done in one pass, because which blocks later triangles will
+/// touch cannot be predicted.
 template <class Policy>
 inline void WriteBlankBlocks(const Policy& policy, TileSamples& samples, TileDepth& tile)
 {
@@ -180,7 +182,7 @@ HWY_INLINE void StoreDepths(const TriangleLanes& t, double first, SquareCorners&
 /// What is to be done about the blocks of a subtile, a bit each.
 struct BlockWork {
     std::uint32_t cover;       ///< sample by sample
-    std::uint32_t writeBefore; ///< of these, those that have an owner
+    std::uint32_t writeBefore; ///< the blocks to be tested that have an owner, whose samples are written first
 };
 
 HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, double firstDepth, SquareVerdicts verdicts, const AnyDepth&,
@@ -388,7 +390,7 @@ inline void CoverExactly(const FrameJob& job, const ScreenTriangle& piece, const
     }
 }
 
-/// Brings a triangle of a bin near; a number beyond the last one does no harm.
+/// Prefetches the record of a triangle of a bin into the cache. A number beyond the last one does no harm.
 template <class Policy>
 HWY_INLINE void FetchRecord(const TileBlock& block, std::size_t triangle)
 {

@@ -1,4 +1,4 @@
-// Faces: reject, cull, set up many at once and sort them into the tiles. Included once for each target.
+// Faces: reject, cull, set up many at once and sort them into the tiles. Included once for each target: see README.md.
 #if defined(RASTERLENS_TILED_FACES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_FACES_INL_H
 #undef RASTERLENS_TILED_FACES_INL_H
@@ -131,10 +131,10 @@ struct alignas(64) SetupLanes {
     std::array<std::int32_t, kDoubles> column0, row0, column1, row1; ///< of tiles
     std::array<std::int32_t, kDoubles> tile;                         ///< of the first sample
     std::array<std::uint32_t, kDoubles> varyings{};                  ///< numbers of VaryingPlanes
-    std::uint32_t used;                                              ///< a bit for each lane whose bounds hold samples
-    std::uint32_t alone;                                             ///< that lies in one tile
-    std::uint32_t exact;                                             ///< that the fast path cannot draw everywhere
-    std::uint32_t needles; ///< of these, those that may leave samples out: without a plane of depth, or with holes
+    std::uint32_t used;    ///< a bit for each lane whose bounds hold samples; the masks below have a bit a lane too
+    std::uint32_t alone;   ///< lanes of triangles that lie in one tile
+    std::uint32_t exact;   ///< lanes that the fast path cannot draw everywhere
+    std::uint32_t needles; ///< lanes of `exact` that may leave samples out: without a plane of depth, or with holes
 
     [[nodiscard]] HWY_INLINE std::int32_t nearest(std::size_t lane) const
     {
@@ -156,7 +156,7 @@ struct alignas(64) SetupLanes {
     }
 };
 
-/// How much nearer than its corners a sample of a plane may come out. Nobody asks where depths are not float32.
+/// How much nearer than its corners a sample of a plane may come out. Only float32 depths are compared with this slack.
 constexpr double kDepthSlack = 0x1p-28;
 
 /// Tiles of samples along an axis.
@@ -397,7 +397,8 @@ inline TilePart PartInTile(const FrameJob& job, const SetupLanes& lanes, std::si
     const int toX = originX + anchor(x0) - anchor(lanes.x0[i]);
     const int toY = originY + anchor(y0) - anchor(lanes.y0[i]);
     TilePart part{x0, y0, x1, y1, toX, toY};
-    // Of the locals: the compiler would read two fields in one, which waits for all stores before to reach the cache.
+    // Read from the local variables, not from `part`: the compiler would read two fields of it as one number, and that
+    // read waits until all earlier stores have reached the cache.
     part.covers = (x0 | y0) == 0 && x1 == std::min(last, job.rules.columns() - originX - 1) &&
                   y1 == std::min(last, job.rules.rows() - originY - 1);
     const double width = x1 - anchor(x0);

@@ -1,4 +1,5 @@
-// What texels are multiplied with: interpolated colours as 16-bit fractions. Included once for each target.
+// What texels are multiplied with: interpolated colours as 16-bit fractions. Included once for each target: see
+// README.md.
 #if defined(RASTERLENS_TILED_FACTORS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_FACTORS_INL_H
 #undef RASTERLENS_TILED_FACTORS_INL_H
@@ -22,7 +23,7 @@ HWY_INLINE Uints Modulate(const RgbLanes& texels, const RgbLanes& factors)
     return PackHeld(product.red, product.green, product.blue);
 }
 
-/// The same of texels as they are stored, rounded to nearest; samples that nobody wants get anything.
+/// Stored texels times factors, rounded to nearest. The result is defined for the wanted samples only.
 HWY_INLINE Uints Modulate(Uints texels, const RgbLanes& factors, hn::Mask<FloatTag> wanted)
 {
     constexpr UintTag tag;

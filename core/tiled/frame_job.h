@@ -46,14 +46,15 @@ struct FrameJob {
     bool counting = false; ///< count samples: nothing hidden is skipped then
     std::uint32_t clearColor = 0;
     std::uint32_t emptyColor = 0; ///< of pixels no triangle covers
-    /// A tile each: whether its parts of picture and depths are known to be background all over.
+    /// One entry per tile: whether the tile is known to hold nothing but background, in the picture and in the depths.
     std::uint8_t* blank = nullptr;
-    /// A vertex of the mesh each; null: every corner of a face is processed with it.
+    /// One entry per vertex of the mesh. Null if vertices are not kept: each face then processes its own corners.
     ScreenPoint* points = nullptr;
-    /// Likewise: colour, w of clip space; null where the mesh has both or nobody asks.
+    /// One entry per vertex: lit colour and clip-space w. Null if the mesh already has them, or if no shading needs
+    /// them.
     glm::vec4* colors = nullptr;
     std::vector<Chunk>* chunks = nullptr;
-    std::uint32_t* color = nullptr; ///< the picture, row by row; null if not asked for, as the following
+    std::uint32_t* color = nullptr; ///< the picture, row by row; this and the next three are null if not asked for
     float* depth = nullptr;
     std::int32_t* ids = nullptr;
     std::uint16_t* coverage = nullptr;
@@ -75,14 +76,15 @@ struct FrameJob {
     {
         return counting || outputs.coverage || rules.shading == Shading::Overdraw;
     }
-    /// The depth test almost everybody asks for, and nobody counts what is covered.
+    /// True for the usual depth test (float32, the smaller depth wins) if covered samples are not counted. Only then
+    /// may hidden samples be skipped.
     [[nodiscard]] bool usualDepth() const
     {
         return rules.depthTested && rules.depthCompare == DepthCompare::Less &&
                rules.depthFormat == DepthFormat::Float32 && !countsCoverage();
     }
     [[nodiscard]] bool depthOnly() const { return usualDepth() && color == nullptr && ids == nullptr; }
-    /// Whether nobody needs to know whose a sample is, but for its interpolated colour.
+    /// True if samples may be coloured at once: nothing but the colour depends on which triangle won.
     [[nodiscard]] bool colorsAtOnce() const
     {
         return usualDepth() && color != nullptr && ids == nullptr && interpolatesColor();
@@ -118,7 +120,7 @@ struct TileBlock {
     std::uint32_t count;
 };
 
-/// Texture coordinates of the triangles of a tile that some sample asked to have them precisely.
+/// Texture coordinates in double, for those triangles of a tile of which a sample needed them.
 struct PreciseTexels {
     static constexpr std::size_t kCapacity = 32;
     std::array<std::uint32_t, kCapacity> number; ///< of the triangle at this place, or kNobody

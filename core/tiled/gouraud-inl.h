@@ -1,5 +1,5 @@
 // Interpolated colours: each block of a tile is shaded as it is met, triangle by triangle, in registers. Included once
-// for each target.
+// for each target: see README.md.
 #if defined(RASTERLENS_TILED_GOURAUD_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_GOURAUD_INL_H
 #undef RASTERLENS_TILED_GOURAUD_INL_H
@@ -50,7 +50,7 @@ HWY_INLINE Uints PackChannels(Floats red, Floats green, Floats blue)
     return hn::BitCast(UintTag(), hn::Or(packed, hn::Set(tag, static_cast<std::int32_t>(0xff000000U))));
 }
 
-/// The same of colours that may lie outside.
+/// Packs colours that may lie outside of 0 to 255: they are held within that range first.
 HWY_INLINE Uints PackHeld(Floats red, Floats green, Floats blue)
 {
     const auto held = [](Floats c)
@@ -71,7 +71,8 @@ HWY_INLINE Uints PerspectiveColor(const ColorPlanes& planes, Floats x, Floats y)
     return PackHeld(hn::Mul(plane(1), w), hn::Mul(plane(2), w), hn::Mul(plane(3), w));
 }
 
-/// The same of a block whose first sample is at (x, y) relative to the anchor; the vector that starts at `lane`.
+/// Colours of ColorWay::Perspective in a block whose first sample is at (x, y) relative to the anchor: the vector of
+/// samples that starts at `lane`.
 HWY_INLINE Uints PerspectiveColor(const ColorPlanes& planes, int x, int y, std::size_t lane)
 {
     constexpr FloatTag tag;
@@ -81,7 +82,7 @@ HWY_INLINE Uints PerspectiveColor(const ColorPlanes& planes, int x, int y, std::
 }
 
 /// Colours of ColorWay::Affine of 16 samples, two channels to a number, in 2^-8 of a step: red and blue, alpha and
-/// green. Sums of two of them are such again.
+/// green. Adding two ChannelPairs gives a valid ChannelPairs: no channel carries into the other.
 struct ChannelPairs {
     Ints redBlue;
     Ints alphaGreen;
@@ -122,7 +123,7 @@ HWY_INLINE ChannelPairs PairsInBlock(const ColorSlopes& slopes, std::size_t v)
     return {hn::Add(hn::And(red[v], high), hn::ShiftRight<16>(blue[v])), hn::ShiftRight<16>(green[v])};
 }
 
-/// Half a step of alpha to spare: green may take something away.
+/// Opaque alpha plus half a step, because a negative green borrows from it.
 constexpr std::uint32_t kOpaque = 0xff800000U;
 
 /// A channel of ColorWay::Affine at (x, y) relative to the anchor.
@@ -176,7 +177,7 @@ struct ColorSquares {
         }
     }
 
-    /// Of the square-th block, unless the way is Exact; the vector that starts at `lane`.
+    /// Colours of the square-th block: the vector of samples that starts at `lane`. Not for ColorWay::Exact.
     HWY_INLINE Uints color(std::size_t square, std::size_t lane) const
     {
         constexpr IntTag tag;
@@ -190,7 +191,7 @@ struct ColorSquares {
     }
 };
 
-/// The samples of one block, its first at (x, y) of the target, unless the way is Exact.
+/// Colours the samples of one block whose first is at (x, y) of the target. Not for ColorWay::Exact.
 HWY_INLINE Uints BlockColor(const ColorPlanes& planes, int x, int y, std::size_t v)
 {
     if (HWY_UNLIKELY(planes.way != ColorWay::Affine))

@@ -1,4 +1,5 @@
-// Vectors of this instruction set, and what Highway's one-lane target lacks. Included once for each target.
+// Vectors of this instruction set, and what Highway's one-lane target lacks. Included once for each target: see
+// README.md.
 #if defined(RASTERLENS_TILED_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_LANES_INL_H
 #undef RASTERLENS_TILED_LANES_INL_H
@@ -154,8 +155,9 @@ HWY_INLINE WideDoubles ToDoubles(Floats narrow)
 #endif
 }
 
-/// Whole numbers as integers. What no integer holds, also what is no number, becomes anything: only lanes that nobody
-/// wants may hold it. (hn::ConvertTo() of one lane is undefined there, and differs between targets.)
+/// Floats that hold whole numbers, as integers. A float beyond the integers, or NaN, gives an undefined lane: only
+/// lanes that are ignored afterwards may hold one. (hn::ConvertTo() of one lane is undefined there, and differs
+/// between targets.)
 HWY_INLINE Ints IntsOf(Floats whole)
 {
 #if HWY_TARGET == HWY_SCALAR
@@ -166,7 +168,7 @@ HWY_INLINE Ints IntsOf(Floats whole)
 #endif
 }
 
-/// Of whole numbers.
+/// Doubles that hold whole numbers, as integers.
 HWY_INLINE Ints ToInts(const WideDoubles& wide)
 {
 #if HWY_TARGET == HWY_SCALAR
@@ -181,8 +183,8 @@ template <class Tag, class Mask>
 HWY_INLINE std::uint32_t BitsOf(Tag tag, Mask mask)
 {
 #if HWY_TARGET <= HWY_AVX3
-    // GCC 12 makes comparing and widening one, puts 2 bytes of the outcome aside and reads 4: nobody may know whence
-    // the mask comes.
+    // GCC 12 would merge the comparison with the widening of its mask, store 2 bytes of it and read 4. The empty asm
+    // hides from the compiler where the mask comes from.
     asm("" : "+k"(mask.raw));
 #endif
     // As many bytes as are written are read: compilers then see through the memory.

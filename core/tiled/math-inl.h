@@ -1,5 +1,6 @@
-// Functions that Highway leaves to others, out of additions, multiplications, divisions and square roots only, which
-// every instruction set rounds alike. Included once for each target.
+// Logarithm, power and vector length, made of additions, multiplications, divisions and square roots only: every
+// instruction set rounds these alike. The functions of hwy/contrib/math fuse multiplications with additions where the
+// instruction set can, and so differ between machines. Included once for each target: see README.md.
 #if defined(RASTERLENS_TILED_MATH_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_MATH_INL_H
 #undef RASTERLENS_TILED_MATH_INL_H

@@ -1,4 +1,4 @@
-// Colours of triangles as planes over the target. Included once for each target.
+// Colours of triangles as planes over the target. Included once for each target: see README.md.
 #if defined(RASTERLENS_TILED_PLANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_PLANES_INL_H
 #undef RASTERLENS_TILED_PLANES_INL_H

@@ -1,4 +1,4 @@
-// Several samples a pixel: their means. Included once for each target.
+// Several samples a pixel: their means. Included once for each target: see README.md.
 #if defined(RASTERLENS_TILED_RESOLVE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_RESOLVE_INL_H
 #undef RASTERLENS_TILED_RESOLVE_INL_H

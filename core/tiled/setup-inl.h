@@ -1,4 +1,4 @@
-// Edges, depth planes and bounds of triangles, lane by lane. Included once for each target.
+// Edges, depth planes and bounds of triangles, lane by lane. Included once for each target: see README.md.
 #if defined(RASTERLENS_TILED_SETUP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_SETUP_INL_H
 #undef RASTERLENS_TILED_SETUP_INL_H

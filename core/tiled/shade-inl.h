@@ -1,5 +1,5 @@
 // Second phase of a tile: every visible sample is shaded once, block by block and triangle by triangle. Included once
-// for each target.
+// for each target: see README.md.
 #if defined(RASTERLENS_TILED_SHADE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_SHADE_INL_H
 #undef RASTERLENS_TILED_SHADE_INL_H
@@ -20,7 +20,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
 {
 
-/// The planes of a triangle, on their way from memory: they are read when all who are visible have been found.
+/// Prefetches the planes of a triangle into the cache: they are read once all visible triangles have been found.
 template <std::size_t kCount>
 HWY_INLINE const void* FetchVaryings(const Chunk& chunk, std::uint32_t number)
 {
@@ -100,7 +100,7 @@ HWY_INLINE BlockShare* CollectBlock(const FrameJob& job, Worker& worker, int blo
     return out;
 }
 
-/// Finds who is visible where.
+/// Finds which triangles of the tile are visible, and their samples block by block.
 inline void CollectShares(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
     worker.visible.clear();

@@ -1,5 +1,5 @@
 // What shadeFragment() does for the shadings that interpolate, a vector of samples at a time. Included once for each
-// target.
+// target: see README.md.
 #if defined(RASTERLENS_TILED_SHADERS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_SHADERS_INL_H
 #undef RASTERLENS_TILED_SHADERS_INL_H

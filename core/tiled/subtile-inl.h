@@ -1,5 +1,5 @@
 // With 4 x 4 samples a pixel, where a triangle has a subtile to itself: sixteen pixels at a time, sample by sample, so
-// that a pixel's samples are summed up in its lane and never stored. Included once for each target.
+// that a pixel's samples are summed up in its lane and never stored. Included once for each target: see README.md.
 #if defined(RASTERLENS_TILED_SUBTILE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_SUBTILE_INL_H
 #undef RASTERLENS_TILED_SUBTILE_INL_H
@@ -95,7 +95,7 @@ inline void ColorSubtile(const FrameJob& job, const ColorPlanes& planes, int x, 
         std::copy_n(pixels.begin() + 4 * row, 4, job.color + pixelIndex(job, x / 4, y / 4 + row));
 }
 
-/// Colours blocks of a subtile, a bit each, that a triangle has or nobody.
+/// Colours blocks of a subtile, a bit each, that all belong to the triangle `owner` or, for kEmpty, hold no triangle.
 ///
 /// in   the first of the blocks of the subtile
 inline void ColorOwned(const FrameJob& job, Worker& worker, TileOrigin origin, std::size_t first, std::uint32_t owner,
@@ -125,7 +125,7 @@ inline void ColorOwned(const FrameJob& job, Worker& worker, TileOrigin origin, s
     forEach([&](std::size_t square, std::size_t lane) HWY_ATTR { return squares.color(square, lane); });
 }
 
-/// Colours the blocks that no sample was written of.
+/// Colours the blocks whose samples were never written: they have an owner, or hold no triangle.
 inline void FinishColors(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
     const bool whole = origin.x + kTileSide <= job.rules.columns() && origin.y + kTileSide <= job.rules.rows();

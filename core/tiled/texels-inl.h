@@ -1,5 +1,5 @@
 // Texture coordinates of triangles as planes over the target, and how far off they may be. Included once for each
-// target.
+// target: see README.md.
 #if defined(RASTERLENS_TILED_TEXELS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_TEXELS_INL_H
 #undef RASTERLENS_TILED_TEXELS_INL_H

@@ -1,4 +1,4 @@
-// Texture look-up, a vector of samples at a time: sampleTexture(). Included once for each target.
+// Texture look-up, a vector of samples at a time: sampleTexture(). Included once for each target: see README.md.
 #if defined(RASTERLENS_TILED_TEXTURE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_TEXTURE_INL_H
 #undef RASTERLENS_TILED_TEXTURE_INL_H
@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
 {
 
-/// Colours of a vector of samples; whoever makes them says in what range.
+/// Colours of a vector of samples. Each function that makes them says in which range they are.
 struct RgbLanes {
     Floats red, green, blue;
 };

@@ -1,4 +1,4 @@
-// Textures multiplied with interpolated colours. Included once for each target.
+// Textures multiplied with interpolated colours. Included once for each target: see README.md.
 #if defined(RASTERLENS_TILED_TEXTURED_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_TEXTURED_INL_H
 #undef RASTERLENS_TILED_TEXTURED_INL_H
@@ -134,7 +134,8 @@ HWY_INLINE Floats PlaneAt(const Planes& planes, std::size_t i, Floats x, Floats 
                    hn::Add(hn::Mul(NumberOf(planes.perX[i]), x), hn::Mul(NumberOf(planes.perY[i]), y)));
 }
 
-/// The same where nobody minds how it is rounded.
+/// A plane at samples relative to the anchor, for results whose last bits do not matter: the multiplication and the
+/// addition are fused where the instruction set can, and then round once instead of twice.
 template <class Planes>
 HWY_INLINE Floats FusedPlaneAt(const Planes& planes, std::size_t i, Floats x, Floats y)
 {
@@ -280,8 +281,8 @@ struct TexturedShare {
     [[nodiscard]] std::size_t square() const { return lanesAndSquare & 0xffff; }
 };
 
-/// A subtile while it is shaded, in loops that do not depend on each other's outcome: who won what; where in the
-/// texture that is; and the texels of a block together, whoever they belong to.
+/// A subtile while it is shaded, in three loops that do not wait for each other: find which triangle won which samples;
+/// find where in the texture these samples lie; fetch the texels of a block together, whichever triangles they are of.
 template <TextureFilter kFilter>
 class TexturedSubtile
 {
@@ -344,7 +345,8 @@ private:
         return finder.find<kFilter>(x, y, v, wanted);
     }
 
-    /// Brings pixels of the next subtile near, one row a block: many at once would wait for each other.
+    /// Prefetches pixels of the next subtile into the cache, one row for each block: many at once would wait for each
+    /// other.
     HWY_INLINE void fetchPixels(std::size_t square) const
     {
         if (m_job.rules.sampleGrid != 1)
@@ -361,7 +363,8 @@ private:
             hn::Store(hn::Set(UintTag(), m_job.clearColor), UintTag(), m_out + square * kLanes + lane);
     }
 
-    /// Finds who won what of four blocks side by side: they take turns, as each step waits for the one before.
+    /// Finds which triangles won which samples of four blocks side by side. The blocks take turns, because each step
+    /// for a block waits for the step before.
     HWY_INLINE void collectRow(std::size_t firstSquare, std::uint32_t mixed)
     {
         const std::uint32_t* ids = m_worker.samples.ids.data() + (m_first.block + firstSquare) * kLanes;

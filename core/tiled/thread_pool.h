@@ -13,9 +13,9 @@ namespace rasterlens::tiled
 
 /// Threads that wait for work between frames.
 ///
-/// A loop is handed out index by index, so that a thread that wakes late or is taken away by the system holds nobody up
-/// for longer than its present index; the calling thread works too. The standard library has all that is needed for
-/// this; a task scheduler would bring stealing, nesting and allocation that no frame uses.
+/// A loop is handed out index by index, so that the others wait for a thread that wakes late, or that the system takes
+/// away, no longer than its present index takes; the calling thread works too. The standard library has all that is
+/// needed for this; a task scheduler would bring stealing, nesting and allocation that no frame uses.
 class ThreadPool
 {
 public:
@@ -31,7 +31,7 @@ public:
     /// twice at a time.
     ///
     /// order   everything the bodies did is visible to the caller
-    /// errors  what a body throws reaches the caller when nobody works any more; then not every i has had its turn
+    /// errors  what a body throws reaches the caller once all threads have stopped; some i may not have had their turn
     template <class Body>
     void forEach(std::size_t count, Body&& body)
     {
@@ -56,7 +56,7 @@ private:
     std::mutex m_mutex;
     std::condition_variable_any m_wake;
     std::condition_variable m_done;
-    Loop m_loop;                  ///< written under the mutex while nobody works
+    Loop m_loop;                  ///< written under the mutex while no thread works
     std::size_t m_generation = 0; ///< counts loops
     int m_busy = 0;               ///< threads of the pool inside the present loop
     std::exception_ptr m_error;   ///< the first that a body of the present loop threw

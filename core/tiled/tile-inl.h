@@ -1,4 +1,4 @@
-// One tile from its bins to the picture. Included once for each target.
+// One tile from its bins to the picture. Included once for each target: see README.md.
 #if defined(RASTERLENS_TILED_TILE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_TILE_INL_H
 #undef RASTERLENS_TILED_TILE_INL_H
@@ -29,7 +29,7 @@ inline void CollectBlocks(const FrameJob& job, std::size_t tile, Worker& worker)
     }
 }
 
-/// Brings the first triangles of a tile near while another one is drawn.
+/// Prefetches the first triangles of a tile into the cache while another tile is drawn.
 inline void FetchBins(const FrameJob& job, std::size_t tile)
 {
     constexpr std::size_t kAhead = 8; // triangles
@@ -58,7 +58,8 @@ inline void WriteColor(const FrameJob& job, const Worker& worker, TileOrigin ori
     }
 }
 
-/// Whether a tile is nothing but background, and was in the last frame; of numbers and counts nobody keeps track.
+/// Whether a tile holds nothing but background now as in the last frame, so that it need not be cleared. Face ids and
+/// coverage are not tracked: a frame that has them clears every tile.
 inline bool StaysBlank(const FrameJob& job, std::size_t tile)
 {
     return job.ids == nullptr && job.coverage == nullptr && job.blank[tile] != 0;

@@ -108,8 +108,8 @@ enum class ColorWay : std::int32_t {
 /// the channels.
 ///
 /// units  Affine: 2^-24 of a step of 255, modulo 2^32, with what rounding takes added to the origin. So sums are exact
-///        in any order, and may leave the range where nobody looks. Perspective: steps, as the bits of float32.
-///        Shading texture: factors, 0 to 65535, and always 1/w, as the bits of float32.
+///        in any order; outside the triangle they may wrap round, and are not used. Perspective: steps, as the bits of
+///        float32. Shading texture: factors, 0 to 65535, and always 1/w, as the bits of float32.
 struct alignas(64) ColorPlanes {
     std::array<std::int32_t, 4> origin; ///< at the anchor
     std::array<std::int32_t, 4> perX;
@@ -136,17 +136,17 @@ struct alignas(32) TexelPlanes {
 static_assert(sizeof(TexelPlanes) == 32);
 constexpr int kMostTexels = 1 << 16; ///< along an axis, for TexelPlanes::first
 
-constexpr std::uint32_t kNobody = 0xffffffffU;
-constexpr std::uint32_t kEmpty = 0xfffffffeU;
+constexpr std::uint32_t kNobody = 0xffffffffU; ///< in place of a number: no triangle
+constexpr std::uint32_t kEmpty = 0xfffffffeU;  ///< in place of an owner: no triangle has touched the block yet
 
-/// A tile's part of the faces of a chunk, in their order, is a list of these.
+/// One link in the list of triangles that a chunk has for a tile, in the order of the faces.
 struct BinBlock {
     static constexpr std::uint32_t kCapacity = 32;
     std::array<TileTriangle, kCapacity> triangles;
     std::array<ColorPlanes, kCapacity> colors; ///< of shadings that interpolate a colour
 };
 
-/// The same triangles' planes of shading texture.
+/// Texture planes of the triangles of a BinBlock, in the same order. Only shading texture has them.
 using TexelBlock = std::array<TexelPlanes, BinBlock::kCapacity>;
 
 /// Blocks of bins, by number. Their memory is kept from frame to frame.
@@ -282,8 +282,8 @@ struct alignas(64) TileSamples {
     std::array<std::uint16_t, kTileSamples> coverage; ///< only if asked for
     std::array<std::int32_t, kTileBlocks> farthest;   ///< a key no sample of the block is farther than
     std::array<std::int32_t, kTileBlocks> nearest;    ///< a key no sample of the block is nearer than
-    /// Number of the triangle that has the whole block, or kEmpty: its keys and ids are then not written yet. Or
-    /// kNobody.
+    /// Number of the triangle that has the whole block, or kEmpty for a block without triangles: in both cases its
+    /// keys and ids are not written yet. kNobody: they are written, and the block may belong to several triangles.
     std::array<std::uint32_t, kTileBlocks> owner;
     std::int32_t clearKey; ///< last: the arrays stay aligned
 };

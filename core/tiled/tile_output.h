@@ -30,10 +30,10 @@ void writeTile(const FrameJob& job, const Worker& worker, TileOrigin origin);
 /// in   the first block of a row of a subtile; 16 colours each
 void writeBlocks(const FrameJob& job, TileOrigin origin, int firstBlock, const std::uint32_t* colors);
 
-/// Brings the pixels of a tile near while there is something else to do.
+/// Prefetches the pixels of a tile into the cache while other work goes on.
 void prefetchTile(const FrameJob& job, TileOrigin origin);
 
-/// The same for tiles side by side that no triangle touches.
+/// Clears the pixels of `count` tiles side by side that no triangle touches.
 void clearTiles(const FrameJob& job, TileOrigin origin, int count);
 
 } // namespace rasterlens::tiled

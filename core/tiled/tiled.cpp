@@ -40,7 +40,7 @@ TiledContext& contextOf(Frame& frame, int threads)
         blocks = std::max(blocks, worker->blocks.capacity());
         visible = std::max(visible, worker->visible.capacity());
     }
-    for (const auto& worker : context.workers) { // the fullest tile may be anyone's this time
+    for (const auto& worker : context.workers) { // any worker may get the fullest tile this time
         worker->blocks.reserve(blocks);
         worker->visibleOf.reserve(blocks * BinBlock::kCapacity);
         worker->visible.reserve(visible);

@@ -1,4 +1,4 @@
-// Varyings of triangles as planes over the target. Included once for each target.
+// Varyings of triangles as planes over the target. Included once for each target: see README.md.
 #if defined(RASTERLENS_TILED_VARYINGS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_VARYINGS_INL_H
 #undef RASTERLENS_TILED_VARYINGS_INL_H
@@ -93,7 +93,7 @@ HWY_INLINE void MakeVaryingPlanes(const Rules& rules, const PlaneGeometry& g, co
         makePlane(i + 1, hn::Mul(value[0], q[0]), hn::Mul(value[1], q[1]), hn::Mul(value[2], q[2]));
     }
 
-    // Of 53 bits, these may be lost where terms cancel; the rest is more than float32 holds.
+    // So much of the 53 bits may be lost where terms cancel; what is left is still more than float32 holds.
     constexpr double kEnough = 1 << 20;
     const Doubles smallest = hn::Min(hn::Min(q[0], q[1]), q[2]);
     const Doubles ratio = hn::Div(hn::Max(hn::Max(q[0], q[1]), q[2]), smallest);

@@ -1,4 +1,4 @@
-// The vertex stage: clip space, outcodes, snapped screen positions. Included once for each target.
+// The vertex stage: clip space, outcodes, snapped screen positions. Included once for each target: see README.md.
 #if defined(RASTERLENS_TILED_VERTICES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERLENS_TILED_VERTICES_INL_H
 #undef RASTERLENS_TILED_VERTICES_INL_H

@@ -32,7 +32,7 @@ struct CoverageDifference {
     std::uint64_t hitLess = 0;   ///< HitLess
     std::uint64_t neverHit = 0;  ///< of the missing: all four neighbours are covered in truth, a crack along an edge
     std::uint64_t otherFace = 0; ///< OtherFace
-    std::uint64_t tolerated = 0; ///< of all these: closer to a true edge than the band allows, hence counted as right
+    std::uint64_t tolerated = 0; ///< differing pixels inside the band along a true edge: counted as right
 
     std::uint64_t depthsCompared = 0; ///< pixels
     std::uint64_t colorsCompared = 0; ///< pixels

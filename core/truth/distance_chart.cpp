@@ -94,7 +94,8 @@ private:
                 (0.5 - clip.y / clip.w * 0.5) * m_settings.size.height()};
     }
 
-    /// Of the corners that the picture shows. One that is no longer before the eye counts as the picture's diagonal.
+    /// The largest error of the corners that the picture shows. A corner that is no longer before the eye counts as the
+    /// picture's diagonal.
     [[nodiscard]] double cornerError(const Scene& scene) const
     {
         const std::vector<ClipVertex> drawn =

@@ -18,7 +18,7 @@ struct DistanceError {
     std::uint64_t wrong = 0; ///< pixels: missing, extra, hit too often or too seldom, of another face
 };
 
-/// The same model at one distance from 0.
+/// One row of the chart: the model at one distance from 0.
 struct DistanceRow {
     double units = 0;          ///< from 0 to the box's centre, in the units of the scene
     double relativeSize = 0;   ///< the box's longest side over that
@@ -39,7 +39,7 @@ struct DistanceRow {
 
 /// An array of `{"distance", "relative_size", "covered", "recentred": {"corner_px", "wrong_pixels"}, "float32": {..}}`.
 [[nodiscard]] QByteArray distanceJson(std::span<const DistanceRow> rows);
-/// The same columns, their names joined by `_`.
+/// The rows as CSV, with the columns of distanceJson(); names of nested values are joined by `_`.
 [[nodiscard]] QByteArray distanceCsv(std::span<const DistanceRow> rows);
 
 } // namespace rasterlens

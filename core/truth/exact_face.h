@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-// One face of the exact reference; below exact_reference.cpp, nobody else includes it.
+// One face of the exact reference. A part of exact_reference.cpp, which alone includes this header.
 
 namespace rasterlens::exact
 {

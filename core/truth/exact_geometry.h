@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-// The integer geometry below exact_reference.cpp; nobody else includes it.
+// The integer geometry of the exact reference, for its sources and its tests only.
 
 namespace rasterlens::exact
 {

@@ -12,7 +12,8 @@
 namespace rasterlens
 {
 
-/// What came of a case, whoever drew it: the window of the scene, one entry a pixel (the sample nearest the centre).
+/// The picture of a case, by a rasterizer or by the reference: the window of the scene, one entry a pixel (the sample
+/// nearest the centre).
 struct Outcome {
     PixelRect window;
     std::vector<std::uint32_t> cover;

@@ -29,11 +29,11 @@ struct VariantError {
     };
     struct Depth {
         double max = 0;  ///< depth units, where both see the same face
-        double mean = 0; ///< likewise
+        double mean = 0; ///< depth units, where both see the same face
     };
     struct Color {
         double max = 0;    ///< 8-bit steps from the exact colour, where both see the same face; rounding alone: 0.5
-        double mean = 0;   ///< likewise, over the channels
+        double mean = 0;   ///< 8-bit steps over all channels, where both see the same face
         double psnrDb = 0; ///< of the 8-bit pictures, all pixels; infinite where they are equal
     };
     std::optional<Coverage> coverage;
@@ -115,7 +115,8 @@ void markFrontier(std::span<ExperimentRow> rows, ErrorMeasure measure);
 /// How many times as long edge equation takes as edge walking in these rows, if they hold both.
 [[nodiscard]] std::optional<double> walkingAdvantage(std::span<const ExperimentRow> rows);
 
-/// The same by the blog post [002]: 72 frames in 8 s with edge equation, 71 frames in 5.8 s with edge walking.
+/// walkingAdvantage() by the blog post [002]: 72 frames in 8 s with edge equation, 71 frames in 5.8 s with edge
+/// walking.
 constexpr double kPublishedWalkingAdvantage = 1.36;
 
 } // namespace rasterlens

@@ -11,8 +11,8 @@ namespace rasterlens
 /// no number, is kInfinitePsnr.
 [[nodiscard]] QByteArray experimentJson(std::span<const ExperimentRow> rows);
 
-/// The same as CSV, a line a row below the line of names; names of nested values are joined by `_`. What was not
-/// measured is empty.
+/// The rows as CSV: a line of names, then a line a row, with the columns of experimentJson(); names of nested values
+/// are joined by `_`. What was not measured is empty.
 [[nodiscard]] QByteArray experimentCsv(std::span<const ExperimentRow> rows);
 
 constexpr double kInfinitePsnr = 999;

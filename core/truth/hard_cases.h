@@ -46,7 +46,7 @@ struct CaseVerdict {
 ///         legalBandPixels() of a true edge; `expect` lines, depths and colours are not asked of them
 [[nodiscard]] CaseVerdict judgeCase(const Scene& scene, const ExactFrame& truth, const Settings& settings);
 
-/// The same for the reference itself: its `expect` lines.
+/// Judges the reference itself by the `expect` lines of the case.
 [[nodiscard]] CaseVerdict judgeReference(const Scene& scene, const ExactFrame& truth);
 
 /// The truth about a case, with the distances that judgeCase() needs. The samples are those of the case, or others.

@@ -142,11 +142,11 @@ private:
     };
 
     const Late m_late;
-    quint64 m_asked = 0; ///< of the window's thread, as the next two
+    quint64 m_asked = 0; ///< used on the window's thread, like the next two
     quint64 m_done = 0;
     quint64 m_dropped = 0; ///< nothing up to here is taken any more
 
-    mutable std::mutex m_mutex; ///< of all below
+    mutable std::mutex m_mutex; ///< guards the members below
     std::condition_variable_any m_changed;
     Job m_waiting;
     quint64 m_waitingSerial = 0;

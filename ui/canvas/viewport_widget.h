@@ -67,7 +67,7 @@ public:
     ///
     /// errors  a null image where the figure would be too large
     [[nodiscard]] QImage figure(std::optional<int> zoom = std::nullopt) const;
-    /// The same as a drawing of lines and areas.
+    /// Writes the figure as an SVG drawing of lines and areas.
     ///
     /// errors  a sentence in the language in use
     [[nodiscard]] std::optional<QString> saveSvgFigure(std::optional<int> zoom, const ExportTarget& target) const;

@@ -53,12 +53,12 @@ public:
     ///
     /// errors  diagnosticsReported, also where memory or threads are wanting; scene and settings stay as they were
     void open(const QString& name);
-    /// Likewise, with a change of the settings that the file asks for.
+    /// Opens a scene as open() does, then changes the settings that the file asks for by `change`.
     void openWith(const QString& name, std::function<void(Settings&)> change);
     /// Opens a session whose scene lies at another place than it says.
     void openSessionWith(const QString& path, const QString& scene);
     [[nodiscard]] bool isLoading() const { return m_loading; }
-    /// Opens the scene and the settings in which a mistake shows, likewise.
+    /// Opens the scene and the settings in which a mistake shows, on a background thread as open() does.
     void openMistake(const QString& id);
     /// Opens the session that an earlier run left behind, as unsaved changes of `sessionPath` (empty: never saved).
     void openRecovered(const QString& file, const QString& sessionPath);
@@ -72,7 +72,8 @@ public:
     /// Every file that the scene and its session were read from, as it lay on the disk at that time.
     [[nodiscard]] const std::vector<InputFile>& inputs() const { return m_inputs; }
 
-    /// Is asked before the changes of a dirty document are given up for another scene, and answers when the user does.
+    /// The document calls this function before it gives up unsaved changes for another scene. The function calls
+    /// `answer` once the user has decided.
     using LeaveGuard = std::function<void(std::function<void(bool mayLeave)> answer)>;
     void setLeaveGuard(LeaveGuard guard) { m_leaveGuard = std::move(guard); }
 

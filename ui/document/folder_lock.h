@@ -13,7 +13,7 @@ class FolderLock
 public:
     /// Null if another program has the right, or if there is no such folder.
     [[nodiscard]] static std::unique_ptr<FolderLock> take(const QString& folder);
-    /// The same, but waits for the other program.
+    /// Waits until no other program has the right, then takes it. Null if there is no such folder.
     [[nodiscard]] static std::unique_ptr<FolderLock> waitFor(const QString& folder);
     ~FolderLock();
     FolderLock(const FolderLock&) = delete;

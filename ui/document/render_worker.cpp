@@ -15,7 +15,7 @@ namespace rasterlens
 
 /// From here on the first picture of any change is drawn fast.
 constexpr double kLongMs = 100;
-constexpr std::size_t kLargeScene = 200000; ///< faces: so long take the other algorithms, which nobody timed yet
+constexpr std::size_t kLargeScene = 200000; ///< faces from which on a scene counts as slow until it has been timed
 
 /// Keeps the memory of frames the window has let go of.
 class RenderWorker::Pool : public std::enable_shared_from_this<RenderWorker::Pool>

@@ -153,7 +153,7 @@ void CompareBar::sync()
     m_settings->setVisible(!m_brief);
 }
 
-/// What A and B are, in words: the settings in which they differ. Those beyond the room are in the tool-tip.
+/// What A and B are, in words: the settings in which they differ. The tool-tip has the settings that find no room.
 QString CompareBar::settingsText(std::size_t most) const
 {
     const auto differences = m_comparison.settingsDifferences();
