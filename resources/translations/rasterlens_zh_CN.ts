@@ -981,6 +981,10 @@
         <source>vn: %1 normals have length 0; those of the faces are used</source>
         <translation>vn：%1 个法线长度为 0；改用面的法线</translation>
     </message>
+    <message>
+        <source>f: %1 corners, cut without overlap; where corners come close to each other on the screen, snapping turns thin triangles over, and single samples are drawn twice</source>
+        <translation>f：%1 个角点，剖分无重叠；角点在屏幕上彼此靠近时，对齐会使细长三角形翻转，个别采样点会被绘制两次</translation>
+    </message>
 </context>
 <context>
     <name>Experiment</name>
