@@ -961,6 +961,30 @@
         <source>map_d %1: %2; drawn without holes</source>
         <translation>map_d %1：%2；绘制时不开孔</translation>
     </message>
+    <message>
+        <source>%1: %2 behind the numbers is ignored</source>
+        <translation>%1：数字之后的 %2 被忽略</translation>
+    </message>
+    <message>
+        <source>usemtl: no mtllib says what the %1 materials are; all look like the default one</source>
+        <translation>usemtl：没有 mtllib 说明这 %1 种材质；全部按默认材质绘制</translation>
+    </message>
+    <message>
+        <source>newmtl: %1 comes a second time; the first one is used</source>
+        <translation>newmtl：%1 第二次出现；采用第一次的定义</translation>
+    </message>
+    <message>
+        <source>f: in %1 corners v counts from the start and vt or vn is -1, the last one; some programs mean none by it</source>
+        <translation>f：%1 个角点的 v 从头计数，而 vt 或 vn 为 -1，即最后一个；有些程序用它表示“没有”</translation>
+    </message>
+    <message>
+        <source>vn: %1 normals have length 0; those of the faces are used</source>
+        <translation>vn：%1 个法线长度为 0；改用面的法线</translation>
+    </message>
+    <message>
+        <source>f: %1 corners, cut without overlap; where corners come close to each other on the screen, snapping turns thin triangles over, and single samples are drawn twice</source>
+        <translation>f：%1 个角点，剖分无重叠；角点在屏幕上彼此靠近时，对齐会使细长三角形翻转，个别采样点会被绘制两次</translation>
+    </message>
 </context>
 <context>
     <name>Experiment</name>
