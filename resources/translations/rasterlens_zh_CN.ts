@@ -2083,8 +2083,8 @@
         <translation>公共边上的像素被两个三角形各画一次：混合颜色或计数时就会出错。</translation>
     </message>
     <message>
-        <source>inside = e0 &gt;= 0 &amp;&amp; e1 &gt;= 0 &amp;&amp; e2 &gt;= 0</source>
-        <translation>inside = e0 &gt;= 0 &amp;&amp; e1 &gt;= 0 &amp;&amp; e2 &gt;= 0</translation>
+        <source>inside = E_AB &gt;= 0 &amp;&amp; E_BC &gt;= 0 &amp;&amp; E_CA &gt;= 0</source>
+        <translation>inside = E_AB &gt;= 0 &amp;&amp; E_BC &gt;= 0 &amp;&amp; E_CA &gt;= 0</translation>
     </message>
     <message>
         <source>A point on the edge is in the triangle, is it not?</source>
@@ -2099,8 +2099,8 @@
         <translation>公共边上的像素两个三角形都不画：留下一排洞。</translation>
     </message>
     <message>
-        <source>inside = e0 &gt; 0 &amp;&amp; e1 &gt; 0 &amp;&amp; e2 &gt; 0</source>
-        <translation>inside = e0 &gt; 0 &amp;&amp; e1 &gt; 0 &amp;&amp; e2 &gt; 0</translation>
+        <source>inside = E_AB &gt; 0 &amp;&amp; E_BC &gt; 0 &amp;&amp; E_CA &gt; 0</source>
+        <translation>inside = E_AB &gt; 0 &amp;&amp; E_BC &gt; 0 &amp;&amp; E_CA &gt; 0</translation>
     </message>
     <message>
         <source>It stops pixels from being drawn twice.</source>
@@ -2115,8 +2115,8 @@
         <translation>逆时针三角形正确，顺时针三角形的公共边上像素被画两次。</translation>
     </message>
     <message>
-        <source>inside = all e + bias &gt;= 0 || all e + bias &lt;= 0</source>
-        <translation>inside = all e + bias &gt;= 0 || all e + bias &lt;= 0</translation>
+        <source>inside = all E + bias &gt;= 0 || all E + bias &lt;= 0</source>
+        <translation>inside = all E + bias &gt;= 0 || all E + bias &lt;= 0</translation>
     </message>
     <message>
         <source>It makes the test independent of the winding; the bias is not.</source>
@@ -2147,8 +2147,8 @@
         <translation>画面向右下偏移半个像素。</translation>
     </message>
     <message>
-        <source>edge(x, y) in place of edge(x + 0.5, y + 0.5)</source>
-        <translation>edge(x, y) in place of edge(x + 0.5, y + 0.5)</translation>
+        <source>E_AB(x, y) in place of E_AB(x + 0.5, y + 0.5)</source>
+        <translation>E_AB(x, y) in place of E_AB(x + 0.5, y + 0.5)</translation>
     </message>
     <message>
         <source>The loop variables are right there.</source>
@@ -2195,8 +2195,8 @@
         <translation>所有颜色都挪到下一个顶点。</translation>
     </message>
     <message>
-        <source>e_AB / area is used as the weight of A</source>
-        <translation>e_AB / area is used as the weight of A</translation>
+        <source>α = E_AB / area in place of E_BC / area</source>
+        <translation>α = E_AB / area in place of E_BC / area</translation>
     </message>
     <message>
         <source>The edge is named after its first corner; its value belongs to the corner opposite.</source>
@@ -2211,8 +2211,8 @@
         <translation>两个顶点的颜色互换了。</translation>
     </message>
     <message>
-        <source>color = u * A + w * B + v * C</source>
-        <translation>color = u * A + w * B + v * C</translation>
+        <source>color = α * A + γ * B + β * C</source>
+        <translation>color = α * A + γ * B + β * C</translation>
     </message>
     <message>
         <source>B and C were swapped to turn the triangle round, and only they.</source>
@@ -2227,8 +2227,8 @@
         <translation>像胡椒一样的小洞：6.9999995 被截成 6，旁边的像素画了两次。</translation>
     </message>
     <message>
-        <source>x = (int)(u * A.x + v * B.x + w * C.x)</source>
-        <translation>x = (int)(u * A.x + v * B.x + w * C.x)</translation>
+        <source>x = (int)(α * A.x + β * B.x + γ * C.x)</source>
+        <translation>x = (int)(α * A.x + β * B.x + γ * C.x)</translation>
     </message>
     <message>
         <source>Position is an attribute like all others.</source>
@@ -2339,8 +2339,8 @@
         <translation>方砖和线条在正方形对角线处折断，相机移动时漂移。</translation>
     </message>
     <message>
-        <source>uv = u * A.uv + v * B.uv + w * C.uv</source>
-        <translation>uv = u * A.uv + v * B.uv + w * C.uv</translation>
+        <source>uv = α * A.uv + β * B.uv + γ * C.uv</source>
+        <translation>uv = α * A.uv + β * B.uv + γ * C.uv</translation>
     </message>
     <message>
         <source>Right for z, and right without perspective.</source>
@@ -2419,8 +2419,8 @@
         <translation>顶点之间的深度偏远：后面的东西从倾斜面的中部透出来。</translation>
     </message>
     <message>
-        <source>z = u * A.z + v * B.z + w * C.z with z of view space</source>
-        <translation>z = u * A.z + v * B.z + w * C.z with z of view space</translation>
+        <source>z = α * A.z + β * B.z + γ * C.z with z of view space</source>
+        <translation>z = α * A.z + β * B.z + γ * C.z with z of view space</translation>
     </message>
     <message>
         <source>The distance is what depth means. But only 1/z is linear on the screen.</source>
@@ -2783,8 +2783,8 @@
         <translation>超过 46,341 像素（平方超出 31 位）时数值回绕：三角形出现直边的洞。</translation>
     </message>
     <message>
-        <source>int e = (x - a.x) * (b.y - a.y) - ...</source>
-        <translation>int e = (x - a.x) * (b.y - a.y) - ...</translation>
+        <source>int E_AB = (x - A.x) * (B.y - A.y) - ...</source>
+        <translation>int E_AB = (x - A.x) * (B.y - A.y) - ...</translation>
     </message>
     <message>
         <source>No screen is that large. Unclipped triangles are.</source>
@@ -2799,8 +2799,8 @@
         <translation>黑线：权重是 0/0，任何比较都拦不住。</translation>
     </message>
     <message>
-        <source>u = e / area, without a look at area</source>
-        <translation>u = e / area, without a look at area</translation>
+        <source>α = E_BC / area, without a look at area</source>
+        <translation>α = E_BC / area, without a look at area</translation>
     </message>
     <message>
         <source>Who would send such triangles?</source>
@@ -2831,8 +2831,8 @@
         <translation>舍入沿长行累积：公共边上出现洞和重复命中。</translation>
     </message>
     <message>
-        <source>float e; e += dx</source>
-        <translation>float e; e += dx</translation>
+        <source>float E_AB; E_AB += dx</source>
+        <translation>float E_AB; E_AB += dx</translation>
     </message>
     <message>
         <source>One addition is cheaper than a product.</source>
