@@ -3472,14 +3472,6 @@
         <translation>下一个 x：%1 %2</translation>
     </message>
     <message>
-        <source>passed</source>
-        <translation>通过</translation>
-    </message>
-    <message>
-        <source>failed</source>
-        <translation>未通过</translation>
-    </message>
-    <message>
         <source>vertex</source>
         <translation>顶点</translation>
     </message>
@@ -3563,6 +3555,281 @@
         <source>face %1</source>
         <translation>面 %1</translation>
     </message>
+    <message>
+        <source>in 32 bits: %1</source>
+        <translation>32 位下：%1</translation>
+    </message>
+    <message>
+        <source>added up: %1</source>
+        <translation>累加得：%1</translation>
+    </message>
+    <message>
+        <source>rounded: %1</source>
+        <translation>舍入得：%1</translation>
+    </message>
+    <message>
+        <source>no sample</source>
+        <translation>没有采样点</translation>
+    </message>
+</context>
+<context>
+    <name>Steps</name>
+    <message>
+        <source>after step %1</source>
+        <translation>第 %1 步之后</translation>
+    </message>
+    <message>
+        <source>finished frame</source>
+        <translation>完成的画面</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 和 %2</translation>
+    </message>
+    <message>
+        <source>because of %1</source>
+        <translation>因为 %1</translation>
+    </message>
+    <message>
+        <source>w</source>
+        <translation>w</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>near</source>
+        <translation>近</translation>
+    </message>
+    <message>
+        <source>far</source>
+        <translation>远</translation>
+    </message>
+    <message>
+        <source>neither</source>
+        <translation>非左上</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>culled-back</source>
+        <translation>背面剔除</translation>
+    </message>
+    <message>
+        <source>culled-front</source>
+        <translation>正面剔除</translation>
+    </message>
+    <message>
+        <source>degenerate</source>
+        <translation>退化</translation>
+    </message>
+    <message>
+        <source>non-finite</source>
+        <translation>非有限数</translation>
+    </message>
+    <message>
+        <source>rasterized</source>
+        <translation>已光栅化</translation>
+    </message>
+    <message>
+        <source>clip</source>
+        <translation>裁剪空间</translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>视线</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>光线</translation>
+    </message>
+    <message>
+        <source>undivided</source>
+        <translation>未除以 w</translation>
+    </message>
+    <message>
+        <source>unclipped</source>
+        <translation>未裁剪</translation>
+    </message>
+    <message>
+        <source>screen</source>
+        <translation>屏幕</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>1/w %1</source>
+        <translation>1/w %1</translation>
+    </message>
+    <message>
+        <source>%1 in place of 1/w</source>
+        <translation>%1 代替了 1/w</translation>
+    </message>
+    <message>
+        <source>%1 = vertex %2</source>
+        <translation>%1 = 顶点 %2</translation>
+    </message>
+    <message>
+        <source>object %1 -&gt; clip %2, outside %3</source>
+        <translation>物体 %1 -&gt; 裁剪 %2，在其外：%3</translation>
+    </message>
+    <message>
+        <source>world (%1), object %2 -&gt; clip %3, outside %4</source>
+        <translation>世界 (%1)，物体 %2 -&gt; 裁剪 %3，在其外：%4</translation>
+    </message>
+    <message>
+        <source>%1 -&gt; %2 vertices</source>
+        <translation>%1 -&gt; %2 个顶点</translation>
+    </message>
+    <message>
+        <source>%1 -&gt; %2 vertices, cuts %3</source>
+        <translation>%1 -&gt; %2 个顶点，切割 %3</translation>
+    </message>
+    <message>
+        <source>outcodes %1</source>
+        <translation>区域码 %1</translation>
+    </message>
+    <message>
+        <source>corner %1</source>
+        <translation>角 %1</translation>
+    </message>
+    <message>
+        <source>%1 -&gt; %2, depth %3, %4</source>
+        <translation>%1 -&gt; %2，深度 %3，%4</translation>
+    </message>
+    <message>
+        <source>%1 %2, screen area %3</source>
+        <translation>%1 %2，屏幕面积 %3</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 个三角形</translation>
+    </message>
+    <message>
+        <source>by y</source>
+        <translation>按 y 排序</translation>
+    </message>
+    <message>
+        <source>%1; long edge %2, rows %3..%4</source>
+        <translation>%1；长边在%2，行 %3..%4</translation>
+    </message>
+    <message>
+        <source>x %1..%2 -&gt; [%3, %4), long edge %5, %6 half</source>
+        <translation>x %1..%2 -&gt; [%3, %4)，长边在%5，%6半部</translation>
+    </message>
+    <message>
+        <source>upper</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>%1 = %2 (%3, ours)</source>
+        <translation>%1 = %2（%3，归我们）</translation>
+    </message>
+    <message>
+        <source>%1 = %2 (%3, not ours)</source>
+        <translation>%1 = %2（%3，不归我们）</translation>
+    </message>
+    <message>
+        <source>inside, tie</source>
+        <translation>在内，平局</translation>
+    </message>
+    <message>
+        <source>outside, tie</source>
+        <translation>在外，平局</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>在内</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>在外</translation>
+    </message>
+    <message>
+        <source>%1  %2  %3  %4</source>
+        <translation>%1  %2  %3  %4</translation>
+    </message>
+    <message>
+        <source>i %1, p %2, d_lower %3, d_upper %4</source>
+        <translation>i %1，p %2，d_lower %3，d_upper %4</translation>
+    </message>
+    <message>
+        <source>step along both axes</source>
+        <translation>沿两轴各走一步</translation>
+    </message>
+    <message>
+        <source>step along the longer axis</source>
+        <translation>沿长轴走一步</translation>
+    </message>
+    <message>
+        <source>depth %1, compared with nothing: passed</source>
+        <translation>深度 %1，不比较：通过</translation>
+    </message>
+    <message>
+        <source>depth %1 %2 %3: passed</source>
+        <translation>深度 %1 %2 %3：通过</translation>
+    </message>
+    <message>
+        <source>depth %1 %2 %3: failed, but its depth is stored</source>
+        <translation>深度 %1 %2 %3：未通过，但其深度仍被存储</translation>
+    </message>
+    <message>
+        <source>depth %1 %2 %3: failed</source>
+        <translation>深度 %1 %2 %3：未通过</translation>
+    </message>
+    <message>
+        <source>α β γ %1 -&gt; %2, %3</source>
+        <translation>α β γ %1 -&gt; %2，%3</translation>
+    </message>
+    <message>
+        <source>%1 -&gt; %2, depth %3 -&gt; %4</source>
+        <translation>%1 -&gt; %2，深度 %3 -&gt; %4</translation>
+    </message>
+    <message>
+        <source>no sample&apos;s centre within its bounds, or no area</source>
+        <translation>边界内没有采样中心，或没有面积</translation>
+    </message>
+    <message>
+        <source>%1 %2 per x, %3 per y, inside from %4 = %5 (%6)</source>
+        <translation>%1 每 x %2，每 y %3，自 %4 = %5 起在内（%6）</translation>
+    </message>
+    <message>
+        <source>bounds %1..%2 x %3..%4</source>
+        <translation>边界 %1..%2 x %3..%4</translation>
+    </message>
+    <message>
+        <source>%1; %2; %3</source>
+        <translation>%1；%2；%3</translation>
+    </message>
+    <message>
+        <source>off the target</source>
+        <translation>在画面外</translation>
+    </message>
 </context>
 <context>
     <name>StressScene</name>
@@ -3628,6 +3895,10 @@
     <message>
         <source>this machine does not have simd %1</source>
         <translation>这台计算机没有向量指令 %1</translation>
+    </message>
+    <message>
+        <source>algorithm tiled does not draw these settings</source>
+        <translation>分块算法不能绘制这些设置</translation>
     </message>
 </context>
 <context>
@@ -5154,6 +5425,14 @@
     <message>
         <source>%1 is seen</source>
         <translation>看到的是%1</translation>
+    </message>
+    <message>
+        <source>its area on the screen, %1, counts as none</source>
+        <translation>它在屏幕上的面积 %1 视为没有</translation>
+    </message>
+    <message>
+        <source>%1, less than %2, outside</source>
+        <translation>%1，小于 %2，在外</translation>
     </message>
 </context>
 <context>
