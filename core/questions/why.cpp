@@ -267,7 +267,9 @@ private:
         if (event.kind == StepKind::Sample) {
             judgeEdges(row, m_log->triangle(event)->setup, m_log->payload<SampleStep>(event).values);
         } else if (event.kind == StepKind::Fragment) {
-            row.fragment = m_log->payload<FragmentStep>(event);
+            // Lines of a face meet in its corners: what was written is not taken back by what fails after it.
+            if (row.verdict != WhyVerdict::Written || event.has(StepEvent::kPassed))
+                row.fragment = m_log->payload<FragmentStep>(event);
             row.verdict = std::max(row.verdict, WhyVerdict::FailedDepth);
         } else if (event.kind == StepKind::Write) {
             row.write = m_log->payload<WriteStep>(event);
