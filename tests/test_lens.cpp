@@ -8,6 +8,7 @@
 #include "ui/steps/transport_dock.h"
 
 #include <QImageReader>
+#include <QLabel>
 #include <QMenu>
 #include <QSignalSpy>
 
@@ -80,6 +81,7 @@ private Q_SLOTS:
     void walkingShowsSpans();
     void bresenhamShowsItsLine();
     void changesRecordAnew();
+    void numbersSayTheirMoment();
     void otherSceneDropsTheRecord();
     void everyFaceOfThePainterHasItsTriangle();
     void scopeLimitsTheRecord();
@@ -452,6 +454,28 @@ void TestLens::changesRecordAnew()
     QCOMPARE(changed.count(), 1);
     QCOMPARE(session().position(), std::size_t(50));
     QVERIFY(session().settings() == settings());
+}
+
+/// What is on the canvas beside the finished frame is said to be.
+void TestLens::numbersSayTheirMoment()
+{
+    const auto readout = [this] { return m_window->findChild<QLabel*>(QStringLiteral("readout"))->text(); };
+    const auto heading = [this] {
+        for (const QLabel* label : m_window->findChildren<QLabel*>(QStringLiteral("heading")))
+            if (label->text().startsWith(QStringLiteral("Faces")))
+                return label->text();
+        return QString();
+    };
+    viewport().selectPixel(QPoint(3, 4));
+    QCOMPARE(heading(), QStringLiteral("Faces \u00b7 finished frame"));
+    QVERIFY(!readout().contains(QStringLiteral("step")));
+    QVERIFY(record());
+    session().moveTo(50);
+    QCOMPARE(heading(), QStringLiteral("Faces \u00b7 after step 50"));
+    QVERIFY2(readout().startsWith(QStringLiteral("after step 50")), qPrintable(readout()));
+    session().moveTo(session().size());
+    QCOMPARE(heading(), QStringLiteral("Faces \u00b7 finished frame"));
+    QVERIFY(!readout().contains(QStringLiteral("step")));
 }
 
 void TestLens::otherSceneDropsTheRecord()

@@ -1,13 +1,16 @@
 // Every sentence of the step log, of `why` and of the window agrees with its own numbers and with the counters: for
 // every mistake, every depth setting and every built-in scene.
+#include "core/pipeline/shading.h"
 #include "core/questions/vertex_table.h"
 #include "core/questions/why.h"
+#include "core/render/count.h"
 #include "core/render/render.h"
 #include "core/render/steps.h"
 #include "core/scenes/builtin_scenes.h"
 #include "core/settings/mistakes.h"
 #include "tests/seed.h"
 #include "tests/sentence_reader.h"
+#include "ui/canvas/pixel_numbers.h"
 #include "ui/face/pixel_card.h"
 
 #include <QTest>
@@ -128,6 +131,7 @@ private Q_SLOTS:
     void snappingMovesNoCornerFar();
     void walkingByMistakeIsListedAsWalking();
     void untestedDepthIsSaidToBe();
+    void overlayNumbersMeanWhatIsShown();
     void everyMistake_data();
     void everyMistake();
     void everyDepthSetting_data();
@@ -223,6 +227,49 @@ void TestSentences::untestedDepthIsSaidToBe()
     for (const std::uint32_t i : log->eventsOf(StepKind::Fragment)) {
         QVERIFY(stepText(*log, i).contains(QStringLiteral("compared with nothing: passed")));
         QVERIFY(explainStep(*log, i).formula.contains(QStringLiteral("because of M28 No z-buffer")));
+    }
+}
+
+void TestSentences::overlayNumbersMeanWhatIsShown()
+{
+    const auto scene = std::make_shared<const Scene>(*makeBuiltinScene(QStringLiteral("games101")).scene);
+    for (const Shading shading : {Shading::Gouraud, Shading::Depth, Shading::TriangleId, Shading::Overdraw})
+        for (const Samples samples : {Samples::One, Samples::Grid2}) {
+            RenderedFrame frame;
+            frame.scene = scene;
+            frame.settings = scene->defaults;
+            frame.settings.size = {24, 24};
+            frame.settings.shading = shading;
+            frame.settings.samples = samples;
+            render(*scene, frame.settings, frame.frame);
+            const auto shown = [&](int x, int y) { return pixelNumbers(frame, {x, y}, NumberRoom::Details).first(); };
+            if (shading == Shading::Depth || shading == Shading::TriangleId)
+                QCOMPARE(shown(12, 12), QString()); // not known before it is counted
+            Frame counted;
+            (void)countPicture(*scene, frame.settings, frame.frame, counted);
+            frame.frame = counted;
+            frame.counted = true;
+            for (int y = 0; y < 24; ++y)
+                for (int x = 0; x < 24; ++x) {
+                    const auto at = std::size_t(y * 24 + x);
+                    const std::int32_t face = frame.frame.ids[at];
+                    const QColor color(frame.frame.image.pixel(x, y));
+                    QString expected = QStringLiteral("%1 %2 %3").arg(color.red()).arg(color.green()).arg(color.blue());
+                    if (shading == Shading::Depth)
+                        expected = QString::number(double(frame.frame.depth[at]), 'f', 4);
+                    if (shading == Shading::TriangleId)
+                        expected = face < 0 ? QString() : QStringLiteral("#%1").arg(face);
+                    if (shading == Shading::Overdraw)
+                        expected = QStringLiteral("\u00d7%1").arg(frame.frame.coverage[at]);
+                    QCOMPARE(shown(x, y), expected);
+                }
+        }
+    for (int count = 0; count < kMostOverdraw; ++count) { // before it is counted, the colour of one sample tells it
+        RenderedFrame frame;
+        frame.settings.shading = Shading::Overdraw;
+        frame.frame.image = QImage(1, 1, QImage::Format_RGB32);
+        frame.frame.image.fill(overdrawColor(std::uint32_t(count)));
+        QCOMPARE(pixelNumbers(frame, {0, 0}, NumberRoom::Hex), QStringList{QStringLiteral("\u00d7%1").arg(count)});
     }
 }
 
