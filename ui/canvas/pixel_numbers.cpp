@@ -94,9 +94,6 @@ QColor readableOn(QRgb color)
 QStringList pixelNumbers(const RenderedFrame& frame, QPoint pixel, NumberRoom room)
 {
     const Known known(frame, pixel);
-    if (frame.differing[0])
-        return {
-            channelChanges(frame.differing[0]->frame.image.pixel(pixel), frame.differing[1]->frame.image.pixel(pixel))};
     QStringList lines;
     switch (frame.settings.shading) {
     case Shading::Depth: lines = {known.depth(), known.face()}; break;
