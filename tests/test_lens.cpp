@@ -8,6 +8,7 @@
 #include "ui/steps/transport_dock.h"
 
 #include <QImageReader>
+#include <QLabel>
 #include <QMenu>
 #include <QSignalSpy>
 
@@ -80,6 +81,7 @@ private Q_SLOTS:
     void walkingShowsSpans();
     void bresenhamShowsItsLine();
     void changesRecordAnew();
+    void numbersSayTheirMoment();
     void otherSceneDropsTheRecord();
     void everyFaceOfThePainterHasItsTriangle();
     void scopeLimitsTheRecord();
@@ -376,14 +378,14 @@ void TestLens::listingPutsNumbersIn()
     });
     session().moveTo(*at + 1);
     const StepExplanation& told = mode().listing().explanation();
-    QVERIFY(told.listing.value(told.line).contains(QStringLiteral("E0 >= t0")));
+    QVERIFY(told.listing.at(std::size_t(told.line)).code.contains(QStringLiteral("E_AB >= t_AB")));
     QVERIFY2(told.formula.contains(QStringLiteral("E_AB(3.5, 4.5) = 8\u00b7(3.5 \u2212 ")), qPrintable(told.formula));
     QVERIFY(told.formula.contains(QStringLiteral(" = 0\n")));
     QVERIFY(told.formula.contains(QStringLiteral("owned: AB is a left edge")));
     QVERIFY(told.formula.contains(QStringLiteral("next x: E_AB += 8")));
     for (std::size_t i = 0; i < log().size(); ++i) {
         const StepExplanation any = explainStep(log(), i);
-        QVERIFY(any.line < any.listing.size());
+        QVERIFY(any.line < int(any.listing.size()));
         QVERIFY(!stepTitle(log(), i).isEmpty());
     }
 }
@@ -451,7 +453,29 @@ void TestLens::changesRecordAnew()
     QVERIFY(session().log() != former);
     QCOMPARE(changed.count(), 1);
     QCOMPARE(session().position(), std::size_t(50));
-    QVERIFY(session().log()->settings() == settings());
+    QVERIFY(session().settings() == settings());
+}
+
+/// What is on the canvas beside the finished frame is said to be.
+void TestLens::numbersSayTheirMoment()
+{
+    const auto readout = [this] { return m_window->findChild<QLabel*>(QStringLiteral("readout"))->text(); };
+    const auto heading = [this] {
+        for (const QLabel* label : m_window->findChildren<QLabel*>(QStringLiteral("heading")))
+            if (label->text().startsWith(QStringLiteral("Faces")))
+                return label->text();
+        return QString();
+    };
+    viewport().selectPixel(QPoint(3, 4));
+    QCOMPARE(heading(), QStringLiteral("Faces \u00b7 finished frame"));
+    QVERIFY(!readout().contains(QStringLiteral("step")));
+    QVERIFY(record());
+    session().moveTo(50);
+    QCOMPARE(heading(), QStringLiteral("Faces \u00b7 after step 50"));
+    QVERIFY2(readout().startsWith(QStringLiteral("after step 50")), qPrintable(readout()));
+    session().moveTo(session().size());
+    QCOMPARE(heading(), QStringLiteral("Faces \u00b7 finished frame"));
+    QVERIFY(!readout().contains(QStringLiteral("step")));
 }
 
 void TestLens::otherSceneDropsTheRecord()

@@ -159,7 +159,7 @@ void TestObjRealFiles::geometry_data()
     row("layout: three.js", "o plane\n" + kSquare + kUvs + "vn 0 0 1\nf 1/1/1 2/2/1 3/3/1\nf 1/1/1 3/3/1 4/4/1\n", 2,
         "");
     row("layout: OpenSCAD", "# exporter\n" + kSquare + "\nf 1 2 3 \nf 3 4 1 \n", 2, "");
-    row("layout: gmsh", kSquare + "l 1 2\nl 2 3\np 1\nf 1 2 3\nf 1 3 4\n", 2, "");
+    row("layout: gmsh", kSquare + "l 1 2\nl 2 3\np 1\nf 1 2 3\nf 1 3 4\n", 2, "not drawn: l (2), p (1)");
     row("layout: VTK", "# a toolkit\n\nmtllib NONE\n" + kSquare + kUvs + "g grp\nusemtl NONE\nf 1/1 2/2 3/3 4/4 \n", 2,
         "mtllib");
     row("layout: Blender", "o Plane\n" + kSquare + "s 0\nf 1 2 3 4\ng\n", 2, "");
@@ -171,7 +171,8 @@ void TestObjRealFiles::geometry_data()
         "####\n#\nvn 0 0 1\n" + kSquare.left(10) + "vn 0 0 1\nv 1 -1 0\nvn 0 0 1\nv 1 1 0\nf 1//1 2//2 3//3\n\n", 1,
         "");
     row("layout: Rhino",
-        "cstype bspline\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\nparm u 0 0 1 1\nend\n" + kSquare + "f 1 2 3 4\n", 2, "");
+        "cstype bspline\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\nparm u 0 0 1 1\nend\n" + kSquare + "f 1 2 3 4\n", 2,
+        "not drawn: surf (1)");
     row("layout: PowerShell's UTF-8", "\xEF\xBB\xBF" + kSquare + "f 1 2 3 4\n", 2, "");
     row("layout: Mac", QByteArray(kSquare + "f 1 2 3 4\n").replace('\n', '\r'), 2, "");
     row("layout: capitals", QByteArray(kSquare + "F 1 2 3 4\n").toUpper(), 2, "");

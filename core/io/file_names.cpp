@@ -49,6 +49,8 @@ QStringList spellings(const QByteArray& name)
         add(asChinese(name));
         add(QString::fromLatin1(name));
     }
+    if (name.contains('%'))
+        list << withSlashes(pathFromBytes(QByteArray::fromPercentEncoding(name)));
     list.removeDuplicates();
     return list;
 }
@@ -96,7 +98,10 @@ bool fileExists(const QString& path)
     return ::stat(bytesOfPath(path).constData(), &info) == 0;
 }
 
-NamedFile findNamedFile(const QString& owner, std::string_view name)
+namespace
+{
+
+NamedFile findAsSpelt(const QString& owner, std::string_view name)
 {
     const QDir folder = QFileInfo(owner).absoluteDir();
     const auto beside = [&](const QString& spelling) {
@@ -114,6 +119,18 @@ NamedFile findNamedFile(const QString& owner, std::string_view name)
             if (const auto found = inAnyCase(path))
                 return {*found, FoundBy::LetterCase};
     return {folder.absoluteFilePath(all.value(1, all.front())), FoundBy::Nothing};
+}
+
+} // namespace
+
+NamedFile findNamedFile(const QString& owner, std::string_view name)
+{
+    NamedFile whole = findAsSpelt(owner, name);
+    const std::size_t comment = name.find(" #");
+    if (whole.foundBy != FoundBy::Nothing || comment == std::string_view::npos)
+        return whole;
+    NamedFile withoutComment = findAsSpelt(owner, name.substr(0, comment));
+    return withoutComment.foundBy == FoundBy::Nothing ? whole : withoutComment;
 }
 
 void remarkOn(const NamedFile& file, std::string_view keyword, int line, DiagnosticSink& diagnostics)

@@ -17,8 +17,11 @@ namespace
 /// What tinyobjloader does not tell about a material: which statements there were, and where.
 struct Found {
     QByteArray name;
+    int line = 0;
     bool diffuse = false;
     bool shininess = false;
+    std::optional<float> diffuseGrey;  ///< a Kd of one number
+    std::optional<float> specularGrey; ///< a Ks of one number
     struct Map {
         MtlMap map;
         int line = 0;
@@ -67,7 +70,9 @@ private:
         }
         if (material) {
             const std::string_view name = trimmed(rest);
-            m_found.emplace_back().name = QByteArray(name.data(), static_cast<qsizetype>(name.size()));
+            Found& found = m_found.emplace_back();
+            found.name = QByteArray(name.data(), static_cast<qsizetype>(name.size()));
+            found.line = m_line;
         }
         if (m_found.empty()) {
             m_diagnostics.warning(
@@ -86,19 +91,29 @@ private:
                 (keyword == "map_d" ? found.opacity : found.texture) = Found::Map{std::move(*map), m_line};
             return false; // read here, not by tinyobjloader
         }
-        const bool good = numbers(keyword, rest, keyword == "Ns" ? 1 : 3);
+        std::optional<float> grey;
+        const bool good = numbers(keyword, rest, keyword == "Ns" ? 1 : 3, grey);
+        if (good && keyword == "Ks")
+            found.specularGrey = grey;
+        if (good && keyword == "Kd")
+            found.diffuseGrey = grey;
         found.diffuse |= good && keyword == "Kd";
         found.shininess |= good && keyword == "Ns";
         return good;
     }
 
-    bool numbers(std::string_view keyword, std::string_view rest, int count)
+    /// out   grey  the number of a colour that has but one: the MTL text lets it stand for all three
+    bool numbers(std::string_view keyword, std::string_view rest, int count, std::optional<float>& grey)
     {
         for (int i = 0; i < count; ++i) {
             const std::string_view word = nextWord(rest);
             const NumberText number = decimalFromText(word);
-            if (number.fault == NumberFault::None && number.value >= 0)
+            if (i == 1 && (word.empty() || word.starts_with('#')))
+                return true;
+            if (number.fault == NumberFault::None && number.value >= 0) {
+                grey = i == 0 && count == 3 ? std::optional(number.value) : std::nullopt;
                 continue;
+            }
             const Reason problem = number.fault == NumberFault::None
                                        ? Reason(QT_TRANSLATE_NOOP("Diagnostic", "%1 is negative"), {quotedWord(word)})
                                        : describe(number.fault, word);
@@ -109,6 +124,12 @@ private:
                                             problem, expected}});
             return false;
         }
+        // Some programs write the opacity behind a colour; 1 says nothing.
+        if (const std::string_view word = nextWord(rest);
+            !word.empty() && !word.starts_with('#') && decimalFromText(word).value != 1)
+            m_diagnostics.warning(m_line, {QT_TRANSLATE_NOOP("Diagnostic", "%1: %2 behind the numbers is ignored"),
+                                           {QString::fromLatin1(keyword.data(), static_cast<qsizetype>(keyword.size())),
+                                            quotedWord(word)}});
         return true;
     }
 
@@ -145,9 +166,14 @@ std::vector<MtlMaterial> parseMtl(QByteArray text, const QString& path, Diagnost
         material.nameBytes = found[i].name;
         material.name = readableName({found[i].name.data(), static_cast<std::size_t>(found[i].name.size())});
         material.file = path;
+        material.line = found[i].line;
         if (found[i].diffuse)
             material.diffuse = {m.diffuse[0], m.diffuse[1], m.diffuse[2]};
+        if (found[i].diffuseGrey)
+            material.diffuse = glm::vec3(*found[i].diffuseGrey);
         material.specular = {m.specular[0], m.specular[1], m.specular[2]};
+        if (found[i].specularGrey)
+            material.specular = glm::vec3(*found[i].specularGrey);
         if (found[i].shininess)
             material.shininess = m.shininess;
         const auto image = [&](const std::optional<Found::Map>& map, std::string_view keyword) {

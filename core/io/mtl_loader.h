@@ -26,6 +26,7 @@ struct MtlMaterial {
     std::optional<MtlImage> texture; ///< map_Kd
     std::optional<MtlImage> opacity; ///< map_d
     QString file;                    ///< where all this stands, for diagnostics
+    int line = 0;                    ///< of its newmtl
 };
 
 /// Reads the materials of a Wavefront MTL file, in its order.

@@ -45,7 +45,8 @@ template <NpyNumber T>
     QByteArray bytes = npyHeader(npyType<T>(), rows, columns);
     const qsizetype headerSize = bytes.size();
     bytes.resize(headerSize + static_cast<qsizetype>(values.size_bytes()));
-    qToLittleEndian<T>(values.data(), static_cast<qsizetype>(values.size()), bytes.data() + headerSize);
+    if (!values.empty()) // an empty span may have no address, and memcpy asks for one
+        qToLittleEndian<T>(values.data(), static_cast<qsizetype>(values.size()), bytes.data() + headerSize);
     return bytes;
 }
 

@@ -4,6 +4,7 @@
 
 #include <QFileInfo>
 
+#include <algorithm>
 #include <iterator>
 
 namespace rasterlens
@@ -26,8 +27,18 @@ void ObjMaterials::loadLibraries(const ObjText& text)
 {
     for (const ObjReference& library : text.libraries)
         loadReference(library);
-    if (text.libraries.empty() && !text.materialUses.empty())
-        m_libraryMissing = !loadLibraryOfSameName(QT_TRANSLATE_NOOP("Diagnostic", "no mtllib names a file"), 0);
+    if (!text.libraries.empty() || text.materialUses.empty() ||
+        loadLibraryOfSameName(QT_TRANSLATE_NOOP("Diagnostic", "no mtllib names a file"), 0))
+        return;
+    m_libraryMissing = true;
+    QSet<QByteArray> names;
+    for (const ObjReference& use : text.materialUses)
+        names.insert(use.name);
+    m_objDiagnostics.warning(
+        text.materialUses.front().line,
+        {QT_TRANSLATE_NOOP("Diagnostic",
+                           "usemtl: no mtllib says what the %1 materials are; all look like the default one"),
+         {names.size()}});
 }
 
 /// A name may hold blanks; otherwise `mtllib` takes several names.
@@ -68,11 +79,23 @@ void ObjMaterials::loadLibrary(const QString& path, int line)
         diagnostics.note(1, QT_TRANSLATE_NOOP("Diagnostic",
                                               "Blender writes Kd as linear light and vertex colours as they are shown; "
                                               "here both are shown as they stand, so Kd looks darker than in Blender"));
-    for (const MtlMaterial& material : parseMtl(std::move(input.bytes), path, diagnostics))
+    QSet<QByteArray> ofThisFile;
+    for (const MtlMaterial& material : parseMtl(std::move(input.bytes), path, diagnostics)) {
+        if (ofThisFile.contains(material.nameBytes))
+            diagnostics.warning(
+                material.line,
+                {QT_TRANSLATE_NOOP("Diagnostic", "newmtl: %1 comes a second time; the first one is used"),
+                 {quotedWord(viewOf(material.nameBytes))}});
+        ofThisFile.insert(material.nameBytes);
         if (!m_library.contains(material.nameBytes)) {
             m_library.insert(material.nameBytes, material);
             m_nameOfReadable.insert(material.name, material.nameBytes);
         }
+        const qsizetype comment = material.name.indexOf(QStringLiteral(" # "));
+        const QString withoutComment = material.name.left(std::max<qsizetype>(comment, 0)).trimmed();
+        if (!withoutComment.isEmpty() && !m_nameOfReadable.contains(withoutComment))
+            m_nameOfReadable.insert(withoutComment, material.nameBytes);
+    }
     Diagnostics remarks = diagnostics.take();
     m_otherDiagnostics.insert(m_otherDiagnostics.end(), std::make_move_iterator(remarks.begin()),
                               std::make_move_iterator(remarks.end()));

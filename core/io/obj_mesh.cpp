@@ -14,6 +14,7 @@ namespace rasterlens
 namespace
 {
 
+constexpr std::size_t kManyCorners = 1000; ///< of a polygon, most of whose triangles are thin
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// A triangle of the mesh to be: three indices into ObjText::corners, and the face it is a part of.
@@ -64,6 +65,13 @@ std::vector<CornerTriangle> triangulateFaces(const ObjText& text, const std::vec
                     text.faces[face].line,
                     {QT_TRANSLATE_NOOP("Diagnostic",
                                        "f: the outline of %1 corners crosses itself; its inside is a guess"),
+                     {polygon.size()}});
+            else if (polygon.size() >= kManyCorners)
+                diagnostics.note(
+                    text.faces[face].line,
+                    {QT_TRANSLATE_NOOP("Diagnostic", "f: %1 corners, cut without overlap; where corners come close to "
+                                                     "each other on the screen, snapping turns thin triangles over, "
+                                                     "and single samples are drawn twice"),
                      {polygon.size()}});
         }
         for (const CornerTriple& triple : cut)

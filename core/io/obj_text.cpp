@@ -1,7 +1,10 @@
 #include "core/io/obj_text.h"
 
 #include "core/io/obj_number.h"
+#include "core/io/path_bytes.h"
 #include "core/io/vertex_colors.h"
+
+#include <QStringList>
 
 #include <algorithm>
 #include <array>
@@ -18,11 +21,29 @@ namespace
 using namespace objtext;
 
 // Statements of the format that say nothing about triangles.
-constexpr std::string_view kIgnored[] = {
-    "g",     "o",     "l",        "p",        "mg",   "vp",     "vw",     "cstype", "deg",        "bmat",
-    "step",  "curv",  "curv2",    "surf",     "parm", "trim",   "hole",   "scrv",   "sp",         "end",
-    "con",   "bevel", "c_interp", "d_interp", "lod",  "usemap", "maplib", "call",   "shadow_obj", "trace_obj",
-    "ctech", "stech", "csh",      "t",        "scmp", "bzp",    "bsp",    "cdc",    "cdp",        "res"};
+constexpr std::string_view kIgnored[] = {"g",         "o",     "mg",    "vp",       "vw",       "cstype", "deg",
+                                         "bmat",      "step",  "parm",  "trim",     "hole",     "scrv",   "sp",
+                                         "end",       "con",   "bevel", "c_interp", "d_interp", "lod",    "shadow_obj",
+                                         "trace_obj", "ctech", "stech", "t",        "scmp",     "res"};
+
+/// What else a file can be made of. `marks` add to triangles, the others take a part of the model's look with them.
+struct OtherShape {
+    std::string_view keyword;
+    bool isMark;
+};
+constexpr auto kOtherShapes = std::to_array<OtherShape>({{"l", true},
+                                                         {"p", true},
+                                                         {"curv", true},
+                                                         {"curv2", true},
+                                                         {"surf", false},
+                                                         {"bsp", false},
+                                                         {"bzp", false},
+                                                         {"cdc", true},
+                                                         {"cdp", false},
+                                                         {"usemap", false},
+                                                         {"maplib", false},
+                                                         {"call", false},
+                                                         {"csh", false}});
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
@@ -51,6 +72,7 @@ public:
         if (m_hasForward || m_hasBadPositions || m_hasBadUvs)
             dropBadFaces();
         m_out.colors = m_colors.take(m_out.positions.size(), m_diagnostics);
+        remarkOnOthers();
         if (m_out.faces.empty() && m_faceStatements == 0)
             m_diagnostics.error(
                 0, QT_TRANSLATE_NOOP("Diagnostic", "there are no faces; at least one \"f\" statement is expected"));
@@ -159,10 +181,44 @@ private:
             normal(rest.data(), end);
         else if (keyword == "f" || keyword == "fo") // fo: a face's outline in old files
             face(rest.data(), end);
+        else if (const auto shape = std::ranges::find(kOtherShapes, keyword, &OtherShape::keyword);
+                 shape != kOtherShapes.end())
+            m_others[static_cast<std::size_t>(shape - kOtherShapes.begin())].count(m_line);
         else if (std::ranges::find(kIgnored, keyword) == std::end(kIgnored))
             m_diagnostics.warning(m_line,
                                   {QT_TRANSLATE_NOOP("Diagnostic", "%1 is not a statement of the OBJ format; ignored"),
                                    {quotedWord(word)}});
+    }
+
+    /// Says what the file holds beside triangles, and that -1 was read as the last one.
+    void remarkOnOthers()
+    {
+        for (const bool isMark : {true, false}) {
+            QStringList names;
+            int line = 0;
+            for (std::size_t i = 0; i < m_others.size(); ++i) {
+                if (m_others[i].number == 0 || kOtherShapes[i].isMark != isMark)
+                    continue;
+                line = line == 0 ? m_others[i].firstLine : std::min(line, m_others[i].firstLine);
+                names << QStringLiteral("%1 (%2)").arg(readableName(kOtherShapes[i].keyword)).arg(m_others[i].number);
+            }
+            const Reason message{QT_TRANSLATE_NOOP("Diagnostic", "not drawn: %1"), {names.join(QStringLiteral(", "))}};
+            if (line > 0 && isMark && !m_out.faces.empty())
+                m_diagnostics.note(line, message);
+            else if (line > 0)
+                m_diagnostics.warning(line, message);
+        }
+        if (m_noNormals.number > 0)
+            m_diagnostics.warning(
+                m_noNormals.firstLine,
+                {QT_TRANSLATE_NOOP("Diagnostic", "vn: %1 normals have length 0; those of the faces are used"),
+                 {m_noNormals.number}});
+        if (m_lastOnes.number > 0)
+            m_diagnostics.warning(
+                m_lastOnes.firstLine,
+                {QT_TRANSLATE_NOOP("Diagnostic", "f: in %1 corners v counts from the start and vt or vn "
+                                                 "is -1, the last one; some programs mean none by it"),
+                 {m_lastOnes.number}});
     }
 
     void reference(std::vector<ObjReference>& list, std::string_view keyword, std::string_view rest)
@@ -278,9 +334,11 @@ private:
         numbers(Normal, at, end);
         if (m_count != 3)
             wrongCount(Normal, 3);
-        m_out.normals.push_back(
+        const glm::vec3& n = m_out.normals.emplace_back(
             m_good < 3 ? glm::vec3(0)
                        : glm::vec3(m_numbers[0].asFloat(), m_numbers[1].asFloat(), m_numbers[2].asFloat()));
+        if (m_good >= 3 && n == glm::vec3(0))
+            m_noNormals.count(m_line);
     }
 
     void face(const char* at, const char* end)
@@ -340,6 +398,8 @@ private:
         corner.uv = vt.absent ? -1 : resolved(TexCoord, vt.value, m_out.uvs.size());
         corner.normal = vn.absent ? -1 : resolved(Normal, vn.value, m_out.normals.size());
         corner.position = resolved(Position, v.value, m_out.positions.size());
+        if (v.value > 0 && (vt.value == -1 || vn.value == -1) && (corner.uv >= 0 || corner.normal >= 0))
+            m_lastOnes.count(m_line);
         return corner.position >= 0;
     }
 
@@ -414,6 +474,14 @@ private:
         return !bad;
     }
 
+    /// How often something was met, and where first.
+    struct Tally {
+        int number = 0;
+        int firstLine = 0;
+
+        void count(int line) { firstLine = number++ == 0 ? line : firstLine; }
+    };
+
     std::string_view m_text;
     ObjPositions m_rounding;
     DiagnosticSink& m_diagnostics;
@@ -423,6 +491,9 @@ private:
     int m_line = 0;
     int m_group = ObjFace::kNoGroup;
     std::size_t m_faceStatements = 0;
+    std::array<Tally, kOtherShapes.size()> m_others;
+    Tally m_noNormals;
+    Tally m_lastOnes;                  ///< corners where vt or vn is -1 and v is not negative
     std::array<Number, 7> m_numbers{}; ///< of the statement at hand
     std::size_t m_count = 0;           ///< how many it has
     std::size_t m_good = 0;            ///< the first so many of them are finite numbers

@@ -1,5 +1,6 @@
 #include "core/observe/counting_observer.h"
 
+#include "core/pipeline/fate_count.h"
 #include "core/pipeline/interpolation.h"
 
 #include <bit>
@@ -22,19 +23,7 @@ CountingObserver::CountingObserver(const Rules& rules)
 {
 }
 
-void CountingObserver::onFace(std::uint32_t, FaceFate fate)
-{
-    Statistics::Faces& faces = m_statistics.faces;
-    ++faces.submitted;
-    switch (fate) {
-    case FaceFate::Rejected: ++faces.rejected; break;
-    case FaceFate::CulledBack: ++faces.culledBack; break;
-    case FaceFate::CulledFront: ++faces.culledFront; break;
-    case FaceFate::Degenerate: ++faces.degenerate; break;
-    case FaceFate::NonFinite: ++faces.nonFinite; break;
-    case FaceFate::Rasterized: ++faces.rasterized; break;
-    }
-}
+void CountingObserver::onFace(std::uint32_t, FaceFate fate) { countFate(fate, m_statistics.faces); }
 
 void CountingObserver::onClipped(std::uint32_t, int pieces)
 {

@@ -1,7 +1,9 @@
 #include "core/observe/recorder.h"
 
 #include "core/base/pieces.h"
+#include "core/pipeline/rules_for.h"
 #include "core/pipeline/shading.h"
+#include "core/pipeline/unsnapped.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,17 +52,27 @@ std::vector<ClipCut> cutsOf(const ClipStep& step)
 
 } // namespace
 
-StepRecorder::StepRecorder(const Scene& scene, const Settings& settings, const Rules& rules, const StepFilter& filter,
-                           std::stop_source full)
-    : m_scene(&scene), m_rules(rules), m_filter(filter), m_volume(clipVolume(rules)), m_stopDrawing(std::move(full)),
-      m_log(std::make_shared<StepLog>()), m_counter(rules)
+ResolvedRules resolveRules(const Scene& scene, const Settings& settings)
 {
+    Settings right = settings;
+    right.mistakes.clear();
+    ResolvedRules resolved{rulesFor(scene, settings), rulesFor(scene, right), {}};
+    for (const QString& id : settings.mistakes)
+        if (const Mistake* mistake = findMistake(id))
+            resolved.mistakes.push_back(mistake);
+    return resolved;
+}
+
+StepRecorder::StepRecorder(const Scene& scene, const ResolvedRules& resolved, const StepFilter& filter,
+                           std::stop_source full)
+    : m_scene(&scene), m_rules(resolved.rules), m_filter(filter), m_volume(clipVolume(m_rules)),
+      m_stopDrawing(std::move(full)), m_log(std::make_shared<StepLog>()), m_counter(m_rules)
+{
+    const Rules& rules = m_rules;
     m_log->m_filter = filter;
-    m_log->m_settings = settings;
-    m_log->m_columns = rules.columns();
-    m_log->m_rows = rules.rows();
-    m_log->m_grid = rules.sampleGrid;
-    m_log->m_varyingCount = rules.varyingCount;
+    m_log->m_rules = rules;
+    m_log->m_rightRules = resolved.right;
+    m_log->m_mistakes = resolved.mistakes;
     const bool overdraw = rules.shading == Shading::Overdraw;
     m_log->m_clear = {overdraw ? overdrawColor(0) : packColor(scene.background), rules.depthClear};
     m_log->m_checkpoints.push_back({});
@@ -271,7 +283,7 @@ void StepRecorder::onViewport(std::uint32_t, int corner, const ClipVertex& clip,
     if (!isFaceWanted())
         return;
     const glm::dvec4& p = clip.positionClip;
-    const glm::dvec2 unsnapped((p.x / p.w * 0.5 + 0.5) * m_log->m_columns, (0.5 - p.y / p.w * 0.5) * m_log->m_rows);
+    const glm::dvec2 unsnapped = unsnappedPosition(p, m_rules);
     const std::uint8_t flags = finiteFlag(unsnapped.x, unsnapped.y, screen.depth, screen.invW);
     storePayload(faceEvent(StepKind::Viewport, flags), ViewportStep{corner, p, unsnapped, screen});
 }

@@ -39,6 +39,14 @@ template <class T>
     return out;
 }
 
+/// The rules of a frame, those without its mistakes, and these.
+struct ResolvedRules {
+    Rules rules;
+    Rules right;
+    std::vector<const Mistake*> mistakes;
+};
+[[nodiscard]] ResolvedRules resolveRules(const Scene& scene, const Settings& settings);
+
 /// Writes a step log: every callback is one event, and every change of the frame buffer one effect.
 class StepRecorder : public NullObserver
 {
@@ -46,8 +54,7 @@ public:
     static constexpr int kFacesPerBatch = 1;
 
     /// in  `full` is asked to stop the drawing when the cap is reached
-    StepRecorder(const Scene& scene, const Settings& settings, const Rules& rules, const StepFilter& filter,
-                 std::stop_source full);
+    StepRecorder(const Scene& scene, const ResolvedRules& rules, const StepFilter& filter, std::stop_source full);
 
     void onVertex(std::uint32_t face, int corner, std::uint32_t meshVertex, const ClipVertex& clip);
     void onFace(std::uint32_t face, FaceFate fate);

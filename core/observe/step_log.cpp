@@ -1,5 +1,7 @@
 #include "core/observe/step_log.h"
 
+#include "core/pipeline/fate_count.h"
+
 #include <algorithm>
 #include <array>
 
@@ -7,37 +9,6 @@ namespace rasterlens
 {
 namespace
 {
-
-struct KindInfo {
-    const char* id;
-    Stage stage;
-    int phase; ///< what a step of a stage goes by; all that follows for a sample is one phase
-};
-
-constexpr int kCoverPhase = 4;
-
-constexpr std::array<KindInfo, kStepKinds> kKinds{{
-    {"vertex", Stage::Scene, 0},
-    {"clip-plane", Stage::Clip, 1},
-    {"cohen-sutherland", Stage::Clip, 1},
-    {"viewport", Stage::Screen, 2},
-    {"facing", Stage::Cull, 2},
-    {"clipped", Stage::Clip, 2},
-    {"fate", Stage::Cull, 2},
-    {"triangle", Stage::Cover, 3},
-    {"setup", Stage::Cover, 3},
-    {"walk", Stage::Cover, 3},
-    {"span", Stage::Cover, kCoverPhase},
-    {"sample", Stage::Cover, kCoverPhase},
-    {"line-decision", Stage::Cover, kCoverPhase},
-    {"line-sample", Stage::Cover, kCoverPhase},
-    {"fragment", Stage::Depth, kCoverPhase},
-    {"shade", Stage::Shade, kCoverPhase},
-    {"write", Stage::Image, kCoverPhase},
-    {"end", Stage::Image, 5},
-}};
-
-const KindInfo& infoOf(StepKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
 
 bool stops(const StepEvent& event, const StepStop& stop, int grid)
 {
@@ -53,50 +24,51 @@ bool stops(const StepEvent& event, const StepStop& stop, int grid)
     return false;
 }
 
-void countFate(FaceFate fate, Statistics::Faces& faces)
-{
-    ++faces.submitted;
-    switch (fate) {
-    case FaceFate::Rejected: ++faces.rejected; break;
-    case FaceFate::CulledBack: ++faces.culledBack; break;
-    case FaceFate::CulledFront: ++faces.culledFront; break;
-    case FaceFate::Degenerate: ++faces.degenerate; break;
-    case FaceFate::NonFinite: ++faces.nonFinite; break;
-    case FaceFate::Rasterized: ++faces.rasterized; break;
-    }
-}
-
 } // namespace
 
-const char* stepKindId(StepKind kind) { return infoOf(kind).id; }
-
-Stage stageOf(StepKind kind) { return infoOf(kind).stage; }
-
-const char* edgeSideId(EdgeSide side)
-{
-    switch (side) {
-    case EdgeSide::Left: return "left";
-    case EdgeSide::Top: return "top";
-    case EdgeSide::Neither: break;
-    }
-    return "neither";
-}
-
-unsigned screenRegion(const glm::dvec4& p)
-{
-    const double x = p.x / p.w;
-    const double y = p.y / p.w;
-    return (x < -1 ? kRegionLeft : 0U) | (x > 1 ? kRegionRight : 0U) | (y < -1 ? kRegionBelow : 0U) |
-           (y > 1 ? kRegionAbove : 0U);
-}
-
-EdgeValues StepSetup::at(int x, int y) const
+EdgeValues StepSetup::at(const glm::dvec2& point) const
 {
     EdgeValues values;
     for (std::size_t i = 0; i < 3; ++i)
-        values[i] = edges[i].a * ((x + 0.5) * unitsPerSample - edges[i].from.x) +
-                    edges[i].b * ((y + 0.5) * unitsPerSample - edges[i].from.y);
+        values[i] = edges[i].a * (point.x * unitsPerSample - edges[i].from.x) +
+                    edges[i].b * (point.y * unitsPerSample - edges[i].from.y);
     return values;
+}
+
+glm::dvec2 testedPoint(const Rules& rules, int x, int y)
+{
+    const int grid = rules.sampleGrid;
+    return rules.samplesTruncated ? glm::dvec2(x / grid * grid, y / grid * grid) : glm::dvec2(x + 0.5, y + 0.5);
+}
+
+bool addsUpEdgeValues(const Rules& rules)
+{
+    return rules.stepping == Stepping::Incremental && rules.insideTest == InsideTest::AllPositive &&
+           !rules.samplesTruncated;
+}
+
+DecidingEdge decidingEdge(const StepSetup& setup, const EdgeValues& values, const Rules& rules)
+{
+    std::size_t smallest = 0;
+    std::size_t largest = 0;
+    bool failed = false;
+    bool allAtMost = rules.insideTest == InsideTest::EitherSign;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const bool fails = !(values[i] >= setup.edges[i].threshold);
+        if (fails == failed ? values[i] < values[smallest] : fails)
+            smallest = i;
+        if (values[i] > values[largest])
+            largest = i;
+        failed = failed || fails;
+        allAtMost = allAtMost && values[i] <= setup.edges[i].threshold;
+    }
+    const bool either = failed && allAtMost;
+    const std::size_t edge = either ? largest : smallest;
+    using Sign = DecidingEdge::Sign;
+    return {edge, values[edge], setup.edges[edge].threshold,
+            either   ? Sign::AtMost
+            : failed ? Sign::Below
+                     : Sign::AtLeast};
 }
 
 bool StepLog::isBoundary(std::size_t position, StepLevel level) const
@@ -131,14 +103,14 @@ std::size_t StepLog::step(std::size_t position, StepLevel level, StepDirection d
 
 std::optional<std::size_t> StepLog::findStop(std::size_t from, StepDirection direction, const StepStop& stop) const
 {
-    return find(from, direction, [&](const StepEvent& event) { return stops(event, stop, m_grid); });
+    return find(from, direction, [&](const StepEvent& event) { return stops(event, stop, grid()); });
 }
 
 std::optional<std::size_t> StepLog::firstEventOf(std::uint32_t face, int x, int y) const
 {
     const StepStop here{StepStop::Kind::Pixel, x, y};
     if (const auto at = find(0, StepDirection::Forward,
-                             [&](const StepEvent& event) { return event.face == face && stops(event, here, m_grid); }))
+                             [&](const StepEvent& event) { return event.face == face && stops(event, here, grid()); }))
         return at;
     return find(0, StepDirection::Forward, [&](const StepEvent& event) { return event.face == face; });
 }

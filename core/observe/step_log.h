@@ -1,7 +1,10 @@
 #pragma once
+#include "core/observe/names.h"
 #include "core/pipeline/observer.h"
 #include "core/pipeline/statistics.h"
-#include "core/settings/settings.h"
+#include "core/settings/mistakes.h"
+#include "core/settings/rules.h"
+#include "core/settings/step_kind.h"
 
 #include <QImage>
 
@@ -14,39 +17,6 @@
 
 namespace rasterlens
 {
-
-/// What an event is about. The order is that of the pipeline.
-enum class StepKind : std::uint8_t {
-    Vertex,          ///< a face fetches a vertex: VertexStep
-    ClipPlane,       ///< ClipStep
-    CohenSutherland, ///< CohenSutherlandStep
-    Viewport,        ///< ViewportStep
-    Facing,          ///< FacingStep
-    Clipped,         ///< FanStep: a cut face is drawn as a fan
-    Fate,            ///< FateStep: what became of the face before coverage
-    Triangle,        ///< a screen triangle begins; see StepLog::triangle
-    Setup,           ///< its edge functions; see StepLog::triangle
-    Walk,            ///< edge walking sorts the corners: WalkStep
-    Span,            ///< edge walking fills a row: SpanStep
-    Sample,          ///< edge equation tests a sample: SampleStep
-    LineDecision,    ///< Bresenham: LineStep
-    LineSample,      ///< a sample of a line or corner
-    Fragment,        ///< interpolation and depth test: FragmentStep
-    Shade,           ///< ShadeStep
-    Write,           ///< WriteStep
-    End,             ///< the frame is finished
-};
-constexpr int kStepKinds = static_cast<int>(StepKind::End) + 1;
-
-/// A set of kinds, one bit a StepKind.
-using StepKinds = std::uint32_t;
-[[nodiscard]] constexpr StepKinds kindBit(StepKind kind) { return 1U << static_cast<unsigned>(kind); }
-constexpr StepKinds kAllSteps = (1U << kStepKinds) - 1;
-
-/// The stable name of a kind: `clip-plane`. Logs and JSON.
-[[nodiscard]] const char* stepKindId(StepKind kind);
-/// The stage of the pipeline strip the kind belongs to.
-[[nodiscard]] Stage stageOf(StepKind kind);
 
 /// Which events are stored. What is not stored still takes effect on pixels and counters: it counts as part of the next
 /// stored event.
@@ -82,10 +52,6 @@ struct StepEvent {
     [[nodiscard]] bool has(std::uint8_t flag) const { return (flags & flag) != 0; }
 };
 
-/// Which edges of a triangle own their points, and why.
-enum class EdgeSide { Left, Top, Neither };
-[[nodiscard]] const char* edgeSideId(EdgeSide side);
-
 struct VertexStep {
     static constexpr StepKind kKind = StepKind::Vertex;
     int corner; ///< 0..2 = A, B, C
@@ -112,13 +78,6 @@ struct ClipStep {
     std::vector<double> distances; ///< of each corner of `before`; inside is >= 0
     std::vector<ClipCut> cuts;
 };
-
-/// The nine regions of the projected plane: one bit a side of the screen.
-constexpr unsigned kRegionLeft = 1;
-constexpr unsigned kRegionRight = 2;
-constexpr unsigned kRegionBelow = 4;
-constexpr unsigned kRegionAbove = 8;
-[[nodiscard]] unsigned screenRegion(const glm::dvec4& positionClip);
 
 struct CohenSutherlandStep {
     static constexpr StepKind kKind = StepKind::CohenSutherland;
@@ -219,11 +178,32 @@ struct StepSetup {
     double unitsPerArea = 1;            ///< edge values are areas in samples times this: 65536 in fixed point
     double area2 = 0;                   ///< the sum of the three edge values anywhere
 
-    /// The edge values at the centre of a sample, evaluated directly.
+    /// The edge values at a point, in samples, evaluated directly.
     ///
     /// exact  in fixed point, below 2^53
-    [[nodiscard]] EdgeValues at(int x, int y) const;
+    [[nodiscard]] EdgeValues at(const glm::dvec2& point) const;
 };
+
+/// Where the rules test a sample: at its centre, or at its pixel's corner. In samples.
+[[nodiscard]] glm::dvec2 testedPoint(const Rules& rules, int x, int y);
+
+/// Whether edge equation adds up its edge values from sample to sample; else it evaluates them anew at each.
+[[nodiscard]] bool addsUpEdgeValues(const Rules& rules);
+
+/// The edge that decides whether a sample is inside, and the comparison that holds for it.
+struct DecidingEdge {
+    std::size_t edge; ///< of the setup
+    double value;     ///< in units
+    double threshold; ///< in units
+    enum class Sign { AtLeast, Below, AtMost } sign;
+
+    [[nodiscard]] bool isInside() const { return sign != Sign::Below; }
+    [[nodiscard]] bool isTie() const { return value == 0; }
+};
+
+/// Of the edges whose value fails its threshold, or else of all, the one with the smallest value. Where a sample is
+/// inside because all values are at most their threshold, a mistake, the one with the largest.
+[[nodiscard]] DecidingEdge decidingEdge(const StepSetup& setup, const EdgeValues& values, const Rules& rules);
 
 /// One triangle that is drawn: a whole face or a piece of a cut one.
 struct StepTriangle {
@@ -289,13 +269,17 @@ public:
     /// The drawing was stopped from outside.
     [[nodiscard]] bool stopped() const { return m_stopped; }
     [[nodiscard]] const StepFilter& filter() const { return m_filter; }
-    [[nodiscard]] const Settings& settings() const { return m_settings; }
-    [[nodiscard]] int columns() const { return m_columns; } ///< samples
-    [[nodiscard]] int rows() const { return m_rows; }       ///< samples
+    /// What the stages read; the mistakes that are part of it, in the order they were switched on; and the same rules
+    /// without them.
+    [[nodiscard]] const Rules& rules() const { return m_rules; }
+    [[nodiscard]] std::span<const Mistake* const> mistakes() const { return m_mistakes; }
+    [[nodiscard]] const Rules& rightRules() const { return m_rightRules; }
+    [[nodiscard]] int columns() const { return m_rules.columns(); } ///< samples
+    [[nodiscard]] int rows() const { return m_rules.rows(); }       ///< samples
     /// How many samples the frame buffer holds: columns * rows, but for a mistake in their addresses.
     [[nodiscard]] std::size_t sampleCount() const { return m_sampleCount; }
-    [[nodiscard]] int grid() const { return m_grid; } ///< samples a pixel along each axis
-    [[nodiscard]] int varyingCount() const { return m_varyingCount; }
+    [[nodiscard]] int grid() const { return m_rules.sampleGrid; } ///< samples a pixel along each axis
+    [[nodiscard]] int varyingCount() const { return m_rules.varyingCount; }
     [[nodiscard]] Pixel clear() const { return m_clear; }
 
     /// The events of a kind, ascending: pips of a scrubber.
@@ -370,13 +354,11 @@ private:
     void count(const StepEvent& event, Statistics& statistics) const;
 
     StepFilter m_filter;
-    Settings m_settings;
-    int m_columns = 0;
-    int m_rows = 0;
+    Rules m_rules;
+    Rules m_rightRules;
+    std::vector<const Mistake*> m_mistakes;
     std::size_t m_sampleCount = 0;
     QImage m_finished; ///< the finished picture, where it is not the mean of the samples
-    int m_grid = 1;
-    int m_varyingCount = 0;
     Pixel m_clear;
     bool m_truncated = false;
     bool m_stopped = false;

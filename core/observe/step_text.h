@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/reason.h"
 #include "core/observe/step_log.h"
 
 #include <QJsonObject>
@@ -6,12 +7,6 @@
 
 namespace rasterlens
 {
-
-/// A number as people read it: 6 significant digits, `nan`, `inf`. Not translated.
-[[nodiscard]] QString shortNumber(double value);
-
-/// The shortest text that reads back as the same double.
-[[nodiscard]] QString fullNumber(double value);
 
 /// An edge value in areas of samples: value / unitsPerArea.
 ///
@@ -22,16 +17,21 @@ namespace rasterlens
 /// A, C and B as its vertices.
 [[nodiscard]] QString edgeName(const StepSetup& setup, int edge);
 
-/// Stable ids. Not translated.
-[[nodiscard]] const char* clipPlaneId(ClipPlane plane); ///< `near`
-[[nodiscard]] const char* faceFateId(FaceFate fate);    ///< `culled-back`
-[[nodiscard]] const char* facingId(Facing facing);      ///< `screen`
-[[nodiscard]] QString colorText(std::uint32_t color);   ///< `#rrggbb`
-[[nodiscard]] QString planesText(std::uint32_t planes); ///< names of a set of planes, `none` if empty
+/// `E_AB`, its value; `t_AB`, the smallest value that counts as inside.
+[[nodiscard]] QString edgeValueName(const StepSetup& setup, int edge);
+[[nodiscard]] QString thresholdName(const StepSetup& setup, int edge);
+/// In areas of samples: `0`, or `1/65536` in fixed point.
+[[nodiscard]] QString thresholdText(double threshold, double unitsPerArea);
 
-/// `face 12 (line 345)`: a triangle and the line of the `f` in the scene's file that it is a part of; `face 12` where
-/// `line` is -1. Not translated.
-[[nodiscard]] QString faceText(std::uint32_t face, std::int32_t line);
+/// Nothing to say.
+[[nodiscard]] inline bool isEmpty(const Reason& said) { return said.text == nullptr && said.name.isEmpty(); }
+
+/// What an event says; its texts are of the context "Steps". Each part may be empty.
+struct StepParts {
+    Reason what;    ///< `near`
+    Reason numbers; ///< `3 -> 4 vertices`
+};
+[[nodiscard]] StepParts stepParts(const StepLog& log, std::size_t i);
 
 /// One event in one line, as `rasterlens-cli steps` prints it: kind, face, place, numbers. Not translated.
 [[nodiscard]] QString stepText(const StepLog& log, std::size_t i);

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/settings/rules.h"
+#include "core/settings/depth_rules.h"
 
 #include <cmath>
 
@@ -12,12 +12,8 @@ namespace rasterlens
 [[nodiscard]] inline float storedDepth(double depth, DepthFormat format)
 {
     const double held = depth >= 1 ? 1 : depth > 0 ? depth : 0;
-    switch (format) {
-    case DepthFormat::Float32: break;
-    case DepthFormat::Unorm24: return static_cast<float>(std::nearbyint(held * 0xffffff) / 0xffffff);
-    case DepthFormat::Unorm16: return static_cast<float>(std::nearbyint(held * 0xffff) / 0xffff);
-    }
-    return static_cast<float>(held);
+    const int largest = largestDepthCode(format);
+    return static_cast<float>(largest > 0 ? std::nearbyint(held * largest) / largest : held);
 }
 
 /// Whether a fragment of this depth replaces the stored one.

@@ -58,7 +58,13 @@ void carryMaskUv(Rules& rules)
     case Shading::Texture:
     case Shading::Phong: rules.maskUv = kVaryingUv; break;
     case Shading::Uv: rules.maskUv = 0; break;
-    default: rules.maskUv = rules.varyingCount; break;
+    case Shading::Gouraud:
+    case Shading::Flat:
+    case Shading::RandomFlat:
+    case Shading::Depth:
+    case Shading::Normals:
+    case Shading::Overdraw:
+    case Shading::TriangleId: rules.maskUv = rules.varyingCount; break;
     }
     rules.varyingCount = std::max(rules.varyingCount, rules.maskUv + 2);
 }

@@ -195,7 +195,11 @@ FaceUniforms faceUniforms(const Scene& scene, std::uint32_t face, Shading shadin
             uniforms.texture = &plainTexture(scene);
         break;
     }
-    default: break;
+    case Shading::Gouraud:
+    case Shading::Depth:
+    case Shading::Normals:
+    case Shading::Uv:
+    case Shading::Overdraw: break;
     }
     return uniforms;
 }

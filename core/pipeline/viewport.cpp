@@ -1,5 +1,7 @@
 #include "core/pipeline/viewport.h"
 
+#include "core/pipeline/unsnapped.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +16,12 @@ constexpr double kFarthestPixel = 1 << 19;
 double hold(double pixels) { return std::isnan(pixels) ? 0 : std::clamp(pixels, -kFarthestPixel, kFarthestPixel); }
 
 /// The screen coordinate in pixels, not snapped.
-double toPixels(double p, double w, int size) { return hold((p / w * 0.5 + 0.5) * size); }
+double toPixels(double p, double w, int size) { return (p / w * 0.5 + 0.5) * size; }
+
+glm::dvec2 inPixels(const glm::dvec4& p, const Rules& rules)
+{
+    return {toPixels(p.x, p.w, rules.width), toPixels(rules.screenUp * p.y, p.w, rules.height)};
+}
 
 } // namespace
 
@@ -69,8 +76,13 @@ ScreenVertex toScreen(const ClipVertex& vertex, const Rules& rules)
                                  snapToGrid(rules.screenUp * p.y, p.w, rules.height, rules.subpixelBits));
         return toScreen(vertex, snapped, rules);
     }
-    const glm::dvec2 position(toPixels(p.x, p.w, rules.width), toPixels(rules.screenUp * p.y, p.w, rules.height));
-    return screenVertexAt(position * double(rules.sampleGrid), vertex, rules);
+    const glm::dvec2 position = inPixels(p, rules);
+    return screenVertexAt(glm::dvec2(hold(position.x), hold(position.y)) * double(rules.sampleGrid), vertex, rules);
+}
+
+glm::dvec2 unsnappedPosition(const glm::dvec4& positionClip, const Rules& rules)
+{
+    return inPixels(positionClip, rules) * double(rules.sampleGrid) + rules.screenShift;
 }
 
 } // namespace rasterlens

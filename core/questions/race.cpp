@@ -32,7 +32,7 @@ OperationCounts times(std::uint64_t n, const OperationCounts& c)
 class EquationCost
 {
 public:
-    explicit EquationCost(const Settings& settings) : m_incremental(settings.stepping == Stepping::Incremental) {}
+    explicit EquationCost(const Rules& rules) : m_incremental(addsUpEdgeValues(rules)) {}
 
     /// A and B of three edges; stepping: three start values, and A and B for a whole sample.
     [[nodiscard]] OperationCounts start() const
@@ -60,8 +60,8 @@ private:
 class WalkingCost
 {
 public:
-    explicit WalkingCost(const Settings& settings)
-        : m_incremental(settings.stepping == Stepping::Incremental), m_fixed(settings.numberType == NumberType::Fixed)
+    explicit WalkingCost(const Rules& rules)
+        : m_incremental(rules.stepping == Stepping::Incremental), m_fixed(rules.numberType == NumberType::Fixed)
     {
     }
 
@@ -100,6 +100,13 @@ std::shared_ptr<const StepLog> stepsOf(const Scene& scene, Settings settings, Al
     settings.algorithm = algorithm;
     settings.fill = Fill::Solid;
     settings.attributePath = AttributePath::Planes;
+    settings.mistakes.removeIf([&](const QString& id) { // those of the other lane
+        Rules rules;
+        rules.algorithm = algorithm;
+        if (const Mistake* mistake = findMistake(id))
+            mistake->apply(rules);
+        return rules.algorithm != algorithm;
+    });
     StepFilter filter;
     filter.face = face;
     filter.kinds =
@@ -109,7 +116,7 @@ std::shared_ptr<const StepLog> stepsOf(const Scene& scene, Settings settings, Al
 
 RaceLane runEquation(const StepLog& log)
 {
-    const EquationCost cost(log.settings());
+    const EquationCost cost(log.rules());
     RaceLane lane;
     lane.algorithm = Algorithm::EdgeEquation;
     int row = std::numeric_limits<int>::min();
@@ -130,7 +137,7 @@ RaceLane runEquation(const StepLog& log)
 
 RaceLane runWalking(const StepLog& log)
 {
-    const WalkingCost cost(log.settings());
+    const WalkingCost cost(log.rules());
     RaceLane lane;
     lane.algorithm = Algorithm::EdgeWalking;
     std::optional<bool> upperHalf;

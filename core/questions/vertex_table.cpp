@@ -3,6 +3,7 @@
 #include "core/observe/step_log.h"
 #include "core/pipeline/clipping.h"
 #include "core/pipeline/rules_for.h"
+#include "core/pipeline/unsnapped.h"
 #include "core/pipeline/vertex_stage.h"
 #include "core/pipeline/viewport.h"
 #include "core/scene/camera.h"
@@ -36,10 +37,10 @@ std::array<VertexRow, 3> vertexTable(const Scene& scene, const Settings& setting
         row.view = matrices.viewFromObject * row.object;
         row.clip = clipVertices[i].positionClip;
         row.ndc = glm::dvec3(row.clip) / row.clip.w;
-        row.screen = {(row.ndc.x * 0.5 + 0.5) * rules.width, (0.5 - row.ndc.y * 0.5) * rules.height};
+        row.screen = unsnappedPosition(row.clip, rules) / double(rules.sampleGrid);
         const ScreenVertex onScreen = toScreen(clipVertices[i], rules);
         row.snapped = onScreen.position / double(rules.sampleGrid);
-        row.depth = onScreen.depth;
+        row.depth = rules.depthIsDistance ? depthOfDistance(row.clip.w, matrices.near, matrices.far) : onScreen.depth;
         row.outside = outcode(row.clip, volume).view;
         row.screenRegion = screenRegion(row.clip);
     }

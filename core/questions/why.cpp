@@ -5,6 +5,9 @@
 #include "core/pipeline/clipping.h"
 #include "core/pipeline/rules_for.h"
 #include "core/render/draw.h"
+#include "core/render/render.h"
+#include "core/render/steps.h"
+#include "core/settings/depth_rules.h"
 
 #include <QJsonArray>
 
@@ -132,16 +135,16 @@ class Inquiry
 {
 public:
     Inquiry(const Scene& scene, const Settings& settings, int x, int y, const std::stop_token& stop)
-        : m_scene(scene), m_settings(settings), m_rules(rulesFor(scene, settings)), m_volume(clipVolume(m_rules)),
-          m_matrices(cameraMatrices(scene, settings)), m_geometry(scene, m_matrices, m_rules), m_stop(stop)
+        : m_scene(scene), m_settings(settings), m_resolved(resolveRules(scene, settings)), m_rules(m_resolved.rules),
+          m_volume(clipVolume(m_rules)), m_matrices(cameraMatrices(scene, settings)),
+          m_geometry(scene, m_matrices, m_rules), m_stop(stop)
     {
         const int grid = m_rules.sampleGrid;
         m_report.x = x;
         m_report.y = y;
         m_report.sampleX = x * grid + grid / 2;
         m_report.sampleY = y * grid + grid / 2;
-        m_report.depthTest = settings.depthTest;
-        m_report.reversedZ = settings.reversedZ;
+        m_report.rules = m_rules;
         m_margin = 1.0 + grid;
         m_centre = glm::dvec2(m_report.sampleX, m_report.sampleY) + 0.5;
         m_ndc = {2 * m_centre.x / m_rules.columns() - 1, 1 - 2 * m_centre.y / m_rules.rows()};
@@ -190,7 +193,7 @@ private:
         filter.cap = std::numeric_limits<std::size_t>::max();
         std::stop_source ending;
         const std::stop_callback stopToo(m_stop, [&] { ending.request_stop(); });
-        StepRecorder recorder(m_scene, m_settings, m_rules, filter, ending);
+        StepRecorder recorder(m_scene, m_resolved, filter, ending);
         Frame frame;
         if (m_settings.mistakes.empty())
             drawPixel(frame, recorder);
@@ -264,7 +267,9 @@ private:
         if (event.kind == StepKind::Sample) {
             judgeEdges(row, m_log->triangle(event)->setup, m_log->payload<SampleStep>(event).values);
         } else if (event.kind == StepKind::Fragment) {
-            row.fragment = m_log->payload<FragmentStep>(event);
+            // Lines of a face meet in its corners: what was written is not taken back by what fails after it.
+            if (row.verdict != WhyVerdict::Written || event.has(StepEvent::kPassed))
+                row.fragment = m_log->payload<FragmentStep>(event);
             row.verdict = std::max(row.verdict, WhyVerdict::FailedDepth);
         } else if (event.kind == StepKind::Write) {
             row.write = m_log->payload<WriteStep>(event);
@@ -284,7 +289,7 @@ private:
             m_geometry.process(face, m_batch, nobody);
             for (const ScreenTriangle& triangle : m_batch)
                 if (const auto setup = setupOf(triangle); setup && holdsSample(setup->bounds))
-                    judgeEdges(*row, *setup, setup->at(m_report.sampleX, m_report.sampleY));
+                    judgeEdges(*row, *setup, setup->at(m_centre));
         }
     }
 
@@ -320,7 +325,7 @@ private:
 
     [[nodiscard]] bool covers(const StepSetup& setup) const
     {
-        const EdgeValues values = setup.at(m_report.sampleX, m_report.sampleY);
+        const EdgeValues values = setup.at(testedPoint(m_rules, m_report.sampleX, m_report.sampleY));
         return holdsSample(setup.bounds) && std::ranges::all_of(std::array{0U, 1U, 2U}, [&](std::size_t i) {
                    return values[i] >= setup.edges[i].threshold;
                });
@@ -347,27 +352,26 @@ private:
     }
 
     /// Of the pieces of a face the one that got furthest speaks for it.
-    static void judgeEdges(WhyFace& row, const StepSetup& setup, const EdgeValues& values)
+    void judgeEdges(WhyFace& row, const StepSetup& setup, const EdgeValues& values) const
     {
+        const DecidingEdge deciding = decidingEdge(setup, values, m_rules);
         std::array<WhyEdge, 3> edges;
-        int worst = -1;
         for (std::size_t i = 0; i < 3; ++i) {
             const StepEdge& edge = setup.edges[i];
-            edges[i] = {edgeName(setup, int(i)), values[i], edge.side, values[i] >= edge.threshold};
-            if (!edges[i].passed && (worst < 0 || values[i] < values[std::size_t(worst)]))
-                worst = int(i);
+            const bool passed = deciding.sign == DecidingEdge::Sign::AtMost || values[i] >= edge.threshold;
+            edges[i] = {edgeName(setup, int(i)), values[i], edge.threshold, edge.side, passed};
         }
-        const WhyVerdict verdict = worst < 0                         ? WhyVerdict::FailedDepth
-                                   : values[std::size_t(worst)] >= 0 ? WhyVerdict::LostTie
-                                                                     : WhyVerdict::OutsideEdge;
+        const WhyVerdict verdict = deciding.isInside() ? WhyVerdict::FailedDepth
+                                   : deciding.isTie()  ? WhyVerdict::LostTie
+                                                       : WhyVerdict::OutsideEdge;
         const bool further = !row.hasEdges || verdict > row.verdict ||
-                             (verdict == row.verdict && worst >= 0 && row.edge >= 0 &&
-                              values[std::size_t(worst)] > row.edges[std::size_t(row.edge)].value);
+                             (verdict == row.verdict && !deciding.isInside() && row.edge >= 0 &&
+                              deciding.value > row.edges[std::size_t(row.edge)].value);
         if (!further)
             return;
         row.hasEdges = true;
         row.edges = edges;
-        row.edge = worst;
+        row.edge = deciding.isInside() ? -1 : int(deciding.edge);
         row.unitsPerArea = setup.unitsPerArea;
         if (row.verdict != WhyVerdict::ClippedAway || verdict > WhyVerdict::OutsideEdge)
             row.verdict = verdict;
@@ -375,7 +379,8 @@ private:
 
     const Scene& m_scene;
     Settings m_settings;
-    Rules m_rules;
+    ResolvedRules m_resolved;
+    const Rules& m_rules;
     ClipVolume m_volume;
     Matrices m_matrices;
     Geometry m_geometry;
@@ -389,26 +394,17 @@ private:
     WhyReport m_report;
 };
 
+/// `BC (-8)`; `BC (0.5 < t_BC = 1)` where a value above 0 is not enough.
 QString edgeText(const WhyFace& row, const WhyEdge& edge)
 {
-    return QStringLiteral("%1 (%2)").arg(edge.name, edgeValueText(edge.value, row.unitsPerArea));
-}
-
-const char* compareSign(const WhyReport& report)
-{
-    switch (report.depthTest) {
-    case DepthTest::Less: return report.reversedZ ? ">" : "<";
-    case DepthTest::LessEqual: return report.reversedZ ? ">=" : "<=";
-    case DepthTest::Greater: return report.reversedZ ? "<" : ">";
-    case DepthTest::Always:
-    case DepthTest::None: break;
-    }
-    return "against";
+    const QString value = edgeValueText(edge.value, row.unitsPerArea);
+    if (edge.passed || !(edge.value > 0))
+        return QStringLiteral("%1 (%2)").arg(edge.name, value);
+    return QStringLiteral("%1 (%2 < t_%1 = %3)").arg(edge.name, value, thresholdText(edge.threshold, row.unitsPerArea));
 }
 
 QString verdictText(const WhyReport& report, const WhyFace& row)
 {
-    const auto number = [](float depth) { return QString::number(double(depth), 'g', 9); };
     switch (row.verdict) {
     case WhyVerdict::NonFinite: return QStringLiteral("dropped: a vertex is not a finite number");
     case WhyVerdict::Rejected: return QStringLiteral("rejected by %1").arg(planesText(row.planes));
@@ -417,7 +413,10 @@ QString verdictText(const WhyReport& report, const WhyFace& row)
         return QStringLiteral("culled as %1 face (%2 %3)")
             .arg(row.verdict == WhyVerdict::CulledBack ? QStringLiteral("back") : QStringLiteral("front"),
                  QLatin1String(facingId(row.facing->by)), fullNumber(row.facing->value));
-    case WhyVerdict::Degenerate: return QStringLiteral("degenerate: no area on the screen");
+    case WhyVerdict::Degenerate:
+        return row.facing->screenArea == 0 ? QStringLiteral("degenerate: no area on the screen")
+                                           : QStringLiteral("degenerate: its area on the screen, %1, counts as none")
+                                                 .arg(fullNumber(row.facing->screenArea / 2));
     case WhyVerdict::ClippedAway: return QStringLiteral("clipped away by %1").arg(planesText(row.planes));
     case WhyVerdict::OutsideEdge:
         return row.edge < 0 ? QStringLiteral("outside the pieces that clipping left")
@@ -432,11 +431,11 @@ QString verdictText(const WhyReport& report, const WhyFace& row)
     }
     case WhyVerdict::Hole:
         return QStringLiteral("cut out by the alpha test: the texture is opaque by %1 here, less than %2")
-            .arg(number(row.opacity), number(kLeastOpacity));
+            .arg(depthNumber(row.opacity), depthNumber(kLeastOpacity));
     case WhyVerdict::FailedDepth:
         return row.fragment ? QStringLiteral("failed the depth test: not %1 %2 %3")
-                                  .arg(number(row.fragment->depth), QLatin1String(compareSign(report)),
-                                       number(row.fragment->storedDepth))
+                                  .arg(depthNumber(row.fragment->depth), QLatin1String(depthSign(report.rules)),
+                                       depthNumber(row.fragment->storedDepth))
                             : QStringLiteral("covered, but not drawn by this algorithm");
     case WhyVerdict::Written: {
         const QString later = row.overwrittenBy
@@ -444,8 +443,8 @@ QString verdictText(const WhyReport& report, const WhyFace& row)
                                         .arg(faceText(*row.overwrittenBy, report.lineOf(*row.overwrittenBy)))
                                   : QStringLiteral("seen");
         return QStringLiteral("written %1 over %2, depth %3 over %4; %5")
-            .arg(colorText(row.write.after.color), colorText(row.write.before.color), number(row.write.after.depth),
-                 number(row.write.before.depth), later);
+            .arg(colorText(row.write.after.color), colorText(row.write.before.color),
+                 depthNumber(row.write.after.depth), depthNumber(row.write.before.depth), later);
     }
     }
     return {};
@@ -494,6 +493,25 @@ QJsonObject rowToJson(const WhyReport& report, const WhyFace& row)
     return object;
 }
 
+/// A mistake is the reason for a face's verdict if without it another sentence were true.
+void nameMistakes(WhyReport& report, const Scene& scene, const Settings& settings, const std::stop_token& stop)
+{
+    for (const QString& id : settings.mistakes) {
+        const Mistake* const mistake = findMistake(id);
+        Settings without = settings;
+        without.mistakes.removeOne(id);
+        const bool known = !unsupported(scene, without);
+        const WhyReport other = known ? Inquiry(scene, without, report.x, report.y, stop).answer() : WhyReport();
+        if (stop.stop_requested())
+            return;
+        for (WhyFace& row : report.faces) {
+            const WhyFace* const same = other.find(row.face);
+            if (same == nullptr || verdictText(other, *same) != verdictText(report, row))
+                row.because.push_back(mistake);
+        }
+    }
+}
+
 } // namespace
 
 const char* whyVerdictId(WhyVerdict verdict)
@@ -528,10 +546,10 @@ std::int32_t WhyReport::lineOf(std::uint32_t face) const
 
 WhyReport why(const Scene& scene, const Settings& settings, int x, int y, const std::stop_token& stop)
 {
-    Settings shown = settings;
-    if (shown.algorithm == Algorithm::Tiled)
-        shown.algorithm = Algorithm::EdgeEquation;
-    return Inquiry(scene, shown, x, y, stop).answer();
+    const Settings shown = recordedAs(settings);
+    WhyReport report = Inquiry(scene, shown, x, y, stop).answer();
+    nameMistakes(report, scene, shown, stop);
+    return report;
 }
 
 QString whyText(const WhyReport& report, const WhyFace& face)

@@ -1,6 +1,7 @@
 #pragma once
 #include "core/observe/step_log.h"
 #include "core/scene/scene.h"
+#include "core/settings/mistakes.h"
 
 #include <QJsonObject>
 #include <QString>
@@ -30,8 +31,9 @@ enum class WhyVerdict {
 
 /// An edge function at the sample.
 struct WhyEdge {
-    QString name;     ///< `BC`
-    double value = 0; ///< in units
+    QString name;         ///< `BC`
+    double value = 0;     ///< in units
+    double threshold = 0; ///< in units: the smallest value that counts as inside
     EdgeSide side = EdgeSide::Neither;
     bool passed = false;
 };
@@ -51,6 +53,8 @@ struct WhyFace {
     std::optional<FragmentStep> fragment;
     WriteStep write{};                          ///< Written
     std::optional<std::uint32_t> overwrittenBy; ///< Written: the face that was written next
+    /// The mistakes without which the face would have another verdict, or other numbers.
+    std::vector<const Mistake*> because;
 };
 
 /// Why a pixel is what it is.
@@ -64,8 +68,7 @@ struct WhyReport {
     std::uint32_t color = 0; ///< of the pixel, 0xffRRGGBB; several samples: their mean
     float depth = 1;         ///< of the sample
     std::optional<std::uint32_t> visibleFace;
-    DepthTest depthTest = DepthTest::Less;
-    bool reversedZ = false;
+    Rules rules; ///< by which it was drawn
 
     [[nodiscard]] const WhyFace* find(std::uint32_t face) const;
     /// The line of the `f` that a triangle named here is a part of; -1 none.
@@ -77,7 +80,8 @@ struct WhyReport {
 /// in      settings for which unsupported() is empty; a pixel of the viewport
 /// covers  faces whose bounds on the screen hold the sample's centre; of faces that never get to the screen those that
 ///         lie before or behind the eye in the direction of the sample; all faces with a non-finite vertex
-/// cost    geometry for the whole scene, coverage for the faces concerned only; with mistakes the whole frame
+/// cost    geometry for the whole scene, coverage for the faces concerned only; with mistakes the whole frame, and the
+///         answer without each of them
 /// exact   verdicts are those of render(): the same stages are run
 /// errors  `stop` ends the work early; what is returned then means nothing
 [[nodiscard]] WhyReport why(const Scene& scene, const Settings& settings, int x, int y,

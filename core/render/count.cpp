@@ -12,11 +12,12 @@ namespace rasterlens
 Statistics countPicture(const Scene& scene, const Settings& settings, const Frame& picture, Frame& counted,
                         const std::stop_token& stop)
 {
+    const bool counts = settings.shading == Shading::Overdraw;
     if (settings.algorithm == Algorithm::Tiled)
-        return renderCounted(scene, settings, counted, {.depth = true, .ids = true}, stop);
+        return renderCounted(scene, settings, counted, {.depth = true, .ids = true, .coverage = counts}, stop);
     QImage memory = std::exchange(counted.image, QImage());
-    Statistics statistics =
-        renderCounted(scene, settings, counted, {.depth = true, .ids = true, .picture = false}, stop);
+    Statistics statistics = renderCounted(scene, settings, counted,
+                                          {.depth = true, .ids = true, .coverage = counts, .picture = false}, stop);
     if (stop.stop_requested())
         return statistics;
     if (memory.size() == picture.image.size() && memory.format() == picture.image.format())

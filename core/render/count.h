@@ -10,7 +10,8 @@ namespace rasterlens
 /// What was done for a picture that is already there: renderCounted() without computing its colours once more.
 ///
 /// in      `picture`, drawn by render() from these settings
-/// out     the statistics of renderCounted(), bit for bit; in `counted` depth, ids and the picture: copied where
+/// out     the statistics of renderCounted(), bit for bit; in `counted` depth, ids, for the overdraw view coverage, and
+/// the picture: copied where
 ///         `counted` brings memory of that size, else shared
 /// cost    that of coverage and the depth test; the tiled algorithm, which counts visible samples as it shades them,
 ///         draws anew

@@ -9,6 +9,9 @@
 namespace rasterlens
 {
 
+/// The settings that a record of these shows: `tiled` is recorded as edge-equation.
+[[nodiscard]] Settings recordedAs(Settings settings);
+
 /// Draws one frame with the very stages of render() and writes down what happens.
 ///
 /// in      settings for which unsupported() is empty

@@ -1,5 +1,7 @@
 #include "core/settings/settings.h"
 
+#include "core/base/closed_list.h"
+
 #include <QCoreApplication>
 #include <QJsonArray>
 
@@ -7,87 +9,94 @@
 #include <cmath>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 namespace rasterlens
 {
 namespace
 {
 
-constexpr Choice kAlgorithms[] = {{"edge-equation", QT_TRANSLATE_NOOP("Settings", "Edge equation")},
-                                  {"edge-walking", QT_TRANSLATE_NOOP("Settings", "Edge walking")},
-                                  {"tiled", QT_TRANSLATE_NOOP("Settings", "Tiled (fast)")}};
-constexpr Choice kNumberTypes[] = {{"fixed", QT_TRANSLATE_NOOP("Settings", "Fixed point")},
-                                   {"float32", QT_TRANSLATE_NOOP("Settings", "Float, 32 bit")},
-                                   {"float64", QT_TRANSLATE_NOOP("Settings", "Float, 64 bit")}};
-constexpr Choice kSteppings[] = {{"incremental", QT_TRANSLATE_NOOP("Settings", "Incremental")},
-                                 {"direct", QT_TRANSLATE_NOOP("Settings", "Direct")}};
-constexpr Choice kFills[] = {{"solid", QT_TRANSLATE_NOOP("Settings", "Solid")},
-                             {"wireframe", QT_TRANSLATE_NOOP("Settings", "Wireframe")},
-                             {"points", QT_TRANSLATE_NOOP("Settings", "Points")}};
-constexpr Choice kLines[] = {{"bresenham", QT_TRANSLATE_NOOP("Settings", "Bresenham")},
-                             {"dda", QT_TRANSLATE_NOOP("Settings", "DDA")}};
-constexpr Choice kClippings[] = {{"frustum", QT_TRANSLATE_NOOP("Settings", "Frustum, 6 planes")},
-                                 {"frustum-w", QT_TRANSLATE_NOOP("Settings", "Frustum, 7 planes")},
-                                 {"guard-band", QT_TRANSLATE_NOOP("Settings", "Guard band")},
-                                 {"any-vertex-inside", QT_TRANSLATE_NOOP("Settings", "Any vertex inside")},
-                                 {"near-far-reject", QT_TRANSLATE_NOOP("Settings", "Near / far reject")},
-                                 {"cohen-sutherland", QT_TRANSLATE_NOOP("Settings", "Cohen-Sutherland")},
-                                 {"none", QT_TRANSLATE_NOOP("Settings", "None")}};
-constexpr Choice kCullings[] = {{"back", QT_TRANSLATE_NOOP("Settings", "Back faces")},
-                                {"front", QT_TRANSLATE_NOOP("Settings", "Front faces")},
-                                {"none", QT_TRANSLATE_NOOP("Settings", "None")}};
-constexpr Choice kWindings[] = {{"ccw", QT_TRANSLATE_NOOP("Settings", "Counter-clockwise")},
-                                {"cw", QT_TRANSLATE_NOOP("Settings", "Clockwise")}};
-constexpr Choice kCullSpaces[] = {{"screen", QT_TRANSLATE_NOOP("Settings", "Screen area")},
-                                  {"clip", QT_TRANSLATE_NOOP("Settings", "Clip-space determinant")},
-                                  {"view", QT_TRANSLATE_NOOP("Settings", "Normal against gaze")}};
-constexpr Choice kDepthTests[] = {{"less", QT_TRANSLATE_NOOP("Settings", "Less")},
-                                  {"lequal", QT_TRANSLATE_NOOP("Settings", "Less or equal")},
-                                  {"greater", QT_TRANSLATE_NOOP("Settings", "Greater")},
-                                  {"always", QT_TRANSLATE_NOOP("Settings", "Always")},
-                                  {"none", QT_TRANSLATE_NOOP("Settings", "None")}};
-constexpr Choice kDepthFormats[] = {{"float32", QT_TRANSLATE_NOOP("Settings", "Float, 32 bit")},
-                                    {"unorm24", QT_TRANSLATE_NOOP("Settings", "24 bit")},
-                                    {"unorm16", QT_TRANSLATE_NOOP("Settings", "16 bit")}};
-constexpr Choice kDepthOrders[] = {{"before-shading", QT_TRANSLATE_NOOP("Settings", "Before shading")},
-                                   {"after-shading", QT_TRANSLATE_NOOP("Settings", "After shading")}};
-constexpr Choice kClipZs[] = {{"gl", QT_TRANSLATE_NOOP("Settings", "-w to w (OpenGL)")},
-                              {"d3d", QT_TRANSLATE_NOOP("Settings", "0 to w (Direct3D)")}};
-constexpr Choice kVisibilities[] = {{"z-buffer", QT_TRANSLATE_NOOP("Settings", "Z-buffer")},
-                                    {"painter", QT_TRANSLATE_NOOP("Settings", "Painter's algorithm")},
-                                    {"submission-order", QT_TRANSLATE_NOOP("Settings", "Submission order")}};
-constexpr Choice kInterpolations[] = {{"perspective", QT_TRANSLATE_NOOP("Settings", "Perspective-correct")},
-                                      {"affine", QT_TRANSLATE_NOOP("Settings", "Affine")}};
-constexpr Choice kAttributePaths[] = {{"planes", QT_TRANSLATE_NOOP("Settings", "Barycentric")},
-                                      {"edge-then-span", QT_TRANSLATE_NOOP("Settings", "Edge, then span")}};
-constexpr Choice kTieRules[] = {{"top-left", QT_TRANSLATE_NOOP("Settings", "Top-left")},
-                                {"inclusive", QT_TRANSLATE_NOOP("Settings", "All inclusive")},
-                                {"exclusive", QT_TRANSLATE_NOOP("Settings", "All exclusive")}};
-constexpr Choice kSamples[] = {{"1", QT_TRANSLATE_NOOP("Settings", "1")},
-                               {"2x2", QT_TRANSLATE_NOOP("Settings", "2 x 2")},
-                               {"3x3", QT_TRANSLATE_NOOP("Settings", "3 x 3")},
-                               {"4x4", QT_TRANSLATE_NOOP("Settings", "4 x 4")}};
-constexpr Choice kShadings[] = {{"gouraud", QT_TRANSLATE_NOOP("Settings", "Gouraud")},
-                                {"flat", QT_TRANSLATE_NOOP("Settings", "Flat")},
-                                {"random-flat", QT_TRANSLATE_NOOP("Settings", "Random flat colour")},
-                                {"texture", QT_TRANSLATE_NOOP("Settings", "Texture")},
-                                {"phong", QT_TRANSLATE_NOOP("Settings", "Phong")},
-                                {"depth", QT_TRANSLATE_NOOP("Settings", "Depth")},
-                                {"normals", QT_TRANSLATE_NOOP("Settings", "Normals")},
-                                {"uv", QT_TRANSLATE_NOOP("Settings", "Texture coordinates")},
-                                {"overdraw", QT_TRANSLATE_NOOP("Settings", "Overdraw")},
-                                {"triangle-id", QT_TRANSLATE_NOOP("Settings", "Triangle id")}};
-constexpr Choice kTextureFilters[] = {{"nearest", QT_TRANSLATE_NOOP("Settings", "Nearest")},
-                                      {"bilinear", QT_TRANSLATE_NOOP("Settings", "Bilinear")},
-                                      {"trilinear", QT_TRANSLATE_NOOP("Settings", "Bilinear with mipmaps")}};
-constexpr Choice kAlphaTests[] = {{"on", QT_TRANSLATE_NOOP("Settings", "On")},
-                                  {"off", QT_TRANSLATE_NOOP("Settings", "Off")}};
-constexpr Choice kSimds[] = {{"auto", QT_TRANSLATE_NOOP("Settings", "Best available")},
-                             {"scalar", QT_TRANSLATE_NOOP("Settings", "Scalar")},
-                             {"sse4", "SSE4"},
-                             {"avx2", "AVX2"},
-                             {"avx512", "AVX-512"},
-                             {"neon", "NEON"}};
+constexpr auto kAlgorithms = std::to_array<Choice>({{"edge-equation", QT_TRANSLATE_NOOP("Settings", "Edge equation")},
+                                                    {"edge-walking", QT_TRANSLATE_NOOP("Settings", "Edge walking")},
+                                                    {"tiled", QT_TRANSLATE_NOOP("Settings", "Tiled (fast)")}});
+constexpr auto kNumberTypes = std::to_array<Choice>({{"fixed", QT_TRANSLATE_NOOP("Settings", "Fixed point")},
+                                                     {"float32", QT_TRANSLATE_NOOP("Settings", "Float, 32 bit")},
+                                                     {"float64", QT_TRANSLATE_NOOP("Settings", "Float, 64 bit")}});
+constexpr auto kSteppings = std::to_array<Choice>({{"incremental", QT_TRANSLATE_NOOP("Settings", "Incremental")},
+                                                   {"direct", QT_TRANSLATE_NOOP("Settings", "Direct")}});
+constexpr auto kFills = std::to_array<Choice>({{"solid", QT_TRANSLATE_NOOP("Settings", "Solid")},
+                                               {"wireframe", QT_TRANSLATE_NOOP("Settings", "Wireframe")},
+                                               {"points", QT_TRANSLATE_NOOP("Settings", "Points")}});
+constexpr auto kLines = std::to_array<Choice>(
+    {{"bresenham", QT_TRANSLATE_NOOP("Settings", "Bresenham")}, {"dda", QT_TRANSLATE_NOOP("Settings", "DDA")}});
+constexpr auto kClippings =
+    std::to_array<Choice>({{"frustum", QT_TRANSLATE_NOOP("Settings", "Frustum, 6 planes")},
+                           {"frustum-w", QT_TRANSLATE_NOOP("Settings", "Frustum, 7 planes")},
+                           {"guard-band", QT_TRANSLATE_NOOP("Settings", "Guard band")},
+                           {"any-vertex-inside", QT_TRANSLATE_NOOP("Settings", "Any vertex inside")},
+                           {"near-far-reject", QT_TRANSLATE_NOOP("Settings", "Near / far reject")},
+                           {"cohen-sutherland", QT_TRANSLATE_NOOP("Settings", "Cohen-Sutherland")},
+                           {"none", QT_TRANSLATE_NOOP("Settings", "None")}});
+constexpr auto kCullings = std::to_array<Choice>({{"back", QT_TRANSLATE_NOOP("Settings", "Back faces")},
+                                                  {"front", QT_TRANSLATE_NOOP("Settings", "Front faces")},
+                                                  {"none", QT_TRANSLATE_NOOP("Settings", "None")}});
+constexpr auto kWindings = std::to_array<Choice>(
+    {{"ccw", QT_TRANSLATE_NOOP("Settings", "Counter-clockwise")}, {"cw", QT_TRANSLATE_NOOP("Settings", "Clockwise")}});
+constexpr auto kCullSpaces = std::to_array<Choice>({{"screen", QT_TRANSLATE_NOOP("Settings", "Screen area")},
+                                                    {"clip", QT_TRANSLATE_NOOP("Settings", "Clip-space determinant")},
+                                                    {"view", QT_TRANSLATE_NOOP("Settings", "Normal against gaze")}});
+constexpr auto kDepthTests = std::to_array<Choice>({{"less", QT_TRANSLATE_NOOP("Settings", "Less")},
+                                                    {"lequal", QT_TRANSLATE_NOOP("Settings", "Less or equal")},
+                                                    {"greater", QT_TRANSLATE_NOOP("Settings", "Greater")},
+                                                    {"always", QT_TRANSLATE_NOOP("Settings", "Always")},
+                                                    {"none", QT_TRANSLATE_NOOP("Settings", "None")}});
+constexpr auto kDepthFormats = std::to_array<Choice>({{"float32", QT_TRANSLATE_NOOP("Settings", "Float, 32 bit")},
+                                                      {"unorm24", QT_TRANSLATE_NOOP("Settings", "24 bit")},
+                                                      {"unorm16", QT_TRANSLATE_NOOP("Settings", "16 bit")}});
+constexpr auto kDepthOrders =
+    std::to_array<Choice>({{"before-shading", QT_TRANSLATE_NOOP("Settings", "Before shading")},
+                           {"after-shading", QT_TRANSLATE_NOOP("Settings", "After shading")}});
+constexpr auto kClipZs = std::to_array<Choice>({{"gl", QT_TRANSLATE_NOOP("Settings", "-w to w (OpenGL)")},
+                                                {"d3d", QT_TRANSLATE_NOOP("Settings", "0 to w (Direct3D)")}});
+constexpr auto kVisibilities =
+    std::to_array<Choice>({{"z-buffer", QT_TRANSLATE_NOOP("Settings", "Z-buffer")},
+                           {"painter", QT_TRANSLATE_NOOP("Settings", "Painter's algorithm")},
+                           {"submission-order", QT_TRANSLATE_NOOP("Settings", "Submission order")}});
+constexpr auto kInterpolations =
+    std::to_array<Choice>({{"perspective", QT_TRANSLATE_NOOP("Settings", "Perspective-correct")},
+                           {"affine", QT_TRANSLATE_NOOP("Settings", "Affine")}});
+constexpr auto kAttributePaths =
+    std::to_array<Choice>({{"planes", QT_TRANSLATE_NOOP("Settings", "Barycentric")},
+                           {"edge-then-span", QT_TRANSLATE_NOOP("Settings", "Edge, then span")}});
+constexpr auto kTieRules = std::to_array<Choice>({{"top-left", QT_TRANSLATE_NOOP("Settings", "Top-left")},
+                                                  {"inclusive", QT_TRANSLATE_NOOP("Settings", "All inclusive")},
+                                                  {"exclusive", QT_TRANSLATE_NOOP("Settings", "All exclusive")}});
+constexpr auto kSamples = std::to_array<Choice>({{"1", QT_TRANSLATE_NOOP("Settings", "1")},
+                                                 {"2x2", QT_TRANSLATE_NOOP("Settings", "2 x 2")},
+                                                 {"3x3", QT_TRANSLATE_NOOP("Settings", "3 x 3")},
+                                                 {"4x4", QT_TRANSLATE_NOOP("Settings", "4 x 4")}});
+constexpr auto kShadings = std::to_array<Choice>({{"gouraud", QT_TRANSLATE_NOOP("Settings", "Gouraud")},
+                                                  {"flat", QT_TRANSLATE_NOOP("Settings", "Flat")},
+                                                  {"random-flat", QT_TRANSLATE_NOOP("Settings", "Random flat colour")},
+                                                  {"texture", QT_TRANSLATE_NOOP("Settings", "Texture")},
+                                                  {"phong", QT_TRANSLATE_NOOP("Settings", "Phong")},
+                                                  {"depth", QT_TRANSLATE_NOOP("Settings", "Depth")},
+                                                  {"normals", QT_TRANSLATE_NOOP("Settings", "Normals")},
+                                                  {"uv", QT_TRANSLATE_NOOP("Settings", "Texture coordinates")},
+                                                  {"overdraw", QT_TRANSLATE_NOOP("Settings", "Overdraw")},
+                                                  {"triangle-id", QT_TRANSLATE_NOOP("Settings", "Triangle id")}});
+constexpr auto kTextureFilters =
+    std::to_array<Choice>({{"nearest", QT_TRANSLATE_NOOP("Settings", "Nearest")},
+                           {"bilinear", QT_TRANSLATE_NOOP("Settings", "Bilinear")},
+                           {"trilinear", QT_TRANSLATE_NOOP("Settings", "Bilinear with mipmaps")}});
+constexpr auto kAlphaTests =
+    std::to_array<Choice>({{"on", QT_TRANSLATE_NOOP("Settings", "On")}, {"off", QT_TRANSLATE_NOOP("Settings", "Off")}});
+constexpr auto kSimds = std::to_array<Choice>({{"auto", QT_TRANSLATE_NOOP("Settings", "Best available")},
+                                               {"scalar", QT_TRANSLATE_NOOP("Settings", "Scalar")},
+                                               {"sse4", "SSE4"},
+                                               {"avx2", "AVX2"},
+                                               {"avx512", "AVX-512"},
+                                               {"neon", "NEON"}});
 
 /// A row for the member `Member`, whose type tells the kind.
 template <auto Member>
@@ -103,10 +112,12 @@ void setMember(Settings& settings, int value)
     settings.*Member = static_cast<Value>(value);
 }
 
-template <auto Member>
-constexpr SettingsField choice(const char* id, Stage stage, std::span<const Choice> choices, const char* title,
-                               const char* help)
+template <auto Member, std::size_t kCount>
+constexpr SettingsField choice(const char* id, Stage stage, const std::array<Choice, kCount>& choices,
+                               const char* title, const char* help)
 {
+    using Value = std::remove_reference_t<decltype(std::declval<Settings&>().*Member)>;
+    static_assert(kCount == enumeratorCount<Value>(), "a choice for each value of the enumeration, in its order");
     return {id,
             title,
             help,

@@ -1,6 +1,7 @@
 #include "core/tiled/exact_path.h"
 
 #include "core/pipeline/depth_test.h"
+#include "core/pipeline/fate_count.h"
 #include "core/pipeline/interpolation.h"
 #include "core/pipeline/mask_test.h"
 #include "core/pipeline/shading.h"
@@ -13,19 +14,6 @@ namespace rasterlens::tiled
 {
 namespace
 {
-
-void count(Statistics::Faces& faces, FaceFate fate)
-{
-    ++faces.submitted;
-    switch (fate) {
-    case FaceFate::Rejected: ++faces.rejected; break;
-    case FaceFate::CulledBack: ++faces.culledBack; break;
-    case FaceFate::CulledFront: ++faces.culledFront; break;
-    case FaceFate::Degenerate: ++faces.degenerate; break;
-    case FaceFate::NonFinite: ++faces.nonFinite; break;
-    case FaceFate::Rasterized: ++faces.rasterized; break;
-    }
-}
 
 /// Counts the pieces of cut faces.
 struct PieceCounter : NullObserver {
@@ -55,19 +43,20 @@ void processOutsideFace(const FrameJob& job, Chunk& chunk, std::uint32_t face, s
 {
     chunk.clipped.clear();
     if (((codes[0] | codes[1] | codes[2]) & kNotFinite) != 0) {
-        count(chunk.faces, FaceFate::NonFinite);
+        countFate(FaceFate::NonFinite, chunk.faces);
         return;
     }
     const auto seen = [&](std::size_t k) { return Outcode{static_cast<ClipPlanes>(codes[k]), 0}; };
     if (clipVerdict(job.rules.clipping, seen(0), seen(1), seen(2)) == ClipVerdict::Reject) {
-        count(chunk.faces, FaceFate::Rejected);
+        countFate(FaceFate::Rejected, chunk.faces);
         return;
     }
     std::array<ProcessedVertex, 3> vertices;
     for (std::size_t k = 0; k < 3; ++k)
         vertices[k] = processedVertex(job, job.scene->mesh.indices[3 * std::size_t(face) + k]);
     PieceCounter observer(chunk.faces);
-    count(chunk.faces, job.stages->process(face, {&vertices[0], &vertices[1], &vertices[2]}, chunk.clipped, observer));
+    countFate(job.stages->process(face, {&vertices[0], &vertices[1], &vertices[2]}, chunk.clipped, observer),
+              chunk.faces);
 }
 
 ScreenTriangle screenTriangle(const FrameJob& job, const Chunk& chunk, std::uint32_t source)

@@ -282,7 +282,11 @@ HWY_INLINE void SetUpPlanes(const FrameJob& job, Chunk& chunk, const SetupQueue&
     case Shading::Phong: setUp(std::integral_constant<std::size_t, kPhongVaryings>()); break;
     case Shading::Normals: setUp(std::integral_constant<std::size_t, kNormalVaryings>()); break;
     case Shading::Uv: setUp(std::integral_constant<std::size_t, kUvVaryings>()); break;
-    default: break;
+    case Shading::Flat:
+    case Shading::RandomFlat:
+    case Shading::Depth:
+    case Shading::Overdraw:
+    case Shading::TriangleId: break;
     }
 }
 

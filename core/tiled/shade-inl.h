@@ -38,8 +38,15 @@ HWY_INLINE const void* FetchVaryings(Shading shading, const Chunk& chunk, std::u
     case Shading::Phong: return FetchVaryings<kPhongVaryings>(chunk, number);
     case Shading::Normals: return FetchVaryings<kNormalVaryings>(chunk, number);
     case Shading::Uv: return FetchVaryings<kUvVaryings>(chunk, number);
-    default: return nullptr;
+    case Shading::Gouraud:
+    case Shading::Flat:
+    case Shading::RandomFlat:
+    case Shading::Texture:
+    case Shading::Depth:
+    case Shading::Overdraw:
+    case Shading::TriangleId: break;
     }
+    return nullptr;
 }
 
 /// The place of a triangle in worker.visible.

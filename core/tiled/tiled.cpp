@@ -266,22 +266,6 @@ void drawFrame(const Scene& scene, const Settings& settings, Frame& frame, Outpu
 
 } // namespace
 
-std::optional<Reason> Tiled::supports(const Rules& rules)
-{
-    if (rules.numberType != NumberType::Fixed)
-        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs number-type fixed")};
-    if (rules.fill != Fill::Solid)
-        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs fill solid")};
-    if (rules.painter)
-        return Reason{
-            QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs visibility z-buffer or submission-order")};
-    if (rules.tie.owner != 0 || rules.tie.other != 1)
-        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs tie-rule top-left")};
-    if (rules.attributePath == AttributePath::EdgeThenSpan)
-        return Reason{QT_TRANSLATE_NOOP("Unsupported", "attribute-path edge-then-span needs algorithm edge-walking")};
-    return std::nullopt;
-}
-
 std::optional<Reason> Tiled::supports(const Settings& settings)
 {
     if (!settings.mistakes.isEmpty())

@@ -3,6 +3,7 @@
 #include "core/pipeline/rules_for.h"
 #include "core/pipeline/vertex_stage.h"
 #include "core/scene/camera.h"
+#include "core/settings/depth_rules.h"
 #include "core/truth/edge_distance.h"
 #include "core/truth/exact_face.h"
 
@@ -111,11 +112,10 @@ class DepthBuffer
 {
 public:
     DepthBuffer(const ExactOptions& options, ExactFrame& frame, Pieces pieces)
-        : m_compare(options.depthCompare), m_clear(options.depthClear > 0 ? 1 : 0), m_owners(frame.cover.size()),
-          m_frame(frame), m_pieces(std::move(pieces))
+        : m_compare(options.depthCompare), m_clear(options.depthClear > 0 ? 1 : 0),
+          m_codeMax(largestDepthCode(options.depthFormat)), m_owners(frame.cover.size()), m_frame(frame),
+          m_pieces(std::move(pieces))
     {
-        if (options.depthFormat != DepthFormat::Float32)
-            m_codeMax = options.depthFormat == DepthFormat::Unorm16 ? 0xffff : 0xffffff;
         std::fill(frame.depth.begin(), frame.depth.end(), m_clear);
     }
 
@@ -176,7 +176,7 @@ private:
 
     DepthCompare m_compare;
     int m_clear;
-    int m_codeMax = 0; // 0: exact depths
+    int m_codeMax; // 0: exact depths
     std::vector<PieceIndex> m_owners;
     ExactFrame& m_frame;
     Pieces m_pieces;

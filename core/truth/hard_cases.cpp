@@ -1,6 +1,7 @@
 #include "core/truth/hard_cases.h"
 
 #include "core/pipeline/statistics.h"
+#include "core/settings/depth_rules.h"
 #include "core/truth/expectations.h"
 
 #include <QCoreApplication>
@@ -53,12 +54,8 @@ Reasons coverageReasons(const CoverageDifference& d)
 
 double depthTolerance(DepthFormat format)
 {
-    switch (format) {
-    case DepthFormat::Unorm16: return 1.01 / 0xffff;
-    case DepthFormat::Unorm24: return 1.01 / 0xffffff;
-    case DepthFormat::Float32: break;
-    }
-    return kCaseDepthTolerance;
+    const int largest = largestDepthCode(format);
+    return largest > 0 ? 1.01 / largest : kCaseDepthTolerance;
 }
 
 /// Another face than the right one, where there is but one or at a depth that is not the right one either.

@@ -961,6 +961,30 @@
         <source>map_d %1: %2; drawn without holes</source>
         <translation>map_d %1：%2；绘制时不开孔</translation>
     </message>
+    <message>
+        <source>%1: %2 behind the numbers is ignored</source>
+        <translation>%1：数字之后的 %2 被忽略</translation>
+    </message>
+    <message>
+        <source>usemtl: no mtllib says what the %1 materials are; all look like the default one</source>
+        <translation>usemtl：没有 mtllib 说明这 %1 种材质；全部按默认材质绘制</translation>
+    </message>
+    <message>
+        <source>newmtl: %1 comes a second time; the first one is used</source>
+        <translation>newmtl：%1 第二次出现；采用第一次的定义</translation>
+    </message>
+    <message>
+        <source>f: in %1 corners v counts from the start and vt or vn is -1, the last one; some programs mean none by it</source>
+        <translation>f：%1 个角点的 v 从头计数，而 vt 或 vn 为 -1，即最后一个；有些程序用它表示“没有”</translation>
+    </message>
+    <message>
+        <source>vn: %1 normals have length 0; those of the faces are used</source>
+        <translation>vn：%1 个法线长度为 0；改用面的法线</translation>
+    </message>
+    <message>
+        <source>f: %1 corners, cut without overlap; where corners come close to each other on the screen, snapping turns thin triangles over, and single samples are drawn twice</source>
+        <translation>f：%1 个角点，剖分无重叠；角点在屏幕上彼此靠近时，对齐会使细长三角形翻转，个别采样点会被绘制两次</translation>
+    </message>
 </context>
 <context>
     <name>Experiment</name>
@@ -2083,8 +2107,8 @@
         <translation>公共边上的像素被两个三角形各画一次：混合颜色或计数时就会出错。</translation>
     </message>
     <message>
-        <source>inside = e0 &gt;= 0 &amp;&amp; e1 &gt;= 0 &amp;&amp; e2 &gt;= 0</source>
-        <translation>inside = e0 &gt;= 0 &amp;&amp; e1 &gt;= 0 &amp;&amp; e2 &gt;= 0</translation>
+        <source>inside = E_AB &gt;= 0 &amp;&amp; E_BC &gt;= 0 &amp;&amp; E_CA &gt;= 0</source>
+        <translation>inside = E_AB &gt;= 0 &amp;&amp; E_BC &gt;= 0 &amp;&amp; E_CA &gt;= 0</translation>
     </message>
     <message>
         <source>A point on the edge is in the triangle, is it not?</source>
@@ -2099,8 +2123,8 @@
         <translation>公共边上的像素两个三角形都不画：留下一排洞。</translation>
     </message>
     <message>
-        <source>inside = e0 &gt; 0 &amp;&amp; e1 &gt; 0 &amp;&amp; e2 &gt; 0</source>
-        <translation>inside = e0 &gt; 0 &amp;&amp; e1 &gt; 0 &amp;&amp; e2 &gt; 0</translation>
+        <source>inside = E_AB &gt; 0 &amp;&amp; E_BC &gt; 0 &amp;&amp; E_CA &gt; 0</source>
+        <translation>inside = E_AB &gt; 0 &amp;&amp; E_BC &gt; 0 &amp;&amp; E_CA &gt; 0</translation>
     </message>
     <message>
         <source>It stops pixels from being drawn twice.</source>
@@ -2115,8 +2139,8 @@
         <translation>逆时针三角形正确，顺时针三角形的公共边上像素被画两次。</translation>
     </message>
     <message>
-        <source>inside = all e + bias &gt;= 0 || all e + bias &lt;= 0</source>
-        <translation>inside = all e + bias &gt;= 0 || all e + bias &lt;= 0</translation>
+        <source>inside = all E + bias &gt;= 0 || all E + bias &lt;= 0</source>
+        <translation>inside = all E + bias &gt;= 0 || all E + bias &lt;= 0</translation>
     </message>
     <message>
         <source>It makes the test independent of the winding; the bias is not.</source>
@@ -2147,8 +2171,8 @@
         <translation>画面向右下偏移半个像素。</translation>
     </message>
     <message>
-        <source>edge(x, y) in place of edge(x + 0.5, y + 0.5)</source>
-        <translation>edge(x, y) in place of edge(x + 0.5, y + 0.5)</translation>
+        <source>E_AB(x, y) in place of E_AB(x + 0.5, y + 0.5)</source>
+        <translation>E_AB(x, y) in place of E_AB(x + 0.5, y + 0.5)</translation>
     </message>
     <message>
         <source>The loop variables are right there.</source>
@@ -2195,8 +2219,8 @@
         <translation>所有颜色都挪到下一个顶点。</translation>
     </message>
     <message>
-        <source>e_AB / area is used as the weight of A</source>
-        <translation>e_AB / area is used as the weight of A</translation>
+        <source>α = E_AB / area in place of E_BC / area</source>
+        <translation>α = E_AB / area in place of E_BC / area</translation>
     </message>
     <message>
         <source>The edge is named after its first corner; its value belongs to the corner opposite.</source>
@@ -2211,8 +2235,8 @@
         <translation>两个顶点的颜色互换了。</translation>
     </message>
     <message>
-        <source>color = u * A + w * B + v * C</source>
-        <translation>color = u * A + w * B + v * C</translation>
+        <source>color = α * A + γ * B + β * C</source>
+        <translation>color = α * A + γ * B + β * C</translation>
     </message>
     <message>
         <source>B and C were swapped to turn the triangle round, and only they.</source>
@@ -2227,8 +2251,8 @@
         <translation>像胡椒一样的小洞：6.9999995 被截成 6，旁边的像素画了两次。</translation>
     </message>
     <message>
-        <source>x = (int)(u * A.x + v * B.x + w * C.x)</source>
-        <translation>x = (int)(u * A.x + v * B.x + w * C.x)</translation>
+        <source>x = (int)(α * A.x + β * B.x + γ * C.x)</source>
+        <translation>x = (int)(α * A.x + β * B.x + γ * C.x)</translation>
     </message>
     <message>
         <source>Position is an attribute like all others.</source>
@@ -2339,8 +2363,8 @@
         <translation>方砖和线条在正方形对角线处折断，相机移动时漂移。</translation>
     </message>
     <message>
-        <source>uv = u * A.uv + v * B.uv + w * C.uv</source>
-        <translation>uv = u * A.uv + v * B.uv + w * C.uv</translation>
+        <source>uv = α * A.uv + β * B.uv + γ * C.uv</source>
+        <translation>uv = α * A.uv + β * B.uv + γ * C.uv</translation>
     </message>
     <message>
         <source>Right for z, and right without perspective.</source>
@@ -2419,8 +2443,8 @@
         <translation>顶点之间的深度偏远：后面的东西从倾斜面的中部透出来。</translation>
     </message>
     <message>
-        <source>z = u * A.z + v * B.z + w * C.z with z of view space</source>
-        <translation>z = u * A.z + v * B.z + w * C.z with z of view space</translation>
+        <source>z = α * A.z + β * B.z + γ * C.z with z of view space</source>
+        <translation>z = α * A.z + β * B.z + γ * C.z with z of view space</translation>
     </message>
     <message>
         <source>The distance is what depth means. But only 1/z is linear on the screen.</source>
@@ -2783,8 +2807,8 @@
         <translation>超过 46,341 像素（平方超出 31 位）时数值回绕：三角形出现直边的洞。</translation>
     </message>
     <message>
-        <source>int e = (x - a.x) * (b.y - a.y) - ...</source>
-        <translation>int e = (x - a.x) * (b.y - a.y) - ...</translation>
+        <source>int E_AB = (x - A.x) * (B.y - A.y) - ...</source>
+        <translation>int E_AB = (x - A.x) * (B.y - A.y) - ...</translation>
     </message>
     <message>
         <source>No screen is that large. Unclipped triangles are.</source>
@@ -2799,8 +2823,8 @@
         <translation>黑线：权重是 0/0，任何比较都拦不住。</translation>
     </message>
     <message>
-        <source>u = e / area, without a look at area</source>
-        <translation>u = e / area, without a look at area</translation>
+        <source>α = E_BC / area, without a look at area</source>
+        <translation>α = E_BC / area, without a look at area</translation>
     </message>
     <message>
         <source>Who would send such triangles?</source>
@@ -2831,8 +2855,8 @@
         <translation>舍入沿长行累积：公共边上出现洞和重复命中。</translation>
     </message>
     <message>
-        <source>float e; e += dx</source>
-        <translation>float e; e += dx</translation>
+        <source>float E_AB; E_AB += dx</source>
+        <translation>float E_AB; E_AB += dx</translation>
     </message>
     <message>
         <source>One addition is cheaper than a product.</source>
@@ -3472,14 +3496,6 @@
         <translation>下一个 x：%1 %2</translation>
     </message>
     <message>
-        <source>passed</source>
-        <translation>通过</translation>
-    </message>
-    <message>
-        <source>failed</source>
-        <translation>未通过</translation>
-    </message>
-    <message>
         <source>vertex</source>
         <translation>顶点</translation>
     </message>
@@ -3563,6 +3579,281 @@
         <source>face %1</source>
         <translation>面 %1</translation>
     </message>
+    <message>
+        <source>in 32 bits: %1</source>
+        <translation>32 位下：%1</translation>
+    </message>
+    <message>
+        <source>added up: %1</source>
+        <translation>累加得：%1</translation>
+    </message>
+    <message>
+        <source>rounded: %1</source>
+        <translation>舍入得：%1</translation>
+    </message>
+    <message>
+        <source>no sample</source>
+        <translation>没有采样点</translation>
+    </message>
+</context>
+<context>
+    <name>Steps</name>
+    <message>
+        <source>after step %1</source>
+        <translation>第 %1 步之后</translation>
+    </message>
+    <message>
+        <source>finished frame</source>
+        <translation>完成的画面</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 和 %2</translation>
+    </message>
+    <message>
+        <source>because of %1</source>
+        <translation>因为 %1</translation>
+    </message>
+    <message>
+        <source>w</source>
+        <translation>w</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>near</source>
+        <translation>近</translation>
+    </message>
+    <message>
+        <source>far</source>
+        <translation>远</translation>
+    </message>
+    <message>
+        <source>neither</source>
+        <translation>非左上</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>culled-back</source>
+        <translation>背面剔除</translation>
+    </message>
+    <message>
+        <source>culled-front</source>
+        <translation>正面剔除</translation>
+    </message>
+    <message>
+        <source>degenerate</source>
+        <translation>退化</translation>
+    </message>
+    <message>
+        <source>non-finite</source>
+        <translation>非有限数</translation>
+    </message>
+    <message>
+        <source>rasterized</source>
+        <translation>已光栅化</translation>
+    </message>
+    <message>
+        <source>clip</source>
+        <translation>裁剪空间</translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>视线</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>光线</translation>
+    </message>
+    <message>
+        <source>undivided</source>
+        <translation>未除以 w</translation>
+    </message>
+    <message>
+        <source>unclipped</source>
+        <translation>未裁剪</translation>
+    </message>
+    <message>
+        <source>screen</source>
+        <translation>屏幕</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>1/w %1</source>
+        <translation>1/w %1</translation>
+    </message>
+    <message>
+        <source>%1 in place of 1/w</source>
+        <translation>%1 代替了 1/w</translation>
+    </message>
+    <message>
+        <source>%1 = vertex %2</source>
+        <translation>%1 = 顶点 %2</translation>
+    </message>
+    <message>
+        <source>object %1 -&gt; clip %2, outside %3</source>
+        <translation>物体 %1 -&gt; 裁剪 %2，在其外：%3</translation>
+    </message>
+    <message>
+        <source>world (%1), object %2 -&gt; clip %3, outside %4</source>
+        <translation>世界 (%1)，物体 %2 -&gt; 裁剪 %3，在其外：%4</translation>
+    </message>
+    <message>
+        <source>%1 -&gt; %2 vertices</source>
+        <translation>%1 -&gt; %2 个顶点</translation>
+    </message>
+    <message>
+        <source>%1 -&gt; %2 vertices, cuts %3</source>
+        <translation>%1 -&gt; %2 个顶点，切割 %3</translation>
+    </message>
+    <message>
+        <source>outcodes %1</source>
+        <translation>区域码 %1</translation>
+    </message>
+    <message>
+        <source>corner %1</source>
+        <translation>角 %1</translation>
+    </message>
+    <message>
+        <source>%1 -&gt; %2, depth %3, %4</source>
+        <translation>%1 -&gt; %2，深度 %3，%4</translation>
+    </message>
+    <message>
+        <source>%1 %2, screen area %3</source>
+        <translation>%1 %2，屏幕面积 %3</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 个三角形</translation>
+    </message>
+    <message>
+        <source>by y</source>
+        <translation>按 y 排序</translation>
+    </message>
+    <message>
+        <source>%1; long edge %2, rows %3..%4</source>
+        <translation>%1；长边在%2，行 %3..%4</translation>
+    </message>
+    <message>
+        <source>x %1..%2 -&gt; [%3, %4), long edge %5, %6 half</source>
+        <translation>x %1..%2 -&gt; [%3, %4)，长边在%5，%6半部</translation>
+    </message>
+    <message>
+        <source>upper</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>%1 = %2 (%3, ours)</source>
+        <translation>%1 = %2（%3，归我们）</translation>
+    </message>
+    <message>
+        <source>%1 = %2 (%3, not ours)</source>
+        <translation>%1 = %2（%3，不归我们）</translation>
+    </message>
+    <message>
+        <source>inside, tie</source>
+        <translation>在内，平局</translation>
+    </message>
+    <message>
+        <source>outside, tie</source>
+        <translation>在外，平局</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>在内</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>在外</translation>
+    </message>
+    <message>
+        <source>%1  %2  %3  %4</source>
+        <translation>%1  %2  %3  %4</translation>
+    </message>
+    <message>
+        <source>i %1, p %2, d_lower %3, d_upper %4</source>
+        <translation>i %1，p %2，d_lower %3，d_upper %4</translation>
+    </message>
+    <message>
+        <source>step along both axes</source>
+        <translation>沿两轴各走一步</translation>
+    </message>
+    <message>
+        <source>step along the longer axis</source>
+        <translation>沿长轴走一步</translation>
+    </message>
+    <message>
+        <source>depth %1, compared with nothing: passed</source>
+        <translation>深度 %1，不比较：通过</translation>
+    </message>
+    <message>
+        <source>depth %1 %2 %3: passed</source>
+        <translation>深度 %1 %2 %3：通过</translation>
+    </message>
+    <message>
+        <source>depth %1 %2 %3: failed, but its depth is stored</source>
+        <translation>深度 %1 %2 %3：未通过，但其深度仍被存储</translation>
+    </message>
+    <message>
+        <source>depth %1 %2 %3: failed</source>
+        <translation>深度 %1 %2 %3：未通过</translation>
+    </message>
+    <message>
+        <source>α β γ %1 -&gt; %2, %3</source>
+        <translation>α β γ %1 -&gt; %2，%3</translation>
+    </message>
+    <message>
+        <source>%1 -&gt; %2, depth %3 -&gt; %4</source>
+        <translation>%1 -&gt; %2，深度 %3 -&gt; %4</translation>
+    </message>
+    <message>
+        <source>no sample&apos;s centre within its bounds, or no area</source>
+        <translation>边界内没有采样中心，或没有面积</translation>
+    </message>
+    <message>
+        <source>%1 %2 per x, %3 per y, inside from %4 = %5 (%6)</source>
+        <translation>%1 每 x %2，每 y %3，自 %4 = %5 起在内（%6）</translation>
+    </message>
+    <message>
+        <source>bounds %1..%2 x %3..%4</source>
+        <translation>边界 %1..%2 x %3..%4</translation>
+    </message>
+    <message>
+        <source>%1; %2; %3</source>
+        <translation>%1；%2；%3</translation>
+    </message>
+    <message>
+        <source>off the target</source>
+        <translation>在画面外</translation>
+    </message>
 </context>
 <context>
     <name>StressScene</name>
@@ -3628,6 +3919,10 @@
     <message>
         <source>this machine does not have simd %1</source>
         <translation>这台计算机没有向量指令 %1</translation>
+    </message>
+    <message>
+        <source>algorithm tiled does not draw these settings</source>
+        <translation>分块算法不能绘制这些设置</translation>
     </message>
 </context>
 <context>
@@ -5154,6 +5449,14 @@
     <message>
         <source>%1 is seen</source>
         <translation>看到的是%1</translation>
+    </message>
+    <message>
+        <source>its area on the screen, %1, counts as none</source>
+        <translation>它在屏幕上的面积 %1 视为没有</translation>
+    </message>
+    <message>
+        <source>%1, less than %2, outside</source>
+        <translation>%1，小于 %2，在外</translation>
     </message>
 </context>
 <context>

@@ -27,8 +27,14 @@ bool withoutAttributes(const Settings& s)
     case Shading::Depth:
     case Shading::Overdraw:
     case Shading::TriangleId: return true;
-    default: return false;
+    case Shading::Gouraud:
+    case Shading::Flat:
+    case Shading::Texture:
+    case Shading::Phong:
+    case Shading::Normals:
+    case Shading::Uv: break;
     }
+    return false;
 }
 
 /// The first rule that holds gives the reason.

@@ -1,6 +1,7 @@
 #include "ui/canvas/pixel_overlay.h"
 
 #include "ui/base/theme.h"
+#include "ui/canvas/pixel_numbers.h"
 
 #include <QFontMetricsF>
 #include <QPaintEngine>
@@ -105,61 +106,6 @@ void paintCells(QPainter& painter, const QRect& pixels, const CanvasTransform& t
     }
 }
 
-/// A font in which `digits` characters fit into a pixel of the canvas.
-QFont cellFont(double zoom, int digits)
-{
-    QFont font = numberFont();
-    constexpr int kReferencePixels = 100;
-    font.setPixelSize(kReferencePixels);
-    const double advance = QFontMetricsF(font).horizontalAdvance(QLatin1Char('0'));
-    const double fitting = (zoom - 6) / digits * kReferencePixels / advance;
-    font.setPixelSize(std::clamp(static_cast<int>(fitting), 5, 15));
-    return font;
-}
-
-/// Black or white, whichever stands out more (WCAG 2.1, relative luminance).
-QColor readableOn(QRgb color)
-{
-    const auto linear = [](int channel) { return std::pow(channel / 255.0, 2.2); };
-    const double luminance =
-        0.2126 * linear(qRed(color)) + 0.7152 * linear(qGreen(color)) + 0.0722 * linear(qBlue(color));
-    constexpr double kEqualContrast = 0.179;
-    return luminance > kEqualContrast ? QColor(10, 12, 16) : QColor(250, 251, 253);
-}
-
-void paintNumbers(QPainter& painter, const QRect& pixels, const CanvasTransform& transform, const Frame& frame)
-{
-    constexpr double kDecimalsFromZoom = 64;
-    constexpr double kDetailsFromZoom = 96;
-    constexpr int kHexDigits = 7;
-    constexpr int kDecimalDigits = 11;
-    const bool decimals = transform.zoom >= kDecimalsFromZoom;
-    const bool details = transform.zoom >= kDetailsFromZoom && !frame.ids.empty();
-    const QFont font = cellFont(transform.zoom, decimals ? kDecimalDigits : kHexDigits);
-    painter.setFont(font);
-    const QFontMetricsF metrics(font);
-    for (int y = pixels.top(); y <= pixels.bottom(); ++y)
-        for (int x = pixels.left(); x <= pixels.right(); ++x) {
-            const QRgb color = frame.image.pixel(x, y);
-            const QRectF cell = transform.toCanvas(QRectF(x, y, 1, 1)).adjusted(2, 3, -2, -3);
-            painter.setPen(readableOn(color));
-            const QString text = decimals
-                                     ? QStringLiteral("%1 %2 %3").arg(qRed(color)).arg(qGreen(color)).arg(qBlue(color))
-                                     : QColor(color).name().toUpper();
-            painter.drawText(cell, Qt::AlignHCenter | Qt::AlignTop, text);
-            if (!details)
-                continue;
-            const auto index = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.image.width()) +
-                               static_cast<std::size_t>(x);
-            const std::int32_t face = frame.ids[index];
-            if (face < 0)
-                continue;
-            painter.drawText(cell, Qt::AlignHCenter | Qt::AlignBottom, QStringLiteral("#%1").arg(face));
-            painter.drawText(cell.adjusted(0, 0, 0, -metrics.lineSpacing()), Qt::AlignHCenter | Qt::AlignBottom,
-                             QString::number(static_cast<double>(frame.depth[index]), 'f', 4));
-        }
-}
-
 void paintPixelFrame(QPainter& painter, QPoint pixel, const CanvasTransform& transform, bool selected, bool thick)
 {
     const QRectF cell = transform.toCanvas(QRectF(pixel, QSizeF(1, 1)));
@@ -185,7 +131,8 @@ void paintPicture(QPainter& painter, const QRect& canvas, const CanvasTransform&
     const bool numbersHidden =
         std::ranges::any_of(options.layers, [](const CanvasLayer* layer) { return layer->hidesNumbers(); });
     if (options.numbers && transform.zoom >= kNumbersFromZoom && !numbersHidden)
-        paintNumbers(painter, pixels, transform, frame.frame);
+        paintPixelNumbers(painter, pixels, transform, frame.frame.image,
+                          [&](QPoint pixel, NumberRoom room) { return pixelNumbers(frame, pixel, room); });
 }
 
 } // namespace

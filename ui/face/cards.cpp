@@ -143,6 +143,12 @@ void Cards::followPixel()
     m_followPending = readout && !readout->face;
 }
 
+void Cards::setSaysMoment(bool on)
+{
+    m_pixelCard->setSaysMoment(on);
+    m_whyDock->setTitle(m_pixelCard->title());
+}
+
 void Cards::frameCounted()
 {
     if (m_followPending)

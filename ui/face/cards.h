@@ -52,6 +52,8 @@ public:
     [[nodiscard]] CurvesPanel& curvesPanel() { return *m_curvesPanel; }
     [[nodiscard]] RacePanel& racePanel() { return *m_racePanel; }
 
+    /// While another picture than the finished one is on the canvas the pixel card says that it speaks of that.
+    void setSaysMoment(bool on);
     /// A counted frame is shown: it knows the faces seen at the pixels.
     void frameCounted();
     /// The panels show this face.

@@ -43,13 +43,13 @@ Scene sceneOfFace(const Scene& scene, std::uint32_t face)
 ClipStory clipStory(const Scene& scene, const Settings& settings, std::uint32_t face, const std::stop_token& stop)
 {
     ClipStory story;
-    story.mode = settings.clipping;
     if (face >= scene.mesh.faceCount())
         return story;
     StepFilter filter;
     filter.kinds = kindBit(StepKind::Vertex) | kindBit(StepKind::ClipPlane) | kindBit(StepKind::CohenSutherland) |
                    kindBit(StepKind::Clipped) | kindBit(StepKind::Fate);
     const auto log = renderSteps(sceneOfFace(scene, face), settings, filter, stop);
+    story.rules = log->rules();
     for (const StepEvent& event : log->events()) {
         switch (event.kind) {
         case StepKind::Vertex: {
@@ -62,7 +62,19 @@ ClipStory clipStory(const Scene& scene, const Settings& settings, std::uint32_t 
         case StepKind::CohenSutherland: story.regions = log->payload<CohenSutherlandStep>(event); break;
         case StepKind::Clipped: story.pieces = log->payload<FanStep>(event).pieces; break;
         case StepKind::Fate: story.fate = log->payload<FateStep>(event).fate; break;
-        default: break;
+        case StepKind::Viewport:
+        case StepKind::Facing:
+        case StepKind::Triangle:
+        case StepKind::Setup:
+        case StepKind::Walk:
+        case StepKind::Span:
+        case StepKind::Sample:
+        case StepKind::LineDecision:
+        case StepKind::LineSample:
+        case StepKind::Fragment:
+        case StepKind::Shade:
+        case StepKind::Write:
+        case StepKind::End: break; // the filter leaves them out
         }
     }
     story.result = story.regions          ? story.regions->after

@@ -9,11 +9,9 @@
 namespace rasterlens
 {
 
-constexpr int kClipPlanes = 7;
-
 /// What clipping did to one face, plane by plane.
 struct ClipStory {
-    Clipping mode = Clipping::Frustum;
+    Rules rules;                     ///< by which it was clipped
     std::vector<ClipVertex> corners; ///< A, B, C; empty: there is no such face
     std::uint32_t outsideOf = 0;     ///< planes a corner is outside of, one bit a ClipPlane
     std::vector<ClipStep> steps;     ///< a plane each that the face was cut by, in order

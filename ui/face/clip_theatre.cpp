@@ -25,30 +25,6 @@ namespace
 
 constexpr double kCornerRadius = 3.5;
 constexpr double kFarthestNdc = 100; ///< what lies farther off the screen is left out of the picture
-constexpr unsigned kSideBits[] = {kRegionAbove, kRegionBelow, kRegionRight, kRegionLeft};
-
-QString bitsOf(unsigned region)
-{
-    QString bits;
-    for (const unsigned bit : kSideBits)
-        bits += QLatin1Char((region & bit) != 0 ? '1' : '0');
-    return bits;
-}
-
-QString planeFormula(ClipPlane plane)
-{
-    switch (plane) {
-    case ClipPlane::W: return QStringLiteral("w \u2265 1e-5");
-    case ClipPlane::Right: return QStringLiteral("x \u2264 w");
-    case ClipPlane::Left: return QStringLiteral("x \u2265 \u2212w");
-    case ClipPlane::Top: return QStringLiteral("y \u2264 w");
-    case ClipPlane::Bottom: return QStringLiteral("y \u2265 \u2212w");
-    case ClipPlane::Near: return QStringLiteral("near");
-    case ClipPlane::Far: return QStringLiteral("far");
-    }
-    return {};
-}
-
 QString brief(double value)
 {
     constexpr int kDigits = 4;
@@ -74,29 +50,6 @@ QString cornerName(const ClipVertex& corner, const ClipStory& story, std::size_t
 }
 
 } // namespace
-
-QString clipPlaneSign(ClipPlane plane)
-{
-    switch (plane) {
-    case ClipPlane::W: return QStringLiteral("w");
-    case ClipPlane::Right: return QStringLiteral("+x");
-    case ClipPlane::Left: return QStringLiteral("\u2212x");
-    case ClipPlane::Top: return QStringLiteral("+y");
-    case ClipPlane::Bottom: return QStringLiteral("\u2212y");
-    case ClipPlane::Near: return QStringLiteral("\u2212z");
-    case ClipPlane::Far: return QStringLiteral("+z");
-    }
-    return {};
-}
-
-QString clipPlaneSigns(std::uint32_t planes)
-{
-    QStringList signs;
-    for (int i = 0; i < kClipPlanes; ++i)
-        if ((planes & 1U << i) != 0)
-            signs << clipPlaneSign(static_cast<ClipPlane>(i));
-    return signs.join(QStringLiteral(", "));
-}
 
 /// One of the two pictures: a coordinate against w, or the screen in NDC.
 class ClipTheatre::Stage : public QWidget
@@ -130,7 +83,7 @@ private:
     {
         if (m_view == View::ClipSpace)
             return ClipTheatre::tr("clip space: %1 across, w up").arg(QLatin1Char("xyz"[axis()]));
-        return m_theatre.m_story && m_theatre.m_story->mode == Clipping::CohenSutherland
+        return m_theatre.m_story && m_theatre.m_story->rules.clipping == Clipping::CohenSutherland
                    ? ClipTheatre::tr("the nine regions: above, below, right, left")
                    : ClipTheatre::tr("the screen after the divide, and the fan");
     }
@@ -206,7 +159,7 @@ private:
 
     void paintScreen(QPainter& painter)
     {
-        const bool regions = m_theatre.m_story && m_theatre.m_story->mode == Clipping::CohenSutherland;
+        const bool regions = m_theatre.m_story && m_theatre.m_story->rules.clipping == Clipping::CohenSutherland;
         constexpr double kBeyond = 1.6; // of the outer regions, too, something is to be seen
         frame(regions ? QRectF(-kBeyond, -kBeyond, 2 * kBeyond, 2 * kBeyond) : QRectF(-1, -1, 2, 2));
         const QRectF screen(place({-1, 1}), place({1, -1}));
@@ -240,7 +193,7 @@ private:
                                        : row == 2 ? kRegionBelow
                                                   : 0);
                 const QRectF cell(QPointF(xs[column], ys[row]), QPointF(xs[column + 1], ys[row + 1]));
-                painter.drawText(cell.adjusted(3, 2, -3, -2), Qt::AlignLeft | Qt::AlignTop, bitsOf(code));
+                painter.drawText(cell.adjusted(3, 2, -3, -2), Qt::AlignLeft | Qt::AlignTop, regionText(code));
             }
     }
 
@@ -466,7 +419,7 @@ QStringList ClipTheatre::cuts() const
         for (std::size_t i = 0; i < m_story->regions->before.size(); ++i)
             lines << tr("%1  outcode %2")
                          .arg(cornerName(m_story->regions->before[i], *m_story, i),
-                              bitsOf(m_story->regions->regions[i]));
+                              regionText(m_story->regions->regions[i]));
         return lines;
     }
     const ClipStep& step = m_story->steps[m_stage - 1];
@@ -496,18 +449,19 @@ void ClipTheatre::sync()
         QToolButton* tool = m_planes[static_cast<std::size_t>(i)];
         const ClipStep* step = m_story ? m_story->stepOf(plane) : nullptr;
         tool->setEnabled(step != nullptr);
-        tool->setText(step ? QStringLiteral("%1  %2").arg(clipPlaneSign(plane)).arg(step->after.size())
-                           : clipPlaneSign(plane));
+        tool->setText(step ? QStringLiteral("%1  %2").arg(QString::fromUtf8(infoOf(plane).sign)).arg(step->after.size())
+                           : QString::fromUtf8(infoOf(plane).sign));
         const bool shown =
             m_stage > 0 && m_stage <= m_story->steps.size() && m_story->steps[m_stage - 1].plane == plane;
         tool->setChecked(shown);
+        const QString formula = QString::fromUtf8(clipPlaneFormula(plane, m_story ? m_story->rules.clipZ : ClipZ::Gl));
         tool->setToolTip(step ? tr("Plane %1: %2 corners before, %3 after")
-                                    .arg(planeFormula(plane))
+                                    .arg(formula)
                                     .arg(step->before.size())
                                     .arg(step->after.size())
-                              : tr("Plane %1 does not cut this face").arg(planeFormula(plane)));
+                              : tr("Plane %1 does not cut this face").arg(formula));
     }
-    m_sides->setVisible(m_story && m_story->mode == Clipping::CohenSutherland);
+    m_sides->setVisible(m_story && m_story->rules.clipping == Clipping::CohenSutherland);
     m_sides->setEnabled(m_story && m_story->regions);
     m_sides->setChecked(m_story && m_stage > m_story->steps.size());
     m_summary->setText(summary());

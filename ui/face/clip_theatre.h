@@ -14,11 +14,6 @@ class QToolButton;
 namespace rasterlens
 {
 
-/// `+x` for the plane x <= w.
-[[nodiscard]] QString clipPlaneSign(ClipPlane plane);
-/// Those of a set of planes, bit i for plane i.
-[[nodiscard]] QString clipPlaneSigns(std::uint32_t planes);
-
 /// The polygon of a face in clip space, plane by plane, beside the screen it ends up on.
 class ClipTheatre : public QWidget
 {

@@ -1,7 +1,10 @@
 #include "ui/face/pixel_card.h"
 
 #include "core/observe/step_text.h"
+#include "core/settings/depth_rules.h"
 #include "ui/base/inks.h"
+#include "ui/base/numbers.h"
+#include "ui/base/step_words.h"
 #include "ui/base/theme.h"
 #include "ui/face/clip_theatre.h"
 
@@ -25,8 +28,6 @@ namespace
 
 constexpr std::size_t kMostRows = 100;
 
-QString depthText(float depth) { return QString::number(static_cast<double>(depth), 'f', 6); }
-
 QString signedText(const QString& number)
 {
     if (number.startsWith(QLatin1Char('-')))
@@ -36,7 +37,8 @@ QString signedText(const QString& number)
 
 QString edgeText(const WhyFace& face, const WhyEdge& edge)
 {
-    return QStringLiteral("%1\u00a0=\u00a0%2").arg(edge.name, signedText(edgeValueText(edge.value, face.unitsPerArea)));
+    return QStringLiteral("E_%1\u00a0=\u00a0%2")
+        .arg(edge.name, signedText(edgeValueText(edge.value, face.unitsPerArea)));
 }
 
 QString sideText(EdgeSide side)
@@ -49,19 +51,9 @@ QString sideText(EdgeSide side)
     return PixelCard::tr("neither left nor top");
 }
 
-QString compareSign(const WhyReport& report)
-{
-    switch (report.depthTest) {
-    case DepthTest::Less: return report.reversedZ ? QStringLiteral(">") : QStringLiteral("<");
-    case DepthTest::LessEqual: return report.reversedZ ? QStringLiteral("\u2265") : QStringLiteral("\u2264");
-    case DepthTest::Greater: return report.reversedZ ? QStringLiteral("<") : QStringLiteral(">");
-    case DepthTest::Always:
-    case DepthTest::None: break;
-    }
-    return {};
-}
+QString printedDepthSign(const WhyReport& report) { return printedSigns(QLatin1String(depthSign(report.rules))); }
 
-QString planesWords(std::uint32_t planes) { return planes == 0 ? PixelCard::tr("no plane") : clipPlaneSigns(planes); }
+QString planesWords(std::uint32_t planes) { return planes == 0 ? PixelCard::tr("no plane") : planeSigns(planes); }
 
 QString verdictWords(const WhyReport& report, const WhyFace& face)
 {
@@ -70,12 +62,20 @@ QString verdictWords(const WhyReport& report, const WhyFace& face)
     case WhyVerdict::Rejected: return PixelCard::tr("rejected by %1").arg(planesWords(face.planes));
     case WhyVerdict::CulledBack: return PixelCard::tr("culled: back face");
     case WhyVerdict::CulledFront: return PixelCard::tr("culled: front face");
-    case WhyVerdict::Degenerate: return PixelCard::tr("no area on the screen");
+    case WhyVerdict::Degenerate:
+        return face.facing->screenArea == 0 ? PixelCard::tr("no area on the screen")
+                                            : PixelCard::tr("its area on the screen, %1, counts as none")
+                                                  .arg(shortNumber(face.facing->screenArea / 2));
     case WhyVerdict::ClippedAway: return PixelCard::tr("clipped away by %1").arg(planesWords(face.planes));
-    case WhyVerdict::OutsideEdge:
-        return face.edge < 0
-                   ? PixelCard::tr("outside of what clipping left")
-                   : PixelCard::tr("%1, outside").arg(edgeText(face, face.edges[static_cast<std::size_t>(face.edge)]));
+    case WhyVerdict::OutsideEdge: {
+        if (face.edge < 0)
+            return PixelCard::tr("outside of what clipping left");
+        const WhyEdge& edge = face.edges[static_cast<std::size_t>(face.edge)];
+        const bool isPositive = edge.value > 0; // some mistakes want more than that
+        return isPositive ? PixelCard::tr("%1, less than %2, outside")
+                                .arg(edgeText(face, edge), thresholdText(edge.threshold, face.unitsPerArea))
+                          : PixelCard::tr("%1, outside").arg(edgeText(face, edge));
+    }
     case WhyVerdict::LostTie: {
         const WhyEdge& edge = face.edges[static_cast<std::size_t>(face.edge)];
         return PixelCard::tr("%1, lost the tie: %2").arg(edgeText(face, edge), sideText(edge.side));
@@ -84,8 +84,8 @@ QString verdictWords(const WhyReport& report, const WhyFace& face)
         return PixelCard::tr("cut out by the alpha test: the texture is opaque by %1").arg(face.opacity, 0, 'g', 3);
     case WhyVerdict::FailedDepth:
         return face.fragment ? PixelCard::tr("failed depth: not %1 %2 %3")
-                                   .arg(depthText(face.fragment->depth), compareSign(report),
-                                        depthText(face.fragment->storedDepth))
+                                   .arg(depthNumber(face.fragment->depth), printedDepthSign(report),
+                                        depthNumber(face.fragment->storedDepth))
                              : PixelCard::tr("covered, but not drawn by this algorithm");
     case WhyVerdict::Written:
         return face.overwrittenBy ? PixelCard::tr("written, overwritten later by face %1").arg(*face.overwrittenBy)
@@ -120,10 +120,10 @@ void addFragmentLines(const WhyReport& report, const WhyFace& face, QStringList&
     lines << weights(fragment.screen);
     if (fragment.shaded && fragment.weights != fragment.screen)
         lines << PixelCard::tr("perspective %1").arg(weights(fragment.weights));
-    const QString sign = compareSign(report);
+    const QString sign = printedDepthSign(report);
     if (!sign.isEmpty() && face.verdict == WhyVerdict::Written)
         lines << PixelCard::tr("z %1 %2 %3, passed")
-                     .arg(depthText(fragment.depth), sign, depthText(fragment.storedDepth));
+                     .arg(depthNumber(fragment.depth), sign, depthNumber(fragment.storedDepth));
 }
 
 /// A frame that is clicked as a whole, also by key.
@@ -212,6 +212,8 @@ WhyWords whyWords(const WhyReport& report, const WhyFace& face)
     if (face.verdict == WhyVerdict::Written)
         words.details
             << PixelCard::tr("%1 over %2").arg(rgbText(face.write.after.color), rgbText(face.write.before.color));
+    if (!face.because.empty())
+        words.details << becauseWords(face.because);
     return words;
 }
 
@@ -239,7 +241,10 @@ void PixelCard::setReport(std::shared_ptr<const WhyReport> report)
 
 QString PixelCard::title() const
 {
-    return m_report ? tr("Why pixel (%1, %2)?").arg(m_report->x).arg(m_report->y) : tr("Why this pixel?");
+    if (!m_report)
+        return tr("Why this pixel?");
+    const QString text = tr("Why pixel (%1, %2)?").arg(m_report->x).arg(m_report->y);
+    return m_saysMoment ? text + QStringLiteral(" \u00b7 ") + momentText(std::nullopt) : text;
 }
 
 QString PixelCard::asText() const
@@ -270,7 +275,7 @@ QWidget* PixelCard::makeHeader() const
                     ? tr("%1 is seen").arg(faceName(*m_report->visibleFace, m_report->lineOf(*m_report->visibleFace)))
                     : tr("background: no face was written"),
                 "heading"));
-    QString numbers = QStringLiteral("%1\nz %2").arg(rgbText(m_report->color), depthText(m_report->depth));
+    QString numbers = QStringLiteral("%1\nz %2").arg(rgbText(m_report->color), depthNumber(m_report->depth));
     texts->addWidget(wrapped(numbers, "muted"));
     row->addLayout(texts, 1);
     return header;

@@ -40,6 +40,8 @@ public:
     void setReport(std::shared_ptr<const WhyReport> report);
     [[nodiscard]] const std::shared_ptr<const WhyReport>& report() const { return m_report; }
     [[nodiscard]] const std::vector<WhyWords>& rows() const { return m_rows; }
+    /// While another picture than the finished one is on the canvas the title says that the card speaks of that.
+    void setSaysMoment(bool on) { m_saysMoment = on; }
     /// All rows as plain text.
     [[nodiscard]] QString asText() const;
     [[nodiscard]] QString title() const;
@@ -59,6 +61,7 @@ private:
 
     std::shared_ptr<const WhyReport> m_report;
     std::vector<WhyWords> m_rows;
+    bool m_saysMoment = false;
     QScrollArea* m_scroll = nullptr;
     QTimer m_rebuildSoon;
 };

@@ -5,7 +5,6 @@
 #include "core/observe/step_text.h"
 #include "ui/base/theme.h"
 #include "ui/base/typed_field.h"
-#include "ui/face/clip_theatre.h"
 
 #include <QAbstractItemView>
 #include <QEvent>
@@ -37,15 +36,6 @@ QString tuple(std::initializer_list<double> values)
     for (const double value : values)
         parts << shortNumber(value);
     return parts.join(QStringLiteral(", ")).replace(QLatin1Char('-'), QChar(0x2212));
-}
-
-/// Bits in the order above, below, right, left: the way the figure of the nine regions writes them.
-QString regionText(unsigned region)
-{
-    QString bits;
-    for (const unsigned bit : {kRegionAbove, kRegionBelow, kRegionRight, kRegionLeft})
-        bits += QLatin1Char((region & bit) != 0 ? '1' : '0');
-    return bits;
 }
 
 /// in   the mesh's origin: what is typed are coordinates of the file
@@ -170,7 +160,7 @@ QString VertexTableModel::cell(int row, const VertexRow& corner) const
             .arg(fullNumber(corner.snapped.x), fullNumber(corner.snapped.y))
             .replace(QLatin1Char('-'), QChar(0x2212));
     case DepthValue: return shortNumber(corner.depth);
-    case OutsideOf: return corner.outside == 0 ? tr("inside") : clipPlaneSigns(corner.outside);
+    case OutsideOf: return corner.outside == 0 ? tr("inside") : planeSigns(corner.outside);
     case ScreenRegion: return regionText(corner.screenRegion);
     default: return {};
     }

@@ -1,6 +1,7 @@
 #include "ui/pipeline/mistake_badge.h"
 
 #include "core/truth/mistake_proof.h"
+#include "ui/base/step_words.h"
 #include "ui/base/theme.h"
 #include "ui/pipeline/mistakes_section.h"
 
@@ -111,6 +112,12 @@ void MistakeBadge::weigh(const RenderedFrame& shown, std::vector<Evidence>& evid
     }
 }
 
+void MistakeBadge::setSaysMoment(bool on)
+{
+    if (std::exchange(m_saysMoment, on) != on)
+        fitToText();
+}
+
 QStringList MistakeBadge::lines() const
 {
     QStringList lines;
@@ -120,6 +127,8 @@ QStringList MistakeBadge::lines() const
             line += QStringLiteral(" \u00b7 %1 %2").arg(proofTitle(one.mistake->proof), number(one.shown));
         if (one.known && one.right != 0)
             line += tr(", right: %1").arg(number(one.right));
+        if (one.known && m_saysMoment)
+            line += QStringLiteral(" \u00b7 ") + momentText(std::nullopt);
         lines << line;
     }
     if (lines.size() > kShownLines) {

@@ -27,6 +27,8 @@ public:
     ///
     /// in  a counted frame
     void showFor(const FramePtr& frame);
+    /// While another picture than the finished one is on the canvas the badge says that it speaks of that.
+    void setSaysMoment(bool on);
     /// One line a mistake.
     [[nodiscard]] QStringList lines() const;
     [[nodiscard]] bool isCounting() const { return m_result.isBusy(); }
@@ -54,6 +56,7 @@ private:
     void fitToText();
 
     std::vector<Evidence> m_evidence;
+    bool m_saysMoment = false;
     LatestResult<std::vector<Evidence>> m_result; ///< last: its thread uses the members above
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/render/render.h"
 #include "ui/base/numbers.h"
+#include "ui/base/step_words.h"
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -126,7 +127,7 @@ StatisticsPanel::StatisticsPanel(QWidget* parent)
     int line = 0;
     for (Row& row : m_rows) {
         row.name = row.counters.empty() ? new QLabel : mutedLabel();
-        grid->addWidget(row.name, line, 0);
+        grid->addWidget(row.name, line, 0, 1, row.counters.empty() ? 2 : 1);
         if (row.counters.empty()) {
             row.name->setObjectName(QStringLiteral("heading"));
             row.name->setContentsMargins(0, line == 0 ? 0 : 4, 0, 0);
@@ -192,6 +193,23 @@ void StatisticsPanel::showCounters(const FramePtr& frame)
     keepWideEnough();
     m_lag.stop();
     setStale(false);
+}
+
+/// `Faces · after step 120`: what moment the counters below are of.
+void StatisticsPanel::showHeadings()
+{
+    for (const Row& row : m_rows)
+        if (row.counters.empty())
+            row.name->setText(QStringLiteral("%1 \u00b7 %2")
+                                  .arg(QCoreApplication::translate("StatisticsPanel", row.title), momentText(m_step)));
+}
+
+void StatisticsPanel::setMoment(const std::optional<std::size_t>& step)
+{
+    if (std::exchange(m_step, step) == step)
+        return;
+    showHeadings();
+    Q_EMIT changed();
 }
 
 void StatisticsPanel::noteFinished(const FramePtr& frame)
@@ -293,9 +311,10 @@ void StatisticsPanel::showTimes()
 
 QString StatisticsPanel::brief() const
 {
-    return tr("%1 FPS \u00b7 clipped %2 \u00b7 culled %3 \u00b7 %4")
-        .arg(m_fps->text(), shown(QStringLiteral("clipped")), shown(QStringLiteral("culled_back")),
-             shown(QStringLiteral("culled_front")));
+    const QString text = tr("%1 FPS \u00b7 clipped %2 \u00b7 culled %3 \u00b7 %4")
+                             .arg(m_fps->text(), shown(QStringLiteral("clipped")), shown(QStringLiteral("culled_back")),
+                                  shown(QStringLiteral("culled_front")));
+    return m_step ? momentText(m_step) + QStringLiteral(" \u00b7 ") + text : text;
 }
 
 QJsonObject StatisticsPanel::statisticsDocument() const
@@ -362,12 +381,14 @@ void StatisticsPanel::retranslate()
     m_frameTime->setToolTip(tr("Time of the last frame."));
     m_stageTimes->setToolTip(tr("Milliseconds of the last frame in each part of the pipeline."));
     for (const Row& row : m_rows) {
-        row.name->setText(translated(row.title));
+        if (!row.counters.empty())
+            row.name->setText(translated(row.title));
         if (row.help)
             row.name->setToolTip(translated(row.help));
         for (const Counter& counter : row.counters)
             counter.value->setToolTip(row.name->toolTip());
     }
+    showHeadings();
     showTimes();
     m_scroll->setMinimumWidth(0);
     keepWideEnough();

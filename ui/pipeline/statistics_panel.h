@@ -28,6 +28,8 @@ public:
     /// Counters that stay behind the picture, as while the camera moves, are dimmed until they are counted.
     void setFrame(const FramePtr& frame);
     void setStale(bool stale);
+    /// in   the step of a record after which the frame is; nothing: it is the finished one
+    void setMoment(const std::optional<std::size_t>& step);
     /// Frames a second, clipped and culled faces in one line.
     [[nodiscard]] QString brief() const;
     [[nodiscard]] const QLabel* counter(const QString& id) const;
@@ -67,6 +69,7 @@ private:
     };
     static QHBoxLayout* counterLine(std::vector<Counter>& counters);
     void showCounters(const FramePtr& frame);
+    void showHeadings();
     void noteFinished(const FramePtr& frame);
     /// in   a counted frame
     [[nodiscard]] QJsonObject statisticsDocument() const;
@@ -89,6 +92,7 @@ private:
         Statistics statistics;
     };
     std::optional<Counted> m_counted;
+    std::optional<std::size_t> m_step; ///< see setMoment()
     StageTimes m_times;
     bool m_fast = false; ///< m_times are those of the tiled algorithm, while the camera moves
     std::deque<double> m_latencies;

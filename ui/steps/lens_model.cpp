@@ -39,7 +39,7 @@ LensModel::LensModel(const StepLog& log, const StepEvent& triangle, std::size_t 
 {
     const auto setup = eventsOfTriangle(StepKind::Setup);
     m_hasSetup = m_triangle->hasSetup && !setup.empty() && setup.front() < position;
-    m_walks = log.settings().algorithm == Algorithm::EdgeWalking;
+    m_walks = log.rules().algorithm == Algorithm::EdgeWalking;
     m_samples = eventsOfTriangle(StepKind::Sample);
     m_spans = eventsOfTriangle(StepKind::Span);
 }
@@ -75,20 +75,16 @@ void LensModel::readSample(LensCell& cell, int x, int y) const
     const StepSetup& setup = m_triangle->setup;
     const StepEvent* sample = sampleAt(x, y);
     cell.hasValues = true;
-    cell.values = sample ? m_log->payload<SampleStep>(*sample).values : setup.at(x, y);
+    cell.values = sample ? m_log->payload<SampleStep>(*sample).values : setup.at(testedPoint(m_log->rules(), x, y));
     if (sample && sample < &m_log->events().front() + m_position)
         cell.state = sample->has(StepEvent::kCovered) ? LensCell::State::Covered : LensCell::State::Rejected;
-    bool failed = false;
-    for (int i = 0; i < 3; ++i) {
-        const double value = cell.values[std::size_t(i)];
-        cell.signs[std::size_t(i)] = signOf(value);
-        const bool fails = !(value >= setup.edges[std::size_t(i)].threshold);
-        const bool smaller = value < cell.values[std::size_t(cell.deciding)];
-        if (fails == failed ? smaller : fails)
-            cell.deciding = i;
-        failed = failed || fails;
+    const DecidingEdge decides = decidingEdge(setup, cell.values, m_log->rules());
+    cell.deciding = int(decides.edge);
+    cell.tie = decides.isTie();
+    for (std::size_t i = 0; i < 3; ++i) {
+        cell.signs[i] = signOf(cell.values[i]);
+        cell.ours[i] = decides.sign == DecidingEdge::Sign::AtMost || cell.values[i] >= setup.edges[i].threshold;
     }
-    cell.tie = cell.signs[std::size_t(cell.deciding)] == EdgeSign::Zero;
 }
 
 void LensModel::readSpan(LensCell& cell, int x, int y) const
@@ -169,7 +165,7 @@ QString lensCellText(const StepSetup& setup, const LensCell& cell)
         const QString text = edgeValueText(value, setup.unitsPerArea);
         return value > 0 ? QLatin1Char('+') + text : text;
     }
-    const bool ours = value >= setup.edges[edge].threshold;
+    const bool ours = cell.ours[edge];
     return QStringLiteral("%1: %2, %3")
         .arg(translated(QT_TRANSLATE_NOOP("Lens", "tie")), edgeSideText(setup.edges[edge].side),
              ours ? translated(QT_TRANSLATE_NOOP("Lens", "ours")) : translated(QT_TRANSLATE_NOOP("Lens", "not ours")));
@@ -189,14 +185,14 @@ QStringList lensHoverLines(const LensModel& model, int x, int y)
     for (std::size_t i = 0; i < 3; ++i) {
         const StepEdge& edge = setup.edges[i];
         QString line =
-            QStringLiteral("%1 %2   ").arg(edgeName(setup, int(i)), edgeValueText(cell.values[i], setup.unitsPerArea)) +
+            QStringLiteral("%1 = %2   ")
+                .arg(edgeValueName(setup, int(i)), edgeValueText(cell.values[i], setup.unitsPerArea)) +
             translated(QT_TRANSLATE_NOOP("Lens", "%1 per x, %2 per y")).arg(steps(edge.perX), steps(edge.perY));
         if (cell.signs[i] == EdgeSign::Zero)
             line += QStringLiteral("   ") +
                     translated(QT_TRANSLATE_NOOP("Lens", "tie: %1, %2"))
-                        .arg(edgeSideText(edge.side), cell.values[i] >= edge.threshold
-                                                          ? translated(QT_TRANSLATE_NOOP("Lens", "ours"))
-                                                          : translated(QT_TRANSLATE_NOOP("Lens", "not ours")));
+                        .arg(edgeSideText(edge.side), cell.ours[i] ? translated(QT_TRANSLATE_NOOP("Lens", "ours"))
+                                                                   : translated(QT_TRANSLATE_NOOP("Lens", "not ours")));
         lines << line;
     }
     return lines;

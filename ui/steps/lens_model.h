@@ -25,6 +25,7 @@ struct LensCell {
     std::array<EdgeSign, 3> signs{};
     int deciding = 0; ///< the edge whose value decides: of those the sample fails, or else of all, the smallest
     bool tie = false; ///< the deciding value is 0
+    std::array<bool, 3> ours{}; ///< the value counts as inside
 };
 
 /// The samples of one triangle at one position of a log, as the lens shows them.

@@ -2,6 +2,7 @@
 
 #include "core/observe/step_text.h"
 #include "ui/base/theme.h"
+#include "ui/steps/step_formula.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -454,19 +455,7 @@ void LensOverlay::paintWalk(View& view) const
     }
     if (view.cell < kGlyphsFromCell)
         return;
-    const SpanEnds& ends = span->ends;
-    const auto rounding = [](double from, bool ownsTie, std::int64_t to) {
-        const QString v = shortNumber(from);
-        return ownsTie ? QStringLiteral("ceil(%1 \u2212 0.5) = %2").arg(v).arg(to)
-                       : QStringLiteral("floor(%1 \u2212 0.5) + 1 = %2").arg(v).arg(to);
-    };
-    paintPlate(view.painter, view.canvas, row.bottomLeft() + QPointF(4, 6),
-               {QStringLiteral("xl %1 \u2192 %2")
-                    .arg(shortNumber(ends.left), rounding(ends.left, ends.leftOwnsTie, ends.begin)),
-                QStringLiteral("xr %1 \u2192 %2")
-                    .arg(shortNumber(ends.right), rounding(ends.right, !ends.rightOwnsTie, ends.end)),
-                QStringLiteral("x = %1 \u2026 %2").arg(span->xBegin).arg(span->xEnd - 1)},
-               numberFont(0));
+    paintPlate(view.painter, view.canvas, row.bottomLeft() + QPointF(4, 6), spanLines(*span), numberFont(0));
 }
 
 /// Bresenham: the ideal line, the two samples it is between, and how far it is from each.

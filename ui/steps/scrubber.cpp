@@ -35,8 +35,17 @@ PipKind pipKindOf(const StepEvent& event)
     case StepKind::Span:
     case StepKind::LineSample: return PipKind::Sample;
     case StepKind::Fragment: return event.has(StepEvent::kPassed) ? PipKind::Other : PipKind::DepthFail;
-    default: return PipKind::Other;
+    case StepKind::Vertex:
+    case StepKind::Viewport:
+    case StepKind::Triangle:
+    case StepKind::Setup:
+    case StepKind::Walk:
+    case StepKind::LineDecision:
+    case StepKind::Shade:
+    case StepKind::Write:
+    case StepKind::End: break;
     }
+    return PipKind::Other;
 }
 
 QColor pipColor(PipKind kind, const QPalette& palette)

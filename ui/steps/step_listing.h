@@ -1,8 +1,7 @@
 #pragma once
-#include "core/observe/step_log.h"
+#include "ui/steps/step_formula.h"
 
 #include <QFrame>
-#include <QStringList>
 
 #include <vector>
 
@@ -12,19 +11,6 @@ namespace rasterlens
 {
 
 class StepSession;
-
-/// The algorithm in a few lines, the line at work, and its formula with the numbers put in.
-struct StepExplanation {
-    QStringList listing;
-    int line = -1;   ///< of the listing; -1: none
-    QString formula; ///< may have several lines
-};
-
-/// in  event number
-[[nodiscard]] StepExplanation explainStep(const StepLog& log, std::size_t i);
-
-/// One event in a few words: `sample · row 4 · face 1`. In the language in use.
-[[nodiscard]] QString stepTitle(const StepLog& log, std::size_t i);
 
 /// The linked view below the canvas: follows the session.
 class StepListing : public QFrame

@@ -107,7 +107,7 @@ FramePtr StepMode::frame()
         m_frame = std::make_shared<RenderedFrame>();
     RenderedFrame& frame = *m_frame;
     frame.scene = m_session.document().scene();
-    frame.settings = cursor->log().settings();
+    frame.settings = m_session.settings();
     const QImage& image = cursor->image();
     if (frame.frame.image.size() != image.size())
         frame.frame.image = QImage(image.size(), image.format());
@@ -119,6 +119,12 @@ FramePtr StepMode::frame()
     frame.statistics = cursor->counters();
     frame.counted = true;
     return m_frame;
+}
+
+std::optional<std::size_t> StepMode::moment() const
+{
+    const bool isShown = m_session.log() && !m_session.isRecording() && m_session.position() < m_session.size();
+    return isShown ? std::optional(m_session.position()) : std::nullopt;
 }
 
 bool StepMode::isPlace(const QString& where)

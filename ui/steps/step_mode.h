@@ -33,6 +33,8 @@ public:
     /// The picture at the position, with its counters; null when it is the document's own that is to be shown, as while
     /// a change is recorded: motion stays visible.
     [[nodiscard]] FramePtr frame();
+    /// The step after which that frame is; nothing: the finished frame is shown.
+    [[nodiscard]] std::optional<std::size_t> moment() const;
 
     /// Opens the step mode and goes there as soon as the record is there: a position, or the name of a stop.
     ///

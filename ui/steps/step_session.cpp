@@ -87,6 +87,7 @@ void StepSession::take(std::shared_ptr<const StepLog> log)
 {
     const std::size_t position = this->position();
     m_scene = m_document.scene();
+    m_settings = recordedAs(m_document.settings());
     m_log = std::move(log);
     m_cursor = std::make_unique<StepCursor>(m_log);
     m_cursor->moveTo(position);

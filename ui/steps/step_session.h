@@ -39,6 +39,8 @@ public:
     [[nodiscard]] bool isRecording() const { return m_result.isBusy(); }
 
     [[nodiscard]] const Document& document() const { return m_document; }
+    /// What the record shows.
+    [[nodiscard]] const Settings& settings() const { return m_settings; }
     /// The record; null where there is none (yet).
     [[nodiscard]] const std::shared_ptr<const StepLog>& log() const { return m_log; }
     /// The frame at the position; null where there is no record.
@@ -104,6 +106,7 @@ private:
 
     Document& m_document;
     std::shared_ptr<const Scene> m_scene; ///< of the record
+    Settings m_settings;                  ///< of the record
     bool m_open = false;
     std::shared_ptr<const StepLog> m_log;
     std::unique_ptr<StepCursor> m_cursor;

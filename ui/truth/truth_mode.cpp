@@ -19,11 +19,12 @@ namespace rasterlens
 
 TruthMode::TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& window, QVBoxLayout& bars)
     : m_document(document), m_viewport(viewport), m_window(window), m_referee(document), m_refereeLayer(m_referee),
-      m_comparison(document), m_refereeBar(new RefereeBar(m_referee)),
+      m_comparison(document), m_differenceLayer(m_comparison), m_refereeBar(new RefereeBar(m_referee)),
       m_compareBar(new CompareBar(document, m_comparison)), m_cases(new CaseBrowser),
       m_experiment(new ExperimentPanel(document)), m_menu(new QMenu(&window))
 {
     viewport.addLayer(&m_refereeLayer);
+    viewport.addLayer(&m_differenceLayer);
     bars.addWidget(m_refereeBar);
     bars.addWidget(m_compareBar);
     buildMenu();
@@ -41,7 +42,11 @@ TruthMode::TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& 
     retranslate();
 }
 
-TruthMode::~TruthMode() { m_viewport.removeLayer(&m_refereeLayer); }
+TruthMode::~TruthMode()
+{
+    m_viewport.removeLayer(&m_differenceLayer);
+    m_viewport.removeLayer(&m_refereeLayer);
+}
 
 QStringList TruthMode::panelNames() { return {QStringLiteral("cases"), QStringLiteral("experiment")}; }
 
@@ -129,6 +134,7 @@ void TruthMode::syncCanvas()
     if (!m_frame)
         return;
     const FramePtr compared = m_isStep ? nullptr : m_comparison.frame();
+    m_differenceLayer.setShown(compared && m_comparison.view() == CompareView::Difference);
     m_viewport.setFrame(compared ? compared : m_frame);
     m_viewport.setCompared(m_isStep ? nullptr : m_comparison.wiped(), m_isStep ? QString() : m_comparison.tag());
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include "ui/truth/comparison.h"
+#include "ui/truth/difference_layer.h"
 #include "ui/truth/referee.h"
 
 #include <QKeySequence>
@@ -91,6 +92,7 @@ private:
     Referee m_referee;
     RefereeLayer m_refereeLayer;
     Comparison m_comparison;
+    DifferenceLayer m_differenceLayer;
     FramePtr m_frame; ///< last to be shown
     bool m_isStep = false;
     bool m_lensWanted = false; ///< as soon as the case has been checked

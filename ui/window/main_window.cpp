@@ -7,6 +7,7 @@
 #include "ui/base/elided_label.h"
 #include "ui/base/message_bar.h"
 #include "ui/base/message_column.h"
+#include "ui/base/step_words.h"
 #include "ui/base/typed_field.h"
 #include "ui/document/navigation.h"
 #include "ui/face/cards.h"
@@ -401,6 +402,11 @@ void MainWindow::showFrame()
     const StepEvent* event = step ? m_stepMode->session().event() : nullptr;
     m_stageStrip->setCurrent(event ? std::optional(stageOf(event->kind)) : std::nullopt);
     m_statisticsPanel->setFrame(frame);
+    const std::optional<std::size_t> moment = m_stepMode->moment();
+    m_statisticsPanel->setMoment(moment);
+    m_mistakeBadge->setSaysMoment(moment.has_value());
+    m_cards->setSaysMoment(moment.has_value());
+    syncReadout();
 }
 
 bool MainWindow::isSettled() const
@@ -436,7 +442,9 @@ void MainWindow::syncReadout()
 {
     syncCanvasHeader();
     const auto at = m_viewport->hoveredPixel() ? m_viewport->hoveredPixel() : m_viewport->selectedPixel();
-    m_readout->show(at ? m_viewport->readout(*at) : std::nullopt, at ? m_truth->comparison().at(*at) : std::nullopt);
+    const auto moment = m_stepMode->moment();
+    m_readout->show(at ? m_viewport->readout(*at) : std::nullopt,
+                    at && !moment ? m_truth->comparison().at(*at) : std::nullopt, moment);
 }
 
 /// The caption of the presentation names the scene and what was changed about it, or else what there is to see.
@@ -447,6 +455,11 @@ void MainWindow::syncCaption()
         if (field.get(m_document.settings()) != field.get(m_document.defaults()))
             changes << QStringLiteral("%1: %2").arg(QCoreApplication::translate("Settings", field.title),
                                                     valueTitle(field, m_document.settings()));
+    std::vector<const Mistake*> mistakes;
+    for (const QString& id : m_document.settings().mistakes)
+        mistakes.push_back(findMistake(id));
+    if (!mistakes.empty())
+        changes << becauseWords(mistakes);
     const QString title = sceneTitle(*m_document.scene()).toHtmlEscaped();
     const QString text = changes.isEmpty() ? sceneNote(*m_document.scene()) : changes.join(QStringLiteral(" \u00b7 "));
     m_caption->setText(QStringLiteral("<b>%1</b> &nbsp; %2").arg(title, text.toHtmlEscaped()));

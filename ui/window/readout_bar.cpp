@@ -1,11 +1,11 @@
 #include "ui/window/readout_bar.h"
 
 #include "ui/base/elided_label.h"
+#include "ui/base/numbers.h"
+#include "ui/base/step_words.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
-
-#include <cstdlib>
 
 namespace rasterlens
 {
@@ -15,20 +15,6 @@ namespace
 QString channelsText(const QColor& color)
 {
     return QStringLiteral("%1 %2 %3").arg(color.red()).arg(color.green()).arg(color.blue());
-}
-
-/// `+3 0 -12`, channel by channel.
-QString changeText(const QColor& from, const QColor& to)
-{
-    const auto signedText = [](int value) {
-        return (value > 0   ? QStringLiteral("+")
-                : value < 0 ? QStringLiteral("\u2212")
-                            : QString()) +
-               QString::number(std::abs(value));
-    };
-    return QStringLiteral("%1 %2 %3")
-        .arg(signedText(to.red() - from.red()), signedText(to.green() - from.green()),
-             signedText(to.blue() - from.blue()));
 }
 
 } // namespace
@@ -46,7 +32,8 @@ ReadoutBar::ReadoutBar(QWidget* parent)
 
 QString ReadoutBar::text() const { return m_text->text(); }
 
-void ReadoutBar::show(const std::optional<PixelReadout>& pixel, const std::optional<ComparedPixel>& compared)
+void ReadoutBar::show(const std::optional<PixelReadout>& pixel, const std::optional<ComparedPixel>& compared,
+                      const std::optional<std::size_t>& step)
 {
     m_swatch->setVisible(pixel.has_value());
     if (!pixel) {
@@ -59,10 +46,13 @@ void ReadoutBar::show(const std::optional<PixelReadout>& pixel, const std::optio
         QStringLiteral("background: qlineargradient(x1:0, y1:0, x2:1, y2:0, stop:0.499 %1, stop:0.501 %2);"
                        "border: 1px solid gray;")
             .arg(a.name(), b.name()));
-    QStringList parts{tr("pixel (%1, %2)").arg(pixel->pixel.x()).arg(pixel->pixel.y())};
+    QStringList parts;
+    if (step)
+        parts << momentText(step);
+    parts << tr("pixel (%1, %2)").arg(pixel->pixel.x()).arg(pixel->pixel.y());
     if (compared)
         parts << QStringLiteral("A %1").arg(channelsText(a)) << QStringLiteral("B %1").arg(channelsText(b))
-              << QStringLiteral("B \u2212 A %1").arg(changeText(a, b));
+              << QStringLiteral("B \u2212 A %1").arg(channelChanges(compared->a, compared->b));
     else
         parts << channelsText(a) << a.name().toUpper();
     constexpr int kBackground = -1;

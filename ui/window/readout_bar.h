@@ -18,8 +18,11 @@ class ReadoutBar : public QWidget
 public:
     explicit ReadoutBar(QWidget* parent = nullptr);
 
-    /// in   nothing: no pixel; nothing: no comparison
-    void show(const std::optional<PixelReadout>& pixel, const std::optional<ComparedPixel>& compared);
+    /// in   nothing: no pixel; nothing: no comparison; the step of a record after which that is so, nothing: it is so
+    /// of
+    ///      the finished frame
+    void show(const std::optional<PixelReadout>& pixel, const std::optional<ComparedPixel>& compared,
+              const std::optional<std::size_t>& step);
     [[nodiscard]] QString text() const;
 
 private:

@@ -1,0 +1,216 @@
+#include "core/observe/because.h"
+
+#include "core/observe/step_text.h"
+#include "core/pipeline/clipping.h"
+#include "core/pipeline/culling.h"
+#include "core/pipeline/depth_test.h"
+#include "core/pipeline/interpolation.h"
+#include "core/pipeline/triangle_setup.h"
+#include "core/pipeline/viewport.h"
+#include "core/settings/mistake_steps.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rasterlens
+{
+namespace
+{
+
+/// The stages with the right rules, for what a record holds.
+class Right
+{
+public:
+    explicit Right(const StepLog& log) : m_log(log), m_rules(log.rules()), m_right(log.rightRules()) {}
+
+    /// Whether the right rules would have made something else of the event.
+    [[nodiscard]] bool differs(std::size_t i) const
+    {
+        const StepEvent& event = m_log.event(i);
+        switch (event.kind) {
+        case StepKind::ClipPlane: return m_rules.clipInset != 0 && !m_log.payload<ClipStep>(event).cuts.empty();
+        case StepKind::CohenSutherland: return leavesCornerOut(m_log.payload<CohenSutherlandStep>(event));
+        case StepKind::Viewport: return differs(m_log.payload<ViewportStep>(event));
+        case StepKind::Facing: return differs(m_log.payload<FacingStep>(event).decision);
+        case StepKind::Fate: return differs(m_log.payload<FateStep>(event).fate, i);
+        case StepKind::Setup: return setupDiffers(*m_log.triangle(event));
+        case StepKind::Walk: return m_rules.extraEdgeHeight != 0;
+        case StepKind::Span: return differs(event, m_log.payload<SpanStep>(event));
+        case StepKind::Sample: return covers(event, event.x, event.y) != event.has(StepEvent::kCovered);
+        case StepKind::LineSample: return m_rules.lineAdvance != m_right.lineAdvance;
+        case StepKind::Fragment: return differs(event, m_log.payload<FragmentStep>(event));
+        case StepKind::Shade: return m_rules.cornerData != CornerData::Own;
+        case StepKind::Write: return m_rules.strideIsRows && event.y > 0;
+        case StepKind::End: return m_rules.resolve != m_right.resolve || endsEarly(i);
+        case StepKind::Vertex:
+        case StepKind::Clipped:
+        case StepKind::Triangle:
+        case StepKind::LineDecision: break;
+        }
+        return false;
+    }
+
+private:
+    /// Whether a corner of the screen lies inside the projected polygon, and the result is to do without it.
+    [[nodiscard]] bool leavesCornerOut(const CohenSutherlandStep& step) const
+    {
+        if (m_rules.clipKeepsCorners)
+            return false;
+        const auto inside = [&](const glm::dvec2& corner) {
+            bool left = true;
+            bool right = true;
+            for (std::size_t i = 0; i < step.before.size(); ++i) {
+                const glm::dvec4& a = step.before[i].positionClip;
+                const glm::dvec4& b = step.before[(i + 1) % step.before.size()].positionClip;
+                const double area = twiceArea(glm::dvec2(a) / a.w, glm::dvec2(b) / b.w, corner);
+                left = left && area > 0;
+                right = right && area < 0;
+            }
+            return left || right;
+        };
+        return inside({-1, -1}) || inside({1, -1}) || inside({-1, 1}) || inside({1, 1});
+    }
+
+    [[nodiscard]] bool differs(const ViewportStep& step) const
+    {
+        const ScreenVertex right = toScreen({step.positionClip, {}}, m_right);
+        constexpr double kSameSample = 1e-3; // vertices that clipping made are snapped without rounding
+        const bool isCut = outcode(step.positionClip, clipVolume(m_right)).cut != 0;
+        return (isCut && m_rules.clipping != m_right.clipping) || m_rules.depthIsDistance ||
+               right.invW != step.screen.invW ||
+               !(glm::distance(right.position, step.screen.position) < unit() + kSameSample);
+    }
+
+    /// Samples between two neighbouring positions of the snapping grid.
+    [[nodiscard]] double unit() const
+    {
+        return m_rules.numberType == NumberType::Fixed ? double(m_rules.sampleGrid) / (1 << m_rules.subpixelBits) : 0;
+    }
+
+    [[nodiscard]] bool differs(const FacingDecision& decision) const
+    {
+        FaceFate right = FaceFate::Degenerate;
+        if (decision.screenArea != 0)
+            right = cull(m_rules.facing == m_right.facing ? decision.value : decision.screenArea, m_right);
+        return right != decision.fate;
+    }
+
+    /// Culling is told of by the event of facing before it; a face that no clipping rejects is rejected by a mistake.
+    [[nodiscard]] bool differs(FaceFate fate, std::size_t i) const
+    {
+        if (fate == FaceFate::Rejected)
+            return m_rules.clipping != m_right.clipping;
+        const auto isFacing = [&](const StepEvent& event) {
+            return event.kind == StepKind::Facing && event.face == m_log.event(i).face;
+        };
+        const auto facing = m_log.find(i, StepDirection::Backward, isFacing);
+        return facing && differs(m_log.payload<FacingStep>(m_log.event(*facing)).decision);
+    }
+
+    [[nodiscard]] bool setupDiffers(const StepTriangle& triangle) const
+    {
+        const bool isTurned = triangle.hasSetup && triangle.setup.area2 < 0;
+        return isTurned || m_rules.bounds != m_right.bounds;
+    }
+
+    template <class T>
+    [[nodiscard]] bool covers(const ScreenTriangle& triangle, int x, int y) const
+    {
+        const auto setup = setupTriangle<T>(triangle, m_right);
+        if (!setup)
+            return false;
+        const PixelRect& box = setup->bounds;
+        const Point<T> centre = TriangleSetup<T>::centre(x, y);
+        return x >= box.x && y >= box.y && x < box.x + box.width && y < box.y + box.height &&
+               std::ranges::all_of(setup->edges,
+                                   [&](const EdgeFunction<T>& edge) { return edge.at(centre) >= edge.threshold; });
+    }
+
+    /// Whether the triangle of an event covers a sample.
+    [[nodiscard]] bool covers(const StepEvent& event, int x, int y) const
+    {
+        const ScreenTriangle& triangle = m_log.triangle(event)->screen;
+        switch (m_right.numberType) {
+        case NumberType::Fixed: return covers<std::int64_t>(triangle, x, y);
+        case NumberType::Float32: return covers<float>(triangle, x, y);
+        case NumberType::Float64: break;
+        }
+        return covers<double>(triangle, x, y);
+    }
+
+    [[nodiscard]] bool differs(const StepEvent& event, const SpanStep& span) const
+    {
+        const auto isRight = [&](int x) { return covers(event, x, event.y) == (x >= span.xBegin && x < span.xEnd); };
+        return !(isRight(span.xBegin - 1) && isRight(span.xBegin) && isRight(span.xEnd - 1) && isRight(span.xEnd));
+    }
+
+    [[nodiscard]] bool differs(const StepEvent& event, const FragmentStep& step) const
+    {
+        const bool passed = event.has(StepEvent::kPassed);
+        const bool clear = step.storedDepth == m_rules.depthClear;
+        const float stored = clear ? m_right.depthClear : step.storedDepth;
+        const bool passes = !m_right.depthTested || depthPasses(step.depth, stored, m_right.depthCompare);
+        if (m_rules.depthTested != m_right.depthTested || passes != passed || (!passed && m_rules.depthWrittenOnFail) ||
+            m_rules.integerLineWeights)
+            return true;
+        if (m_rules.depthFormat != m_right.depthFormat || m_rules.depthIsDistance || !m_rules.depthLinear ||
+            m_rules.keptW != KeptW::Inverse || !m_rules.clipUpdatesW)
+            return true;
+        const ScreenTriangle& triangle = m_log.triangle(event)->screen;
+        const auto& [a, b, c] = triangle.vertices;
+        const FaceInterpolation interpolation(triangle, twiceArea(a.position, b.position, c.position), m_right);
+        const bool moved = m_rules.positionInterpolated && interpolation.weightsAt(event.x, event.y) != step.screen;
+        const bool unlike = m_rules.perspectiveCorrect != m_right.perspectiveCorrect && m_rules.varyingCount > 0 &&
+                            step.shaded && interpolation.perspective(step.screen) != step.weights;
+        return moved || unlike;
+    }
+
+    /// A frame that ends with a face that was rejected, and not for want of more faces.
+    [[nodiscard]] bool endsEarly(std::size_t i) const
+    {
+        const auto fates = m_log.eventsOf(StepKind::Fate);
+        return !m_rules.continuesAfterReject && i > 0 && !fates.empty() &&
+               m_log.payload<FateStep>(m_log.event(fates.back())).fate == FaceFate::Rejected;
+    }
+
+    const StepLog& m_log;
+    const Rules& m_rules;
+    const Rules& m_right;
+};
+
+/// The kinds that a mistake is to name for an event: what became of a face was decided before it.
+StepKinds kindsFor(const StepLog& log, const StepEvent& event)
+{
+    if (event.kind != StepKind::Fate)
+        return kindBit(event.kind);
+    const bool rejected = log.payload<FateStep>(event).fate == FaceFate::Rejected;
+    return kindBit(rejected ? StepKind::ClipPlane : StepKind::Facing);
+}
+
+} // namespace
+
+std::vector<const Mistake*> becauseOf(const StepLog& log, std::size_t i)
+{
+    std::vector<const Mistake*> causes;
+    const StepKinds kinds = kindsFor(log, log.event(i));
+    for (const Mistake* mistake : log.mistakes())
+        if ((stepsOf(*mistake) & kinds) != 0)
+            causes.push_back(mistake);
+    if (!causes.empty() && !Right(log).differs(i))
+        causes.clear();
+    return causes;
+}
+
+Reason becauseText(std::span<const Mistake* const> mistakes)
+{
+    Reason names = QString();
+    for (const Mistake* mistake : mistakes) {
+        const Reason name{"%1 %2", {QString::fromLatin1(mistake->number), mistake->title}};
+        names = isEmpty(names) ? name : Reason(QT_TRANSLATE_NOOP("Steps", "%1 and %2"), {names, name});
+    }
+    return isEmpty(names) ? names : Reason(QT_TRANSLATE_NOOP("Steps", "because of %1"), {names});
+}
+
+} // namespace rasterlens

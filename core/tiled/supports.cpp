@@ -1,0 +1,101 @@
+#include "core/tiled/tiled.h"
+
+#include <QCoreApplication>
+
+namespace rasterlens
+{
+namespace
+{
+
+// What the kernels draw. A value that is added to one of these lists is not drawn until it stands here.
+
+bool draws(Shading shading)
+{
+    switch (shading) {
+    case Shading::Gouraud:
+    case Shading::Flat:
+    case Shading::RandomFlat:
+    case Shading::Texture:
+    case Shading::Phong:
+    case Shading::Depth:
+    case Shading::Normals:
+    case Shading::Uv:
+    case Shading::Overdraw:
+    case Shading::TriangleId: return true;
+    }
+    return false;
+}
+
+bool draws(TextureFilter filter)
+{
+    switch (filter) {
+    case TextureFilter::Nearest:
+    case TextureFilter::Bilinear:
+    case TextureFilter::Trilinear: return true;
+    }
+    return false;
+}
+
+bool draws(Clipping clipping)
+{
+    switch (clipping) {
+    case Clipping::Frustum:
+    case Clipping::FrustumW:
+    case Clipping::GuardBand:
+    case Clipping::AnyVertexInside:
+    case Clipping::NearFarReject:
+    case Clipping::CohenSutherland:
+    case Clipping::None: return true;
+    }
+    return false;
+}
+
+bool draws(DepthFormat format)
+{
+    switch (format) {
+    case DepthFormat::Float32:
+    case DepthFormat::Unorm24:
+    case DepthFormat::Unorm16: return true;
+    }
+    return false;
+}
+
+bool draws(DepthCompare compare)
+{
+    switch (compare) {
+    case DepthCompare::Less:
+    case DepthCompare::LessEqual:
+    case DepthCompare::Greater:
+    case DepthCompare::GreaterEqual:
+    case DepthCompare::Always: return true;
+    }
+    return false;
+}
+
+bool drawsAll(const Rules& rules)
+{
+    return draws(rules.shading) && draws(rules.textureFilter) && draws(rules.clipping) && draws(rules.depthFormat) &&
+           draws(rules.depthCompare);
+}
+
+} // namespace
+
+std::optional<Reason> Tiled::supports(const Rules& rules)
+{
+    if (!drawsAll(rules))
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled does not draw these settings")};
+    if (rules.numberType != NumberType::Fixed)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs number-type fixed")};
+    if (rules.fill != Fill::Solid)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs fill solid")};
+    if (rules.painter)
+        return Reason{
+            QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs visibility z-buffer or submission-order")};
+    if (rules.tie.owner != 0 || rules.tie.other != 1)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs tie-rule top-left")};
+    if (rules.attributePath == AttributePath::EdgeThenSpan)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "attribute-path edge-then-span needs algorithm edge-walking")};
+    return std::nullopt;
+}
+
+} // namespace rasterlens

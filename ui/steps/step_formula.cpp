@@ -1,0 +1,347 @@
+#include "ui/steps/step_formula.h"
+
+#include "core/observe/because.h"
+#include "core/observe/step_text.h"
+#include "core/settings/depth_rules.h"
+#include "core/settings/mistake_steps.h"
+#include "ui/base/numbers.h"
+#include "ui/base/step_words.h"
+#include "ui/steps/lens_model.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+namespace rasterlens
+{
+namespace
+{
+
+QString translated(const char* text) { return QCoreApplication::translate("StepListing", text); }
+
+// The code, one name for one thing: E_AB is the value of edge AB, t_AB the smallest that counts as inside, and the
+// weights of the corners A, B and C are α, β and γ.
+
+QString depthLine(const QString& z, const Rules& rules)
+{
+    const QString sign = QLatin1String(depthSign(rules));
+    return sign.isEmpty() ? QStringLiteral("z = %1;").arg(z)
+                          : QStringLiteral("z = %1;  if (!(z %2 depth)) continue;").arg(z, sign);
+}
+
+QString weightedDepth(const Rules& rules)
+{
+    return QStringLiteral("    ") + depthLine(QStringLiteral("\u03b1 zA + \u03b2 zB + \u03b3 zC"), rules);
+}
+
+QString shadeLine(const Rules& rules)
+{
+    return rules.perspectiveCorrect
+               ? QStringLiteral("    color = shade(perspective(\u03b1, \u03b2, \u03b3));  depth = z; }")
+               : QStringLiteral("    color = shade(\u03b1, \u03b2, \u03b3);  depth = z; }");
+}
+
+std::array<QString, 4> geometryCode()
+{
+    return {QStringLiteral("for (v : A, B, C) clip[v] = clipFromObject * object[v];"),
+            QStringLiteral("for (plane : w, +x, -x, +y, -y, +z, -z) polygon = cut(plane);"),
+            QStringLiteral("screen[v] = snap(viewport(clip[v] / clip[v].w));"),
+            QStringLiteral("if (isCulled(area2)) return;  edges = setup(A, B, C);")};
+}
+
+std::array<QString, 4> equationCode(const Rules& rules)
+{
+    return {addsUpEdgeValues(rules)
+                ? QStringLiteral("for (x = x0; x < x1; ++x, E_AB += a_AB, E_BC += a_BC, E_CA += a_CA)")
+                : QStringLiteral("for (x = x0; x < x1; ++x, E_AB = edge(A, B, x, y), E_BC = .., E_CA = ..)"),
+            QStringLiteral("  if (E_AB >= t_AB && E_BC >= t_BC && E_CA >= t_CA) {"), weightedDepth(rules),
+            shadeLine(rules)};
+}
+
+std::array<QString, 4> walkingCode(const Rules& rules)
+{
+    return {QStringLiteral("sort(top, middle, bottom);  long = top -> bottom;"),
+            QStringLiteral("for (x = ceil(xl - 0.5); x < ceil(xr - 0.5); ++x) {"), weightedDepth(rules),
+            shadeLine(rules)};
+}
+
+std::array<QString, 4> lineCode(const Rules& rules)
+{
+    const QString color = QStringLiteral("  color = shade(x, y);  depth = z;");
+    const QString onLine = QStringLiteral("  ") + depthLine(QStringLiteral("lerp(zA, zB, i / n)"), rules);
+    if (rules.fill == Fill::Points)
+        return {QStringLiteral("for (v : A, B, C) {  plot(floor(v.x), floor(v.y));"), QString(),
+                QStringLiteral("  ") + depthLine(QStringLiteral("v.z"), rules), color};
+    if (rules.line == LineAlgorithm::Dda)
+        return {QStringLiteral("n = max(|dx|, |dy|);  for (i = 0; i <= n; ++i) {  plot(round(x), round(y));"),
+                QStringLiteral("  x += dx / n;  y += dy / n; }"), onLine, color};
+    return {QStringLiteral("p = 2 dy - dx;  for (x = x0; x <= x1; ++x) {  plot(x, y);"),
+            QStringLiteral("  if (p > 0) { y += 1;  p -= 2 dx; }  p += 2 dy; }"), onLine, color};
+}
+
+bool isGeometry(StepKind kind) { return kind < StepKind::Walk; }
+
+/// The kinds there are after geometry, by the way the triangle is drawn.
+StepKinds kindsOfDrawing(const Rules& rules)
+{
+    const StepKinds all = kindBit(StepKind::Fragment) | kindBit(StepKind::Shade) | kindBit(StepKind::Write);
+    if (rules.fill != Fill::Solid)
+        return all | kindBit(StepKind::LineDecision) | kindBit(StepKind::LineSample);
+    return all | (rules.algorithm == Algorithm::EdgeWalking ? kindBit(StepKind::Walk) | kindBit(StepKind::Span)
+                                                            : kindBit(StepKind::Sample));
+}
+
+/// The right code for a step, and the kinds of step it is about.
+std::pair<std::array<QString, 4>, StepKinds> codeFor(const StepLog& log, StepKind kind)
+{
+    const Rules& right = log.rightRules();
+    if (isGeometry(kind))
+        return {geometryCode(), kindBit(StepKind::Walk) - 1};
+    const StepKinds kinds = kindsOfDrawing(log.rules());
+    if (log.rules().fill != Fill::Solid)
+        return {lineCode(right), kinds};
+    return {log.rules().algorithm == Algorithm::EdgeWalking ? walkingCode(right) : equationCode(right), kinds};
+}
+
+/// The line of the listing that a step is run by.
+int lineOf(StepKind kind)
+{
+    switch (kind) {
+    case StepKind::Vertex: return 0;
+    case StepKind::ClipPlane:
+    case StepKind::CohenSutherland:
+    case StepKind::Clipped: return 1;
+    case StepKind::Viewport: return 2;
+    case StepKind::Facing:
+    case StepKind::Fate:
+    case StepKind::Triangle:
+    case StepKind::Setup: return 3;
+    case StepKind::Walk: return 0;
+    case StepKind::Span:
+    case StepKind::Sample:
+    case StepKind::LineDecision: return 1;
+    case StepKind::LineSample: return 0;
+    case StepKind::Fragment: return 2;
+    case StepKind::Shade:
+    case StepKind::Write: return 3;
+    case StepKind::End: break;
+    }
+    return -1;
+}
+
+int lineOf(const StepLog& log, const StepEvent& event)
+{
+    const bool isRejected = event.kind == StepKind::Fate && log.payload<FateStep>(event).fate == FaceFate::Rejected;
+    return lineOf(isRejected ? StepKind::ClipPlane : event.kind);
+}
+
+Listing listingFor(const StepLog& log, StepKind kind)
+{
+    const auto [code, kinds] = codeFor(log, kind);
+    std::array<QStringList, 4> wrong;
+    for (const Mistake* mistake : log.mistakes())
+        for (int k = 0; k < kStepKinds; ++k) {
+            const auto spoilt = static_cast<StepKind>(k);
+            if ((stepsOf(*mistake) & kinds & kindBit(spoilt)) == 0 || lineOf(spoilt) < 0)
+                continue;
+            QStringList& lines = wrong[std::size_t(lineOf(spoilt))];
+            if (const QString line = QCoreApplication::translate("Mistake", mistake->wrongLine); !lines.contains(line))
+                lines << line;
+        }
+    Listing listing;
+    for (std::size_t i = 0; i < code.size(); ++i) {
+        if (wrong[i].isEmpty()) {
+            listing[i].code = code[i];
+            continue;
+        }
+        const auto indent = code[i].size() - QStringView(code[i]).trimmed().size();
+        listing[i] = {QString(indent, QLatin1Char(' ')) + wrong[i].join(QStringLiteral(";  ")), code[i]};
+    }
+    return listing;
+}
+
+QString minus(QString text) { return text.replace(QLatin1Char('-'), QChar(0x2212)); }
+
+/// ` - 8` or ` + 8`
+QString signedTerm(double value)
+{
+    return (value < 0 ? QStringLiteral(" \u2212 ") : QStringLiteral(" + ")) + fullNumber(std::abs(value));
+}
+
+/// `8·(3.5 − 8) − 8·(4.5 − 0)`
+QString edgeTerms(const StepEdge& edge, double unitsPerSample, const glm::dvec2& point, const glm::dvec2& from)
+{
+    const auto factor = [](double at, double origin) {
+        return QStringLiteral("\u00b7(%1 %2 %3)")
+            .arg(fullNumber(at), origin < 0 ? QStringLiteral("+") : QStringLiteral("\u2212"),
+                 fullNumber(std::abs(origin)));
+    };
+    return minus(fullNumber(edge.a / unitsPerSample)) + factor(point.x, from.x) + signedTerm(edge.b / unitsPerSample) +
+           factor(point.y, from.y);
+}
+
+/// How the value that decides came to be, where it is not what its terms make: ` = 3` else.
+QString valueText(const Rules& rules, const QString& direct, const QString& value)
+{
+    if (direct == value)
+        return QStringLiteral(" = ") + value;
+    const QString came = rules.insideTest == InsideTest::Wrapped32
+                             ? translated(QT_TRANSLATE_NOOP("StepListing", "in 32 bits: %1"))
+                         : addsUpEdgeValues(rules) ? translated(QT_TRANSLATE_NOOP("StepListing", "added up: %1"))
+                                                   : translated(QT_TRANSLATE_NOOP("StepListing", "rounded: %1"));
+    return QStringLiteral(" = %1   %2").arg(direct, came.arg(value));
+}
+
+/// `E_AB >= t_AB = 0: inside`
+QString edgeVerdict(const StepSetup& setup, const DecidingEdge& decides)
+{
+    const int edge = int(decides.edge);
+    const EdgeSide side = setup.edges[decides.edge].side;
+    const char* const sign = decides.sign == DecidingEdge::Sign::AtLeast  ? ">="
+                             : decides.sign == DecidingEdge::Sign::AtMost ? "<="
+                                                                          : "<";
+    QString verdict = decides.isInside() ? translated(QT_TRANSLATE_NOOP("StepListing", "inside"))
+                                         : translated(QT_TRANSLATE_NOOP("StepListing", "outside"));
+    if (decides.isTie())
+        verdict = (decides.isInside() ? translated(QT_TRANSLATE_NOOP("StepListing", "owned: %1 is a %2 edge"))
+                                      : translated(QT_TRANSLATE_NOOP("StepListing", "not owned: %1 is a %2 edge")))
+                      .arg(edgeName(setup, edge), side == EdgeSide::Neither
+                                                      ? translated(QT_TRANSLATE_NOOP("StepListing", "right or bottom"))
+                                                      : edgeSideText(side));
+    return printedSigns(QStringLiteral("%1 %2 %3 = %4: %5")
+                            .arg(edgeValueName(setup, edge), QLatin1String(sign), thresholdName(setup, edge),
+                                 thresholdText(decides.threshold, setup.unitsPerArea), verdict));
+}
+
+QString sampleFormula(const StepLog& log, const StepEvent& event)
+{
+    const StepSetup& setup = log.triangle(event)->setup;
+    const Rules& rules = log.rules();
+    const EdgeValues& values = log.payload<SampleStep>(event).values;
+    const DecidingEdge decides = decidingEdge(setup, values, rules);
+    const StepEdge& edge = setup.edges[decides.edge];
+    const QString name = edgeValueName(setup, int(decides.edge));
+    const auto area = [&](double value) { return minus(edgeValueText(value, setup.unitsPerArea)); };
+
+    // Positions that are shifted by half a sample: samples that are tested at their corner.
+    const glm::dvec2 tested = testedPoint(rules, event.x, event.y);
+    const glm::dvec2 point = tested - rules.screenShift;
+    const glm::dvec2 from = glm::dvec2(edge.from) / setup.unitsPerSample - rules.screenShift;
+    QStringList others;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (i != decides.edge)
+            others << QStringLiteral("%1 = %2").arg(edgeValueName(setup, int(i)), area(values[i]));
+    QString text =
+        QStringLiteral("%1(%2, %3) = %4%5\n%6   %7")
+            .arg(name, fullNumber(point.x), fullNumber(point.y), edgeTerms(edge, setup.unitsPerSample, point, from),
+                 valueText(rules, area(setup.at(tested)[decides.edge]), area(decides.value)),
+                 edgeVerdict(setup, decides), others.join(QStringLiteral("   ")));
+    if (addsUpEdgeValues(rules)) {
+        const QString step =
+            edge.perX < 0 ? QStringLiteral("\u2212= ") + area(-edge.perX) : QStringLiteral("+= ") + area(edge.perX);
+        text += QStringLiteral("   ") + translated(QT_TRANSLATE_NOOP("StepListing", "next x: %1 %2")).arg(name, step);
+    }
+    return text;
+}
+
+QString lineFormula(const StepLog& log, const StepEvent& event)
+{
+    const LineStep& step = log.payload<LineStep>(event);
+    const LineDecision& d = step.decision;
+    const int next = d.decision + 2 * d.shorter - (d.sideways ? 2 * d.longer : 0);
+    const QString change = d.sideways ? QStringLiteral("2\u00b7%1 \u2212 2\u00b7%2").arg(d.shorter).arg(d.longer)
+                                      : QStringLiteral("2\u00b7%1").arg(d.shorter);
+    return QStringLiteral("p_%1 = %2 %3 0   d_lower = %4   d_upper = %5\np_%6 = %2 + %7 = %8")
+        .arg(d.step)
+        .arg(minus(QString::number(d.decision)), d.sideways ? QStringLiteral(">") : QStringLiteral("\u2264"),
+             minus(shortNumber(step.dLower())), minus(shortNumber(step.dUpper())))
+        .arg(d.step + 1)
+        .arg(change, minus(QString::number(next)));
+}
+
+/// The part that decides first: the other may have to do with dots in its middle.
+QString joined(const StepParts& parts, bool numbersFirst)
+{
+    QStringList lines{stepWords(parts.what), stepWords(parts.numbers)};
+    if (numbersFirst)
+        lines.swapItemsAt(0, 1);
+    lines.removeAll(QString());
+    return lines.join(QLatin1Char('\n'));
+}
+
+QString formulaOf(const StepLog& log, std::size_t i)
+{
+    const StepEvent& event = log.event(i);
+    switch (event.kind) {
+    case StepKind::Sample: return sampleFormula(log, event);
+    case StepKind::Span: {
+        const QStringList lines = spanLines(log.payload<SpanStep>(event));
+        return lines[0] + QLatin1Char('\n') + lines[1] + QStringLiteral("   ") + lines[2];
+    }
+    case StepKind::LineDecision: return lineFormula(log, event);
+    case StepKind::Fragment: return joined(stepParts(log, i), true);
+    case StepKind::Vertex:
+    case StepKind::ClipPlane:
+    case StepKind::CohenSutherland:
+    case StepKind::Viewport:
+    case StepKind::Facing:
+    case StepKind::Clipped:
+    case StepKind::Fate:
+    case StepKind::Triangle:
+    case StepKind::Setup:
+    case StepKind::Walk:
+    case StepKind::LineSample:
+    case StepKind::Shade:
+    case StepKind::Write:
+    case StepKind::End: break;
+    }
+    return joined(stepParts(log, i), false);
+}
+
+} // namespace
+
+QStringList spanLines(const SpanStep& span)
+{
+    const auto end = [](const char* name, double from, bool ceiling, std::int64_t to) {
+        const QString rounded =
+            ceiling ? QStringLiteral("ceil(%1 \u2212 0.5)") : QStringLiteral("floor(%1 \u2212 0.5) + 1");
+        return QStringLiteral("%1 = %2   %3 = %4")
+            .arg(QLatin1String(name), minus(fullNumber(from)), rounded.arg(minus(fullNumber(from))))
+            .arg(to);
+    };
+    const SpanEnds& ends = span.ends;
+    return {end("xl", ends.left, ends.leftOwnsTie, ends.begin), end("xr", ends.right, !ends.rightOwnsTie, ends.end),
+            span.xBegin < span.xEnd ? QStringLiteral("x = %1 \u2026 %2").arg(span.xBegin).arg(span.xEnd - 1)
+                                    : translated(QT_TRANSLATE_NOOP("StepListing", "no sample"))};
+}
+
+StepExplanation explainStep(const StepLog& log, std::size_t i)
+{
+    const StepEvent& event = log.event(i);
+    StepExplanation told{listingFor(log, event.kind), lineOf(log, event), formulaOf(log, i)};
+    if (const QString because = becauseWords(becauseOf(log, i)); !because.isEmpty()) {
+        const auto end = told.formula.indexOf(QLatin1Char('\n')); // there are two lines: what led to it, and what it is
+        told.formula = told.formula.left(end) + QLatin1Char('\n') + because +
+                       (end < 0 ? QString() : QStringLiteral("   ") + told.formula.sliced(end + 1));
+    }
+    return told;
+}
+
+QString stepTitle(const StepLog& log, std::size_t i)
+{
+    const StepEvent& event = log.event(i);
+    QStringList parts{translated(infoOf(event.kind).title)};
+    if (event.has(StepEvent::kTie))
+        parts << translated(QT_TRANSLATE_NOOP("StepListing", "tie"));
+    if (event.x >= 0)
+        parts << QStringLiteral("(%1, %2)").arg(event.x).arg(event.y);
+    else if (event.y >= 0)
+        parts << translated(QT_TRANSLATE_NOOP("StepListing", "row %1")).arg(event.y);
+    if (event.face != StepEvent::kNone)
+        parts << translated(QT_TRANSLATE_NOOP("StepListing", "face %1")).arg(event.face);
+    if (const QString because = becauseWords(becauseOf(log, i)); !because.isEmpty())
+        parts << because;
+    return parts.join(QStringLiteral(" \u00b7 "));
+}
+
+} // namespace rasterlens
