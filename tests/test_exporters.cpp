@@ -29,7 +29,7 @@ QStringList warningsOf(const Diagnostics& diagnostics)
     return texts;
 }
 
-/// The same number of warnings as phrases, each phrase in the warning at its place.
+/// There must be as many warnings as phrases, and every phrase must occur in one of them.
 void verifyWarnings(const Diagnostics& diagnostics, const QStringList& phrases)
 {
     const QStringList warnings = warningsOf(diagnostics);
