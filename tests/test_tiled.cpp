@@ -79,6 +79,7 @@ private Q_SLOTS:
     void outlivesLackOfMemory();
     void keepsNothingInCommonWithACopy();
     void clearsWhatIsNotItsOwn();
+    void clearsDepthsThatAreNotItsOwn();
     void refusesWhatItCannotDraw();
 };
 
@@ -384,75 +385,101 @@ void TestTiled::keepsNothingInCommonWithACopy()
     QVERIFY(difference(expected, second).isEmpty());
 }
 
-/// Tiles known to be empty are not cleared again: whatever else happens to the picture must be noticed.
-void TestTiled::clearsWhatIsNotItsOwn()
+/// A triangle near one corner of the picture or near the opposite one, drawn again and again into one frame.
+class CornerPictures
 {
-    const QSize size{640, 400};
-    std::mt19937 random(21);
-    Settings settings;
-    settings.size = size;
-    settings.algorithm = Algorithm::Tiled;
-    const auto corner = [&](int x, int y) {
-        Scene scene = clipScene(size);
-        addTriangle(
-            scene,
-            {fromScreen(x, y, 0.5, 1, size), fromScreen(x, y + 50, 0.5, 1, size), fromScreen(x + 50, y, 0.5, 1, size)},
-            random);
-        return scene;
-    };
-    Scene left = corner(10, 10);
-    const Scene right = corner(500, 300);
-    Frame frame;
-    Outputs outputs;
-    const auto matchesFresh = [&](const Scene& scene) {
+public:
+    static constexpr QSize kSize{640, 400};
+
+    CornerPictures()
+    {
+        settings.size = kSize;
+        settings.algorithm = Algorithm::Tiled;
+        left = corner(10, 10);
+        right = corner(500, 300);
+    }
+
+    /// Draws into the frame, and says whether that is what a fresh frame would hold.
+    bool matchesFresh(const Scene& scene)
+    {
         Frame fresh;
         render(scene, settings, fresh, outputs);
         render(scene, settings, frame, outputs);
         return fresh.image == frame.image && sameBits(fresh.depth, frame.depth);
-    };
-    QVERIFY(matchesFresh(left));
-    QVERIFY(matchesFresh(left));
-    QVERIFY(matchesFresh(right)); // what was drawn is empty now
-    frame.image.fill(Qt::red);
-    QVERIFY(matchesFresh(right));
-    left.background = {0, 0, 1};
-    QVERIFY(matchesFresh(left));
-    const QImage kept = frame.image;
-    QVERIFY(matchesFresh(right));
-    QVERIFY(matchesFresh(left));
-    QVERIFY(kept == frame.image);
-    settings.shading = Shading::Overdraw;
-    QVERIFY(matchesFresh(left));
-    settings.shading = Shading::Gouraud;
-    settings.algorithm = Algorithm::EdgeEquation;
-    render(right, settings, frame);
-    settings.algorithm = Algorithm::Tiled;
-    QVERIFY(matchesFresh(left));
-    settings.samples = Samples::Grid2;
-    QVERIFY(matchesFresh(left));
+    }
 
-    settings.samples = Samples::One;
+    Scene left;
+    Scene right;
+    Settings settings;
+    Frame frame;
+    Outputs outputs;
+
+private:
+    Scene corner(int x, int y)
+    {
+        Scene scene = clipScene(kSize);
+        addTriangle(scene,
+                    {fromScreen(x, y, 0.5, 1, kSize), fromScreen(x, y + 50, 0.5, 1, kSize),
+                     fromScreen(x + 50, y, 0.5, 1, kSize)},
+                    m_random);
+        return scene;
+    }
+
+    std::mt19937 m_random{21};
+};
+
+/// Tiles known to be empty are not cleared again: whatever else happens to the picture must be noticed.
+void TestTiled::clearsWhatIsNotItsOwn()
+{
+    CornerPictures p;
+    QVERIFY(p.matchesFresh(p.left));
+    QVERIFY(p.matchesFresh(p.left));
+    QVERIFY(p.matchesFresh(p.right)); // what was drawn is empty now
+    p.frame.image.fill(Qt::red);
+    QVERIFY(p.matchesFresh(p.right));
+    p.left.background = {0, 0, 1};
+    QVERIFY(p.matchesFresh(p.left));
+    const QImage kept = p.frame.image;
+    QVERIFY(p.matchesFresh(p.right));
+    QVERIFY(p.matchesFresh(p.left));
+    QVERIFY(kept == p.frame.image);
+    p.settings.shading = Shading::Overdraw;
+    QVERIFY(p.matchesFresh(p.left));
+    p.settings.shading = Shading::Gouraud;
+    p.settings.algorithm = Algorithm::EdgeEquation;
+    render(p.right, p.settings, p.frame);
+    p.settings.algorithm = Algorithm::Tiled;
+    QVERIFY(p.matchesFresh(p.left));
+    p.settings.samples = Samples::Grid2;
+    QVERIFY(p.matchesFresh(p.left));
+}
+
+/// Depths of tiles known to be empty are not cleared again either, with a picture or without.
+void TestTiled::clearsDepthsThatAreNotItsOwn()
+{
+    CornerPictures p;
+    p.left.background = {0, 0, 1};
     for (const bool picture : {false, true}) {
-        outputs = {.depth = true, .picture = picture};
-        QVERIFY(matchesFresh(left));
-        QVERIFY(matchesFresh(left));
-        QVERIFY(matchesFresh(right));
-        std::fill_n(frame.depth.write(frame.depth.size()), frame.depth.size(), 0.25F);
-        QVERIFY(matchesFresh(right));
-        const Frame copy = frame;
-        QVERIFY(matchesFresh(left));
-        frame.depth = copy.depth;
-        QVERIFY(matchesFresh(left));
-        settings.size = size.transposed(); // as many pixels
-        QVERIFY(matchesFresh(left));
-        settings.size = size;
-        settings.reversedZ = !settings.reversedZ; // clears to 0
-        QVERIFY(matchesFresh(left));
-        outputs.depth = false;
-        outputs.picture = true;
-        QVERIFY(matchesFresh(right));
-        outputs = {.depth = true, .picture = picture};
-        QVERIFY(matchesFresh(left));
+        p.outputs = {.depth = true, .picture = picture};
+        QVERIFY(p.matchesFresh(p.left));
+        QVERIFY(p.matchesFresh(p.left));
+        QVERIFY(p.matchesFresh(p.right));
+        std::fill_n(p.frame.depth.write(p.frame.depth.size()), p.frame.depth.size(), 0.25F);
+        QVERIFY(p.matchesFresh(p.right));
+        const Frame copy = p.frame;
+        QVERIFY(p.matchesFresh(p.left));
+        p.frame.depth = copy.depth;
+        QVERIFY(p.matchesFresh(p.left));
+        p.settings.size = CornerPictures::kSize.transposed(); // as many pixels
+        QVERIFY(p.matchesFresh(p.left));
+        p.settings.size = CornerPictures::kSize;
+        p.settings.reversedZ = !p.settings.reversedZ; // clears to 0
+        QVERIFY(p.matchesFresh(p.left));
+        p.outputs.depth = false;
+        p.outputs.picture = true;
+        QVERIFY(p.matchesFresh(p.right));
+        p.outputs = {.depth = true, .picture = picture};
+        QVERIFY(p.matchesFresh(p.left));
     }
 }
 

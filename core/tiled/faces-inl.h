@@ -304,6 +304,34 @@ inline std::uint32_t LanesWithMasks(const FrameJob& job, const Chunk& chunk, con
     return masked;
 }
 
+/// Fetches a vector of triangles from the queue, corner by corner: in units, and in samples with the depth.
+HWY_INLINE void LoadCorners(const SetupQueue& queue, std::size_t at, std::array<HalfInts, 3>& x,
+                            std::array<HalfInts, 3>& y, std::array<CornerLanes, 3>& corner)
+{
+    constexpr DoubleTag wide;
+    const Doubles samplesPerUnit = hn::Set(wide, 1.0 / kUnit);
+    for (std::size_t k = 0; k < 3; ++k) {
+        hn::LoadInterleaved2(HalfIntTag(), &queue.position[k][at].x, x[k], y[k]);
+        corner[k] = {hn::Mul(hn::PromoteTo(wide, x[k]), samplesPerUnit),
+                     hn::Mul(hn::PromoteTo(wide, y[k]), samplesPerUnit), hn::LoadU(wide, queue.depth[k].data() + at)};
+    }
+}
+
+/// Lays down the edges' gradients, their values at the anchor, and the nearest depth.
+HWY_INLINE void StoreEdges(const std::array<EdgeLanes, 3>& edges, Doubles anchorX, Doubles anchorY, HalfFloats nearest,
+                           SetupLanes& out)
+{
+    constexpr HalfIntTag tag;
+    hn::StoreInterleaved4(edges[0].a, edges[1].a, edges[0].b, edges[1].b, tag, out.gradients.data());
+    std::array<HalfInts, 3> c;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Doubles value = EdgeAt(edges[k], anchorX, anchorY);
+        hn::Store(value, DoubleTag(), out.c[k].data());
+        c[k] = HeldEdge(value);
+    }
+    hn::StoreInterleaved4(c[0], c[1], c[2], hn::BitCast(tag, nearest), tag, out.constants.data());
+}
+
 /// Sets up a vector of triangles from the queue; `present`: a bit for each lane that holds one.
 HWY_INLINE void SetUpLanes(const FrameJob& job, Chunk& chunk, const SetupQueue& queue, std::size_t at,
                            std::uint32_t present, SetupLanes& out)
@@ -311,15 +339,9 @@ HWY_INLINE void SetUpLanes(const FrameJob& job, Chunk& chunk, const SetupQueue& 
     constexpr HalfIntTag tag;
     constexpr DoubleTag wide;
     const Rules& rules = job.rules;
-    std::array<HalfInts, 3> x;
-    std::array<HalfInts, 3> y;
+    std::array<HalfInts, 3> x, y;
     std::array<CornerLanes, 3> corner;
-    const Doubles samplesPerUnit = hn::Set(wide, 1.0 / kUnit);
-    for (std::size_t k = 0; k < 3; ++k) {
-        hn::LoadInterleaved2(tag, &queue.position[k][at].x, x[k], y[k]);
-        corner[k] = {hn::Mul(hn::PromoteTo(wide, x[k]), samplesPerUnit),
-                     hn::Mul(hn::PromoteTo(wide, y[k]), samplesPerUnit), hn::LoadU(wide, queue.depth[k].data() + at)};
-    }
+    LoadCorners(queue, at, x, y, corner);
     const Doubles area = TwiceArea(hn::Sub(corner[1].x, corner[0].x), hn::Sub(corner[1].y, corner[0].y),
                                    hn::Sub(corner[2].x, corner[0].x), hn::Sub(corner[2].y, corner[0].y));
     const auto swapped =
@@ -352,14 +374,7 @@ HWY_INLINE void SetUpLanes(const FrameJob& job, Chunk& chunk, const SetupQueue& 
     const Doubles nearestCorner = Min3(corner[0].depth, corner[1].depth, corner[2].depth);
     const HalfFloats nearest = hn::DemoteTo( // needles come out at any depth
         HalfFloatTag(), hn::IfThenElseZero(plane.plane, hn::Sub(nearestCorner, hn::Set(wide, kDepthSlack))));
-    hn::StoreInterleaved4(edges[0].a, edges[1].a, edges[0].b, edges[1].b, tag, out.gradients.data());
-    std::array<HalfInts, 3> c;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Doubles value = EdgeAt(edges[k], wideX, wideY);
-        hn::Store(value, wide, out.c[k].data());
-        c[k] = HeldEdge(value);
-    }
-    hn::StoreInterleaved4(c[0], c[1], c[2], hn::BitCast(tag, nearest), tag, out.constants.data());
+    StoreEdges(edges, wideX, wideY, nearest, out);
     const Doubles depth = hn::Add(plane.origin, hn::Add(hn::Mul(plane.perX, wideX), hn::Mul(plane.perY, wideY)));
     hn::StoreInterleaved4(SourceAndBounds(queue, at, bounds), depth, plane.perX, plane.perY, wide, out.depth.data());
     out.needles = ~BitsOf(wide, plane.plane);
