@@ -16,7 +16,7 @@ namespace
 struct Sum {
     std::uint64_t samples = 0;
     std::uint64_t places = 0;
-    void operator()(int x, int y)
+    void operator()(int x, int y, const std::array<Fixed, 3>& /*edges*/)
     {
         ++samples;
         places += static_cast<std::uint64_t>(x + 7 * y);
@@ -40,7 +40,7 @@ void coverByHand(const TriangleSetup<Fixed>& setup, Sum& emit)
         std::array<Fixed, 3> e = row;
         for (int x = box.x; x < box.x + box.width; ++x) {
             if (e[0] >= edges[0].threshold && e[1] >= edges[1].threshold && e[2] >= edges[2].threshold)
-                emit(x, y);
+                emit(x, y, e);
             for (std::size_t i = 0; i < 3; ++i)
                 e[i] += perColumn[i];
         }
@@ -62,11 +62,11 @@ std::vector<ScreenTriangle> randomTriangles(const Rules& rules)
 
 } // namespace
 
-extern "C" [[gnu::noinline]] void loopWithNullObserver(const TriangleSetup<Fixed>& setup, const FaceInterpolation& face,
-                                                       const Rules& rules, Sum& sum)
+extern "C" [[gnu::noinline]] void loopWithNullObserver(const TriangleSetup<Fixed>& setup,
+                                                       const ScreenTriangle& triangle, const Rules& rules, Sum& sum)
 {
     NullObserver observer;
-    EdgeEquation::cover(setup, face, rules, sum, observer);
+    EdgeEquation::cover(setup, triangle, rules, sum, observer);
 }
 
 extern "C" [[gnu::noinline]] void loopByHand(const TriangleSetup<Fixed>& setup, Sum& sum) { coverByHand(setup, sum); }
@@ -81,8 +81,7 @@ int main()
         const auto setup = setupTriangle<Fixed>(triangle, rules);
         if (!setup)
             continue;
-        const FaceInterpolation face(triangle, 1, rules);
-        loopWithNullObserver(*setup, face, rules, withObserver);
+        loopWithNullObserver(*setup, triangle, rules, withObserver);
         loopByHand(*setup, byHand);
     }
     std::printf("covered %llu samples, by hand %llu\n", static_cast<unsigned long long>(withObserver.samples),

@@ -113,6 +113,7 @@ private Q_SLOTS:
     void depthIsTrue_data();
     void depthIsTrue();
     void weightsAndPerspectiveAreTrue();
+    void weightsOfEdgeValuesAreTheSame();
     void affineLeavesTheWeights();
     void gradientsAreDerivatives();
     void onlyWhatIsReadIsCarried();
@@ -236,6 +237,35 @@ void TestInterpolation::weightsAndPerspectiveAreTrue()
                 QVERIFY(std::abs(static_cast<double>(Rational(colour[c] - Rational(varyings[c])))) < 0x1p-23);
         }
     }
+}
+
+/// Edge values that an algorithm has at hand give the same weights, also where doubles cannot hold them.
+void TestInterpolation::weightsOfEdgeValuesAreTheSame()
+{
+    Random random = seededRandom();
+    int turned = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const int size = 1 << integer(random, 4, 14);
+        ScreenTriangle t = randomTriangle(random, size, i % 4 == 0);
+        if (i % 3 == 0) // as far out as unclipped vertices get
+            t.vertices[0].position *= 0x1p19 / size;
+        const Rules rules = rulesOf(size);
+        const auto setup = setupTriangle<std::int64_t>(t, rules);
+        if (!setup)
+            continue;
+        turned += area2Of(t) < 0;
+        const FaceInterpolation face(t, area2Of(t), rules);
+        for (int k = 0; k < 20; ++k) {
+            const PixelRect& box = setup->bounds;
+            const int x = integer(random, box.x, box.x + box.width - 1);
+            const int y = integer(random, box.y, box.y + box.height - 1);
+            const auto centre = TriangleSetup<std::int64_t>::centre(x, y);
+            const FaceInterpolation::EdgeIntegers edges{setup->edges[0].at(centre), setup->edges[1].at(centre),
+                                                        setup->edges[2].at(centre)};
+            QCOMPARE(face.weightsAt(x, y, edges), face.weightsAt(x, y));
+        }
+    }
+    QVERIFY(turned > 500);
 }
 
 void TestInterpolation::affineLeavesTheWeights()

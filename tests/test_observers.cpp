@@ -1,6 +1,7 @@
 // Observers do not change pixels: the plain frame and the counted one are the same for every scene and any settings.
 #include "core/render/count.h"
 #include "core/render/draw.h"
+#include "core/settings/mistakes.h"
 #include "tests/support.h"
 
 #include <QJsonDocument>
@@ -27,6 +28,20 @@ QString text(const Settings& settings)
     return QString::fromUtf8(QJsonDocument(toJson(settings)).toJson(QJsonDocument::Compact));
 }
 
+/// Built-in ones, and a soup that crosses every plane of the view volume.
+std::vector<Scene> severalScenes(Random& random)
+{
+    std::vector<Scene> scenes;
+    for (const char* name : {"cube", "letter-f", "behind-camera", "painter-cycle", "leaf", "floor"})
+        scenes.push_back(*makeBuiltinScene(QLatin1String(name)).scene);
+    std::vector<glm::vec4> positions;
+    for (int i = 0; i < 90; ++i)
+        positions.emplace_back(uniform(random, -2, 2), uniform(random, -2, 2), uniform(random, -1.5, 1.5),
+                               uniform(random, -0.5, 2));
+    scenes.push_back(soup(positions));
+    return scenes;
+}
+
 /// Asks for the end at the first covered sample, and counts what is covered all the same.
 struct StopAtFirstSample : NullObserver {
     std::stop_source source;
@@ -49,6 +64,7 @@ private Q_SLOTS:
     void builtinScenes_data();
     void builtinScenes();
     void randomSettingsOfAllFields();
+    void whatIsNotAskedForChangesNothing();
     void stoppingEndsTheWork();
     void stoppingEndsWithinAFace_data();
     void stoppingEndsWithinAFace();
@@ -84,14 +100,7 @@ void TestObservers::builtinScenes()
 void TestObservers::randomSettingsOfAllFields()
 {
     Random random = seededRandom();
-    std::vector<Scene> scenes;
-    for (const char* name : {"cube", "letter-f", "behind-camera", "painter-cycle", "leaf", "floor"})
-        scenes.push_back(*makeBuiltinScene(QLatin1String(name)).scene);
-    std::vector<glm::vec4> positions;
-    for (int i = 0; i < 90; ++i)
-        positions.emplace_back(uniform(random, -2, 2), uniform(random, -2, 2), uniform(random, -1.5, 1.5),
-                               uniform(random, -0.5, 2));
-    scenes.push_back(soup(positions));
+    const std::vector<Scene> scenes = severalScenes(random);
     int run = 0;
     int skipped = 0;
     for (int i = 0; i < 2500; ++i) {
@@ -119,6 +128,38 @@ void TestObservers::randomSettingsOfAllFields()
     }
     qInfo("%d settings drawn, %d not supported", run, skipped);
     QVERIFY(run > 500);
+}
+
+/// Depth, weights and attributes are computed only where the picture or another output reads them: a frame that is
+/// asked for less holds the same, and so does one whose observer reads all of them.
+void TestObservers::whatIsNotAskedForChangesNothing()
+{
+    Random random = seededRandom();
+    const std::vector<Scene> scenes = severalScenes(random);
+    int wrong = 0;
+    for (int i = 0; i < 1500; ++i) {
+        const Scene& scene = scenes[std::size_t(i) % scenes.size()];
+        Settings settings = randomSettings(random, scene.defaults);
+        if (i % 2 == 0) {
+            const auto mistake = std::size_t(integer(random, 0, int(mistakes().size()) - 1));
+            settings.mistakes = QStringList{QString::fromLatin1(mistakes()[mistake].id)};
+        }
+        if (unsupported(scene, settings))
+            continue;
+        wrong += i % 2 == 0;
+        Frame all;
+        (void)renderCounted(scene, settings, all, kAllOutputs);
+        for (unsigned asked = 1; asked < 16; ++asked) {
+            const Outputs outputs{(asked & 1) != 0, (asked & 2) != 0, (asked & 4) != 0, (asked & 8) != 0};
+            Frame some;
+            render(scene, settings, some, outputs);
+            QVERIFY2((!outputs.depth || some.depth == all.depth) && (!outputs.ids || some.ids == all.ids) &&
+                         (!outputs.coverage || some.coverage == all.coverage) &&
+                         (!outputs.picture || some.image == all.image),
+                     qPrintable(QStringLiteral("outputs %1 ").arg(asked) + ::text(settings)));
+        }
+    }
+    QVERIFY(wrong > 100);
 }
 
 void TestObservers::stoppingEndsTheWork()

@@ -183,16 +183,15 @@ void TestTriangleSetup::theLargestTrianglesStayWithin64Bits()
                 }
         // The last rows of the target, by all algorithms.
         setup->bounds = {rules.columns() - 8, rules.rows() - 8, 8, 8};
-        const FaceInterpolation interpolation(triangle, 1, rules);
         NullObserver observer;
         std::array<int, 4> counts{};
         std::size_t way = 0;
         for (const Stepping stepping : {Stepping::Direct, Stepping::Incremental}) {
             rules.stepping = stepping;
             auto count = [&](auto... sample) { counts[way] += sizeof...(sample) > 0; };
-            EdgeEquation::cover(*setup, interpolation, rules, count, observer);
+            EdgeEquation::cover(*setup, triangle, rules, count, observer);
             ++way;
-            EdgeWalking::cover(*setup, interpolation, rules, count, observer);
+            EdgeWalking::cover(*setup, triangle, rules, count, observer);
             ++way;
         }
         QCOMPARE(counts, (std::array{counts[0], counts[0], counts[0], counts[0]}));

@@ -7,7 +7,7 @@
 #include "core/pipeline/interpolation.h"
 #include "core/pipeline/triangle_setup.h"
 #include "core/pipeline/viewport.h"
-#include "core/settings/mistake_steps.h"
+#include "core/settings/mistakes.h"
 
 #include <QCoreApplication>
 

@@ -11,7 +11,8 @@ namespace rasterlens
 /// out   unorm formats as the float32 nearest to n / (2^bits - 1), which keeps order and distinctness
 [[nodiscard]] inline float storedDepth(double depth, DepthFormat format)
 {
-    const double held = depth >= 1 ? 1 : depth > 0 ? depth : 0;
+    const double positive = depth > 0 ? depth : 0;
+    const double held = positive < 1 ? positive : 1;
     const int largest = largestDepthCode(format);
     return static_cast<float>(largest > 0 ? std::nearbyint(held * largest) / largest : held);
 }

@@ -6,27 +6,70 @@
 #include "core/pipeline/shading.h"
 #include "core/settings/rules.h"
 
+#include <optional>
 #include <stop_token>
 #include <utility>
 
 namespace rasterlens
 {
 
-/// Depth and weights that an algorithm brought along edges and spans itself (edge-then-span).
-struct Interpolants {
-    double depth;
-    Weights screen;
-    Weights weights;
+// Samples as the fragment stage asks about them: depth(), the weights on the screen(), and the weights after
+// perspective correction that attributes are weighted() with. Each is computed when it is asked for.
+
+/// A sample inside the triangle.
+struct AreaSample {
+    const FaceInterpolation& interpolation;
+    int x;
+    int y;
+
+    [[nodiscard]] Weights screen() const { return interpolation.weightsAt(x, y); }
+    [[nodiscard]] double depth() const
+    {
+        return interpolation.depthAt(x, y, [&] { return screen(); });
+    }
+    [[nodiscard]] Weights weighted(const Weights& screen) const { return interpolation.perspective(screen); }
 };
 
-/// What happens to a covered sample, for every algorithm: interpolate, depth test, shade, write.
+/// A sample inside the triangle whose edge values are at hand.
+struct EdgeSample : AreaSample {
+    FaceInterpolation::EdgeIntegers edges;
+
+    [[nodiscard]] Weights screen() const { return interpolation.weightsAt(x, y, edges); }
+};
+
+/// A sample on one of the triangle's lines or corners.
+struct LineSample {
+    const FaceInterpolation& interpolation;
+    const Weights& onScreen;
+
+    [[nodiscard]] const Weights& screen() const { return onScreen; }
+    [[nodiscard]] double depth() const { return interpolation.depthOf(onScreen); }
+    [[nodiscard]] Weights weighted(const Weights& screen) const { return interpolation.perspective(screen); }
+};
+
+/// A sample whose depth and weights an algorithm brought along edges and spans itself (edge-then-span).
+struct Interpolants {
+    double carriedDepth;
+    Weights onScreen;
+    Weights weights;
+
+    [[nodiscard]] const Weights& screen() const { return onScreen; }
+    [[nodiscard]] double depth() const { return carriedDepth; }
+    [[nodiscard]] const Weights& weighted(const Weights&) const { return weights; }
+};
+
+/// What happens to a covered sample, for every algorithm: interpolate, depth test, shade, write. Depth, weights and
+/// attributes are computed only where the picture, the other outputs or the observer read them.
 /// `Caller` makes types of their own for callers other than the algorithms, so that these keep their inlined code.
 template <class Observer, class Caller = void>
 class FragmentStage
 {
 public:
-    FragmentStage(const Rules& rules, const SampleBuffer& samples, const glm::vec3& eyeWorld, Observer& observer)
-        : m_rules(&rules), m_samples(samples), m_eyeWorld(eyeWorld), m_observer(&observer)
+    FragmentStage(const Scene& scene, const Rules& rules, const SampleBuffer& samples, const glm::vec3& eyeWorld,
+                  Observer& observer)
+        : m_scene(&scene), m_rules(&rules), m_samples(samples), m_eyeWorld(eyeWorld), m_observer(&observer),
+          m_readsDepth(kReadsFragments<Observer> || samples.depth != nullptr || rules.shading == Shading::Depth),
+          m_readsAttributes(varyingCount(rules.shading) > 0)
     {
     }
 
@@ -34,18 +77,25 @@ public:
     void stopBy(std::stop_token stop) { m_stop = std::move(stop); }
     [[nodiscard]] bool stopped() const { return m_stop.stop_requested(); }
 
-    /// The triangle the following samples belong to; both must outlive them.
-    void begin(const FaceInterpolation& interpolation, const FaceUniforms& uniforms)
+    /// The triangle the following samples belong to; it must outlive them.
+    void begin(const ScreenTriangle& triangle)
     {
-        m_interpolation = &interpolation;
-        m_uniforms = &uniforms;
+        m_interpolation.emplace(triangle, triangle.area2, *m_rules, m_readsDepth ? DepthUse::Read : DepthUse::Ignored);
+        m_uniforms = faceUniforms(*m_scene, triangle.face, m_rules->shading);
     }
 
+    /// To be called after the last sample of a triangle.
+    void finish() {}
+
+    // Many loops call the next two, which makes compilers hesitate to inline them.
+
     /// A sample covered by the area of the triangle.
-    [[gnu::always_inline]] void operator()(int x, int y) // many loops call it, which makes compilers hesitate
+    [[gnu::always_inline]] void operator()(int x, int y) { process(x, y, AreaSample{*m_interpolation, x, y}); }
+
+    /// A sample covered by the area of the triangle, and its edge values.
+    [[gnu::always_inline]] void operator()(int x, int y, const FaceInterpolation::EdgeIntegers& edges)
     {
-        const Weights screen = m_interpolation->weightsAt(x, y);
-        process(x, y, m_interpolation->depthAt(x, y, screen), screen, nullptr);
+        process(x, y, EdgeSample{{*m_interpolation, x, y}, edges});
     }
 
     /// A sample on one of the triangle's lines or corners, inside the target or not.
@@ -54,13 +104,10 @@ public:
         const bool onTarget = x >= 0 && y >= 0 && x < m_samples.columns && y < m_samples.rows;
         m_observer->onLineSample(x, y, onTarget);
         if (onTarget)
-            process(x, y, m_interpolation->depthOf(screen), screen, nullptr);
+            process(x, y, LineSample{*m_interpolation, screen});
     }
 
-    void operator()(int x, int y, const Interpolants& interpolants)
-    {
-        process(x, y, interpolants.depth, interpolants.screen, &interpolants.weights);
-    }
+    void operator()(int x, int y, const Interpolants& interpolants) { process(x, y, interpolants); }
 
     /// What belongs at the sample (x, y), drawn at another place or, if that is not on the target, not at all.
     void drawElsewhere(int x, int y, int placeX, int placeY)
@@ -69,50 +116,81 @@ public:
             m_observer->onLineSample(placeX, placeY, false);
             return;
         }
-        const Weights screen = m_interpolation->weightsAt(x, y);
-        process(placeX, placeY, m_interpolation->depthAt(x, y, screen), screen, nullptr);
+        process(placeX, placeY, AreaSample{*m_interpolation, x, y});
     }
 
     [[nodiscard]] const SampleBuffer& samples() const { return m_samples; }
     [[nodiscard]] const FaceInterpolation& interpolation() const { return *m_interpolation; }
 
 private:
-    void process(int x, int y, double depth, const Weights& screen, const Weights* weights)
+    template <class Sample>
+    [[gnu::always_inline]] void process(int x, int y, const Sample& sample)
     {
         const std::size_t at = m_samples.index(x, y);
         if (m_samples.coverage != nullptr && m_samples.coverage[at] != 0xffff)
             ++m_samples.coverage[at];
+        const float depth = m_readsDepth ? storedDepth(sample.depth(), m_rules->depthFormat) : 0;
+        const float stored = m_samples.depth != nullptr ? m_samples.depth[at] : m_rules->depthClear;
+        const bool passed = !m_rules->depthTested || depthPasses(depth, stored, m_rules->depthCompare);
+        const bool shaded = m_samples.color != nullptr && (passed || !m_rules->depthBeforeShading);
+        std::uint32_t color = 0;
+        if constexpr (kReadsFragments<Observer>)
+            color = shadeObserved(x, y, sample, depth, stored, passed, shaded);
+        else if (shaded)
+            color = shade(sample, depth);
+        if (passed)
+            write(x, y, at, color, depth);
+        else if (m_rules->depthWrittenOnFail)
+            m_samples.depth[at] = depth;
+    }
+
+    template <class Sample>
+    [[gnu::always_inline]] std::uint32_t shade(const Sample& sample, float depth) const
+    {
+        if (!m_readsAttributes)
+            return m_rules->shading == Shading::Depth ? packColor(glm::vec3(depth)) : m_uniforms.color;
+        const Weights screen = sample.screen();
+        const Weights weights = sample.weighted(screen);
+        if (m_rules->shading == Shading::Gouraud)
+            return packColor({m_interpolation->varying(0, weights), m_interpolation->varying(1, weights),
+                              m_interpolation->varying(2, weights)});
+        Varyings varyings;
+        return shadeVaryings(screen, weights, depth, varyings);
+    }
+
+    /// Shades, and tells the observer all numbers of the fragment.
+    template <class Sample>
+    std::uint32_t shadeObserved(int x, int y, const Sample& sample, float depth, float stored, bool passed, bool shaded)
+    {
         Fragment fragment;
         fragment.x = x;
         fragment.y = y;
         fragment.face = m_interpolation->triangle().face;
-        fragment.depth = storedDepth(depth, m_rules->depthFormat);
-        fragment.screen = screen;
-
-        const float stored = m_samples.depth != nullptr ? m_samples.depth[at] : m_rules->depthClear;
-        const bool passed = !m_rules->depthTested || depthPasses(fragment.depth, stored, m_rules->depthCompare);
-        const bool shaded = m_samples.color != nullptr && (passed || !m_rules->depthBeforeShading);
+        fragment.depth = depth;
+        fragment.screen = sample.screen();
         std::uint32_t color = 0;
         if (shaded) {
-            UvGradient gradient;
-            if (m_rules->varyingCount > 0) {
-                fragment.weights = weights != nullptr ? *weights : m_interpolation->perspective(screen);
-                m_interpolation->varyings(fragment.weights, fragment.varyings);
-                if (needsUvGradient(*m_rules, *m_uniforms))
-                    gradient = m_interpolation->uvGradient(screen, fragment.weights, kVaryingUv);
-            }
-            color = shadeFragment(*m_rules, *m_uniforms, fragment.varyings, fragment.depth, m_eyeWorld, gradient);
+            fragment.weights = sample.weighted(fragment.screen);
+            color = shadeVaryings(fragment.screen, fragment.weights, depth, fragment.varyings);
         }
         m_observer->onFragment(fragment, stored, passed);
         if (shaded)
             m_observer->onShade(fragment, color);
-        if (passed)
-            write(at, fragment, color);
-        else if (m_rules->depthWrittenOnFail)
-            m_samples.depth[at] = fragment.depth;
+        return color;
     }
 
-    void write(std::size_t at, const Fragment& fragment, std::uint32_t color)
+    /// The colour, and the varyings it is made of. Weights are copied, so that the loops can keep theirs in registers.
+    [[gnu::noinline]] std::uint32_t shadeVaryings(Weights screen, Weights weights, float depth,
+                                                  Varyings& varyings) const
+    {
+        m_interpolation->varyings(weights, varyings);
+        UvGradient gradient;
+        if (needsUvGradient(*m_rules, m_uniforms))
+            gradient = m_interpolation->uvGradient(screen, weights, kVaryingUv);
+        return shadeFragment(*m_rules, m_uniforms, varyings, depth, m_eyeWorld, gradient);
+    }
+
+    void write(int x, int y, std::size_t at, std::uint32_t color, float depth)
     {
         const bool writesDepth = m_samples.depth != nullptr;
         const bool writesColor = m_samples.color != nullptr;
@@ -121,18 +199,21 @@ private:
         if (writesColor)
             m_samples.color[at] = color;
         if (writesDepth)
-            m_samples.depth[at] = fragment.depth;
+            m_samples.depth[at] = depth;
         if (m_samples.ids != nullptr)
-            m_samples.ids[at] = static_cast<std::int32_t>(fragment.face);
-        m_observer->onWrite(fragment.x, fragment.y, before, {color, writesDepth ? fragment.depth : before.depth});
+            m_samples.ids[at] = static_cast<std::int32_t>(m_interpolation->triangle().face);
+        m_observer->onWrite(x, y, before, {color, writesDepth ? depth : before.depth});
     }
 
+    const Scene* m_scene;
     const Rules* m_rules;
     SampleBuffer m_samples;
     glm::vec3 m_eyeWorld;
     Observer* m_observer;
-    const FaceInterpolation* m_interpolation = nullptr;
-    const FaceUniforms* m_uniforms = nullptr;
+    bool m_readsDepth;
+    bool m_readsAttributes;
+    std::optional<FaceInterpolation> m_interpolation; ///< of the triangle the samples belong to
+    FaceUniforms m_uniforms;                          ///< of its face
     std::stop_token m_stop;
 };
 

@@ -1,6 +1,5 @@
 #include "core/pipeline/geometry.h"
 
-#include "core/pipeline/interpolation.h"
 #include "core/pipeline/vertex_stage.h"
 
 #include <algorithm>
@@ -107,16 +106,17 @@ ProcessedVertex FaceStages::processVertex(const ClipVertex& vertex) const
     return v;
 }
 
-int FaceStages::appendFan(std::uint32_t face, std::span<const ScreenVertex> polygon, std::vector<ScreenTriangle>& out)
+int FaceStages::appendFan(std::uint32_t face, std::span<const ScreenVertex> polygon, double area2,
+                          std::vector<ScreenTriangle>& out)
 {
-    const double sense = twicePolygonArea(polygon);
-    const std::optional<Outline> seen = outlineSeenFromACorner(polygon, sense);
-    const Outline outline = seen ? *seen : convexHull(polygon, sense);
+    const std::optional<Outline> seen = outlineSeenFromACorner(polygon, area2);
+    const Outline outline = seen ? *seen : convexHull(polygon, area2);
     int pieces = 0;
     for (std::size_t i = 1; i + 1 < outline.count; ++i) {
         const auto [a, b, c] = std::tuple(outline.corners[0], outline.corners[i], outline.corners[i + 1]);
-        if (cornerArea2(polygon, a, b, c) != 0) {
-            out.push_back({{polygon[a], polygon[b], polygon[c]}, face});
+        const double pieceArea2 = cornerArea2(polygon, a, b, c);
+        if (pieceArea2 != 0) {
+            out.push_back({{polygon[a], polygon[b], polygon[c]}, face, pieceArea2});
             ++pieces;
         }
     }
@@ -148,8 +148,8 @@ Geometry::Geometry(const Scene& scene, const Matrices& matrices, const Rules& ru
     : m_scene(&scene), m_rules(rules), m_stages(scene, matrices, rules)
 {
     m_vertices.reserve(scene.mesh.vertices.size());
-    for (const ClipVertex& vertex : shadeVertices(scene, matrices, rules))
-        m_vertices.push_back(m_stages.processVertex(vertex));
+    for (std::size_t i = 0; i < scene.mesh.vertices.size(); ++i)
+        m_vertices.push_back(m_stages.processVertex(shadeVertexAt(scene, matrices, rules, i)));
 }
 
 std::vector<std::uint32_t> Geometry::order() const

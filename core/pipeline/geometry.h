@@ -1,6 +1,7 @@
 #pragma once
 #include "core/pipeline/clipping.h"
 #include "core/pipeline/culling.h"
+#include "core/pipeline/interpolation.h"
 #include "core/pipeline/observer.h"
 #include "core/pipeline/viewport.h"
 #include "core/scene/camera.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 namespace rasterlens
@@ -49,18 +51,8 @@ public:
         const ClipVerdict verdict = clipVerdict(m_rules.clipping, a.outcode, b.outcode, c.outcode);
         if (verdict == ClipVerdict::Reject)
             return FaceFate::Rejected;
-        if (verdict == ClipVerdict::Keep) {
-            // x = y = z = w = 0 is inside every plane, yet nowhere on the screen.
-            if (m_volume.cutBy != 0 && !(isBeforeEye(a.clip) && isBeforeEye(b.clip) && isBeforeEye(c.clip)))
-                return FaceFate::Degenerate;
-            const std::array<ScreenVertex, 3> polygon{a.screen, b.screen, c.screen};
-            for (std::uint32_t i = 0; i < 3; ++i)
-                observer.onViewport(face, static_cast<int>(i), corners[i]->clip, polygon[i]);
-            const FaceFate fate = facing(face, corners, polygon, observer);
-            if (fate == FaceFate::Rasterized)
-                out.push_back({polygon, face});
-            return fate;
-        }
+        if (verdict == ClipVerdict::Keep)
+            return drawUncut(face, corners, out, observer);
         const ClipTriangle triangle{{a.clip, b.clip, c.clip}, face};
         Clipper clipper(triangle, m_volume, a.outcode.cut | b.outcode.cut | c.outcode.cut, m_rules);
         clipper.clip(observer);
@@ -70,6 +62,25 @@ public:
     }
 
 private:
+    template <class Observer>
+    FaceFate drawUncut(std::uint32_t face, const Corners& corners, std::vector<ScreenTriangle>& out,
+                       Observer& observer) const
+    {
+        const ProcessedVertex& a = *corners[0];
+        const ProcessedVertex& b = *corners[1];
+        const ProcessedVertex& c = *corners[2];
+        // x = y = z = w = 0 is inside every plane, yet nowhere on the screen.
+        if (m_volume.cutBy != 0 && !(isBeforeEye(a.clip) && isBeforeEye(b.clip) && isBeforeEye(c.clip)))
+            return FaceFate::Degenerate;
+        for (std::uint32_t i = 0; i < 3; ++i)
+            observer.onViewport(face, static_cast<int>(i), corners[i]->clip, corners[i]->screen);
+        const double area2 = twiceArea(a.screen.position, b.screen.position, c.screen.position);
+        const FaceFate fate = facing(face, corners, area2, observer);
+        if (fate == FaceFate::Rasterized)
+            out.push_back({{a.screen, b.screen, c.screen}, face, area2});
+        return fate;
+    }
+
     template <class Observer>
     FaceFate drawClipped(std::uint32_t face, const Corners& corners, const Clipper& clipper,
                          std::vector<ScreenTriangle>& out, Observer& observer) const
@@ -84,8 +95,9 @@ private:
             ++count;
         }
         const std::span<const ScreenVertex> polygon(vertices.data(), count);
-        const FaceFate fate = facing(face, corners, polygon, observer);
-        const int pieces = fate == FaceFate::Rasterized ? appendFan(face, polygon, out) : 0;
+        const double area2 = twicePolygonArea(polygon);
+        const FaceFate fate = facing(face, corners, area2, observer);
+        const int pieces = fate == FaceFate::Rasterized ? appendFan(face, polygon, area2, out) : 0;
         observer.onClipped(face, pieces);
         if (!m_rules.clipUpdatesW)
             giveWOfCorners(corners, std::span(out).last(static_cast<std::size_t>(pieces)));
@@ -93,25 +105,25 @@ private:
     }
 
     /// Front, back or edge-on, in the space the rules ask for; zero area on the screen draws nothing in any.
+    ///
+    /// in   twice the area of what is left of the face on the screen
     template <class Observer>
-    FaceFate facing(std::uint32_t face, const Corners& corners, std::span<const ScreenVertex> polygon,
-                    Observer& observer) const
+    FaceFate facing(std::uint32_t face, const Corners& corners, double area2, Observer& observer) const
     {
         FacingDecision decision;
         decision.by = m_rules.facing;
-        decision.screenArea = twicePolygonArea(polygon) / 2;
+        decision.screenArea = area2 / 2;
         decision.value = m_rules.facing == Facing::ScreenArea ? decision.screenArea : facingElsewhere(face, corners);
-        decision.fate = fateOf(decision);
+        decision.fate = fateOf(area2, decision.value);
         observer.onFacing(face, decision);
         return decision.fate;
     }
 
-    [[nodiscard]] FaceFate fateOf(const FacingDecision& decision) const
+    [[nodiscard]] FaceFate fateOf(double area2, double facing) const
     {
-        const double area2 = 2 * decision.screenArea;
         if ((area2 == 0 && m_rules.rejectsZeroArea) || std::abs(area2) < m_rules.smallestArea2)
             return FaceFate::Degenerate;
-        return area2 == 0 ? FaceFate::Rasterized : cull(decision.value, m_rules);
+        return area2 == 0 ? FaceFate::Rasterized : cull(facing, m_rules);
     }
 
     /// Which way a face looks by what is not the area on the screen.
@@ -143,8 +155,10 @@ private:
     /// Cuts a polygon into triangles from a corner that sees all of it: snapping may have dented it a little. Where no
     /// corner does, snapping has folded it over itself, and its convex hull is drawn: no sample is hit twice.
     ///
+    /// in    twice the area of the polygon
     /// out   the number of triangles
-    static int appendFan(std::uint32_t face, std::span<const ScreenVertex> polygon, std::vector<ScreenTriangle>& out);
+    static int appendFan(std::uint32_t face, std::span<const ScreenVertex> polygon, double area2,
+                         std::vector<ScreenTriangle>& out);
 
     /// Gives the pieces of a cut face the w of the face's vertices, as if there had been no cut.
     static void giveWOfCorners(const Corners& corners, std::span<ScreenTriangle> pieces);
@@ -167,10 +181,30 @@ public:
     template <class Observer>
     FaceFate process(std::uint32_t face, std::vector<ScreenTriangle>& out, Observer& observer) const
     {
+        const std::size_t before = out.size();
         const FaceFate fate =
             m_stages.process(face, {&corner(face, 0), &corner(face, 1), &corner(face, 2)}, out, observer);
+        if (m_rules.cornerData != CornerData::Own)
+            for (ScreenTriangle& piece : std::span(out).subspan(before))
+                piece = withCornerData(piece, m_rules.cornerData);
         observer.onFace(face, fate);
         return fate;
+    }
+
+    /// The same for the first faces of those that are left to draw, as many as the observer wants at once.
+    ///
+    /// in   faces: at least one, in the order they are drawn in
+    /// out  their triangles, and the faces that are left then
+    template <class Observer>
+    std::span<const std::uint32_t> processBatch(std::span<const std::uint32_t> faces,
+                                                std::vector<ScreenTriangle>& triangles, Observer& observer) const
+    {
+        triangles.clear();
+        const std::size_t count = std::min<std::size_t>(faces.size(), Observer::kFacesPerBatch);
+        for (const std::uint32_t face : faces.first(count))
+            if (process(face, triangles, observer) == FaceFate::Rejected && !m_rules.continuesAfterReject)
+                return {};
+        return faces.subspan(count);
     }
 
     /// Faces from far to near by the mean depth of their corners (painter's algorithm), or in the order of the mesh.

@@ -1,6 +1,9 @@
 #include "core/pipeline/interpolation.h"
 
+#include "core/pipeline/triangle_setup.h"
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace rasterlens
@@ -13,6 +16,22 @@ double roundTo(double value, double quantum)
 {
     const double magic = quantum * 0x1.8p52;
     return (value + magic) - magic;
+}
+
+/// The greatest power of two that is not greater than a positive normal number.
+double powerOfTwoBelow(double value)
+{
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) & 0x7ff0000000000000U);
+}
+
+/// Whether the products in the edge functions, at samples within the extent of the triangle, are whole numbers of at
+/// most 53 bits in units of 2^-16.
+bool edgesFitDoubles(const ScreenTriangle& triangle)
+{
+    const auto& [a, b, c] = triangle.vertices;
+    const glm::dvec2 extent =
+        glm::max(glm::max(a.position, b.position), c.position) - glm::min(glm::min(a.position, b.position), c.position);
+    return extent.x * extent.y <= 0x1p36;
 }
 
 } // namespace
@@ -38,7 +57,7 @@ DepthPlane depthPlane(const ScreenTriangle& triangle, double area2, const Rules&
                            std::abs(perY) * std::max(std::abs(high.y), kPlaneMargin);
     if (!std::isfinite(largest) || !rules.depthLinear)
         return {.byWeights = true};
-    const double quantum = std::ldexp(1, std::ilogb(std::max(largest, 0x1p-900)) - 51);
+    const double quantum = powerOfTwoBelow(std::max(largest, 0x1p-900)) * 0x1p-51;
     const double extent = (high.x - low.x) + (high.y - low.y) + 1;
     // What rounding in the gradients themselves may add, seen from vertex a.
     const double steepness = (std::abs(zc * ab.y) + std::abs(zb * ac.y) + std::abs(zb * ac.x) + std::abs(zc * ab.x)) *
@@ -78,25 +97,15 @@ ScreenTriangle withCornerData(const ScreenTriangle& triangle, CornerData data)
     return out;
 }
 
-FaceInterpolation::FaceInterpolation(const ScreenTriangle& triangle, double area2, const Rules& rules)
-    : m_triangle(&triangle), m_inverseArea2(1 / area2), m_depth(depthPlane(triangle, area2, rules)),
+FaceInterpolation::FaceInterpolation(const ScreenTriangle& triangle, double area2, const Rules& rules, DepthUse use)
+    : m_triangle(&triangle), m_inverseArea2(1 / area2),
+      m_weightPerEdgeUnit(std::abs(m_inverseArea2) / (double(Grid<std::int64_t>::kUnit) * Grid<std::int64_t>::kUnit)),
+      m_isTurned(isTurned(area2, rules)), m_edgesFitDoubles(edgesFitDoubles(triangle)),
       m_varyingCount(static_cast<std::size_t>(rules.varyingCount)), m_perspectiveCorrect(rules.perspectiveCorrect),
       m_depthLinear(rules.depthLinear)
 {
-}
-
-Weights FaceInterpolation::weightsAt(int x, int y) const
-{
-    const auto& [a, b, c] = m_triangle->vertices;
-    const glm::dvec2 p(x + 0.5, y + 0.5);
-    const double wa = twiceArea(b.position, c.position, p) * m_inverseArea2;
-    const double wb = twiceArea(c.position, a.position, p) * m_inverseArea2;
-    return {wa, wb, 1 - wa - wb};
-}
-
-double FaceInterpolation::depthAt(int x, int y, const Weights& screen) const
-{
-    return m_depth.byWeights ? depthOf(screen) : m_depth.origin + m_depth.perX * x + m_depth.perY * y;
+    if (use == DepthUse::Read)
+        m_depth = depthPlane(triangle, area2, rules);
 }
 
 double FaceInterpolation::depthOf(const Weights& screen) const
@@ -104,26 +113,6 @@ double FaceInterpolation::depthOf(const Weights& screen) const
     const auto& [a, b, c] = m_triangle->vertices;
     const Weights weights = m_depthLinear ? screen : perspective(screen);
     return a.depth + (weights[1] * (b.depth - a.depth) + weights[2] * (c.depth - a.depth));
-}
-
-Weights FaceInterpolation::perspective(const Weights& screen) const
-{
-    if (!m_perspectiveCorrect)
-        return screen;
-    const auto& [a, b, c] = m_triangle->vertices;
-    const double wa = screen[0] * a.invW;
-    const double wb = screen[1] * b.invW;
-    const double wc = screen[2] * c.invW;
-    const double w = 1 / (wa + wb + wc);
-    return {wa * w, wb * w, wc * w};
-}
-
-void FaceInterpolation::varyings(const Weights& weights, Varyings& out) const
-{
-    const auto& [a, b, c] = m_triangle->vertices;
-    for (std::size_t k = 0; k < m_varyingCount; ++k)
-        out[k] =
-            static_cast<float>(weights[0] * a.varyings[k] + weights[1] * b.varyings[k] + weights[2] * c.varyings[k]);
 }
 
 UvGradient FaceInterpolation::uvGradient(const Weights& screen, const Weights& weights, std::size_t at) const

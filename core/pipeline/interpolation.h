@@ -2,6 +2,11 @@
 #include "core/pipeline/types.h"
 #include "core/settings/rules.h"
 
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+
 namespace rasterlens
 {
 
@@ -37,29 +42,81 @@ constexpr double kPlaneMargin = 4; ///< samples round the bounds where the plane
 /// The triangle with depth, w and varyings of its corners handed round as `data` says.
 [[nodiscard]] ScreenTriangle withCornerData(const ScreenTriangle& triangle, CornerData data);
 
+/// Whether anybody reads the depths of a triangle.
+enum class DepthUse { Read, Ignored };
+
 /// Everything needed to evaluate depth and varyings of one triangle at a sample.
 class FaceInterpolation
 {
 public:
-    /// in   a triangle whose area2 != 0
-    FaceInterpolation(const ScreenTriangle& triangle, double area2, const Rules& rules);
+    /// Values of the edge functions AB, BC, CA of a TriangleSetup in fixed point.
+    using EdgeIntegers = std::array<std::int64_t, 3>;
+
+    /// in   a triangle whose area2 != 0; whose depths are ignored must not be asked for one
+    FaceInterpolation(const ScreenTriangle& triangle, double area2, const Rules& rules, DepthUse use = DepthUse::Read);
 
     /// Screen-space barycentric weights at the centre of sample (x, y): edge value over area.
-    [[nodiscard]] Weights weightsAt(int x, int y) const;
+    [[nodiscard]] Weights weightsAt(int x, int y) const
+    {
+        const auto& [a, b, c] = m_triangle->vertices;
+        const glm::dvec2 p(x + 0.5, y + 0.5);
+        const double wa = twiceArea(b.position, c.position, p) * m_inverseArea2;
+        const double wb = twiceArea(c.position, a.position, p) * m_inverseArea2;
+        return {wa, wb, 1 - wa - wb};
+    }
+
+    /// The same weights, from the sample's edge values where these are at hand.
+    [[nodiscard]] Weights weightsAt(int x, int y, const EdgeIntegers& edges) const
+    {
+        if (!m_edgesFitDoubles)
+            return weightsAt(x, y);
+        const double wa = static_cast<double>(edges[1]) * m_weightPerEdgeUnit;
+        const double wb = static_cast<double>(m_isTurned ? edges[0] : edges[2]) * m_weightPerEdgeUnit;
+        return {wa, wb, 1 - wa - wb};
+    }
 
     /// Depth at the centre of the sample; linear on the screen.
     ///
-    /// in   the weights of the same sample
-    [[nodiscard]] double depthAt(int x, int y, const Weights& screen) const;
+    /// in   screen(): the weights of the same sample; called only where there is no plane
+    template <std::invocable ComputeWeights>
+    [[nodiscard]] double depthAt(int x, int y, ComputeWeights&& screen) const
+    {
+        return m_depth.byWeights ? depthOf(screen()) : m_depth.origin + m_depth.perX * x + m_depth.perY * y;
+    }
+    [[nodiscard]] double depthAt(int x, int y, const Weights& screen) const
+    {
+        return depthAt(x, y, [&] { return screen; });
+    }
 
     /// Depth of a point known by its weights alone (lines).
     [[nodiscard]] double depthOf(const Weights& screen) const;
 
     /// b_i / w_i over their sum; the weights as they are if perspective correction is off.
-    [[nodiscard]] Weights perspective(const Weights& screen) const;
+    [[nodiscard]] Weights perspective(const Weights& screen) const
+    {
+        if (!m_perspectiveCorrect)
+            return screen;
+        const auto& [a, b, c] = m_triangle->vertices;
+        const double wa = screen[0] * a.invW;
+        const double wb = screen[1] * b.invW;
+        const double wc = screen[2] * c.invW;
+        const double w = 1 / (wa + wb + wc);
+        return {wa * w, wb * w, wc * w};
+    }
 
-    /// The first rules.varyingCount floats: sum of weight times the vertices' varyings.
-    void varyings(const Weights& weights, Varyings& out) const;
+    /// Varying k: the sum of weight times what the vertices have.
+    [[nodiscard]] float varying(std::size_t k, const Weights& weights) const
+    {
+        const auto& [a, b, c] = m_triangle->vertices;
+        return static_cast<float>(weights[0] * a.varyings[k] + weights[1] * b.varyings[k] + weights[2] * c.varyings[k]);
+    }
+
+    /// The first rules.varyingCount floats.
+    void varyings(const Weights& weights, Varyings& out) const
+    {
+        for (std::size_t k = 0; k < m_varyingCount; ++k)
+            out[k] = varying(k, weights);
+    }
 
     /// The derivatives, at a sample, of the two varyings from `at` on.
     ///
@@ -71,6 +128,9 @@ public:
 private:
     const ScreenTriangle* m_triangle;
     double m_inverseArea2;
+    double m_weightPerEdgeUnit; ///< edge values are positive inside, whatever the sign of area2
+    bool m_isTurned;            ///< the set-up has B and C exchanged, so the edge opposite B is its first one
+    bool m_edgesFitDoubles;     ///< doubles hold all products of edge functions without rounding
     DepthPlane m_depth;
     std::size_t m_varyingCount;
     bool m_perspectiveCorrect;

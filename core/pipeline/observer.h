@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <type_traits>
 
 namespace rasterlens
 {
@@ -102,5 +103,11 @@ struct NullObserver {
     constexpr void onShade(const Fragment&, std::uint32_t /*color*/) {}
     constexpr void onWrite(int /*x*/, int /*y*/, Pixel /*before*/, Pixel /*after*/) {}
 };
+
+/// Whether an observer reads fragments: it then gets all their numbers, else only those the picture needs are computed.
+template <class Observer>
+constexpr bool kReadsFragments =
+    !std::is_same_v<decltype(&Observer::onFragment), decltype(&NullObserver::onFragment)> ||
+    !std::is_same_v<decltype(&Observer::onShade), decltype(&NullObserver::onShade)>;
 
 } // namespace rasterlens

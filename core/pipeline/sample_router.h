@@ -20,7 +20,7 @@ class SampleRouter
 public:
     SampleRouter(const Scene& scene, const Rules& rules, const SampleBuffer& samples, const glm::vec3& eyeWorld,
                  Observer& observer)
-        : m_scene(&scene), m_rules(&rules), m_stage(rules, samples, eyeWorld, observer)
+        : m_scene(&scene), m_rules(&rules), m_stage(scene, rules, samples, eyeWorld, observer)
     {
     }
 
@@ -33,10 +33,10 @@ public:
     void stopBy(std::stop_token stop) { m_stage.stopBy(std::move(stop)); }
     [[nodiscard]] bool stopped() const { return m_stage.stopped(); }
 
-    void begin(const FaceInterpolation& interpolation, const FaceUniforms& uniforms)
+    void begin(const ScreenTriangle& triangle)
     {
-        m_stage.begin(interpolation, uniforms);
-        m_mask = maskTest(*m_scene, interpolation.triangle().face, *m_rules);
+        m_stage.begin(triangle);
+        m_mask = maskTest(*m_scene, triangle.face, *m_rules);
     }
 
     void operator()(int x, int y)
@@ -47,6 +47,8 @@ public:
         draw(place, [&] { m_stage.drawElsewhere(x, y, place.x, place.y); });
     }
 
+    void operator()(int x, int y, const FaceInterpolation::EdgeIntegers&) { (*this)(x, y); }
+
     void operator()(int x, int y, const Weights& screen)
     {
         if (m_mask.mask == nullptr || !isHoleAt(screen))
@@ -55,7 +57,7 @@ public:
 
     void operator()(int x, int y, const Interpolants& interpolants)
     {
-        if (isHole(m_mask, m_stage.interpolation(), interpolants.screen, interpolants.weights))
+        if (isHole(m_mask, m_stage.interpolation(), interpolants.onScreen, interpolants.weights))
             return;
         const GridPoint place = placeOf(x, y);
         if (onTarget(place))

@@ -204,32 +204,24 @@ FaceUniforms faceUniforms(const Scene& scene, std::uint32_t face, Shading shadin
     return uniforms;
 }
 
-std::uint32_t shadeFragment(const Rules& rules, const FaceUniforms& uniforms, const Varyings& v, float depth,
-                            const glm::vec3& eyeWorld, const UvGradient& gradient)
+std::uint32_t shadeElaborately(const Rules& rules, const FaceUniforms& uniforms, const Varyings& v,
+                               const glm::vec3& eyeWorld, const UvGradient& gradient)
 {
     switch (rules.shading) {
-    case Shading::Gouraud: return packColor(get(v, kVaryingColor));
     case Shading::Texture:
         return packColor(get(v, kVaryingColor) * sampleTexture(*uniforms.texture, {v[kVaryingUv], v[kVaryingUv + 1]},
                                                                rules.textureFilter, gradient));
     case Shading::Phong: return packColor(phong(rules, uniforms, v, eyeWorld, gradient));
-    case Shading::Depth: return packColor(glm::vec3(depth));
     case Shading::Normals: return packColor(0.5F * glm::normalize(get(v, 0)) + 0.5F);
     case Shading::Uv: return packColor({fraction(v[0]), fraction(v[1]), 0});
+    case Shading::Gouraud:
+    case Shading::Depth:
     case Shading::Flat:
     case Shading::RandomFlat:
     case Shading::TriangleId:
     case Shading::Overdraw: break;
     }
     return uniforms.color;
-}
-
-std::uint32_t packColor(const glm::vec3& color)
-{
-    const auto channel = [](float c) {
-        return c >= 1.0F ? 255U : c > 0.0F ? static_cast<std::uint32_t>(c * 255.0F + 0.5F) : 0U;
-    };
-    return 0xff000000U | channel(color.r) << 16 | channel(color.g) << 8 | channel(color.b);
 }
 
 glm::vec3 unpackColor(std::uint32_t color)

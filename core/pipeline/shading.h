@@ -45,14 +45,43 @@ struct FaceUniforms {
     return rules.textureFilter == TextureFilter::Trilinear && uniforms.texture != nullptr;
 }
 
+/// round(255 * clamp(c, 0, 1)) for each channel; NaN gives 0.
+[[nodiscard]] inline std::uint32_t packColor(const glm::vec3& color)
+{
+    const auto channel = [](float c) {
+        const float held = c > 0.0F ? c : 0.0F;
+        return static_cast<std::uint32_t>(static_cast<int>((held < 1.0F ? held : 1.0F) * 255.0F + 0.5F));
+    };
+    return 0xff000000U | channel(color.r) << 16 | channel(color.g) << 8 | channel(color.b);
+}
+
+/// The colour of texture, phong, normals and uv; see shadeFragment().
+[[nodiscard]] std::uint32_t shadeElaborately(const Rules& rules, const FaceUniforms& uniforms, const Varyings& varyings,
+                                             const glm::vec3& eyeWorld, const UvGradient& gradient);
+
 /// A fragment's colour as 0xffRRGGBB.
 ///
 /// in   varyings as the shading lays them out; depth 0..1; eye in world space (phong); the gradient if it is needed
-[[nodiscard]] std::uint32_t shadeFragment(const Rules& rules, const FaceUniforms& uniforms, const Varyings& varyings,
-                                          float depth, const glm::vec3& eyeWorld, const UvGradient& gradient = {});
+[[nodiscard, gnu::always_inline]] inline std::uint32_t shadeFragment(const Rules& rules, const FaceUniforms& uniforms,
+                                                                     const Varyings& varyings, float depth,
+                                                                     const glm::vec3& eyeWorld,
+                                                                     const UvGradient& gradient = {})
+{
+    switch (rules.shading) {
+    case Shading::Gouraud: return packColor({varyings[0], varyings[1], varyings[2]});
+    case Shading::Depth: return packColor(glm::vec3(depth));
+    case Shading::Flat:
+    case Shading::RandomFlat:
+    case Shading::TriangleId:
+    case Shading::Overdraw: return uniforms.color;
+    case Shading::Texture:
+    case Shading::Phong:
+    case Shading::Normals:
+    case Shading::Uv: break;
+    }
+    return shadeElaborately(rules, uniforms, varyings, eyeWorld, gradient);
+}
 
-/// round(255 * clamp(c, 0, 1)) for each channel; NaN gives 0.
-[[nodiscard]] std::uint32_t packColor(const glm::vec3& color);
 [[nodiscard]] glm::vec3 unpackColor(std::uint32_t color);
 
 /// The texture's colour at uv; coordinates repeat, or with Texture::clamp the border goes on. Borders between nearest

@@ -98,6 +98,13 @@ template <class T>
     return edge;
 }
 
+/// Whether a triangle of this area is set up with B and C exchanged, so that its edge values are positive inside.
+template <class T>
+[[nodiscard]] bool isTurned(T area2, const Rules& rules)
+{
+    return area2 < 0 && rules.triangleOriented;
+}
+
 /// Edge functions, tie thresholds and bounds of a screen triangle.
 ///
 /// in      positions in samples; fixed point: snapped
@@ -122,7 +129,7 @@ template <class T>
     const T area2 = edgeFunction(setup.vertices[0], setup.vertices[1], rules).at(setup.vertices[2]);
     if (area2 == 0 && rules.rejectsZeroArea)
         return std::nullopt;
-    if (area2 < 0 && rules.triangleOriented) { // inside is where all three are positive: make it counter-clockwise
+    if (isTurned(area2, rules)) {
         std::swap(setup.vertices[1], setup.vertices[2]);
         std::swap(setup.source[1], setup.source[2]);
     }

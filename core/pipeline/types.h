@@ -67,6 +67,7 @@ struct ScreenVertex {
 struct ScreenTriangle {
     std::array<ScreenVertex, 3> vertices;
     std::uint32_t face;
+    double area2; ///< twice the signed area in samples squared, positive for counter-clockwise with y up
 };
 
 /// Screen-space barycentric weights of the vertices A, B, C; they sum to 1.

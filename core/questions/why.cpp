@@ -110,10 +110,7 @@ class PixelStage
 public:
     PixelStage(SampleRouter<StepRecorder>& stage, const PixelRect& samples) : m_stage(&stage), m_samples(samples) {}
 
-    void begin(const FaceInterpolation& interpolation, const FaceUniforms& uniforms)
-    {
-        m_stage->begin(interpolation, uniforms);
-    }
+    void begin(const ScreenTriangle& triangle) { m_stage->begin(triangle); }
 
     [[nodiscard]] bool stopped() const { return m_stage->stopped(); }
 
@@ -215,6 +212,7 @@ private:
                                          recorder);
         stage.stopBy(m_stop);
         const int grid = m_rules.sampleGrid;
+        const auto cover = coverFor<PixelStage, StepRecorder>(m_rules);
         PixelStage pixelStage(stage, {m_report.x * grid, m_report.y * grid, grid, grid});
         for (const std::uint32_t face : m_toDraw) {
             if (m_stop.stop_requested())
@@ -223,7 +221,7 @@ private:
             m_geometry.process(face, m_batch, recorder);
             for (const ScreenTriangle& triangle : m_batch)
                 if (isNear(triangle))
-                    drawTriangle(m_scene, triangle, m_rules, pixelStage, recorder);
+                    drawTriangle(triangle, m_rules, cover, pixelStage, recorder);
         }
         if (!m_stop.stop_requested())
             framebuffer.resolve();
@@ -313,8 +311,7 @@ private:
 
     void judgeHole(WhyFace& row, const ScreenTriangle& triangle, const MaskTest& test) const
     {
-        const auto& [a, b, c] = triangle.vertices;
-        const FaceInterpolation interpolation(triangle, twiceArea(a.position, b.position, c.position), m_rules);
+        const FaceInterpolation interpolation(triangle, triangle.area2, m_rules);
         const Weights screen = interpolation.weightsAt(m_report.sampleX, m_report.sampleY);
         const float opacity = opacityAt(test, interpolation, screen, interpolation.perspective(screen));
         if (!(opacity < kLeastOpacity))

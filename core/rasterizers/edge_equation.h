@@ -1,5 +1,4 @@
 #pragma once
-#include "core/pipeline/interpolation.h"
 #include "core/pipeline/observer.h"
 #include "core/pipeline/stopping.h"
 #include "core/pipeline/triangle_setup.h"
@@ -22,9 +21,10 @@ struct EdgeEquation {
         return std::nullopt;
     }
 
-    /// Calls emit(x, y) for every covered sample, row by row from the top, left to right.
+    /// Calls emit for every covered sample, row by row from the top, left to right: emit(x, y, edge values) where these
+    /// are integers that tell the weights, else emit(x, y).
     template <class T, class Emit, class Observer>
-    static void cover(const TriangleSetup<T>& setup, const FaceInterpolation&, const Rules& rules, Emit& emit,
+    static void cover(const TriangleSetup<T>& setup, const ScreenTriangle&, const Rules& rules, Emit& emit,
                       Observer& observer)
     {
         if (rules.insideTest != InsideTest::AllPositive || rules.samplesTruncated)
@@ -51,6 +51,15 @@ private:
         return {static_cast<double>(e[0]), static_cast<double>(e[1]), static_cast<double>(e[2])};
     }
 
+    template <class T, class Emit>
+    [[gnu::always_inline]] static void emitWithEdges(int x, int y, const Values<T>& e, Emit& emit)
+    {
+        if constexpr (std::is_same_v<T, std::int64_t>)
+            emit(x, y, e);
+        else
+            emit(x, y);
+    }
+
     /// Three start values; then add A for each column and B for each row.
     template <class T, class Emit, class Observer>
     static void coverIncremental(const TriangleSetup<T>& setup, Emit& emit, Observer& observer)
@@ -71,7 +80,7 @@ private:
                 const bool covered = inside(e, setup);
                 observer.onSample(x, y, observed(e), covered);
                 if (covered)
-                    emit(x, y);
+                    emitWithEdges(x, y, e, emit);
                 for (std::size_t i = 0; i < 3; ++i)
                     e[i] += perColumn[i];
             }
@@ -146,7 +155,7 @@ private:
                 const bool covered = inside(e, setup);
                 observer.onSample(x, y, observed(e), covered);
                 if (covered)
-                    emit(x, y);
+                    emitWithEdges(x, y, e, emit);
             }
     }
 };

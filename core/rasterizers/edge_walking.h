@@ -162,9 +162,9 @@ struct CarriedPoint {
         CarriedPoint p;
         p.x = std::lerp(x, other.x, m);
         p.w = std::lerp(w, other.w, n);
-        p.values.depth = std::lerp(values.depth, other.values.depth, rules.depthLinear ? m : n);
+        p.values.carriedDepth = std::lerp(values.carriedDepth, other.values.carriedDepth, rules.depthLinear ? m : n);
         for (std::size_t i = 0; i < 3; ++i) {
-            p.values.screen[i] = std::lerp(values.screen[i], other.values.screen[i], m);
+            p.values.onScreen[i] = std::lerp(values.onScreen[i], other.values.onScreen[i], m);
             p.values.weights[i] = std::lerp(values.weights[i], other.values.weights[i], n);
         }
         return p;
@@ -180,8 +180,8 @@ struct EdgeWalking {
     /// Calls emit(x, y) for every covered sample, row by row from the top, left to right; with edge-then-span also
     /// what was interpolated on the way.
     template <class T, class Emit, class Observer>
-    static void cover(const TriangleSetup<T>& setup, const FaceInterpolation& interpolation, const Rules& rules,
-                      Emit& emit, Observer& observer)
+    static void cover(const TriangleSetup<T>& setup, const ScreenTriangle& triangle, const Rules& rules, Emit& emit,
+                      Observer& observer)
     {
         const Sorted<T> s = sortByY(setup);
         if (s.vertices[0].y == s.vertices[2].y)
@@ -199,13 +199,13 @@ struct EdgeWalking {
             EdgeWalker<T> longEdge(s.vertices[0], endOf(2), y, rules.stepping);
             EdgeWalker<T> shortEdge(s.vertices[0], endOf(1), y, rules.stepping);
             for (; y <= rows.last && isUpperHalf(y, s) && !isStopped(emit); ++y, longEdge.step(), shortEdge.step())
-                fillSpan(y, longEdge, shortEdge, s, setup, interpolation, rules, emit, observer);
+                fillSpan(y, longEdge, shortEdge, s, setup, triangle, rules, emit, observer);
         }
         if (y <= rows.last && !isStopped(emit)) {
             EdgeWalker<T> longEdge(s.vertices[0], endOf(2), y, rules.stepping);
             EdgeWalker<T> shortEdge(s.vertices[1], endOf(2), y, rules.stepping);
             for (; y <= rows.last && !isStopped(emit); ++y, longEdge.step(), shortEdge.step())
-                fillSpan(y, longEdge, shortEdge, s, setup, interpolation, rules, emit, observer);
+                fillSpan(y, longEdge, shortEdge, s, setup, triangle, rules, emit, observer);
         }
     }
 
@@ -277,8 +277,8 @@ private:
 
     template <class T, class Emit, class Observer>
     static void fillSpan(int y, const EdgeWalker<T>& longEdge, const EdgeWalker<T>& shortEdge, const Sorted<T>& s,
-                         const TriangleSetup<T>& setup, const FaceInterpolation& interpolation, const Rules& rules,
-                         Emit& emit, Observer& observer)
+                         const TriangleSetup<T>& setup, const ScreenTriangle& triangle, const Rules& rules, Emit& emit,
+                         Observer& observer)
     {
         const EdgeWalker<T>& leftEdge = s.longEdgeIsLeft ? longEdge : shortEdge;
         const EdgeWalker<T>& rightEdge = s.longEdgeIsLeft ? shortEdge : longEdge;
@@ -297,20 +297,19 @@ private:
             for (int x = xBegin; x < xEnd; ++x)
                 emit(x, y);
         } else if (xBegin < xEnd) {
-            emitCarried(y, xBegin, xEnd, s, interpolation, rules, emit);
+            emitCarried(y, xBegin, xEnd, s, triangle, rules, emit);
         }
     }
 
     /// Interpolates along the long and the short edge to the row, then along the span to every sample.
     template <class T, class Emit>
-    static void emitCarried(int y, int xBegin, int xEnd, const Sorted<T>& s, const FaceInterpolation& interpolation,
+    static void emitCarried(int y, int xBegin, int xEnd, const Sorted<T>& s, const ScreenTriangle& triangle,
                             const Rules& rules, Emit& emit)
     {
-        const ScreenTriangle& triangle = interpolation.triangle();
         const auto point = [&](std::size_t i) {
             const ScreenVertex& v = triangle.vertices[s.source[i]];
             CarriedPoint p{v.position.x, 1 / v.invW, {v.depth, {0, 0, 0}, {0, 0, 0}}};
-            p.values.screen[s.source[i]] = p.values.weights[s.source[i]] = 1;
+            p.values.onScreen[s.source[i]] = p.values.weights[s.source[i]] = 1;
             return p;
         };
         const auto onEdge = [&](std::size_t i, std::size_t j) {

@@ -137,8 +137,8 @@ void drawWireframe(const ScreenTriangle& triangle, const Rules& rules, Emit& emi
 }
 
 /// Draws the three corners of a triangle.
-template <class Emit>
-void drawPoints(const ScreenTriangle& triangle, Emit& emit)
+template <class Emit, class Observer>
+void drawPoints(const ScreenTriangle& triangle, const Rules&, Emit& emit, Observer&)
 {
     for (std::size_t i = 0; i < 3; ++i) {
         Weights weights{0, 0, 0};

@@ -13,40 +13,73 @@
 namespace rasterlens
 {
 
-/// Finds the samples of a screen triangle with the algorithm and the number type of the rules.
-template <class T, class Stage, class Observer>
-void coverTriangle(const ScreenTriangle& triangle, const FaceInterpolation& interpolation, const Rules& rules,
-                   Stage& stage, Observer& observer)
+/// Finds the samples of a screen triangle and hands them to the stage.
+template <class Stage, class Observer>
+using Cover = void (*)(const ScreenTriangle&, const Rules&, Stage&, Observer&);
+
+/// Finds the samples of the area, with numbers of type T.
+template <class Rasterizer, class T, class Stage, class Observer>
+void coverArea(const ScreenTriangle& triangle, const Rules& rules, Stage& stage, Observer& observer)
 {
     const std::optional<TriangleSetup<T>> setup = setupTriangle<T>(triangle, rules);
     observer.onSetup(setup);
-    if (!setup)
-        return;
-    forEachTriangleRasterizer([&](auto rasterizer) {
-        if (rasterizer.info.algorithm == rules.algorithm)
-            rasterizer.cover(*setup, interpolation, rules, stage, observer);
+    if (setup)
+        Rasterizer::cover(*setup, triangle, rules, stage, observer);
+}
+
+template <class Rasterizer, class Stage, class Observer>
+[[nodiscard]] Cover<Stage, Observer> coverWith(NumberType type)
+{
+    switch (type) {
+    case NumberType::Fixed: return coverArea<Rasterizer, std::int64_t, Stage, Observer>;
+    case NumberType::Float32: return coverArea<Rasterizer, float, Stage, Observer>;
+    case NumberType::Float64: break;
+    }
+    return coverArea<Rasterizer, double, Stage, Observer>;
+}
+
+/// The way to samples that the rules ask for: lines, corners, or the area by one of the algorithms.
+template <class Stage, class Observer>
+[[nodiscard]] Cover<Stage, Observer> coverFor(const Rules& rules)
+{
+    switch (rules.fill) {
+    case Fill::Wireframe: return drawWireframe<Stage, Observer>;
+    case Fill::Points: return drawPoints<Stage, Observer>;
+    case Fill::Solid: break;
+    }
+    Cover<Stage, Observer> cover = nullptr;
+    forEachTriangleRasterizer([&]<class Rasterizer>(Rasterizer) {
+        if (Rasterizer::info.algorithm == rules.algorithm)
+            cover = coverWith<Rasterizer, Stage, Observer>(rules.numberType);
     });
+    return cover;
 }
 
 template <class Stage, class Observer>
-void drawTriangle(const Scene& scene, const ScreenTriangle& triangle, const Rules& rules, Stage& stage,
+void drawTriangle(const ScreenTriangle& triangle, const Rules& rules, Cover<Stage, Observer> cover, Stage& stage,
                   Observer& observer)
 {
-    const auto& [a, b, c] = triangle.vertices;
-    const double area2 = twiceArea(a.position, b.position, c.position);
-    const FaceInterpolation interpolation(triangle, area2, rules);
-    const FaceUniforms uniforms = faceUniforms(scene, triangle.face, rules.shading);
-    stage.begin(interpolation, uniforms);
+    stage.begin(triangle);
     observer.onTriangle(triangle);
-    switch (rules.fill) {
-    case Fill::Wireframe: drawWireframe(triangle, rules, stage, observer); return;
-    case Fill::Points: drawPoints(triangle, stage); return;
-    case Fill::Solid: break;
-    }
-    switch (rules.numberType) {
-    case NumberType::Fixed: coverTriangle<std::int64_t>(triangle, interpolation, rules, stage, observer); break;
-    case NumberType::Float32: coverTriangle<float>(triangle, interpolation, rules, stage, observer); break;
-    case NumberType::Float64: coverTriangle<double>(triangle, interpolation, rules, stage, observer); break;
+    cover(triangle, rules, stage, observer);
+}
+
+/// Draws the faces in this order, from clip space to the samples.
+template <class Stage, class Observer>
+void drawFaces(const Geometry& geometry, std::span<const std::uint32_t> faces, const Rules& rules, Stage& stage,
+               Observer& observer, StageTimes& times)
+{
+    const Cover<Stage, Observer> cover = coverFor<Stage, Observer>(rules);
+    std::vector<ScreenTriangle> triangles;
+    Stopwatch watch;
+    while (!faces.empty() && !stage.stopped()) {
+        faces = geometry.processBatch(faces, triangles, observer); // clip, to the screen, cull
+        times.geometry += watch.lap();
+        for (const ScreenTriangle& triangle : triangles) {
+            drawTriangle(triangle, rules, cover, stage, observer); // set up, cover; the stage shades and writes
+            stage.finish();
+        }
+        times.raster += watch.lap();
     }
 }
 
@@ -64,35 +97,19 @@ void drawScene(const Scene& scene, const Settings& settings, Frame& frame, Outpu
     times.raster += watch.lap();
 
     const Geometry geometry(scene, matrices, rules);
-    std::vector<std::uint32_t> order = geometry.order();
+    const std::vector<std::uint32_t> order = geometry.order();
     times.vertex += watch.lap();
 
-    FragmentStage<Observer> stage(rules, framebuffer.samples(), glm::vec3(matrices.eyeObject), observer);
-    SampleRouter<Observer> router(scene, rules, framebuffer.samples(), glm::vec3(matrices.eyeObject), observer);
-    stage.stopBy(stop);
-    router.stopBy(stop);
-    const bool routed = SampleRouter<Observer>::wanted(rules);
-    std::vector<ScreenTriangle> batch;
-    for (std::size_t i = 0; i < order.size() && !stop.stop_requested();) {
-        batch.clear();
-        for (int k = 0; k < Observer::kFacesPerBatch && i < order.size(); ++k, ++i) {
-            const FaceFate fate = geometry.process(order[i], batch, observer);
-            if (fate == FaceFate::Rejected && !rules.continuesAfterReject)
-                order.resize(i + 1);
-        }
-        times.geometry += watch.lap();
-        for (ScreenTriangle& triangle : batch) {
-            if (rules.cornerData != CornerData::Own)
-                triangle = withCornerData(triangle, rules.cornerData);
-            if (routed) {
-                drawTriangle(scene, triangle, rules, router, observer);
-                router.finish();
-            } else {
-                drawTriangle(scene, triangle, rules, stage, observer);
-            }
-        }
-        times.raster += watch.lap();
-    }
+    const auto drawInto = [&]<class Stage>(Stage stage) {
+        stage.stopBy(stop);
+        drawFaces(geometry, order, rules, stage, observer, times);
+    };
+    const glm::vec3 eye(matrices.eyeObject);
+    if (SampleRouter<Observer>::wanted(rules))
+        drawInto(SampleRouter<Observer>(scene, rules, framebuffer.samples(), eye, observer));
+    else
+        drawInto(FragmentStage<Observer>(scene, rules, framebuffer.samples(), eye, observer));
+    watch.lap();
     if (!stop.stop_requested())
         framebuffer.resolve();
     times.raster += watch.lap();

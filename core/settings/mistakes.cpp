@@ -1,4 +1,4 @@
-#include "core/settings/mistake_steps.h"
+#include "core/settings/mistakes.h"
 
 #include <QCoreApplication>
 

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/settings/rules.h"
+#include "core/settings/step_kind.h"
 
 #include <span>
 
@@ -48,5 +49,10 @@ struct Mistake {
 
 /// The mistake of that id, or null.
 [[nodiscard]] const Mistake* findMistake(const QString& id);
+
+/// The steps that the wrong line of a mistake is run at.
+///
+/// in   one of mistakes()
+[[nodiscard]] StepKinds stepsOf(const Mistake& mistake);
 
 } // namespace rasterlens

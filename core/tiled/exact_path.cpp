@@ -70,6 +70,8 @@ ScreenTriangle screenTriangle(const FrameJob& job, const Chunk& chunk, std::uint
         triangle.vertices[k] = v.screen;
         triangle.vertices[k].varyings = v.clip.varyings;
     }
+    const auto& [a, b, c] = triangle.vertices;
+    triangle.area2 = twiceArea(a.position, b.position, c.position);
     return triangle;
 }
 
@@ -79,8 +81,7 @@ void coverExactly(const FrameJob& job, const ScreenTriangle& piece, std::uint32_
     const auto setup = setupTriangle<std::int64_t>(piece, job.rules);
     if (!setup)
         return;
-    const auto& [a, b, c] = piece.vertices;
-    const FaceInterpolation interpolation(piece, twiceArea(a.position, b.position, c.position), job.rules);
+    const FaceInterpolation interpolation(piece, piece.area2, job.rules);
     const MaskTest mask = maskTest(*job.scene, piece.face, job.rules);
     const PixelRect& box = setup->bounds;
     const int yEnd = std::min({box.y + box.height, origin.y + job.grid.pitch, job.rules.rows()});
@@ -117,8 +118,7 @@ void shadeExactly(const FrameJob& job, const VisibleTriangle& visible, const Blo
                   TileSamples& samples)
 {
     const ScreenTriangle triangle = screenTriangle(job, *visible.chunk, visible.source);
-    const auto& [a, b, c] = triangle.vertices;
-    const FaceInterpolation interpolation(triangle, twiceArea(a.position, b.position, c.position), job.rules);
+    const FaceInterpolation interpolation(triangle, triangle.area2, job.rules);
     const FaceUniforms uniforms = faceUniforms(*job.scene, triangle.face, job.rules.shading);
     for (unsigned lanes = share.lanes; lanes != 0; lanes &= lanes - 1) {
         const int lane = std::countr_zero(lanes);

@@ -3,7 +3,7 @@
 #include "core/observe/because.h"
 #include "core/observe/step_text.h"
 #include "core/settings/depth_rules.h"
-#include "core/settings/mistake_steps.h"
+#include "core/settings/mistakes.h"
 #include "ui/base/numbers.h"
 #include "ui/base/step_words.h"
 #include "ui/steps/lens_model.h"
