@@ -22,8 +22,8 @@ namespace rasterlens
 /// stored event.
 struct StepFilter {
     std::optional<std::uint32_t> face; ///< only this face
-    /// Only what happens to samples of these pixels, and spans that hold one. Of what belongs to no pixel (vertices,
-    /// clipping, set-up) only that of faces and triangles to which something happens there.
+    /// Only what happens to samples of these pixels, and spans that hold one. Events that belong to no pixel (vertices,
+    /// clipping, set-up) are stored for the faces and triangles to which something happens there.
     std::optional<PixelRect> pixels;
     StepKinds kinds = kAllSteps; ///< End is always stored
     std::size_t cap = 1'000'000; ///< most events stored beside End; the drawing stops there
@@ -201,8 +201,8 @@ struct DecidingEdge {
     [[nodiscard]] bool isTie() const { return value == 0; }
 };
 
-/// Of the edges whose value fails its threshold, or else of all, the one with the smallest value. Where a sample is
-/// inside because all values are at most their threshold, a mistake, the one with the largest.
+/// The edge that decides about a sample: the smallest value of those that fail their thresholds, or else of all three.
+/// Under the mistake that takes a sample as inside where all values are at most their threshold, the largest value.
 [[nodiscard]] DecidingEdge decidingEdge(const StepSetup& setup, const EdgeValues& values, const Rules& rules);
 
 /// One triangle that is drawn: a whole face or a piece of a cut one.

@@ -36,7 +36,7 @@ struct StepParts {
 /// One event in one line, as `rasterlens-cli steps` prints it: kind, face, place, numbers. Not translated.
 [[nodiscard]] QString stepText(const StepLog& log, std::size_t i);
 
-/// The same with every number in full.
+/// One event as a JSON object, with every number in full.
 [[nodiscard]] QJsonObject stepJson(const StepLog& log, std::size_t i);
 
 } // namespace rasterlens
