@@ -19,7 +19,7 @@ namespace rasterlens
 /// source  Olano & Greer, Triangle Scan Conversion using 2D Homogeneous Coordinates, 1997
 [[nodiscard]] double clipDeterminant(const ClipTriangle& triangle);
 
-/// The same determinant with all w taken to be the same: twice the area of x and y in clip space.
+/// clipDeterminant() as if all w were equal: twice the area of x and y in clip space.
 [[nodiscard]] double areaWithoutDivide(const ClipTriangle& triangle);
 
 /// Twice the area of x/w and y/w, whatever the signs of w are; not a number where a w is 0.

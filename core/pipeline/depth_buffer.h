@@ -8,8 +8,8 @@
 namespace rasterlens
 {
 
-/// The depths of a frame, 0..1, row by row from the top. It is read like a constant vector; what may have been written
-/// to has another key(), so whoever drew into it can tell whether it is still as it was left.
+/// The depths of a frame, 0..1, row by row from the top. It is read like a constant vector. Each time it may have been
+/// written to, its key() changes, so the tiled algorithm can tell whether it is still as its last frame left it.
 class DepthBuffer
 {
 public:

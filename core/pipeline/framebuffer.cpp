@@ -35,7 +35,8 @@ T* resized(std::vector<T>& plane, std::size_t count)
 
 float* resized(DepthBuffer& plane, std::size_t count) { return plane.write(count); }
 
-/// Of an N x N grid of samples, the one nearest the pixel's centre (the lower right of the middle four if N is even).
+/// Picks from each N x N grid of samples the one nearest the pixel's centre (the lower right of the middle four if N is
+/// even).
 template <class Plane>
 void pickCentres(const Plane& samples, Plane& plane, int width, int height, int grid)
 {

@@ -12,7 +12,7 @@ namespace rasterlens
 {
 
 /// The samples of one frame: what fragments are written to, before the box filter makes pixels of them.
-/// Planes nobody asked for are null.
+/// Planes that were not asked for are null.
 struct SampleBuffer {
     int columns = 0;
     int rows = 0;

@@ -44,7 +44,7 @@ struct SpanEnds {
     bool longEdgeIsLeft = false;
     bool upperHalf = false;    ///< the short edge goes from top to middle, else from middle to bottom
     std::int64_t begin = 0;    ///< first sample of the span, before it is held within the bounds
-    std::int64_t end = 0;      ///< one past the last, likewise
+    std::int64_t end = 0;      ///< one past the last sample, before it is held within the bounds
     bool leftOwnsTie = true;   ///< a centre on the left edge is inside: ceil(v - 0.5), else floor(v - 0.5) + 1
     bool rightOwnsTie = false; ///< a centre on the right edge is inside
 };
@@ -61,8 +61,8 @@ struct LineDecision {
     bool sideways = false; ///< the shorter axis is stepped along
 };
 
-/// Is told what happens; this one is told nothing that lasts, and compiles to nothing.
-/// Derive and *shadow* what you want to know: no virtuals. Arguments are values the algorithm already has.
+/// The observer that ignores every event. Pass it for full speed: all calls compile away. To listen, derive a class and
+/// *shadow* the functions of the events you need; none is virtual. Arguments are values that the algorithm already has.
 struct NullObserver {
     /// Faces that go through geometry before the first of them is rasterized: many are fast, one keeps the order of
     /// events face by face.

@@ -64,7 +64,8 @@ public:
             draw(place, [&] { m_stage(place.x, place.y, interpolants); });
     }
 
-    /// To be called after the last sample of a triangle: its samples are tested against what was there before it.
+    /// Call this after the last sample of a triangle. Until then all its samples are tested against the depths that
+    /// were there before the triangle.
     void finish()
     {
         for (const GridPoint place : m_depthWritten)

@@ -16,7 +16,7 @@ namespace rasterlens
 /// covers  `reversedZ` of clip-space scenes, by mirroring z
 [[nodiscard]] std::vector<ClipVertex> shadeVertices(const Scene& scene, const Matrices& matrices, const Rules& rules);
 
-/// The same for one vertex, by its index in the mesh.
+/// Takes one vertex to clip space, by its index in the mesh, as shadeVertices() does.
 [[nodiscard]] ClipVertex shadeVertexAt(const Scene& scene, const Matrices& matrices, const Rules& rules,
                                        std::size_t index);
 
