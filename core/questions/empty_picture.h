@@ -19,7 +19,7 @@ struct EmptyPicture {
 /// Nothing where something was drawn.
 [[nodiscard]] std::optional<EmptyPicture> whyEmpty(const Statistics& statistics);
 
-/// The same for a scene that has not been drawn yet.
+/// Says why a scene that has not been drawn yet would show nothing; nothing where something would be seen.
 ///
 /// in     settings for which unsupported() is empty
 /// cost   as a rule that of a picture of a few hundred faces; where that is empty, of the whole picture

@@ -348,7 +348,7 @@ private:
                m_report.sampleY < r.y + r.height;
     }
 
-    /// Of the pieces of a face the one that got furthest speaks for it.
+    /// Raises the verdict of a face by one of its pieces: the piece that got furthest decides.
     void judgeEdges(WhyFace& row, const StepSetup& setup, const EdgeValues& values) const
     {
         const DecidingEdge deciding = decidingEdge(setup, values, m_rules);

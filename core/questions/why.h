@@ -15,7 +15,7 @@ namespace rasterlens
 
 /// What became of a face at a pixel. The order is that of the pipeline: the further down, the further it got.
 enum class WhyVerdict {
-    NonFinite,   ///< a vertex is no number: nobody can say where the face is
+    NonFinite,   ///< a vertex is no number, so the face has no place on the screen
     Rejected,    ///< outside the view volume as a whole
     CulledBack,  ///< faces away
     CulledFront, ///< faces the eye
