@@ -49,7 +49,7 @@ void bresenhamLine(GridPoint from, GridPoint to, Plot&& plot, Observer& observer
     }
 }
 
-/// The same line by adding the slope in floating point and rounding.
+/// Draws a line by adding the slope in floating point and rounding, both ends included.
 ///
 /// source  digital differential analyzer: Foley & van Dam, Computer Graphics, section 3.2.1
 template <class Plot>
@@ -65,7 +65,7 @@ void ddaLine(GridPoint from, GridPoint to, Plot&& plot)
 }
 
 /// The line column by column, dy/dx rows in each, the last column included: it runs past its end, the farther the
-/// steeper it is. Of a vertical line, where dy/dx divides by zero, only the first sample is drawn.
+/// steeper it is. A vertical line, where dy/dx divides by zero, loses all samples but the first.
 template <class Plot>
 void columnLine(GridPoint from, GridPoint to, Plot&& plot)
 {
