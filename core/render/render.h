@@ -36,7 +36,7 @@ namespace rasterlens
 void render(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs = {},
             std::stop_token stop = {});
 
-/// The same picture bit for bit, and what was done for it.
+/// Draws one frame as render() does, bit for bit, and counts what was done for it.
 [[nodiscard]] Statistics renderCounted(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs = {},
                                        std::stop_token stop = {});
 
