@@ -16,7 +16,7 @@ namespace rasterlens
     }
     return "";
 }
-/// The same for rules: empty too where depth is not tested.
+/// The sign of the comparison that the rules make; empty where depth is not tested.
 [[nodiscard]] constexpr const char* depthSign(const Rules& rules)
 {
     return rules.depthTested ? compareSign(rules.depthCompare) : "";

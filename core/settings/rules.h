@@ -10,7 +10,7 @@ namespace rasterlens
 
 enum class DepthCompare { Less, LessEqual, Greater, GreaterEqual, Always };
 
-// Of each of these, the first is right.
+// The first enumerator of each of these is the right one; the others are for mistakes or for settings.
 
 /// What decides which way a face looks.
 enum class Facing {
@@ -64,7 +64,8 @@ enum class Resolve {
 };
 
 /// What the stages read: Settings resolved into numbers and enumerations. Default-constructed = correct graphics.
-/// A mistake is a wrong value in here; no stage knows about mistakes.
+/// A mistake sets a field to a wrong value. Some fields exist for mistakes only; stages read the field, and never ask
+/// which mistakes are on.
 struct Rules {
     // Vertex stage and shading
     Shading shading = Shading::Gouraud;
