@@ -395,7 +395,7 @@ void LensOverlay::paintCorners(View& view) const
         at[i] = view.at(triangle.screen.vertices[i].position);
         middle += at[i] / 3;
     }
-    // Of a triangle that is hardly to be seen the letters would hide the neighbours.
+    // The letters of a triangle that is hardly to be seen would hide its neighbours.
     constexpr double kLabelsFromSide = 40;
     const QRectF extent = QPolygonF{{at[0], at[1], at[2]}}.boundingRect();
     if (std::max(extent.width(), extent.height()) < kLabelsFromSide)

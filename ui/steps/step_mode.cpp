@@ -101,7 +101,7 @@ FramePtr StepMode::frame()
     const StepCursor* cursor = m_session.cursor();
     if (!cursor || m_session.isRecording())
         return nullptr;
-    // The memory of the picture before the last, which nobody shows any more, is used again.
+    // The memory of the picture before the last, which is not shown any more, is used again.
     std::swap(m_frame, m_formerFrame);
     if (!m_frame || m_frame.use_count() > 1)
         m_frame = std::make_shared<RenderedFrame>();

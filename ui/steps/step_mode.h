@@ -40,7 +40,7 @@ public:
     ///
     /// in  isPlace()
     void showStep(const QString& where);
-    /// Likewise to the first event of a face at a pixel.
+    /// Opens the step mode and goes to the first event of a face at a pixel as soon as the record is there.
     void showFace(quint32 face, QPoint pixel);
     /// A number, `tie`, `sign-change`, `depth-fail`, `clip` or `nan`.
     [[nodiscard]] static bool isPlace(const QString& where);
@@ -74,7 +74,7 @@ private:
     std::shared_ptr<RenderedFrame> m_frame;       ///< last handed out
     std::shared_ptr<RenderedFrame> m_formerFrame; ///< before that
     QString m_wanted;                             ///< where to go when the record is there
-    /// Likewise.
+    /// The face and pixel to go to when the record is there.
     std::optional<std::pair<quint32, QPoint>> m_wantedFace;
 };
 
