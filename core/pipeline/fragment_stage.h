@@ -84,7 +84,8 @@ public:
         m_uniforms = faceUniforms(*m_scene, triangle.face, m_rules->shading);
     }
 
-    /// To be called after the last sample of a triangle.
+    /// Call this after the last sample of a triangle. Nothing waits for the end here; SampleRouter::finish() does
+    /// something.
     void finish() {}
 
     // Many loops call the next two, which makes compilers hesitate to inline them.

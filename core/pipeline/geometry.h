@@ -191,7 +191,7 @@ public:
         return fate;
     }
 
-    /// The same for the first faces of those that are left to draw, as many as the observer wants at once.
+    /// Takes the first of the faces that are left to draw through the stages, as many as the observer wants at once.
     ///
     /// in   faces: at least one, in the order they are drawn in
     /// out  their triangles, and the faces that are left then

@@ -42,7 +42,7 @@ constexpr double kPlaneMargin = 4; ///< samples round the bounds where the plane
 /// The triangle with depth, w and varyings of its corners handed round as `data` says.
 [[nodiscard]] ScreenTriangle withCornerData(const ScreenTriangle& triangle, CornerData data);
 
-/// Whether anybody reads the depths of a triangle.
+/// Whether the depths of a triangle are read: by the depth test, a shading or an output.
 enum class DepthUse { Read, Ignored };
 
 /// Everything needed to evaluate depth and varyings of one triangle at a sample.
@@ -65,7 +65,7 @@ public:
         return {wa, wb, 1 - wa - wb};
     }
 
-    /// The same weights, from the sample's edge values where these are at hand.
+    /// Screen-space barycentric weights at the centre of sample (x, y), from its edge values where these are at hand.
     [[nodiscard]] Weights weightsAt(int x, int y, const EdgeIntegers& edges) const
     {
         if (!m_edgesFitDoubles)
