@@ -1,19 +1,15 @@
-// The step mode in the window: every key of the transport, the lens's numbers and what the canvas shows.
+// The step mode in the window: the lens's numbers, what the canvas shows, and when steps are recorded anew.
 #include "core/observe/step_text.h"
-#include "tests/window_fixture.h"
+#include "tests/step_fixture.h"
 #include "ui/pipeline/stage_strip.h"
 #include "ui/steps/lens_overlay.h"
-#include "ui/steps/scrubber.h"
 #include "ui/steps/step_listing.h"
 #include "ui/steps/transport_dock.h"
 
-#include <QImageReader>
 #include <QLabel>
-#include <QMenu>
 #include <QSignalSpy>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 using namespace rasterlens;
@@ -22,13 +18,6 @@ using namespace rasterlens::test;
 namespace
 {
 
-/// Two faces behind each other, and one across the near plane.
-constexpr auto kStops = R"(size 16 16
-tri -0.8 -0.8 -0.5 1 1 0 0   0.8 -0.8 -0.5 1 0 1 0   0 0.8 -0.5 1 0 0 1
-tri -0.8 -0.8 0.5 1 1 0 0   0.8 -0.8 0.5 1 0 1 0   0 0.8 0.5 1 0 0 1
-tri -0.8 -0.8 -1.5 1 1 0 0   0.8 -0.8 0.5 1 0 1 0   0 0.8 0.5 1 0 0 1
-)";
-
 std::array<EdgeSign, 3> signsOf(const EdgeValues& values)
 {
     return {signOf(values[0]), signOf(values[1]), signOf(values[2])};
@@ -36,47 +25,20 @@ std::array<EdgeSign, 3> signsOf(const EdgeValues& values)
 
 } // namespace
 
-class TestLens : public WindowFixture
+class TestLens : public StepFixture
 {
     Q_OBJECT
 
-private:
-    StepMode& mode() { return m_window->stepMode(); }
-    StepSession& session() { return mode().session(); }
-    const StepLog& log() { return *session().log(); }
-
-    bool record()
-    {
-        session().open();
-        return settle() && session().log();
-    }
-    void setAlgorithm(Algorithm algorithm)
-    {
-        Settings next = settings();
-        next.algorithm = algorithm;
-        document().setSettings(next);
-    }
-
 private Q_SLOTS:
-    void init()
-    {
-        openWindow();
-        QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
-    }
-
+    void init() { openSquare(); }
     void offUntilOpened();
     void startsPaused();
-    void everyTransportKey();
-    void playsAndLoops();
     void arrowsNudgeOutsideOfStepMode();
     void cellsEqualExactValues();
     void statesFollowThePosition();
     void tiesNameTheirOwner();
     void canvasShowsTheCursor();
     void endIsTheFinishedPicture();
-    void runUntilEachStop();
-    void scrubberGoesThereAndBack();
-    void pipsMarkTheMostTellingEvent();
     void listingPutsNumbersIn();
     void walkingShowsSpans();
     void bresenhamShowsItsLine();
@@ -85,10 +47,7 @@ private Q_SLOTS:
     void otherSceneDropsTheRecord();
     void everyFaceOfThePainterHasItsTriangle();
     void scopeLimitsTheRecord();
-    void capIsNoticed();
-    void recordingNeverBlocks();
     void theStripMarksTheStageOfTheStep();
-    void exportsDrawingsAndRuns();
 };
 
 void TestLens::offUntilOpened()
@@ -112,72 +71,6 @@ void TestLens::startsPaused()
     QCOMPARE(session().position(), std::size_t(0));
     QVERIFY(!session().isPlaying());
     QVERIFY(mode().transport().stepText().contains(QLocale(QLocale::English).toString(qulonglong(log().size()))));
-}
-
-void TestLens::everyTransportKey()
-{
-    QVERIFY(record());
-    struct Key {
-        Qt::KeyboardModifiers modifiers;
-        StepLevel level;
-    };
-    const Key keys[] = {{Qt::NoModifier, StepLevel::Event},
-                        {Qt::ShiftModifier, StepLevel::Row},
-                        {Qt::ControlModifier, StepLevel::Face},
-                        {Qt::ControlModifier | Qt::ShiftModifier, StepLevel::Stage}};
-    for (const Key& pressed : keys) {
-        session().moveTo(100);
-        const std::size_t forth = log().step(100, pressed.level, StepDirection::Forward);
-        key(Qt::Key_Right, pressed.modifiers);
-        QCOMPARE(session().position(), forth);
-        const std::size_t back = log().step(forth, pressed.level, StepDirection::Backward);
-        key(Qt::Key_Left, pressed.modifiers);
-        QCOMPARE(session().position(), back);
-    }
-    key(Qt::Key_End, Qt::ControlModifier);
-    QCOMPARE(session().position(), log().size());
-    key(Qt::Key_Right);
-    QCOMPARE(session().position(), log().size());
-    key(Qt::Key_Home, Qt::ControlModifier);
-    QCOMPARE(session().position(), std::size_t(0));
-    key(Qt::Key_Left);
-    QCOMPARE(session().position(), std::size_t(0));
-
-    QVERIFY(!session().isLooping());
-    key(Qt::Key_L);
-    QVERIFY(session().isLooping());
-    key(Qt::Key_BracketRight);
-    QCOMPARE(session().speed(), 2.0);
-    for (int i = 0; i < 20; ++i)
-        key(Qt::Key_BracketLeft);
-    QCOMPARE(session().speed(), kSlowestSteps);
-    for (int i = 0; i < 20; ++i)
-        key(Qt::Key_BracketRight);
-    QCOMPARE(session().speed(), kFastestSteps);
-}
-
-void TestLens::playsAndLoops()
-{
-    QVERIFY(record());
-    session().setSpeed(kFastestSteps);
-    key(Qt::Key_Space);
-    QVERIFY(session().isPlaying());
-    QVERIFY(waitFor([this] { return session().position() > 0; }));
-    key(Qt::Key_Space);
-    QVERIFY(!session().isPlaying());
-
-    session().moveTo(log().size() - 1);
-    session().setPlaying(true);
-    QVERIFY(waitFor([this] { return !session().isPlaying(); }));
-    QCOMPARE(session().position(), log().size());
-
-    session().setLooping(true);
-    session().moveTo(log().size() - 1);
-    session().setPlaying(true);
-    QVERIFY(waitFor([this] { return session().position() < log().size() - 1; }));
-    QVERIFY(session().isPlaying());
-    key(Qt::Key_Right);
-    QVERIFY(!session().isPlaying());
 }
 
 void TestLens::arrowsNudgeOutsideOfStepMode()
@@ -300,74 +193,6 @@ void TestLens::endIsTheFinishedPicture()
     key(Qt::Key_End, Qt::ControlModifier);
     QCOMPARE(viewport().frame()->frame.image, finished);
     QVERIFY(!mode().lens().model()); // nothing is looked at any more
-}
-
-void TestLens::runUntilEachStop()
-{
-    QVERIFY(record());
-    const auto expect = [this](const StepStop& stop) {
-        session().moveTo(0);
-        const auto at = log().findStop(0, StepDirection::Forward, stop);
-        QCOMPARE(session().runUntil(stop), at.has_value());
-        QCOMPARE(session().position(), at ? *at + 1 : log().size());
-    };
-    expect({StepStop::Kind::Pixel, 3, 4});
-    QCOMPARE(session().event()->x, 3);
-    QCOMPARE(session().event()->y, 4);
-    expect({StepStop::Kind::Tie});
-    QVERIFY(session().event()->has(StepEvent::kTie));
-    const std::size_t first = session().position();
-    QVERIFY(session().runUntil({StepStop::Kind::Tie}));
-    QVERIFY(session().position() > first);
-    expect({StepStop::Kind::SignChange});
-    QVERIFY(session().event()->has(StepEvent::kSignChange));
-    expect({StepStop::Kind::DepthFail});
-    QCOMPARE(session().position(), log().size()); // there is none
-
-    QVERIFY(openText(kStops));
-    QVERIFY(record());
-    expect({StepStop::Kind::DepthFail});
-    QCOMPARE(session().event()->kind, StepKind::Fragment);
-    QVERIFY(!session().event()->has(StepEvent::kPassed));
-    expect({StepStop::Kind::Clip});
-    QCOMPARE(session().event()->kind, StepKind::ClipPlane);
-
-    // Without clipping the corner with w = 0 is divided by it.
-    QVERIFY(openText("size 16 16\ntri -0.8 -0.8 0 1 1 0 0   0.8 -0.3 0 0 0 1 0   0 0.8 0 1 0 0 1\n"));
-    Settings next = settings();
-    next.clipping = Clipping::None;
-    document().setSettings(next);
-    QVERIFY(settle());
-    QVERIFY(record());
-    expect({StepStop::Kind::NonFinite});
-    QVERIFY(session().event()->has(StepEvent::kNonFinite));
-}
-
-void TestLens::scrubberGoesThereAndBack()
-{
-    QVERIFY(record());
-    Scrubber& scrubber = mode().transport().scrubber();
-    QVERIFY(scrubber.width() > 400);
-    for (const std::size_t position : {std::size_t(0), log().size() / 2, log().size()}) {
-        QTest::mouseClick(&scrubber, Qt::LeftButton, {}, QPoint(int(std::lround(scrubber.xOf(position))), 18));
-        QVERIFY(std::abs(double(session().position()) - double(position)) <= 1);
-        QCOMPARE(scrubber.position(), session().position());
-    }
-    QCOMPARE(scrubber.positionAt(-100), std::size_t(0));
-    QCOMPARE(scrubber.positionAt(10000), log().size());
-}
-
-void TestLens::pipsMarkTheMostTellingEvent()
-{
-    QVERIFY(record());
-    const auto one = binPips(log(), 1);
-    QCOMPARE(one.size(), std::size_t(1));
-    QCOMPARE(one[0], PipKind::Tie);
-    const auto many = binPips(log(), int(log().size()) + 1);
-    QCOMPARE(many[0], PipKind::None); // the cleared frame
-    for (std::size_t i = 0; i < log().size(); ++i)
-        QCOMPARE(many[i + 1], pipKindOf(log().event(i)));
-    QCOMPARE(std::count(many.begin(), many.end(), PipKind::Tie), std::ptrdiff_t(16));
 }
 
 void TestLens::listingPutsNumbersIn()
@@ -526,40 +351,6 @@ void TestLens::scopeLimitsTheRecord()
     QCOMPARE(mode().transport().noticeText(), QString());
 }
 
-void TestLens::capIsNoticed()
-{
-    QVERIFY(open(QStringLiteral("builtin:head")));
-    QVERIFY(record());
-    QCOMPARE(log().truncated(), !mode().transport().noticeText().isEmpty());
-    QVERIFY(log().truncated());
-    session().moveTo(log().size());
-    QCOMPARE(session().position(), log().size());
-}
-
-void TestLens::recordingNeverBlocks()
-{
-    QVERIFY(open(QStringLiteral("builtin:head")));
-    int turns = 0;
-    QTimer ticks;
-    ticks.setInterval(0);
-    connect(&ticks, &QTimer::timeout, this, [&turns] { ++turns; });
-    ticks.start();
-    session().open();
-    QVERIFY(session().isRecording()); // open() came back before the work was done
-    QVERIFY(waitFor([this] { return !session().isRecording(); }));
-    QVERIFY2(turns > 3, qPrintable(QString::number(turns)));
-    QVERIFY(session().log());
-
-    // Many changes in a row: the latest wins.
-    QSignalSpy changed(&session(), &StepSession::logChanged);
-    for (int i = 0; i < 5; ++i)
-        setAlgorithm(i % 2 == 0 ? Algorithm::EdgeWalking : Algorithm::EdgeEquation);
-    session().close();
-    QVERIFY(!session().isRecording());
-    QTest::qWait(100);
-    QVERIFY(!session().log());
-}
-
 void TestLens::theStripMarksTheStageOfTheStep()
 {
     QVERIFY(!m_window->stageStrip().current());
@@ -572,34 +363,6 @@ void TestLens::theStripMarksTheStageOfTheStep()
     session().close();
     QVERIFY(settle());
     QVERIFY(!m_window->stageStrip().current());
-}
-
-void TestLens::exportsDrawingsAndRuns()
-{
-    QVERIFY(record());
-    session().runUntil({StepStop::Kind::Tie});
-    const QString drawing = m_folder.filePath(QStringLiteral("figure.svg"));
-    QVERIFY(m_window->exportFigure(drawing));
-    QFile file(drawing);
-    QVERIFY(file.open(QIODevice::ReadOnly));
-    const QByteArray text = file.readAll();
-    QVERIFY(text.contains("<svg"));
-    QVERIFY(text.contains("#0072b2")); // the signs, as shapes
-    QVERIFY(!text.contains("<image"));
-
-    const std::size_t before = session().position();
-    const auto errorOf = [&](const QString& folder, RunExport::Run run) {
-        QSignalSpy finished(&mode().exportRun(folder, run), &RunExport::finished);
-        return finished.wait(kPatienceMs) ? finished.front().front().toString() : QStringLiteral("never finished");
-    };
-    QCOMPARE(errorOf(m_folder.path(), {8, 12, 16}), QString());
-    QCOMPARE(session().position(), before);
-    for (const char* name : {"step-08.png", "step-09.png", "step-10.png", "step-11.png", "step-12.png"})
-        QCOMPARE(QImageReader(m_folder.filePath(QLatin1String(name))).size(), QSize(8 * 16 + 1, 8 * 16 + 1));
-    QVERIFY(errorOf(m_folder.filePath(QStringLiteral("missing")), {0, 1, 1}).contains(QStringLiteral("step-0.png")));
-    QCOMPARE(session().position(), before);
-    for (const int zoom : {1, 8, 32})
-        QCOMPARE(viewport().figure(zoom).width(), 8 * zoom + (zoom >= 8 ? 1 : 0));
 }
 
 QTEST_MAIN(TestLens)
