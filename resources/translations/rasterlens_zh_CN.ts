@@ -5768,6 +5768,10 @@
         <translation>对齐 1/%1</translation>
     </message>
     <message>
+        <source>not snapped</source>
+        <translation>不对齐</translation>
+    </message>
+    <message>
         <source>%1 culled</source>
         <translation>剔除 %1</translation>
     </message>

@@ -216,7 +216,9 @@ QString StageStrip::figure(Stage stage) const
     switch (stage) {
     case Stage::Scene: return m_faceCount == 1 ? tr("1 face") : tr("%1 faces").arg(grouped(m_faceCount));
     case Stage::Clip: return tr("%1 cut").arg(grouped(counts.faces.clipped));
-    case Stage::Screen: return tr("snapped 1/%1").arg(1 << m_settings.subpixelBits);
+    case Stage::Screen:
+        return m_settings.numberType == NumberType::Fixed ? tr("snapped 1/%1").arg(1 << m_settings.subpixelBits)
+                                                          : tr("not snapped");
     case Stage::Cull: return tr("%1 culled").arg(grouped(counts.faces.culledBack + counts.faces.culledFront));
     case Stage::Cover:
         return m_settings.samples == Samples::One ? tr("%1 px").arg(grouped(counts.pixels.covered))
@@ -236,7 +238,9 @@ QString StageStrip::shortFigure(Stage stage) const
     switch (stage) {
     case Stage::Scene: return shortened(m_faceCount);
     case Stage::Clip: return shortened(counts.faces.clipped);
-    case Stage::Screen: return QStringLiteral("1/%1").arg(1 << m_settings.subpixelBits);
+    case Stage::Screen:
+        return m_settings.numberType == NumberType::Fixed ? QStringLiteral("1/%1").arg(1 << m_settings.subpixelBits)
+                                                          : figure(stage);
     case Stage::Cull: return shortened(counts.faces.culledBack + counts.faces.culledFront);
     case Stage::Cover: return shortened(counts.pixels.covered);
     case Stage::Depth: return shortened(counts.pixels.depthPassed);
