@@ -29,7 +29,7 @@ QStringList warningsOf(const Diagnostics& diagnostics)
     return texts;
 }
 
-/// There must be as many warnings as phrases, and every phrase must occur in one of them.
+/// There are as many warnings as phrases, and each phrase stands in one of them.
 void verifyWarnings(const Diagnostics& diagnostics, const QStringList& phrases)
 {
     const QStringList warnings = warningsOf(diagnostics);
