@@ -29,7 +29,7 @@ QStringList warningsOf(const Diagnostics& diagnostics)
     return texts;
 }
 
-/// The same number of warnings as phrases, each phrase in the warning at its place.
+/// There are as many warnings as phrases, and each phrase stands in one of them.
 void verifyWarnings(const Diagnostics& diagnostics, const QStringList& phrases)
 {
     const QStringList warnings = warningsOf(diagnostics);
