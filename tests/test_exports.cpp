@@ -9,8 +9,10 @@
 
 #include <QFileDialog>
 #include <QMessageBox>
+#include <QPainter>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSvgRenderer>
 
 #include <csignal>
 
@@ -100,6 +102,47 @@ private Q_SLOTS:
         auto& panel = m_window->truthMode().experiment();
         QVERIFY(panel.exportTo(path("m.txt")).value_or(QString()).endsWith(QStringLiteral("jpeg, csv, json, svg")));
         QVERIFY(!panel.exportTo(path("m.csv")) && !panel.exportTo(path("m.bmp")));
+    }
+
+    /// An SVG, drawn once more, is the figure: its cells end between pixels and nothing in it has to be scaled.
+    void drawingsAreSharpAtEveryZoom()
+    {
+        QVERIFY(openCase());
+        ViewportWidget& canvas = m_window->viewport();
+        OverlayOptions overlays = canvas.overlays();
+        overlays.numbers = false; // letters are smoothed in two ways
+        canvas.setOverlays(overlays);
+        for (const int zoom : {2, 3, 6, 7, 8, 15, 16, 37, 50, 128}) {
+            QCOMPARE(canvas.saveSvgFigure(zoom, {path("s.svg"), {}}), std::nullopt);
+            const QByteArray svg = contentOf(path("s.svg"));
+            const QImage figure = canvas.figure(zoom);
+            QVERIFY(!svg.contains("<image"));
+            QVERIFY2(svg.contains("<svg width=\"" + QByteArray::number(figure.width()) + "\" height=\"" +
+                                  QByteArray::number(figure.height()) + '"'),
+                     svg.left(120).constData());
+            QCOMPARE(svg.contains("fill-opacity=\"0.745"), zoom >= 16); // the rims of sample dots
+            QImage drawn(figure.size(), QImage::Format_RGB32);
+            drawn.fill(Qt::magenta);
+            QSvgRenderer renderer(svg);
+            QPainter painter(&drawn);
+            renderer.render(&painter, QRectF(drawn.rect()));
+            painter.end();
+            int worst = 0;
+            QString where;
+            for (int y = 0; y < figure.height(); ++y)
+                for (int x = 0; x < figure.width(); ++x) {
+                    const QColor a(figure.pixel(x, y));
+                    const QColor b(drawn.pixel(x, y));
+                    const int here = std::max(
+                        {std::abs(a.red() - b.red()), std::abs(a.green() - b.green()), std::abs(a.blue() - b.blue())});
+                    if (here > worst)
+                        where = QStringLiteral("(%1, %2): %3 and %4").arg(x).arg(y).arg(a.name(), b.name());
+                    worst = std::max(worst, here);
+                }
+            constexpr int kRounding = 4; // of opacities in decimals, and of the rims of dots
+            QVERIFY2(worst <= (zoom < 8 ? 0 : kRounding),
+                     qPrintable(QStringLiteral("zoom %1 at %2").arg(zoom).arg(where)));
+        }
     }
 
     void theDialogChangesTheSuffixWithTheFormat()

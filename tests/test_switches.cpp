@@ -3,6 +3,7 @@
 #include "core/render/render.h"
 #include "tests/window_fixture.h"
 #include "ui/base/applicability.h"
+#include "ui/base/field_row.h"
 #include "ui/pipeline/pipeline_panel.h"
 
 #include <QCheckBox>
@@ -208,6 +209,47 @@ private Q_SLOTS:
         QCOMPARE(threads->text(), QStringLiteral("3"));
         document().undo();
         QVERIFY(settle());
+    }
+
+    /// Every letter that is typed into a number appears; what is refused says why and stays until it is mended.
+    void refusedNumbersStayInTheirBox()
+    {
+        QVERIFY(openSmall(QStringLiteral("builtin:cube")));
+        QVERIFY(change([](Settings& s) { s.algorithm = Algorithm::Tiled; }));
+        auto* spin = qobject_cast<PanelSpin*>(m_window->pipelinePanel().editor(QStringLiteral("threads")));
+        QVERIFY(spin && spin->isEnabled());
+        const auto type = [&](const char* text) {
+            spin->selectAll();
+            QTest::keyClicks(spin, QLatin1String(text));
+        };
+        for (const char* wrong : {"three", "3 4", "2.5", "-1", "99999", "3,"}) {
+            type(wrong);
+            QCOMPARE(spin->text(), QLatin1String(wrong));
+            QVERIFY2(!spin->isRefused(), wrong); // not before it is to be used
+            QTest::keyClick(spin, Qt::Key_Return);
+            QVERIFY2(spin->isRefused() && spin->text() == QLatin1String(wrong), wrong);
+            QVERIFY(spin->whyRefused().contains(QLatin1String(wrong)));
+            QTest::keyClick(spin, Qt::Key_Escape);
+            QVERIFY(!spin->isRefused() && spin->text() != QLatin1String(wrong));
+        }
+        type("x");
+        QTest::keyClick(spin, Qt::Key_Return);
+        type("(3)");
+        QTest::keyClick(spin, Qt::Key_Return);
+        QVERIFY(settle());
+        QVERIFY(!spin->isRefused());
+        QCOMPARE(settings().threads, 3);
+        QCOMPARE(spin->text(), QStringLiteral("3"));
+        type("auto");
+        QTest::keyClick(spin, Qt::Key_Return);
+        QVERIFY(settle());
+        QCOMPARE(settings().threads, 0);
+        type("y");
+        QTest::keyClick(spin, Qt::Key_Return);
+        QVERIFY(change([](Settings& s) { s.culling = Culling::Front; })); // another field; the text stays
+        QVERIFY(spin->isRefused());
+        QCOMPARE(spin->text(), QStringLiteral("y"));
+        QTest::keyClick(spin, Qt::Key_Escape);
     }
 
     /// A key that finds no other value says why.

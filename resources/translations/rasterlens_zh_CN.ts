@@ -5262,6 +5262,13 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::PanelSpin</name>
+    <message>
+        <source>&quot;%1&quot; is not a whole number from %2 to %3</source>
+        <translation>“%1”不是 %2 到 %3 之间的整数</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::PipelinePanel</name>
     <message>
         <source>&quot;%1&quot; is not a size. Write WIDTH x HEIGHT with 1 to %2 each.</source>

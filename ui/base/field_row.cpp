@@ -1,18 +1,26 @@
 #include "ui/base/field_row.h"
 
+#include "core/base/typed_numbers.h"
 #include "ui/base/applicability.h"
+#include "ui/base/typed_field.h"
 
 #include <QAbstractItemView>
 #include <QCheckBox>
 #include <QCoreApplication>
 #include <QHBoxLayout>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPainter>
 #include <QSignalBlocker>
 #include <QStandardItemModel>
 #include <QStylePainter>
+#include <QToolTip>
 #include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
 
 namespace rasterlens
 {
@@ -105,22 +113,85 @@ void PanelCombo::keyPressEvent(QKeyEvent* event)
 
 bool PanelCombo::event(QEvent* event) { return acceptsEscape(event) || QComboBox::event(event); }
 
-bool PanelSpin::event(QEvent* event) { return acceptsEscape(event) || QSpinBox::event(event); }
+bool PanelSpin::event(QEvent* event)
+{
+    if (event->type() == QEvent::ToolTip && isRefused()) {
+        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), m_whyRefused, this);
+        return true;
+    }
+    return acceptsEscape(event) || QSpinBox::event(event);
+}
 
 void PanelSpin::keyPressEvent(QKeyEvent* event)
 {
     switch (event->key()) {
     case Qt::Key_Escape:
+        setRefused({});
         setValue(value()); // in place of what was typed
         clearFocus();
         break;
     case Qt::Key_Return:
     case Qt::Key_Enter:
-        QSpinBox::keyPressEvent(event);
-        clearFocus();
+        if (isTyped())
+            take();
+        if (!isRefused())
+            clearFocus();
         break;
-    default: QSpinBox::keyPressEvent(event);
+    default:
+        QSpinBox::keyPressEvent(event);
+        if (isRefused() && !isTyped())
+            setRefused({});
     }
+}
+
+/// Another widget was chosen: the text counts. A menu or another program only borrows the keys.
+void PanelSpin::focusOutEvent(QFocusEvent* event)
+{
+    if (isTyped() && event->reason() != Qt::PopupFocusReason && event->reason() != Qt::ActiveWindowFocusReason)
+        take();
+    const QString text = lineEdit()->text();
+    QSpinBox::focusOutEvent(event);
+    if (isRefused())
+        lineEdit()->setText(text);
+}
+
+/// Nothing is kept from being typed: a letter that does not appear is a riddle.
+QValidator::State PanelSpin::validate(QString& text, int& position) const
+{
+    return std::max(QSpinBox::validate(text, position), QValidator::Intermediate);
+}
+
+/// The text is not the one of the value.
+bool PanelSpin::isTyped() const
+{
+    const bool special = !specialValueText().isEmpty() && value() == minimum();
+    return lineEdit()->text() != (special ? specialValueText() : prefix() + textFromValue(value()) + suffix());
+}
+
+void PanelSpin::take()
+{
+    QString text = lineEdit()->text().trimmed();
+    if (!suffix().isEmpty() && text.endsWith(suffix().trimmed()))
+        text.chop(suffix().trimmed().size());
+    const auto numbers = typedNumbers(text);
+    const QString word = specialValueText(); // `auto`, with what it stands for behind
+    const bool special = !text.isEmpty() && (text == word || word.startsWith(text + QLatin1Char(' ')));
+    const double number = special ? minimum() : numbers && numbers->size() == 1 ? numbers->front() : minimum() - 1.0;
+    if (number != std::floor(number) || number < minimum() || number > maximum()) {
+        setRefused(tr("\"%1\" is not a whole number from %2 to %3").arg(text).arg(minimum()).arg(maximum()));
+        return;
+    }
+    setRefused({});
+    setValue(static_cast<int>(number));
+}
+
+void PanelSpin::setRefused(const QString& why)
+{
+    m_whyRefused = why;
+    markRefused(*this, isRefused());
+    setAccessibleDescription(why);
+    if (isRefused())
+        QToolTip::showText(mapToGlobal(rect().bottomLeft()), why, this);
 }
 
 void PanelSpin::wheelEvent(QWheelEvent* event) { event->ignore(); }
@@ -192,7 +263,7 @@ void FieldRow::sync(const Settings& settings, const Settings& defaults, bool ref
     const int value = m_field.get(settings);
     if (auto* combo = qobject_cast<QComboBox*>(m_editor))
         combo->setCurrentIndex(value);
-    else if (auto* spin = qobject_cast<QSpinBox*>(m_editor))
+    else if (auto* spin = qobject_cast<PanelSpin*>(m_editor); spin && !(spin->isRefused() && spin->value() == value))
         spin->setValue(value);
     else if (auto* check = qobject_cast<QCheckBox*>(m_editor))
         check->setChecked(value != 0);

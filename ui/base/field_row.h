@@ -55,7 +55,8 @@ private:
 };
 
 /// A spin box that leaves the wheel to the panel around it. Return and Escape leave the box: the next key is not for
-/// it.
+/// it. It takes every letter; a text that is no number of its range stays in it, marked, and its tool-tip says why,
+/// until it is mended or given up with Escape.
 class PanelSpin : public QSpinBox
 {
     Q_OBJECT
@@ -63,10 +64,22 @@ class PanelSpin : public QSpinBox
 public:
     using QSpinBox::QSpinBox;
 
+    [[nodiscard]] bool isRefused() const { return !m_whyRefused.isEmpty(); }
+    [[nodiscard]] QString whyRefused() const { return m_whyRefused; }
+
 protected:
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    [[nodiscard]] QValidator::State validate(QString& text, int& position) const override;
+
+private:
+    [[nodiscard]] bool isTyped() const;
+    void take();
+    void setRefused(const QString& why);
+
+    QString m_whyRefused;
 };
 
 /// One field of the settings table: dot, name, switch, key.

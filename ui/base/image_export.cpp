@@ -10,6 +10,9 @@
 #include <QPainter>
 #include <QSvgGenerator>
 
+#include <cstring>
+#include <utility>
+
 namespace rasterlens
 {
 namespace
@@ -31,6 +34,21 @@ QString filterOf(const QString& format)
     const QString patterns =
         format == QLatin1String("jpg") ? QStringLiteral("*.jpg *.jpeg") : QStringLiteral("*.") + format;
     return QStringLiteral("%1 (%2)").arg(format.toUpper(), patterns);
+}
+
+/// The drawing with its size in pixels. Qt writes rounded millimetres, and cells then end between pixels.
+QByteArray inPixels(QByteArray svg, QSize size)
+{
+    const qsizetype tag = svg.indexOf("<svg ");
+    const qsizetype end = svg.indexOf('>', tag);
+    for (const auto& [name, length] : {std::pair(" width=\"", size.width()), std::pair(" height=\"", size.height())}) {
+        const qsizetype at = svg.indexOf(name, tag);
+        if (at < 0 || at > end)
+            continue;
+        const qsizetype value = at + static_cast<qsizetype>(std::strlen(name));
+        svg.replace(value, svg.indexOf('"', value) - value, QByteArray::number(length));
+    }
+    return svg;
 }
 
 } // namespace
@@ -60,6 +78,7 @@ std::optional<QString> saveSvg(QSize size, const ExportTarget& target, const std
     QBuffer buffer(&bytes);
     QSvgGenerator drawing;
     drawing.setOutputDevice(&buffer);
+    drawing.setResolution(96); // one unit is one pixel of CSS
     drawing.setSize(size);
     drawing.setViewBox(QRect(QPoint(0, 0), size));
     drawing.setTitle(QStringLiteral("RasterLens"));
@@ -69,7 +88,7 @@ std::optional<QString> saveSvg(QSize size, const ExportTarget& target, const std
         paint(painter);
     if (!begun || !painter.end())
         return failed(target.path, QT_TRANSLATE_NOOP("Diagnostic", "the picture is empty or too large"));
-    return saveBytes(bytes, target);
+    return saveBytes(inPixels(std::move(bytes), size), target);
 }
 
 std::optional<QString> formatProblem(const QString& path, const QStringList& formats)

@@ -23,6 +23,20 @@ QString textFamily()
     return QFontDatabase::systemFont(QFontDatabase::GeneralFont).family();
 }
 
+/// Families with the forms of characters that mainland China uses. Without a Chinese locale, fontconfig alone would
+/// take the Japanese ones.
+QStringList chineseFamilies()
+{
+    return {QStringLiteral("Noto Sans CJK SC"), QStringLiteral("PingFang SC"), QStringLiteral("Microsoft YaHei")};
+}
+
+QStringList numberFamilies()
+{
+    return QStringList{QFontDatabase::systemFont(QFontDatabase::FixedFont).family(),
+                       QStringLiteral("Noto Sans Mono CJK SC")} +
+           chineseFamilies();
+}
+
 QPalette paletteOf(const ThemeColors& colors)
 {
     QPalette palette;
@@ -102,8 +116,8 @@ QToolButton#flat:checked { background: @accent; color: @onAccent; border-color: 
 QToolButton#flat:disabled { background: transparent; color: @muted; }
 QToolButton#flat:hover:enabled { border-color: @accent; }
 QToolButton#flat:focus { border: 2px solid @accent; }
-QLineEdit[refused="true"], QComboBox[refused="true"], QLineEdit[refused="true"]:focus,
-QComboBox[refused="true"]:focus { border: 2px solid @errorText; padding: 1px 5px; }
+QLineEdit[refused="true"], QComboBox[refused="true"], QLineEdit[refused="true"]:focus, QSpinBox[refused="true"],
+QSpinBox[refused="true"]:focus, QComboBox[refused="true"]:focus { border: 2px solid @errorText; padding: 1px 5px; }
 QTabBar { background: @window; }
 QTabBar::tab { background: transparent; color: @muted; padding: 4px 12px; margin-right: 2px; border-radius: 6px; }
 QTabBar::tab:selected { background: @card; color: @text; border: 1px solid @border; font-weight: bold; }
@@ -215,8 +229,7 @@ void applyLook(QApplication& application, const Look& look)
     const ThemeColors& colors = themeColors(look.kind);
     application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QFont font;
-    font.setFamilies({textFamily(), QStringLiteral("Noto Sans CJK SC"), QStringLiteral("PingFang SC"),
-                      QStringLiteral("Microsoft YaHei")});
+    font.setFamilies(QStringList{textFamily()} + chineseFamilies());
     font.setPointSizeF(look.presentation ? kPresentationPointSize : kPointSize);
     application.setFont(font);
     application.setPalette(paletteOf(colors));
@@ -225,7 +238,7 @@ void applyLook(QApplication& application, const Look& look)
     sheet.replace(QLatin1String("@ptTitle"), points(1));
     sheet.replace(QLatin1String("@ptSmall"), points(-1));
     sheet.replace(QLatin1String("@ptHuge"), points(7));
-    sheet.replace(QLatin1String("@mono"), QFontDatabase::systemFont(QFontDatabase::FixedFont).family());
+    sheet.replace(QLatin1String("@mono"), numberFamilies().join(QStringLiteral("\", \"")));
     sheet.replace(QLatin1String("@kind"),
                   look.kind == ThemeKind::Light ? QLatin1String("light") : QLatin1String("dark"));
     application.setStyleSheet(sheet);
@@ -233,7 +246,7 @@ void applyLook(QApplication& application, const Look& look)
 
 QFont numberFont(qreal pointDelta)
 {
-    QFont font(QFontDatabase::systemFont(QFontDatabase::FixedFont).family());
+    QFont font(numberFamilies());
     font.setStyleHint(QFont::Monospace);
     font.setPointSizeF(QApplication::font().pointSizeF() + pointDelta);
     return font;

@@ -6,6 +6,7 @@
 #include <QFontMetricsF>
 #include <QPaintEngine>
 #include <QPainter>
+#include <QPainterPath>
 #include <QPixmap>
 #include <QPixmapCache>
 
@@ -18,6 +19,26 @@ namespace rasterlens
 namespace
 {
 
+/// Small cells would drown in strong lines.
+QColor gridColor(double zoom) { return {120, 128, 140, zoom >= kSampleDotsFromZoom ? 150 : 100}; }
+
+/// The sample positions of the pixel whose upper left corner is `corner`.
+void paintSampleDots(QPainter& painter, QPointF corner, double zoom, int samples, bool thick)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    const double spacing = zoom / samples;
+    const double radius = std::clamp(spacing / 16 * (thick ? 1.5 : 1), 1.0, 4.0);
+    for (int j = 0; j < samples; ++j)
+        for (int i = 0; i < samples; ++i) {
+            const QPointF at = corner + QPointF((i + 0.5) * spacing, (j + 0.5) * spacing);
+            painter.setBrush(QColor(255, 255, 255, 190));
+            painter.drawEllipse(at, radius + 1, radius + 1);
+            painter.setBrush(QColor(20, 24, 30));
+            painter.drawEllipse(at, radius, radius);
+        }
+}
+
 /// One pixel's grid lines and sample positions; the overlay of the whole image is this tile, repeated.
 QPixmap cellTile(int zoom, int samples, const OverlayOptions& options)
 {
@@ -25,25 +46,13 @@ QPixmap cellTile(int zoom, int samples, const OverlayOptions& options)
     tile.fill(Qt::transparent);
     QPainter painter(&tile);
     if (options.grid) {
-        const QColor line(120, 128, 140, zoom >= kSampleDotsFromZoom ? 150 : 100);
+        const QColor line = gridColor(zoom);
         const int width = options.thickLines && zoom >= kSampleDotsFromZoom ? 2 : 1;
         painter.fillRect(0, 0, zoom, width, line);
         painter.fillRect(0, width, width, zoom - width, line);
     }
-    if (options.sampleDots && zoom >= kSampleDotsFromZoom) {
-        painter.setRenderHint(QPainter::Antialiasing);
-        const double spacing = static_cast<double>(zoom) / samples;
-        const double radius = std::clamp(spacing / 16 * (options.thickLines ? 1.5 : 1), 1.0, 4.0);
-        for (int j = 0; j < samples; ++j)
-            for (int i = 0; i < samples; ++i) {
-                const QPointF at((i + 0.5) * spacing, (j + 0.5) * spacing);
-                painter.setPen(Qt::NoPen);
-                painter.setBrush(QColor(255, 255, 255, 190));
-                painter.drawEllipse(at, radius + 1, radius + 1);
-                painter.setBrush(QColor(20, 24, 30));
-                painter.drawEllipse(at, radius, radius);
-            }
-    }
+    if (options.sampleDots && zoom >= kSampleDotsFromZoom)
+        paintSampleDots(painter, {0, 0}, zoom, samples, options.thickLines);
     return tile;
 }
 
@@ -66,12 +75,27 @@ QPixmap cachedCellTile(int zoom, int samples, const OverlayOptions& options)
 /// A drawing of lines and areas, not of pixels.
 bool isDrawing(const QPainter& painter) { return painter.paintEngine()->type() == QPaintEngine::SVG; }
 
+/// What moves lines of an odd width onto whole pixels of a drawing; on the screen they are moved by Qt.
+QPointF lineShift(const QPainter& painter) { return isDrawing(painter) ? QPointF(0.5, 0.5) : QPointF(0, 0); }
+
+/// Each run of equal pixels of a row as one rectangle: an image inside a drawing is blurred by most viewers.
+void paintRuns(QPainter& painter, const QRect& pixels, const CanvasTransform& transform, const QImage& image)
+{
+    for (int y = pixels.top(); y <= pixels.bottom(); ++y)
+        for (int x = pixels.left(); x <= pixels.right();) {
+            const QRgb color = image.pixel(x, y);
+            int end = x + 1;
+            while (end <= pixels.right() && image.pixel(end, y) == color)
+                ++end;
+            painter.fillRect(transform.toCanvas(QRectF(x, y, end - x, 1)), QColor(color));
+            x = end;
+        }
+}
+
 void paintImage(QPainter& painter, const QRect& pixels, const CanvasTransform& transform, const QImage& image)
 {
-    if (isDrawing(painter) && transform.zoom >= kGridFromZoom) {
-        for (int y = pixels.top(); y <= pixels.bottom(); ++y)
-            for (int x = pixels.left(); x <= pixels.right(); ++x)
-                painter.fillRect(transform.toCanvas(QRectF(x, y, 1, 1)), QColor(image.pixel(x, y)));
+    if (isDrawing(painter) && transform.zoom > 1) {
+        paintRuns(painter, pixels, transform, image);
         return;
     }
     const QRectF target = transform.toCanvas(QRectF(pixels));
@@ -84,23 +108,40 @@ void paintImage(QPainter& painter, const QRect& pixels, const CanvasTransform& t
     painter.drawImage(target, image.copy(pixels).scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
 }
 
+/// As the tiles of cellTile(), one of which each pixel gets on the screen.
+void paintDrawnCells(QPainter& painter, const QRect& pixels, const CanvasTransform& transform, int samples,
+                     const OverlayOptions& options)
+{
+    const QRectF target = transform.toCanvas(QRectF(pixels));
+    if (options.grid) {
+        QPainterPath lines; // one path: where two lines cross, neither darkens the other
+        lines.setFillRule(Qt::WindingFill);
+        const double width = options.thickLines && transform.zoom >= kSampleDotsFromZoom ? 2 : 1;
+        for (int x = 0; x <= pixels.width(); ++x)
+            lines.addRect(target.left() + x * transform.zoom, target.top(), width, target.height() + width);
+        for (int y = 0; y <= pixels.height(); ++y)
+            lines.addRect(target.left(), target.top() + y * transform.zoom, target.width() + width, width);
+        painter.fillPath(lines, gridColor(transform.zoom));
+    }
+    if (!options.sampleDots || transform.zoom < kSampleDotsFromZoom)
+        return;
+    for (int y = pixels.top(); y <= pixels.bottom(); ++y)
+        for (int x = pixels.left(); x <= pixels.right(); ++x)
+            paintSampleDots(painter, transform.toCanvas(QRectF(x, y, 1, 1)).topLeft(), transform.zoom, samples,
+                            options.thickLines);
+}
+
 void paintCells(QPainter& painter, const QRect& pixels, const CanvasTransform& transform, int samples,
                 const OverlayOptions& options)
 {
-    const QRect target = transform.toCanvas(QRectF(pixels)).toRect();
     if (isDrawing(painter)) {
-        painter.setPen(QColor(120, 128, 140));
-        for (int x = 0; options.grid && x <= pixels.width(); ++x)
-            painter.drawLine(QPointF(target.left() + x * transform.zoom, target.top()),
-                             QPointF(target.left() + x * transform.zoom, target.bottom() + 1));
-        for (int y = 0; options.grid && y <= pixels.height(); ++y)
-            painter.drawLine(QPointF(target.left(), target.top() + y * transform.zoom),
-                             QPointF(target.right() + 1, target.top() + y * transform.zoom));
+        paintDrawnCells(painter, pixels, transform, samples, options);
         return;
     }
+    const QRect target = transform.toCanvas(QRectF(pixels)).toRect();
     painter.drawTiledPixmap(target, cachedCellTile(static_cast<int>(transform.zoom), samples, options));
     if (options.grid) {
-        const QColor line(120, 128, 140, 150);
+        const QColor line = gridColor(transform.zoom);
         painter.fillRect(target.right() + 1, target.top(), 1, target.height() + 1, line);
         painter.fillRect(target.left(), target.bottom() + 1, target.width(), 1, line);
     }
@@ -108,7 +149,7 @@ void paintCells(QPainter& painter, const QRect& pixels, const CanvasTransform& t
 
 void paintPixelFrame(QPainter& painter, QPoint pixel, const CanvasTransform& transform, bool selected, bool thick)
 {
-    const QRectF cell = transform.toCanvas(QRectF(pixel, QSizeF(1, 1)));
+    const QRectF cell = transform.toCanvas(QRectF(pixel, QSizeF(1, 1))).translated(lineShift(painter));
     const double width = (selected ? 3 : 1) * (thick ? 2 : 1);
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setBrush(Qt::NoBrush);
@@ -142,9 +183,9 @@ void paintCanvas(QPainter& painter, const QRect& canvas, const CanvasTransform& 
 {
     const QImage& image = frame.frame.image;
     painter.save();
-    painter.setPen(QColor(120, 128, 140, 150));
+    painter.setPen(QPen(QColor(120, 128, 140, 150), 1, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
     const QRect border = transform.toCanvas(QRectF(image.rect())).toRect();
-    painter.drawRect(border.adjusted(-1, -1, 0, 0));
+    painter.drawRect(QRectF(border.adjusted(-1, -1, 0, 0)).translated(lineShift(painter)));
     paintPicture(painter, canvas, transform, frame, options);
     const bool wiped = options.wipe && options.wipe->left->frame.image.size() == image.size();
     const double column = wiped ? wipeColumn(*options.wipe, canvas, transform, image.width()) : 0;
