@@ -159,6 +159,17 @@ void paintPixelFrame(QPainter& painter, QPoint pixel, const CanvasTransform& tra
     painter.drawRect(cell);
 }
 
+/// A line around the picture. Four areas rather than an outline: viewers of drawings differ about its corners.
+void paintBorder(QPainter& painter, const QRect& picture)
+{
+    const QColor line(120, 128, 140, 150);
+    const QRect around = picture.adjusted(-1, -1, 1, 1);
+    painter.fillRect(QRect(around.topLeft(), QSize(around.width(), 1)), line);
+    painter.fillRect(QRect(around.left(), around.bottom(), around.width(), 1), line);
+    painter.fillRect(QRect(around.left(), picture.top(), 1, picture.height()), line);
+    painter.fillRect(QRect(around.right(), picture.top(), 1, picture.height()), line);
+}
+
 /// One picture with what belongs to its pixels.
 void paintPicture(QPainter& painter, const QRect& canvas, const CanvasTransform& transform, const RenderedFrame& frame,
                   const OverlayOptions& options)
@@ -183,9 +194,7 @@ void paintCanvas(QPainter& painter, const QRect& canvas, const CanvasTransform& 
 {
     const QImage& image = frame.frame.image;
     painter.save();
-    painter.setPen(QPen(QColor(120, 128, 140, 150), 1, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
-    const QRect border = transform.toCanvas(QRectF(image.rect())).toRect();
-    painter.drawRect(QRectF(border.adjusted(-1, -1, 0, 0)).translated(lineShift(painter)));
+    paintBorder(painter, transform.toCanvas(QRectF(image.rect())).toRect());
     paintPicture(painter, canvas, transform, frame, options);
     const bool wiped = options.wipe && options.wipe->left->frame.image.size() == image.size();
     const double column = wiped ? wipeColumn(*options.wipe, canvas, transform, image.width()) : 0;
