@@ -16,7 +16,7 @@ namespace
 struct Sum {
     std::uint64_t samples = 0;
     std::uint64_t places = 0;
-    void operator()(int x, int y, const std::array<Fixed, 3>& /*edges*/)
+    void operator()(int x, int y, const std::array<Fixed, 3>& /*edges*/ = {})
     {
         ++samples;
         places += static_cast<std::uint64_t>(x + 7 * y);

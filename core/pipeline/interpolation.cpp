@@ -106,6 +106,9 @@ FaceInterpolation::FaceInterpolation(const ScreenTriangle& triangle, double area
 {
     if (use == DepthUse::Read)
         m_depth = depthPlane(triangle, area2, rules);
+    for (std::size_t k = 0; k < m_varyingCount; ++k)
+        for (std::size_t i = 0; i < 3; ++i)
+            m_varyings[k][i] = triangle.vertices[i].varyings[k];
 }
 
 double FaceInterpolation::depthOf(const Weights& screen) const

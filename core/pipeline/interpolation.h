@@ -107,8 +107,8 @@ public:
     /// Varying k: the sum of weight times what the vertices have.
     [[nodiscard]] float varying(std::size_t k, const Weights& weights) const
     {
-        const auto& [a, b, c] = m_triangle->vertices;
-        return static_cast<float>(weights[0] * a.varyings[k] + weights[1] * b.varyings[k] + weights[2] * c.varyings[k]);
+        const auto& [a, b, c] = m_varyings[k];
+        return static_cast<float>(weights[0] * a + weights[1] * b + weights[2] * c);
     }
 
     /// The first rules.varyingCount floats.
@@ -133,6 +133,7 @@ private:
     bool m_edgesFitDoubles;     ///< doubles hold all products of edge functions without rounding
     DepthPlane m_depth;
     std::size_t m_varyingCount;
+    std::array<std::array<double, 3>, kMaxVaryings> m_varyings; ///< those that are carried, of A, B and C
     bool m_perspectiveCorrect;
     bool m_depthLinear;
 };
