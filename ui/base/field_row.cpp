@@ -158,7 +158,9 @@ void PanelSpin::focusOutEvent(QFocusEvent* event)
 /// Nothing is kept from being typed: a letter that does not appear is a riddle.
 QValidator::State PanelSpin::validate(QString& text, int& position) const
 {
-    return std::max(QSpinBox::validate(text, position), QValidator::Intermediate);
+    QString copy = text; // QSpinBox takes blanks out of what it is given, and moves the cursor
+    int place = position;
+    return std::max(QSpinBox::validate(copy, place), QValidator::Intermediate);
 }
 
 /// The text is not the one of the value.
