@@ -143,11 +143,7 @@ void Cards::followPixel()
     m_followPending = readout && !readout->face;
 }
 
-void Cards::setSaysMoment(bool on)
-{
-    m_pixelCard->setSaysMoment(on);
-    m_whyDock->setTitle(m_pixelCard->title());
-}
+void Cards::setSaysMoment(bool on) { m_pixelCard->setSaysMoment(on); }
 
 void Cards::frameCounted()
 {

@@ -243,8 +243,24 @@ QString PixelCard::title() const
 {
     if (!m_report)
         return tr("Why this pixel?");
-    const QString text = tr("Why pixel (%1, %2)?").arg(m_report->x).arg(m_report->y);
-    return m_saysMoment ? text + QStringLiteral(" \u00b7 ") + momentText(std::nullopt) : text;
+    return tr("Why pixel (%1, %2)?").arg(m_report->x).arg(m_report->y);
+}
+
+void PixelCard::setSaysMoment(bool on)
+{
+    if (m_saysMoment == on)
+        return;
+    m_saysMoment = on;
+    rebuild();
+}
+
+QString PixelCard::answer() const
+{
+    const QString seen =
+        m_report->visibleFace
+            ? tr("%1 is seen").arg(faceName(*m_report->visibleFace, m_report->lineOf(*m_report->visibleFace)))
+            : tr("background: no face was written");
+    return m_saysMoment ? seen + QStringLiteral(" \u00b7 ") + momentText(std::nullopt) : seen;
 }
 
 QString PixelCard::asText() const
@@ -270,11 +286,7 @@ QWidget* PixelCard::makeHeader() const
     row->addWidget(new Swatch(m_report->color, kSide), 0, Qt::AlignTop);
     auto* texts = new QVBoxLayout;
     texts->setSpacing(1);
-    texts->addWidget(
-        wrapped(m_report->visibleFace
-                    ? tr("%1 is seen").arg(faceName(*m_report->visibleFace, m_report->lineOf(*m_report->visibleFace)))
-                    : tr("background: no face was written"),
-                "heading"));
+    texts->addWidget(wrapped(answer(), "heading"));
     QString numbers = QStringLiteral("%1\nz %2").arg(rgbText(m_report->color), depthNumber(m_report->depth));
     texts->addWidget(wrapped(numbers, "muted"));
     row->addLayout(texts, 1);

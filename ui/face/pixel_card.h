@@ -40,8 +40,8 @@ public:
     void setReport(std::shared_ptr<const WhyReport> report);
     [[nodiscard]] const std::shared_ptr<const WhyReport>& report() const { return m_report; }
     [[nodiscard]] const std::vector<WhyWords>& rows() const { return m_rows; }
-    /// While another picture than the finished one is on the canvas the title says that the card speaks of that.
-    void setSaysMoment(bool on) { m_saysMoment = on; }
+    /// While another picture than the finished one is on the canvas the card says that it speaks of that.
+    void setSaysMoment(bool on);
     /// All rows as plain text.
     [[nodiscard]] QString asText() const;
     [[nodiscard]] QString title() const;
@@ -56,6 +56,8 @@ protected:
 
 private:
     void rebuild();
+    /// What is seen, and where that is in doubt, when.
+    [[nodiscard]] QString answer() const;
     QWidget* makeHeader() const;
     QWidget* makeRow(std::size_t index);
 
