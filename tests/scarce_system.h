@@ -1,6 +1,7 @@
 #pragma once
 // A system that has no memory or no threads for the background: included by one source of a test, whose allocations and
-// threads it counts and refuses. The thread of the window always gets what it asks for.
+// threads it counts and refuses. The thread of the window always gets what it asks for, and so do the threads that Qt
+// paints large areas with: Qt itself ends the program where those get none.
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
@@ -8,6 +9,8 @@
 #include <cstdlib>
 #include <limits>
 #include <new>
+
+#include <QThread>
 
 #include <dlfcn.h>
 #include <pthread.h>
@@ -29,9 +32,22 @@ inline void refuseMemoryAfter(int allocations)
 
 inline void giveMemory() { allocationsLeft = std::numeric_limits<int>::max(); }
 
+/// A thread of Qt's own pool. Asking allocates in threads that Qt does not know yet; that is let through.
+inline bool isPaintingThread()
+{
+    thread_local bool known = false;
+    thread_local bool painting = true;
+    if (!known) {
+        known = true;
+        painting = QThread::currentThread()->inherits("QThreadPoolThread");
+    }
+    return painting;
+}
+
 inline bool mayAllocate()
 {
-    if (allocationsLeft == std::numeric_limits<int>::max() || pthread_equal(pthread_self(), windowThread))
+    if (allocationsLeft == std::numeric_limits<int>::max() || pthread_equal(pthread_self(), windowThread) ||
+        isPaintingThread())
         return true;
     if (--allocationsLeft >= 0)
         return true;
