@@ -295,7 +295,7 @@ void StepRecorder::onClipped(std::uint32_t face, int pieces)
         m_gap = true;
         return;
     }
-    storePayload(faceEvent(StepKind::Clipped), FanStep{pieces});
+    storePayload(faceEvent(StepKind::Clipped), ClippedStep{pieces});
 }
 
 void StepRecorder::onFacing(std::uint32_t, const FacingDecision& decision)

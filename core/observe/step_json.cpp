@@ -88,7 +88,7 @@ QJsonObject json(const StepLog&, const StepEvent&, const FacingStep& step)
             {"fate", QLatin1String(faceFateId(d.fate))}};
 }
 
-QJsonObject json(const StepLog&, const StepEvent&, const FanStep& step) { return {{"pieces", step.pieces}}; }
+QJsonObject json(const StepLog&, const StepEvent&, const ClippedStep& step) { return {{"pieces", step.pieces}}; }
 
 QJsonObject json(const StepLog&, const StepEvent&, const FateStep& step)
 {

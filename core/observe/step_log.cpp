@@ -122,7 +122,7 @@ void StepLog::count(const StepEvent& event, Statistics& statistics) const
     case StepKind::Fate: countFate(payload<FateStep>(event).fate, statistics.faces); break;
     case StepKind::Clipped:
         ++statistics.faces.clipped;
-        statistics.faces.createdByClipping += static_cast<std::uint64_t>(payload<FanStep>(event).pieces);
+        statistics.faces.createdByClipping += static_cast<std::uint64_t>(payload<ClippedStep>(event).pieces);
         break;
     case StepKind::Span: {
         const SpanStep& span = payload<SpanStep>(event);

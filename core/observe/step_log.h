@@ -99,7 +99,7 @@ struct FacingStep {
     FacingDecision decision;
 };
 
-struct FanStep {
+struct ClippedStep {
     static constexpr StepKind kKind = StepKind::Clipped;
     int pieces;
 };
@@ -345,7 +345,7 @@ private:
 
     using Payloads =
         std::tuple<std::vector<VertexStep>, std::vector<ClipStep>, std::vector<CohenSutherlandStep>,
-                   std::vector<ViewportStep>, std::vector<FacingStep>, std::vector<FanStep>, std::vector<FateStep>,
+                   std::vector<ViewportStep>, std::vector<FacingStep>, std::vector<ClippedStep>, std::vector<FateStep>,
                    std::vector<WalkStep>, std::vector<SpanStep>, std::vector<SampleStep>, std::vector<LineStep>,
                    std::vector<FragmentStep>, std::vector<ShadeStep>, std::vector<WriteStep>>;
 

@@ -14,7 +14,7 @@ void visitPayload(const StepLog& log, const StepEvent& event, Visit&& visit)
     case StepKind::CohenSutherland: visit(log.payload<CohenSutherlandStep>(event)); break;
     case StepKind::Viewport: visit(log.payload<ViewportStep>(event)); break;
     case StepKind::Facing: visit(log.payload<FacingStep>(event)); break;
-    case StepKind::Clipped: visit(log.payload<FanStep>(event)); break;
+    case StepKind::Clipped: visit(log.payload<ClippedStep>(event)); break;
     case StepKind::Fate: visit(log.payload<FateStep>(event)); break;
     case StepKind::Walk: visit(log.payload<WalkStep>(event)); break;
     case StepKind::Span: visit(log.payload<SpanStep>(event)); break;

@@ -111,7 +111,7 @@ StepParts parts(const StepLog&, const StepEvent&, const FacingStep& step)
             Reason(faceFateId(d.fate))};
 }
 
-StepParts parts(const StepLog&, const StepEvent&, const FanStep& step)
+StepParts parts(const StepLog&, const StepEvent&, const ClippedStep& step)
 {
     return {kNothing, {QT_TRANSLATE_NOOP("Steps", "%1 triangles"), {step.pieces}}};
 }

@@ -13,7 +13,7 @@ enum class StepKind : std::uint8_t {
     CohenSutherland, ///< CohenSutherlandStep
     Viewport,        ///< ViewportStep
     Facing,          ///< FacingStep
-    Clipped,         ///< FanStep: a cut face is drawn as a fan
+    Clipped,         ///< ClippedStep: a cut face is drawn as a fan
     Fate,            ///< FateStep: what became of the face before coverage
     Triangle,        ///< a screen triangle begins; see StepLog::triangle
     Setup,           ///< its edge functions; see StepLog::triangle

@@ -60,7 +60,7 @@ ClipStory clipStory(const Scene& scene, const Settings& settings, std::uint32_t 
         }
         case StepKind::ClipPlane: story.steps.push_back(log->payload<ClipStep>(event)); break;
         case StepKind::CohenSutherland: story.regions = log->payload<CohenSutherlandStep>(event); break;
-        case StepKind::Clipped: story.pieces = log->payload<FanStep>(event).pieces; break;
+        case StepKind::Clipped: story.pieces = log->payload<ClippedStep>(event).pieces; break;
         case StepKind::Fate: story.fate = log->payload<FateStep>(event).fate; break;
         case StepKind::Viewport:
         case StepKind::Facing:
