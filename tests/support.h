@@ -1,5 +1,5 @@
 #pragma once
-#include "core/pipeline/rules_for.h"
+#include "core/pipeline/resolve.h"
 // What several tests need: seeded random numbers, small scenes in clip space, frames and how to compare them.
 #include "core/observe/counting_observer.h"
 #include "core/pipeline/geometry.h"
@@ -147,7 +147,8 @@ struct FateObserver : NullObserver {
 
 inline Processed process(const Scene& scene, const Settings& settings)
 {
-    const Geometry geometry(scene, cameraMatrices(scene, settings), rulesFor(scene, settings));
+    const Resolved resolved = resolve(settings, scene);
+    const Geometry geometry(scene, resolved.matrices, resolved.rules);
     Processed result;
     FateObserver observer;
     for (std::uint32_t face = 0; face < scene.mesh.faceCount(); ++face)

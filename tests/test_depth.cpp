@@ -1,4 +1,4 @@
-#include "core/pipeline/rules_for.h"
+#include "core/pipeline/resolve.h"
 // Depth: what the formats store, what the comparisons keep, reversed z, painter's order and submission order.
 #include "core/pipeline/depth_test.h"
 #include "tests/support.h"
@@ -196,8 +196,11 @@ void TestDepth::paintersOrder()
     const Scene scene = layers(depths);
     Settings settings = layerSettings();
     settings.visibility = Visibility::Painter;
-    const Geometry geometry(scene, cameraMatrices(scene, settings), rulesFor(scene, settings));
-    const std::vector<std::uint32_t> order = geometry.order();
+    const auto geometryOf = [&settings](const Scene& of) {
+        const Resolved resolved = resolve(settings, of);
+        return Geometry(of, resolved.matrices, resolved.rules);
+    };
+    const std::vector<std::uint32_t> order = geometryOf(scene).order();
     QVERIFY((order == std::vector<std::uint32_t>{4, 2, 0, 1, 3}));
     const Frame frame = draw(scene, settings);
     QCOMPARE(frame.ids[kMiddle], 3);
@@ -206,11 +209,9 @@ void TestDepth::paintersOrder()
     Scene world = soup({{0, 0, -1, 1}, {1, 0, -1, 1}, {0, 1, -1, 1}, {0, 0, 1, 1}, {1, 0, 1, 1}, {0, 1, 1, 1}});
     world.space = SceneSpace::Object;
     world.bounds = boundingSphere(world.mesh);
-    const Geometry fromFront(world, cameraMatrices(world, settings), rulesFor(world, settings));
-    QVERIFY((fromFront.order() == std::vector<std::uint32_t>{0, 1}));
+    QVERIFY((geometryOf(world).order() == std::vector<std::uint32_t>{0, 1}));
     settings.view.yaw = 180;
-    const Geometry fromBehind(world, cameraMatrices(world, settings), rulesFor(world, settings));
-    QVERIFY((fromBehind.order() == std::vector<std::uint32_t>{1, 0}));
+    QVERIFY((geometryOf(world).order() == std::vector<std::uint32_t>{1, 0}));
 }
 
 void TestDepth::submissionOrder()

@@ -201,7 +201,7 @@ void TestObservers::stoppingEndsWithinAFace()
     const Scene scene = clipScene({{-1, 1, 0, 1}, {-1, -3, 0, 1}, {3, 1, 0, 1}}, {0, 1, 2});
     StopAtFirstSample observer;
     Frame frame;
-    drawScene(scene, settings, frame, kAllOutputs, observer, observer.source.get_token());
+    drawScene(scene, resolve(settings, scene), frame, kAllOutputs, observer, observer.source.get_token());
     QVERIFY(observer.fragments > 0);
     QVERIFY2(observer.fragments <= kSide, qPrintable(QString::number(observer.fragments)));
 }

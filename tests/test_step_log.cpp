@@ -1,4 +1,4 @@
-#include "core/pipeline/rules_for.h"
+#include "core/pipeline/resolve.h"
 // The step log: stepping shows what the plain run does, and every position is a moment of it.
 #include "core/io/case_file.h"
 #include "core/observe/counting_observer.h"
@@ -116,8 +116,9 @@ private:
 Snapshot partialRun(const Scene& scene, const Settings& settings, std::size_t position)
 {
     Frame frame;
-    Snapshot snapshot(rulesFor(scene, settings), frame, position);
-    drawScene(scene, settings, frame, {}, snapshot, std::stop_token());
+    const Resolved resolved = resolve(settings, scene);
+    Snapshot snapshot(resolved.rules, frame, position);
+    drawScene(scene, resolved, frame, {}, snapshot, std::stop_token());
     return snapshot;
 }
 

@@ -1,4 +1,4 @@
-#include "core/pipeline/rules_for.h"
+#include "core/pipeline/resolve.h"
 // Triangle set-up: edge functions against wide integers, ownership, thresholds, bounds, and the largest triangles.
 #include "core/pipeline/triangle_setup.h"
 #include "core/rasterizers/edge_equation.h"
@@ -114,7 +114,7 @@ void TestTriangleSetup::thresholdsFollowTheTieRule()
         Settings settings;
         settings.size = {16, 16};
         settings.tieRule = tie;
-        const auto setup = setupTriangle<Fixed>(triangle, rulesFor(scene, settings));
+        const auto setup = setupTriangle<Fixed>(triangle, resolve(settings, scene).rules);
         std::array<Fixed, 3> result{};
         for (std::size_t k = 0; k < 3; ++k)
             result[k] = setup->edges[k].threshold;

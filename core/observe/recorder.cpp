@@ -1,7 +1,6 @@
 #include "core/observe/recorder.h"
 
 #include "core/base/pieces.h"
-#include "core/pipeline/rules_for.h"
 #include "core/pipeline/shading.h"
 #include "core/pipeline/unsnapped.h"
 
@@ -52,18 +51,7 @@ std::vector<ClipCut> cutsOf(const ClipStep& step)
 
 } // namespace
 
-ResolvedRules resolveRules(const Scene& scene, const Settings& settings)
-{
-    Settings right = settings;
-    right.mistakes.clear();
-    ResolvedRules resolved{rulesFor(scene, settings), rulesFor(scene, right), {}};
-    for (const QString& id : settings.mistakes)
-        if (const Mistake* mistake = findMistake(id))
-            resolved.mistakes.push_back(mistake);
-    return resolved;
-}
-
-StepRecorder::StepRecorder(const Scene& scene, const ResolvedRules& resolved, const StepFilter& filter,
+StepRecorder::StepRecorder(const Scene& scene, const Resolved& resolved, const StepFilter& filter,
                            std::stop_source full)
     : m_scene(&scene), m_rules(resolved.rules), m_filter(filter), m_volume(clipVolume(m_rules)),
       m_stopDrawing(std::move(full)), m_log(std::make_shared<StepLog>()), m_counter(m_rules)

@@ -2,9 +2,9 @@
 #include "core/observe/counting_observer.h"
 #include "core/observe/step_log.h"
 #include "core/pipeline/clipping.h"
+#include "core/pipeline/resolve.h"
 #include "core/pipeline/triangle_setup.h"
 #include "core/scene/scene.h"
-#include "core/settings/rules.h"
 
 #include <memory>
 #include <stop_token>
@@ -39,22 +39,14 @@ template <class T>
     return out;
 }
 
-/// The rules of a frame, those without its mistakes, and these.
-struct ResolvedRules {
-    Rules rules;
-    Rules right;
-    std::vector<const Mistake*> mistakes;
-};
-[[nodiscard]] ResolvedRules resolveRules(const Scene& scene, const Settings& settings);
-
 /// Writes a step log: every callback is one event, and every change of the frame buffer one effect.
 class StepRecorder : public NullObserver
 {
 public:
     static constexpr int kFacesPerBatch = 1;
 
-    /// in  `full` is asked to stop the drawing when the cap is reached
-    StepRecorder(const Scene& scene, const ResolvedRules& rules, const StepFilter& filter, std::stop_source full);
+    /// in  what the frame is drawn by; `full` is asked to stop the drawing when the cap is reached
+    StepRecorder(const Scene& scene, const Resolved& resolved, const StepFilter& filter, std::stop_source full);
 
     void onVertex(std::uint32_t face, int corner, std::uint32_t meshVertex, const ClipVertex& clip);
     void onFace(std::uint32_t face, FaceFate fate);

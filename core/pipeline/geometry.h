@@ -3,6 +3,7 @@
 #include "core/pipeline/culling.h"
 #include "core/pipeline/interpolation.h"
 #include "core/pipeline/observer.h"
+#include "core/pipeline/unsnapped.h"
 #include "core/pipeline/viewport.h"
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
@@ -148,7 +149,7 @@ private:
     [[nodiscard]] ScreenVertex withDepthRule(const ClipVertex& vertex, ScreenVertex out) const
     {
         if (m_rules.depthIsDistance)
-            out.depth = (vertex.positionClip.w - m_near) / (m_far - m_near);
+            out.depth = depthOfDistance(vertex.positionClip.w, m_near, m_far);
         return out;
     }
 

@@ -2,21 +2,20 @@
 
 #include "core/observe/step_log.h"
 #include "core/pipeline/clipping.h"
-#include "core/pipeline/rules_for.h"
+#include "core/pipeline/resolve.h"
 #include "core/pipeline/unsnapped.h"
 #include "core/pipeline/vertex_stage.h"
 #include "core/pipeline/viewport.h"
-#include "core/scene/camera.h"
 #include "core/scene/origin.h"
-#include "core/settings/rules.h"
 
 namespace rasterlens
 {
 
 std::array<VertexRow, 3> vertexTable(const Scene& scene, const Settings& settings, std::uint32_t face)
 {
-    const Rules rules = rulesFor(scene, settings);
-    const Matrices matrices = cameraMatrices(scene, settings);
+    const Resolved resolved = resolve(settings, scene);
+    const Rules& rules = resolved.rules;
+    const Matrices& matrices = resolved.matrices;
     const ClipVolume volume = clipVolume(rules);
 
     // The vertex stage sees a scene of these three vertices alone.

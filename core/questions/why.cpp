@@ -3,9 +3,8 @@
 #include "core/observe/recorder.h"
 #include "core/observe/step_text.h"
 #include "core/pipeline/clipping.h"
-#include "core/pipeline/rules_for.h"
 #include "core/render/draw.h"
-#include "core/render/render.h"
+#include "core/render/render_resolved.h"
 #include "core/render/steps.h"
 #include "core/settings/depth_rules.h"
 
@@ -131,10 +130,9 @@ private:
 class Inquiry
 {
 public:
-    Inquiry(const Scene& scene, const Settings& settings, int x, int y, const std::stop_token& stop)
-        : m_scene(scene), m_settings(settings), m_resolved(resolveRules(scene, settings)), m_rules(m_resolved.rules),
-          m_volume(clipVolume(m_rules)), m_matrices(cameraMatrices(scene, settings)),
-          m_geometry(scene, m_matrices, m_rules), m_stop(stop)
+    Inquiry(const Scene& scene, const Resolved& resolved, int x, int y, const std::stop_token& stop)
+        : m_scene(scene), m_resolved(resolved), m_rules(resolved.rules), m_volume(clipVolume(m_rules)),
+          m_geometry(scene, resolved.matrices, m_rules), m_stop(stop)
     {
         const int grid = m_rules.sampleGrid;
         m_report.x = x;
@@ -192,10 +190,10 @@ private:
         const std::stop_callback stopToo(m_stop, [&] { ending.request_stop(); });
         StepRecorder recorder(m_scene, m_resolved, filter, ending);
         Frame frame;
-        if (m_settings.mistakes.empty())
+        if (m_resolved.mistakes.empty())
             drawPixel(frame, recorder);
         else // samples may be drawn at other places than their own, and the picture finished in other ways
-            drawScene(m_scene, m_settings, frame, {true, false, false}, recorder, m_stop);
+            drawScene(m_scene, m_resolved, frame, {true, false, false}, recorder, m_stop);
         m_log = recorder.finish(false, frame.image);
         if (m_stop.stop_requested()) // there may be no frame
             return;
@@ -208,8 +206,8 @@ private:
     void drawPixel(Frame& frame, StepRecorder& recorder)
     {
         Framebuffer framebuffer(frame, m_rules, {true, false, false}, packColor(m_scene.background), m_stop);
-        SampleRouter<StepRecorder> stage(m_scene, m_rules, framebuffer.samples(), glm::vec3(m_matrices.eyeObject),
-                                         recorder);
+        SampleRouter<StepRecorder> stage(m_scene, m_rules, framebuffer.samples(),
+                                         glm::vec3(m_resolved.matrices.eyeObject), recorder);
         stage.stopBy(m_stop);
         const int grid = m_rules.sampleGrid;
         const auto cover = coverFor<PixelStage, StepRecorder>(m_rules);
@@ -375,11 +373,9 @@ private:
     }
 
     const Scene& m_scene;
-    Settings m_settings;
-    ResolvedRules m_resolved;
+    const Resolved& m_resolved;
     const Rules& m_rules;
     ClipVolume m_volume;
-    Matrices m_matrices;
     Geometry m_geometry;
     std::stop_token m_stop;
     std::vector<ScreenTriangle> m_batch;
@@ -497,8 +493,9 @@ void nameMistakes(WhyReport& report, const Scene& scene, const Settings& setting
         const Mistake* const mistake = findMistake(id);
         Settings without = settings;
         without.mistakes.removeOne(id);
-        const bool known = !unsupported(scene, without);
-        const WhyReport other = known ? Inquiry(scene, without, report.x, report.y, stop).answer() : WhyReport();
+        const Resolved resolved = resolve(without, scene);
+        const bool known = !unsupported(scene, without, resolved);
+        const WhyReport other = known ? Inquiry(scene, resolved, report.x, report.y, stop).answer() : WhyReport();
         if (stop.stop_requested())
             return;
         for (WhyFace& row : report.faces) {
@@ -544,7 +541,8 @@ std::int32_t WhyReport::lineOf(std::uint32_t face) const
 WhyReport why(const Scene& scene, const Settings& settings, int x, int y, const std::stop_token& stop)
 {
     const Settings shown = recordedAs(settings);
-    WhyReport report = Inquiry(scene, shown, x, y, stop).answer();
+    const Resolved resolved = resolve(shown, scene);
+    WhyReport report = Inquiry(scene, resolved, x, y, stop).answer();
     nameMistakes(report, scene, shown, stop);
     return report;
 }

@@ -1,7 +1,6 @@
 #include "core/render/count.h"
 
-#include "core/pipeline/rules_for.h"
-#include "core/settings/rules.h"
+#include "core/render/render_resolved.h"
 
 #include <algorithm>
 #include <utility>
@@ -16,7 +15,8 @@ Statistics countPicture(const Scene& scene, const Settings& settings, const Fram
     if (settings.algorithm == Algorithm::Tiled)
         return renderCounted(scene, settings, counted, {.depth = true, .ids = true, .coverage = counts}, stop);
     QImage memory = std::exchange(counted.image, QImage());
-    Statistics statistics = renderCounted(scene, settings, counted,
+    const Resolved resolved = resolve(settings, scene);
+    Statistics statistics = renderCounted(scene, settings, resolved, counted,
                                           {.depth = true, .ids = true, .coverage = counts, .picture = false}, stop);
     if (stop.stop_requested())
         return statistics;
@@ -25,7 +25,7 @@ Statistics countPicture(const Scene& scene, const Settings& settings, const Fram
     else
         memory = picture.image;
     counted.image = std::move(memory);
-    const bool onlyPassed = rulesFor(scene, settings).depthBeforeShading;
+    const bool onlyPassed = resolved.rules.depthBeforeShading;
     statistics.pixels.shaded = onlyPassed ? statistics.pixels.depthPassed : statistics.pixels.covered;
     return statistics;
 }

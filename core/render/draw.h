@@ -4,11 +4,10 @@
 #include "core/pipeline/frame.h"
 #include "core/pipeline/framebuffer.h"
 #include "core/pipeline/geometry.h"
-#include "core/pipeline/rules_for.h"
+#include "core/pipeline/resolve.h"
 #include "core/pipeline/sample_router.h"
 #include "core/rasterizers/lines.h"
 #include "core/render/list.h"
-#include "core/scene/camera.h"
 
 namespace rasterlens
 {
@@ -64,57 +63,75 @@ void drawTriangle(const ScreenTriangle& triangle, const Rules& rules, Cover<Stag
     cover(triangle, rules, stage, observer);
 }
 
-/// Draws the faces in this order, from clip space to the samples.
+/// Adds up where the time of a frame goes.
+class StageWatch
+{
+public:
+    /// The time since the last call belongs to this stage.
+    void add(double StageTimes::*stage) { m_times.*stage += m_lap.lap(); }
+
+    [[nodiscard]] StageTimes times()
+    {
+        m_times.total = m_total.lap();
+        return m_times;
+    }
+
+private:
+    Stopwatch m_total;
+    Stopwatch m_lap;
+    StageTimes m_times;
+};
+
+/// The pipeline from clip space to the samples, for the faces in this order. Faces go through geometry in batches, so
+/// that the clock is not read for each.
 template <class Stage, class Observer>
 void drawFaces(const Geometry& geometry, std::span<const std::uint32_t> faces, const Rules& rules, Stage& stage,
-               Observer& observer, StageTimes& times)
+               Observer& observer, StageWatch& watch)
 {
-    const Cover<Stage, Observer> cover = coverFor<Stage, Observer>(rules);
+    const Cover<Stage, Observer> cover = coverFor<Stage, Observer>(rules); // the rasterizer, chosen once
     std::vector<ScreenTriangle> triangles;
-    Stopwatch watch;
     while (!faces.empty() && !stage.stopped()) {
-        faces = geometry.processBatch(faces, triangles, observer); // clip, to the screen, cull
-        times.geometry += watch.lap();
+        faces = geometry.processBatch(faces, triangles, observer); // assemble, clip, to the screen, fan, cull
+        watch.add(&StageTimes::geometry);
         for (const ScreenTriangle& triangle : triangles) {
-            drawTriangle(triangle, rules, cover, stage, observer); // set up, cover; the stage shades and writes
+            drawTriangle(triangle, rules, cover, stage, observer); // set up, cover; the stage tests, shades and writes
             stage.finish();
         }
-        times.raster += watch.lap();
+        watch.add(&StageTimes::raster);
     }
 }
 
 /// One frame, all stages in order; the observer is told everything.
+///
+/// in   what the settings resolve to for this scene
 template <class Observer>
-void drawScene(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs, Observer& observer,
+void drawScene(const Scene& scene, const Resolved& resolved, Frame& frame, Outputs outputs, Observer& observer,
                const std::stop_token& stop)
 {
-    Stopwatch total;
-    Stopwatch watch;
-    StageTimes times;
-    const Rules rules = rulesFor(scene, settings);
-    const Matrices matrices = cameraMatrices(scene, settings);
+    const Rules& rules = resolved.rules;
+    const Matrices& matrices = resolved.matrices;
+    StageWatch watch;
     Framebuffer framebuffer(frame, rules, outputs, packColor(scene.background), stop);
-    times.raster += watch.lap();
+    watch.add(&StageTimes::raster);
 
-    const Geometry geometry(scene, matrices, rules);
+    const Geometry geometry(scene, matrices, rules); // every vertex once
     const std::vector<std::uint32_t> order = geometry.order();
-    times.vertex += watch.lap();
+    watch.add(&StageTimes::vertex);
 
     const auto drawInto = [&]<class Stage>(Stage stage) {
         stage.stopBy(stop);
-        drawFaces(geometry, order, rules, stage, observer, times);
+        drawFaces(geometry, order, rules, stage, observer, watch);
     };
     const glm::vec3 eye(matrices.eyeObject);
     if (SampleRouter<Observer>::wanted(rules))
         drawInto(SampleRouter<Observer>(scene, rules, framebuffer.samples(), eye, observer));
     else
         drawInto(FragmentStage<Observer>(scene, rules, framebuffer.samples(), eye, observer));
-    watch.lap();
+
     if (!stop.stop_requested())
-        framebuffer.resolve();
-    times.raster += watch.lap();
-    times.total = total.lap();
-    frame.times = times;
+        framebuffer.resolve(); // samples become pixels
+    watch.add(&StageTimes::raster);
+    frame.times = watch.times();
 }
 
 } // namespace rasterlens

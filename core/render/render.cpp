@@ -1,10 +1,11 @@
 #include "core/render/render.h"
 
 #include "core/observe/counting_observer.h"
-#include "core/pipeline/rules_for.h"
 #include "core/render/draw.h"
-#include "core/scene/camera.h"
+#include "core/render/render_resolved.h"
 #include "core/settings/mistakes.h"
+
+#include <utility>
 
 namespace rasterlens
 {
@@ -17,6 +18,11 @@ constexpr std::int64_t kMaxSamples = std::int64_t(kMaxViewport) * kMaxViewport;
 } // namespace
 
 std::optional<Reason> unsupported(const Scene& scene, const Settings& settings)
+{
+    return unsupported(scene, settings, resolve(settings, scene));
+}
+
+std::optional<Reason> unsupported(const Scene& scene, const Settings& settings, const Resolved& resolved)
 {
     if (settings.cullSpace == CullSpace::View && scene.space == SceneSpace::Clip)
         return Reason{QT_TRANSLATE_NOOP(
@@ -35,7 +41,7 @@ std::optional<Reason> unsupported(const Scene& scene, const Settings& settings)
     if (settings.algorithm == Algorithm::Tiled)
         if (auto reason = Tiled::supports(settings))
             return reason;
-    return rasterizerSupports(rulesFor(scene, settings));
+    return rasterizerSupports(resolved.rules);
 }
 
 Settings withoutAuto(const Settings& settings)
@@ -66,24 +72,31 @@ Settings withWorkers(Settings settings)
 
 void render(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs, std::stop_token stop)
 {
+    const Resolved resolved = resolve(settings, scene);
     if (settings.algorithm == Algorithm::Tiled) {
-        Tiled::draw(scene, settings, frame, outputs, nullptr, stop);
+        Tiled::draw(scene, settings, resolved, frame, outputs, nullptr, stop);
         return;
     }
     NullObserver observer;
-    drawScene(scene, settings, frame, outputs, observer, stop);
+    drawScene(scene, resolved, frame, outputs, observer, stop);
 }
 
 Statistics renderCounted(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs,
                          std::stop_token stop)
 {
+    return renderCounted(scene, settings, resolve(settings, scene), frame, outputs, std::move(stop));
+}
+
+Statistics renderCounted(const Scene& scene, const Settings& settings, const Resolved& resolved, Frame& frame,
+                         Outputs outputs, std::stop_token stop)
+{
     if (settings.algorithm == Algorithm::Tiled) {
         Statistics statistics;
-        Tiled::draw(scene, settings, frame, outputs, &statistics, stop);
+        Tiled::draw(scene, settings, resolved, frame, outputs, &statistics, stop);
         return statistics;
     }
-    CountingObserver observer(rulesFor(scene, settings));
-    drawScene(scene, settings, frame, outputs, observer, stop);
+    CountingObserver observer(resolved.rules);
+    drawScene(scene, resolved, frame, outputs, observer, stop);
     return observer.statistics();
 }
 

@@ -19,9 +19,10 @@ std::shared_ptr<const StepLog> renderSteps(const Scene& scene, const Settings& s
     const Settings shown = recordedAs(settings);
     std::stop_source ending;
     const std::stop_callback stopToo(stop, [&] { ending.request_stop(); });
-    StepRecorder recorder(scene, resolveRules(scene, shown), filter, ending);
+    const Resolved resolved = resolve(shown, scene);
+    StepRecorder recorder(scene, resolved, filter, ending);
     Frame frame;
-    drawScene(scene, shown, frame, {}, recorder, ending.get_token());
+    drawScene(scene, resolved, frame, {}, recorder, ending.get_token());
     return recorder.finish(stop.stop_requested(), frame.image);
 }
 

@@ -2,7 +2,6 @@
 
 #include "core/base/stopwatch.h"
 #include "core/pipeline/framebuffer.h"
-#include "core/pipeline/rules_for.h"
 #include "core/pipeline/shading.h"
 #include "core/scene/camera.h"
 #include "core/tiled/context.h"
@@ -211,8 +210,8 @@ void drawTiles(const FrameJob& job, const Kernels& kernels, TiledContext& contex
     });
 }
 
-void drawFrame(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs, Statistics* statistics,
-               const std::stop_token& stop)
+void drawFrame(const Scene& scene, const Settings& settings, const Resolved& resolved, Frame& frame, Outputs outputs,
+               Statistics* statistics, const std::stop_token& stop)
 {
     Stopwatch total;
     Stopwatch watch;
@@ -224,14 +223,14 @@ void drawFrame(const Scene& scene, const Settings& settings, Frame& frame, Outpu
 
     FrameJob job;
     job.scene = &scene;
-    job.rules = rulesFor(scene, settings);
-    job.shadingVaryings = outputs.picture ? varyingCount(settings.shading) : 0;
+    job.rules = resolved.rules;
+    job.shadingVaryings = outputs.picture ? varyingCount(job.rules.shading) : 0;
     if (!outputs.picture && job.rules.maskUv < 0)
         job.rules.varyingCount = 0; // nothing is shaded
     job.texelErrors = axisErrors(job.rules.textureFilter);
     job.masked = job.rules.maskUv >= 0;
     job.leavesTexels = !std::ranges::all_of(scene.textures, fastTexels);
-    job.matrices = cameraMatrices(scene, settings);
+    job.matrices = resolved.matrices;
     const FaceStages stages(scene, job.matrices, job.rules);
     job.stages = &stages;
     job.plainTexture = &plainTexture(scene);
@@ -285,11 +284,11 @@ int Tiled::threads(const Settings& settings)
 
 Simd Tiled::simd(const Settings& settings) { return simdFor(settings.simd); }
 
-void Tiled::draw(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs, Statistics* statistics,
-                 const std::stop_token& stop)
+void Tiled::draw(const Scene& scene, const Settings& settings, const Resolved& resolved, Frame& frame, Outputs outputs,
+                 Statistics* statistics, const std::stop_token& stop)
 {
     try {
-        drawFrame(scene, settings, frame, outputs, statistics, stop);
+        drawFrame(scene, settings, resolved, frame, outputs, statistics, stop);
     } catch (...) {
         frame.tiled = nullptr; // half filled, and no longer what is known of the picture
         throw;

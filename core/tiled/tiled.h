@@ -1,5 +1,6 @@
 #pragma once
 #include "core/pipeline/frame.h"
+#include "core/pipeline/resolve.h"
 #include "core/pipeline/statistics.h"
 #include "core/rasterizers/registry.h"
 #include "core/scene/scene.h"
@@ -28,11 +29,12 @@ struct Tiled {
 
     /// Draws one frame.
     ///
-    /// in      statistics may be null; counting looks at hidden samples too
+    /// in      settings, for threads and instructions, and what they resolve to; statistics may be null; counting looks
+    ///         at hidden samples too
     /// cost    linear in vertices, faces and visible samples
     /// errors  std::bad_alloc, whichever thread has it; the frame is good for another try
-    static void draw(const Scene& scene, const Settings& settings, Frame& frame, Outputs outputs,
-                     Statistics* statistics, const std::stop_token& stop);
+    static void draw(const Scene& scene, const Settings& settings, const Resolved& resolved, Frame& frame,
+                     Outputs outputs, Statistics* statistics, const std::stop_token& stop);
 };
 
 } // namespace rasterlens

@@ -1,6 +1,6 @@
 #include "core/truth/distance_chart.h"
 
-#include "core/pipeline/rules_for.h"
+#include "core/pipeline/resolve.h"
 #include "core/pipeline/vertex_stage.h"
 #include "core/render/render.h"
 #include "core/scene/camera.h"
@@ -98,8 +98,8 @@ private:
     /// picture's diagonal.
     [[nodiscard]] double cornerError(const Scene& scene) const
     {
-        const std::vector<ClipVertex> drawn =
-            shadeVertices(scene, cameraMatrices(scene, m_settings), rulesFor(scene, m_settings));
+        const Resolved resolved = resolve(m_settings, scene);
+        const std::vector<ClipVertex> drawn = shadeVertices(scene, resolved.matrices, resolved.rules);
         const double diagonal = std::hypot(m_settings.size.width(), m_settings.size.height());
         double largest = 0;
         for (std::size_t i = 0; i < drawn.size(); ++i) {

@@ -1,6 +1,6 @@
 #include "core/truth/exact_reference.h"
 
-#include "core/pipeline/rules_for.h"
+#include "core/pipeline/resolve.h"
 #include "core/pipeline/vertex_stage.h"
 #include "core/scene/camera.h"
 #include "core/settings/depth_rules.h"
@@ -431,7 +431,8 @@ ExactOptions exactOptions(const Scene& scene, const Settings& settings, Referenc
     Settings correct = settings;
     correct.visibility = Visibility::ZBuffer;
     correct.mistakes.clear();
-    const Rules rules = rulesFor(scene, correct);
+    const Resolved resolved = resolve(correct, scene);
+    const Rules& rules = resolved.rules;
 
     ExactOptions options;
     options.size = settings.size;
@@ -447,7 +448,7 @@ ExactOptions exactOptions(const Scene& scene, const Settings& settings, Referenc
     options.sampleGrid = rules.sampleGrid;
     options.window = scene.window ? visiblePart(*scene.window, settings.size) : std::nullopt;
     if (space == ReferenceSpace::Object)
-        options.clipFromObject = cameraMatrices(scene, correct).clipFromObjectDouble;
+        options.clipFromObject = resolved.matrices.clipFromObjectDouble;
     return options;
 }
 
@@ -456,7 +457,8 @@ std::vector<ClipTriangle> exactTriangles(const Scene& scene, const Settings& set
     Settings gouraud = settings;
     gouraud.shading = Shading::Gouraud;
     gouraud.mistakes.clear();
-    std::vector<ClipVertex> vertices = shadeVertices(scene, cameraMatrices(scene, gouraud), rulesFor(scene, gouraud));
+    const Resolved resolved = resolve(gouraud, scene);
+    std::vector<ClipVertex> vertices = shadeVertices(scene, resolved.matrices, resolved.rules);
     if (space == ReferenceSpace::Object)
         for (std::size_t i = 0; i < vertices.size(); ++i)
             vertices[i].positionClip = glm::dvec4(scene.mesh.vertices[i].position);

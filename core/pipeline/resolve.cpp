@@ -1,8 +1,6 @@
-#include "core/pipeline/rules_for.h"
+#include "core/pipeline/resolve.h"
 
 #include "core/pipeline/shading.h"
-#include "core/scene/scene.h"
-#include "core/settings/mistakes.h"
 
 #include <algorithm>
 
@@ -69,9 +67,8 @@ void carryMaskUv(Rules& rules)
     rules.varyingCount = std::max(rules.varyingCount, rules.maskUv + 2);
 }
 
-} // namespace
-
-Rules rulesFor(const Scene& scene, const Settings& settings)
+/// The rules without the mistakes.
+Rules rightRules(const Settings& settings, const Scene& scene)
 {
     Rules rules;
     rules.shading = settings.shading;
@@ -109,11 +106,23 @@ Rules rulesFor(const Scene& scene, const Settings& settings)
 
     rules.perspectiveCorrect = settings.interpolation == Interpolation::Perspective;
     rules.attributePath = settings.attributePath;
-
-    for (const QString& id : settings.mistakes)
-        if (const Mistake* mistake = findMistake(id))
-            mistake->apply(rules);
     return rules;
+}
+
+} // namespace
+
+Resolved resolve(const Settings& settings, const Scene& scene)
+{
+    Resolved resolved;
+    resolved.matrices = cameraMatrices(scene, settings);
+    resolved.right = rightRules(settings, scene);
+    resolved.rules = resolved.right;
+    for (const QString& id : settings.mistakes)
+        if (const Mistake* mistake = findMistake(id)) {
+            mistake->apply(resolved.rules);
+            resolved.mistakes.push_back(mistake);
+        }
+    return resolved;
 }
 
 } // namespace rasterlens

@@ -1,0 +1,16 @@
+#pragma once
+#include "core/pipeline/resolve.h"
+#include "core/render/render.h"
+
+namespace rasterlens
+{
+
+// The functions of render.h for callers of core that have resolved the settings already: `resolved` is what the settings
+// resolve to for the scene.
+
+[[nodiscard]] std::optional<Reason> unsupported(const Scene& scene, const Settings& settings, const Resolved& resolved);
+
+[[nodiscard]] Statistics renderCounted(const Scene& scene, const Settings& settings, const Resolved& resolved,
+                                       Frame& frame, Outputs outputs, std::stop_token stop);
+
+} // namespace rasterlens
