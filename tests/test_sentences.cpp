@@ -24,6 +24,7 @@ namespace
 {
 
 constexpr std::size_t kMostFaces = 4000; ///< scenes of more are left to tests that draw them once
+constexpr int kPixelsToAsk = 8;          ///< of those that a mistake spoils
 constexpr std::size_t kReadWhole = 1200; ///< events: of longer records a sample is read
 
 /// The built-in scenes of few faces; under the sanitizers a fifth of them.
@@ -137,6 +138,8 @@ private Q_SLOTS:
     void overlayNumbersMeanWhatIsShown();
     void everyMistake_data();
     void everyMistake();
+    void everyMistakeIsNamed_data() { everyMistake_data(); }
+    void everyMistakeIsNamed();
     void everyDepthSetting_data();
     void everyDepthSetting();
     void everyAlgorithm_data();
@@ -296,6 +299,46 @@ void TestSentences::everyMistake()
         QVERIFY2(complaint.isEmpty(),
                  qPrintable(QStringLiteral("%1, seed %2: %3").arg(scene.id).arg(seed).arg(complaint)));
     }
+}
+
+/// The record of a scene that shows a mistake has a step that names it, and a pixel that comes out wrong is explained
+/// by it.
+void TestSentences::everyMistakeIsNamed()
+{
+    QFETCH(QString, id);
+    const Mistake* const mistake = findMistake(id);
+    const Scene scene = *makeBuiltinScene(QLatin1String(mistake->scene)).scene;
+    Settings settings = scene.defaults;
+    Frame right;
+    render(scene, settings, right, {.depth = true, .ids = true});
+    settings.mistakes = {id};
+    Frame wrong;
+    render(scene, settings, wrong, {.depth = true, .ids = true});
+
+    const auto names = [&](const std::vector<const Mistake*>& causes) { return causes == std::vector{mistake}; };
+    const auto log = renderSteps(scene, settings);
+    const auto named = log->find(0, StepDirection::Forward, [&](const StepEvent& event) {
+        return names(becauseOf(*log, std::size_t(&event - log->events().data())));
+    });
+    QVERIFY(named);
+    QVERIFY(stepTitle(*log, *named).contains(QLatin1String(mistake->title)));
+
+    const auto differs = [&](int x, int y) {
+        const auto at = std::size_t(y) * std::size_t(settings.size.width()) + std::size_t(x);
+        return right.image.pixel(x, y) != wrong.image.pixel(x, y) || right.ids[at] != wrong.ids[at] ||
+               right.depth[at] != wrong.depth[at];
+    };
+    int asked = 0;
+    for (int y = 0; y < settings.size.height(); ++y)
+        for (int x = 0; x < settings.size.width() && asked < kPixelsToAsk; ++x) {
+            if (!differs(x, y))
+                continue;
+            ++asked;
+            const WhyReport report = why(scene, settings, x, y);
+            if (std::ranges::any_of(report.faces, [&](const WhyFace& face) { return names(face.because); }))
+                return;
+        }
+    QFAIL(qPrintable(QStringLiteral("no face names it at any of %1 wrong pixels").arg(asked)));
 }
 
 void TestSentences::everyDepthSetting_data()

@@ -5,6 +5,7 @@
 #include "core/pipeline/culling.h"
 #include "core/pipeline/depth_test.h"
 #include "core/pipeline/interpolation.h"
+#include "core/pipeline/line_places.h"
 #include "core/pipeline/triangle_setup.h"
 #include "core/pipeline/viewport.h"
 #include "core/settings/mistakes.h"
@@ -12,7 +13,9 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 
 namespace rasterlens
 {
@@ -39,7 +42,6 @@ public:
         case StepKind::Walk: return m_rules.extraEdgeHeight != 0;
         case StepKind::Span: return differs(event, m_log.payload<SpanStep>(event));
         case StepKind::Sample: return covers(event, event.x, event.y) != event.has(StepEvent::kCovered);
-        case StepKind::LineSample: return m_rules.lineAdvance != m_right.lineAdvance;
         case StepKind::Fragment: return differs(event, m_log.payload<FragmentStep>(event));
         case StepKind::Shade: return m_rules.cornerData != CornerData::Own;
         case StepKind::Write: return m_rules.strideIsRows && event.y > 0;
@@ -47,7 +49,8 @@ public:
         case StepKind::Vertex:
         case StepKind::Clipped:
         case StepKind::Triangle:
-        case StepKind::LineDecision: break;
+        case StepKind::LineDecision:
+        case StepKind::LineSample: break; // see becauseOfLines()
         }
         return false;
     }
@@ -153,7 +156,7 @@ private:
         const float stored = clear ? m_right.depthClear : step.storedDepth;
         const bool passes = !m_right.depthTested || depthPasses(step.depth, stored, m_right.depthCompare);
         if (m_rules.depthTested != m_right.depthTested || passes != passed || (!passed && m_rules.depthWrittenOnFail) ||
-            m_rules.integerLineWeights)
+            m_rules.integerLineWeights || event.has(StepEvent::kSharedDepth))
             return true;
         if (m_rules.depthFormat != m_right.depthFormat || m_rules.depthIsDistance || !m_rules.depthLinear ||
             m_rules.keptW != KeptW::Inverse || !m_rules.clipUpdatesW)
@@ -180,6 +183,64 @@ private:
     const Rules& m_right;
 };
 
+/// A line of a triangle, as samples.
+struct SampleLine {
+    GridPoint from;
+    GridPoint to;
+
+    [[nodiscard]] bool runsLeft() const { return from.x > to.x; }
+};
+
+std::array<SampleLine, 3> linesOf(const ScreenTriangle& triangle)
+{
+    const auto& [a, b, c] = triangle.vertices;
+    const std::array<GridPoint, 3> at{sampleOf(a.position), sampleOf(b.position), sampleOf(c.position)};
+    return {SampleLine{at[0], at[1]}, SampleLine{at[1], at[2]}, SampleLine{at[2], at[0]}};
+}
+
+/// Whether a decision about a line is made at its right end, or leads there.
+bool touchesRightEnd(const SampleLine& line, const StepEvent& event, const LineDecision& decision)
+{
+    const bool isFirst = decision.step == 0 && event.x == line.from.x && event.y == line.from.y;
+    const bool isLast = decision.step + 1 == decision.longer && std::abs(event.x - line.to.x) <= 1 &&
+                        std::abs(event.y - line.to.y) <= 1;
+    return line.runsLeft() ? isFirst : isLast;
+}
+
+/// Whether rules are the reason why an event of a wireframe is what it is. Samples that are left out have no event: the
+/// triangle they belong to and the decisions beside them speak for them.
+bool drawOtherLines(const Rules& rules, const StepLog& log, const StepEvent& event)
+{
+    if (event.kind == StepKind::LineSample)
+        return rules.lineAdvance != log.rightRules().lineAdvance;
+    const std::array<SampleLine, 3> lines = linesOf(log.triangle(event)->screen);
+    if (event.kind == StepKind::Triangle)
+        return !rules.rightLineEnds || std::ranges::any_of(lines, [&](const SampleLine& line) {
+            return (rules.lineOctants >> octantOf(line.from, line.to) & 1U) == 0;
+        });
+    const LineDecision& decision = log.payload<LineStep>(event).decision;
+    return !rules.rightLineEnds &&
+           std::ranges::any_of(lines, [&](const SampleLine& line) { return touchesRightEnd(line, event, decision); });
+}
+
+/// The mistakes of a record each of which draws other lines.
+std::vector<const Mistake*> becauseOfLines(const StepLog& log, const StepEvent& event)
+{
+    std::vector<const Mistake*> causes;
+    for (const Mistake* mistake : log.mistakes()) {
+        Rules rules = log.rightRules();
+        mistake->apply(rules);
+        if (drawOtherLines(rules, log, event))
+            causes.push_back(mistake);
+    }
+    return causes;
+}
+
+bool isAboutLines(StepKind kind)
+{
+    return kind == StepKind::Triangle || kind == StepKind::LineDecision || kind == StepKind::LineSample;
+}
+
 /// The kinds that a mistake is to name for an event: what became of a face was decided before it.
 StepKinds kindsFor(const StepLog& log, const StepEvent& event)
 {
@@ -193,8 +254,11 @@ StepKinds kindsFor(const StepLog& log, const StepEvent& event)
 
 std::vector<const Mistake*> becauseOf(const StepLog& log, std::size_t i)
 {
+    const StepEvent& event = log.event(i);
+    if (log.rules().fill == Fill::Wireframe && isAboutLines(event.kind))
+        return becauseOfLines(log, event);
     std::vector<const Mistake*> causes;
-    const StepKinds kinds = kindsFor(log, log.event(i));
+    const StepKinds kinds = kindsFor(log, event);
     for (const Mistake* mistake : log.mistakes())
         if ((stepsOf(*mistake) & kinds) != 0)
             causes.push_back(mistake);

@@ -11,8 +11,8 @@ namespace rasterlens
 /// The mistakes of a record because of which an event is not what it would be by the right rules, from the same
 /// numbers that came in: another verdict, or another number.
 ///
-/// covers  what can be seen in the event itself. What is missing from the record for a mistake, as the lines of an
-///         octant that are not drawn, no event tells
+/// covers  what can be seen in the event itself. Samples of lines that a mistake leaves out have no event: the triangle
+///         they belong to is named instead, and the decision that would have led to the end of a line
 /// cost    that of the event's stage for one vertex, triangle or sample
 [[nodiscard]] std::vector<const Mistake*> becauseOf(const StepLog& log, std::size_t i);
 

@@ -72,6 +72,8 @@ StepRecorder::StepRecorder(const Scene& scene, const Resolved& resolved, const S
     assignInPieces(m_color, samples, m_log->m_clear.color, stop);
     if (overdraw)
         m_coverCount.resize(samples);
+    if (rules.depthPerPixel)
+        m_ownDepth.assign(samples, rules.depthClear);
     if (filter.pixels) {
         const PixelRect& p = *filter.pixels;
         m_samples = {p.x * rules.sampleGrid, p.y * rules.sampleGrid, p.width * rules.sampleGrid,
@@ -398,6 +400,7 @@ void StepRecorder::onFragment(const Fragment& fragment, float storedDepth, bool 
     std::uint8_t flags = finiteFlag(step.weights[0], step.weights[1], step.weights[2], step.invW);
     flags |= flagIf(passed, StepEvent::kPassed);
     flags |= flagIf(m_counter.statistics().pixels.coveredTwice != twice, StepEvent::kHitTwice);
+    flags |= flagIf(!m_ownDepth.empty() && m_ownDepth[sample] != storedDepth, StepEvent::kSharedDepth);
     storePayload(sampleEvent(StepKind::Fragment, fragment.x, fragment.y, flags), step);
 }
 
@@ -418,6 +421,8 @@ void StepRecorder::onWrite(int x, int y, Pixel before, Pixel after)
     if (!m_coverCount.empty()) // the picture shows how often a sample was covered, whatever is written
         before.color = after.color = overdrawColor(m_coverCount[sample]);
     m_color[sample] = after.color;
+    if (!m_ownDepth.empty())
+        m_ownDepth[sample] = after.depth;
     addEffect({sample, before, after});
     if (!admit(y, x, x + 1)) {
         m_gap = true;

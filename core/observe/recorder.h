@@ -143,6 +143,8 @@ private:
     std::vector<std::uint32_t> m_lastEffect; ///< of each sample, an index into effects that may be out of date
     std::vector<std::uint32_t> m_color;      ///< of each sample
     std::vector<std::uint16_t> m_coverCount; ///< of each sample; overdraw only
+    /// With rules.depthPerPixel: of each sample, the depth that was last written for it alone.
+    std::vector<float> m_ownDepth;
 };
 
 } // namespace rasterlens

@@ -32,12 +32,13 @@ struct StepFilter {
 /// One event; what it holds beside this is its payload (StepLog::payload).
 struct StepEvent {
     // Bits of `flags`.
-    static constexpr std::uint8_t kCovered = 1;    ///< Sample: inside. LineSample: on the target
-    static constexpr std::uint8_t kPassed = 2;     ///< Fragment: passed the depth test
-    static constexpr std::uint8_t kTie = 4;        ///< Sample: exactly on an edge of the triangle
-    static constexpr std::uint8_t kSignChange = 8; ///< Sample: a sign differs from the sample to the left
-    static constexpr std::uint8_t kNonFinite = 16; ///< one of its numbers is NaN or infinite
-    static constexpr std::uint8_t kHitTwice = 32;  ///< Fragment: the other face at this edge was here, too
+    static constexpr std::uint8_t kCovered = 1;      ///< Sample: inside. LineSample: on the target
+    static constexpr std::uint8_t kPassed = 2;       ///< Fragment: passed the depth test
+    static constexpr std::uint8_t kTie = 4;          ///< Sample: exactly on an edge of the triangle
+    static constexpr std::uint8_t kSignChange = 8;   ///< Sample: a sign differs from the sample to the left
+    static constexpr std::uint8_t kNonFinite = 16;   ///< one of its numbers is NaN or infinite
+    static constexpr std::uint8_t kHitTwice = 32;    ///< Fragment: the other face at this edge was here, too
+    static constexpr std::uint8_t kSharedDepth = 64; ///< Fragment: compared with what another sample of the pixel wrote
     static constexpr std::uint32_t kNone = 0xffffffff;
 
     StepKind kind = StepKind::End;

@@ -254,8 +254,6 @@ private:
             m_report.visibleFace = at->face;
         }
         judgeHoles();
-        if (m_rules.fill != Fill::Solid) // a face whose lines pass elsewhere does not concern the pixel
-            std::erase_if(m_report.faces, [](const WhyFace& row) { return row.verdict == WhyVerdict::OutsideEdge; });
     }
 
     void judgeEvent(WhyFace& row, const StepEvent& event) const
@@ -412,6 +410,9 @@ QString verdictText(const WhyReport& report, const WhyFace& row)
                                                  .arg(fullNumber(row.facing->screenArea / 2));
     case WhyVerdict::ClippedAway: return QStringLiteral("clipped away by %1").arg(planesText(row.planes));
     case WhyVerdict::OutsideEdge:
+        if (report.rules.fill != Fill::Solid)
+            return report.rules.fill == Fill::Points ? QStringLiteral("no corner of it is drawn here")
+                                                     : QStringLiteral("no line of it is drawn here");
         return row.edge < 0 ? QStringLiteral("outside the pieces that clipping left")
                             : QStringLiteral("outside edge %1").arg(edgeText(row, row.edges[std::size_t(row.edge)]));
     case WhyVerdict::LostTie: {
@@ -544,6 +545,10 @@ WhyReport why(const Scene& scene, const Settings& settings, int x, int y, const 
     const Resolved resolved = resolve(shown, scene);
     WhyReport report = Inquiry(scene, resolved, x, y, stop).answer();
     nameMistakes(report, scene, shown, stop);
+    // Lines that pass elsewhere do not concern the pixel, unless it is for a mistake that they do.
+    if (report.rules.fill != Fill::Solid)
+        std::erase_if(report.faces,
+                      [](const WhyFace& row) { return row.verdict == WhyVerdict::OutsideEdge && row.because.empty(); });
     return report;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/pipeline/line_places.h"
 #include "core/pipeline/observer.h"
 #include "core/pipeline/types.h"
 #include "core/settings/rules.h"
@@ -9,12 +10,6 @@
 
 namespace rasterlens
 {
-
-/// A sample of the grid.
-struct GridPoint {
-    int x;
-    int y;
-};
 
 /// Calls plot(x, y, t) for every sample of the line, both ends included; t is the fraction of the way, 0..1.
 /// The observer is told every decision.
@@ -87,23 +82,6 @@ void columnLine(GridPoint from, GridPoint to, Plot&& plot)
             plot(x, y, t);
         }
     }
-}
-
-/// The octant the way from one sample to another lies in, 0..7 counter-clockwise from the direction of x with y up.
-[[nodiscard]] inline int octantOf(GridPoint from, GridPoint to)
-{
-    const int dx = to.x - from.x;
-    const int dy = from.y - to.y;
-    const bool steep = std::abs(dy) > std::abs(dx);
-    if (dy >= 0)
-        return dx >= 0 ? (steep ? 1 : 0) : (steep ? 2 : 3);
-    return dx < 0 ? (steep ? 5 : 4) : (steep ? 6 : 7);
-}
-
-/// The sample that holds a point of the screen.
-[[nodiscard]] inline GridPoint sampleOf(const glm::dvec2& position)
-{
-    return {static_cast<int>(std::floor(position.x)), static_cast<int>(std::floor(position.y))};
 }
 
 /// Draws the three edges of a triangle: emit(x, y, weights) for every sample, also off the target.

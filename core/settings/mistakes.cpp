@@ -142,7 +142,7 @@ constexpr MistakeRow kRows[] = {
      QT_TRANSLATE_NOOP("Mistake", "Lines in one direction are not drawn."),
      QT_TRANSLATE_NOOP("Mistake", "if (dy > dx && dx > 0 && dy > 0) is never written"),
      QT_TRANSLATE_NOOP("Mistake", "Seven cases work."),
-     "lines", Proof::Covered, Change::Falls, at(LineDecision), [](Rules& r) { r.lineOctants = 0xff & ~0x2U; }},
+     "lines", Proof::Covered, Change::Falls, at(LineSample), [](Rules& r) { r.lineOctants = 0xff & ~0x2U; }},
     {"missing-last-pixel", "M15",
      QT_TRANSLATE_NOOP("Mistake", "The last pixel of a line is missing"),
      QT_TRANSLATE_NOOP("Mistake", "Lines stop one pixel short: the corners on the right of triangles are open."),

@@ -5360,6 +5360,14 @@
         <translation>被 %1 平面裁掉</translation>
     </message>
     <message>
+        <source>no corner of it is drawn here</source>
+        <translation>它的顶点没有画在这里</translation>
+    </message>
+    <message>
+        <source>no line of it is drawn here</source>
+        <translation>它的线没有画到这里</translation>
+    </message>
+    <message>
         <source>outside of what clipping left</source>
         <translation>在裁剪剩下的部分之外</translation>
     </message>

@@ -79,7 +79,12 @@ std::array<QString, 4> lineCode(const Rules& rules)
             QStringLiteral("  if (p > 0) { y += 1;  p -= 2 dx; }  p += 2 dy; }"), onLine, color};
 }
 
-bool isGeometry(StepKind kind) { return kind < StepKind::Walk; }
+/// Whether a step is run by the code of the geometry stages. Where lines or points are drawn, no set-up follows the
+/// triangle: it begins with their code.
+bool isGeometry(StepKind kind, const Rules& rules)
+{
+    return kind < StepKind::Walk && !(kind == StepKind::Triangle && rules.fill != Fill::Solid);
+}
 
 /// The kinds there are after geometry, by the way the triangle is drawn.
 StepKinds kindsOfDrawing(const Rules& rules)
@@ -95,7 +100,7 @@ StepKinds kindsOfDrawing(const Rules& rules)
 std::pair<std::array<QString, 4>, StepKinds> codeFor(const StepLog& log, StepKind kind)
 {
     const Rules& right = log.rightRules();
-    if (isGeometry(kind))
+    if (isGeometry(kind, log.rules()))
         return {geometryCode(), kindBit(StepKind::Walk) - 1};
     const StepKinds kinds = kindsOfDrawing(log.rules());
     if (log.rules().fill != Fill::Solid)
@@ -129,9 +134,14 @@ int lineOf(StepKind kind)
     return -1;
 }
 
-int lineOf(const StepLog& log, const StepEvent& event)
+int lineOf(const StepLog& log, std::size_t i)
 {
+    const StepEvent& event = log.event(i);
     const bool isRejected = event.kind == StepKind::Fate && log.payload<FateStep>(event).fate == FaceFate::Rejected;
+    const bool beginsLines = event.kind == StepKind::Triangle && log.rules().fill != Fill::Solid;
+    const bool leadsToNoSample = event.kind == StepKind::LineDecision && !becauseOf(log, i).empty();
+    if (beginsLines || leadsToNoSample)
+        return lineOf(StepKind::LineSample);
     return lineOf(isRejected ? StepKind::ClipPlane : event.kind);
 }
 
@@ -318,7 +328,7 @@ QStringList spanLines(const SpanStep& span)
 StepExplanation explainStep(const StepLog& log, std::size_t i)
 {
     const StepEvent& event = log.event(i);
-    StepExplanation told{listingFor(log, event.kind), lineOf(log, event), formulaOf(log, i)};
+    StepExplanation told{listingFor(log, event.kind), lineOf(log, i), formulaOf(log, i)};
     if (const QString because = becauseWords(becauseOf(log, i)); !because.isEmpty()) {
         const auto end = told.formula.indexOf(QLatin1Char('\n')); // there are two lines: what led to it, and what it is
         told.formula = told.formula.left(end) + QLatin1Char('\n') + because +
