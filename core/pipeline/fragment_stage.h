@@ -6,8 +6,11 @@
 #include "core/pipeline/shading.h"
 #include "core/settings/rules.h"
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <stop_token>
+#include <type_traits>
 #include <utility>
 
 namespace rasterlens
@@ -69,7 +72,9 @@ public:
                   Observer& observer)
         : m_scene(&scene), m_rules(&rules), m_samples(samples), m_eyeWorld(eyeWorld), m_observer(&observer),
           m_readsDepth(kReadsFragments<Observer> || samples.depth != nullptr || rules.shading == Shading::Depth),
-          m_readsAttributes(varyingCount(rules.shading) > 0)
+          m_readsAttributes(varyingCount(rules.shading) > 0),
+          m_testsRowsFirst(std::is_same_v<Observer, NullObserver> && rules.depthTested && rules.depthBeforeShading &&
+                           !rules.depthWrittenOnFail && samples.depth != nullptr && samples.color != nullptr)
     {
     }
 
@@ -99,6 +104,21 @@ public:
         process(x, y, EdgeSample{{*m_interpolation, x, y}, edges});
     }
 
+    /// The samples [xBegin, xEnd) of a row, covered by the area of the triangle: the same as one after the other.
+    ///
+    /// Where the observer does not tell the order, all depths of the row are tested before what passes is shaded. Which
+    /// samples pass is hard to predict, and a processor that guesses wrong throws away the shading it has begun.
+    void drawRow(int y, int xBegin, int xEnd)
+    {
+        if (!m_testsRowsFirst) {
+            for (int x = xBegin; x < xEnd; ++x)
+                (*this)(x, y);
+            return;
+        }
+        for (; xBegin < xEnd; xBegin += kRowPart)
+            drawTestedRow(y, xBegin, std::min(xBegin + kRowPart, xEnd));
+    }
+
     /// A sample on one of the triangle's lines or corners, inside the target or not.
     void operator()(int x, int y, const Weights& screen)
     {
@@ -124,6 +144,50 @@ public:
     [[nodiscard]] const FaceInterpolation& interpolation() const { return *m_interpolation; }
 
 private:
+    static constexpr int kRowPart = 64; ///< samples of a row that are tested before the first of them is shaded
+
+    /// The samples of a part of a row that pass the depth test.
+    struct PassedSamples {
+        std::array<int, kRowPart> x;
+        std::array<float, kRowPart> depth;
+        int count = 0;
+    };
+
+    void drawTestedRow(int y, int xBegin, int xEnd)
+    {
+        PassedSamples passed;
+        switch (m_rules->depthCompare) {
+        case DepthCompare::Less: testRow<DepthCompare::Less>(y, xBegin, xEnd, passed); break;
+        case DepthCompare::LessEqual: testRow<DepthCompare::LessEqual>(y, xBegin, xEnd, passed); break;
+        case DepthCompare::Greater: testRow<DepthCompare::Greater>(y, xBegin, xEnd, passed); break;
+        case DepthCompare::GreaterEqual: testRow<DepthCompare::GreaterEqual>(y, xBegin, xEnd, passed); break;
+        case DepthCompare::Always: testRow<DepthCompare::Always>(y, xBegin, xEnd, passed); break;
+        }
+        for (std::size_t i = 0; i < static_cast<std::size_t>(passed.count); ++i) {
+            const int x = passed.x[i];
+            const std::uint32_t color = shade(AreaSample{*m_interpolation, x, y}, passed.depth[i]);
+            write(x, y, m_samples.index(x, y), color, passed.depth[i]);
+        }
+    }
+
+    /// Collects without a branch: a sample that fails is overwritten by the next one.
+    template <DepthCompare compare>
+    void testRow(int y, int xBegin, int xEnd, PassedSamples& passed)
+    {
+        const DepthFormat format = m_rules->depthFormat;
+        std::size_t count = 0;
+        for (int x = xBegin; x < xEnd; ++x) {
+            const std::size_t at = m_samples.index(x, y);
+            if (m_samples.coverage != nullptr && m_samples.coverage[at] != 0xffff)
+                ++m_samples.coverage[at];
+            const float depth = storedDepth(AreaSample{*m_interpolation, x, y}.depth(), format);
+            passed.x[count] = x;
+            passed.depth[count] = depth;
+            count += depthPasses(depth, m_samples.depth[at], compare) ? 1 : 0;
+        }
+        passed.count = static_cast<int>(count);
+    }
+
     template <class Sample>
     [[gnu::always_inline]] void process(int x, int y, const Sample& sample)
     {
@@ -213,6 +277,7 @@ private:
     Observer* m_observer;
     bool m_readsDepth;
     bool m_readsAttributes;
+    bool m_testsRowsFirst;                            ///< see drawRow()
     std::optional<FaceInterpolation> m_interpolation; ///< of the triangle the samples belong to
     FaceUniforms m_uniforms;                          ///< of its face
     std::stop_token m_stop;

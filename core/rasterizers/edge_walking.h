@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rasterlens
 {
@@ -47,6 +48,9 @@ public:
         else
             jumpTo(m_row + 1);
     }
+
+    /// Evaluates the line equation anew at a row: what additions have rounded away does not reach the next half.
+    void restartAt(int row) { jumpTo(row); }
 
 private:
     static std::int64_t hold(T sample)
@@ -105,6 +109,9 @@ public:
             ++m_x.floor;
         }
     }
+
+    /// Nothing to do at the row the edge has come to: steps of fractions are exact.
+    void restartAt(int) {}
 
 private:
     /// floor + rest / denominator, 0 <= rest < denominator
@@ -177,8 +184,8 @@ struct EdgeWalking {
 
     [[nodiscard]] static std::optional<Reason> supports(const Rules&) { return std::nullopt; }
 
-    /// Calls emit(x, y) for every covered sample, row by row from the top, left to right; with edge-then-span also
-    /// what was interpolated on the way.
+    /// Calls emit(x, y) for every covered sample, row by row from the top, left to right, or emit.drawRow() for rows of
+    /// them where it has that; with edge-then-span emit(x, y, what was interpolated on the way).
     template <class T, class Emit, class Observer>
     static void cover(const TriangleSetup<T>& setup, const ScreenTriangle& triangle, const Rules& rules, Emit& emit,
                       Observer& observer)
@@ -193,16 +200,18 @@ struct EdgeWalking {
             const T extra = static_cast<T>(rules.extraEdgeHeight) * Grid<T>::kUnit;
             return Point<T>{s.vertices[i].x, s.vertices[i].y + extra};
         };
+        if (y > rows.last)
+            return;
+        EdgeWalker<T> longEdge(s.vertices[0], endOf(2), y, rules.stepping);
         // Upper half: long edge and upper short edge. The row through the middle vertex belongs to the lower half
         // unless there is none.
-        if (y <= rows.last && isUpperHalf(y, s)) {
-            EdgeWalker<T> longEdge(s.vertices[0], endOf(2), y, rules.stepping);
+        if (isUpperHalf(y, s)) {
             EdgeWalker<T> shortEdge(s.vertices[0], endOf(1), y, rules.stepping);
             for (; y <= rows.last && isUpperHalf(y, s) && !isStopped(emit); ++y, longEdge.step(), shortEdge.step())
                 fillSpan(y, longEdge, shortEdge, s, setup, triangle, rules, emit, observer);
         }
         if (y <= rows.last && !isStopped(emit)) {
-            EdgeWalker<T> longEdge(s.vertices[0], endOf(2), y, rules.stepping);
+            longEdge.restartAt(y);
             EdgeWalker<T> shortEdge(s.vertices[1], endOf(2), y, rules.stepping);
             for (; y <= rows.last && !isStopped(emit); ++y, longEdge.step(), shortEdge.step())
                 fillSpan(y, longEdge, shortEdge, s, setup, triangle, rules, emit, observer);
@@ -226,11 +235,15 @@ private:
     static Sorted<T> sortByY(const TriangleSetup<T>& setup)
     {
         std::array<std::uint8_t, 3> order{0, 1, 2};
-        std::sort(order.begin(), order.end(), [&](std::uint8_t i, std::uint8_t j) {
+        const auto sortPair = [&](std::uint8_t& i, std::uint8_t& j) {
             const Point<T>& a = setup.vertices[i];
             const Point<T>& b = setup.vertices[j];
-            return a.y != b.y ? a.y < b.y : a.x < b.x;
-        });
+            if (b.y != a.y ? b.y < a.y : b.x < a.x)
+                std::swap(i, j);
+        };
+        sortPair(order[0], order[1]);
+        sortPair(order[1], order[2]);
+        sortPair(order[0], order[1]);
         Sorted<T> s;
         for (std::size_t i = 0; i < 3; ++i) {
             s.vertices[i] = setup.vertices[order[i]];
@@ -294,10 +307,20 @@ private:
                         {leftEdge.position(), rightEdge.position(), s.longEdgeIsLeft, isUpperHalf(y, s), begin, end,
                          rules.tie.owner <= 0, rules.tie.other <= 0});
         if (rules.attributePath == AttributePath::Planes) {
-            for (int x = xBegin; x < xEnd; ++x)
-                emit(x, y);
+            emitRow(y, xBegin, xEnd, emit);
         } else if (xBegin < xEnd) {
             emitCarried(y, xBegin, xEnd, s, triangle, rules, emit);
+        }
+    }
+
+    template <class Emit>
+    static void emitRow(int y, int xBegin, int xEnd, Emit& emit)
+    {
+        if constexpr (requires { emit.drawRow(y, xBegin, xEnd); }) {
+            emit.drawRow(y, xBegin, xEnd);
+        } else {
+            for (int x = xBegin; x < xEnd; ++x)
+                emit(x, y);
         }
     }
 
