@@ -39,7 +39,7 @@ public:
         case StepKind::Walk: return m_rules.extraEdgeHeight != 0;
         case StepKind::Span: return differs(event, m_log.payload<SpanStep>(event));
         case StepKind::Sample: return covers(event, event.x, event.y) != event.has(StepEvent::kCovered);
-        case StepKind::LineSample: return m_rules.lineAdvance != m_right.lineAdvance;
+        case StepKind::LineSample: return m_rules.fill == Fill::Wireframe && m_rules.lineAdvance != m_right.lineAdvance;
         case StepKind::Fragment: return differs(event, m_log.payload<FragmentStep>(event));
         case StepKind::Shade: return m_rules.cornerData != CornerData::Own;
         case StepKind::Write: return m_rules.strideIsRows && event.y > 0;
@@ -47,6 +47,7 @@ public:
         case StepKind::Vertex:
         case StepKind::Clipped:
         case StepKind::Triangle:
+        case StepKind::Column:
         case StepKind::LineDecision: break;
         }
         return false;

@@ -169,7 +169,7 @@ private:
         const bool drawn = watch.fate == FaceFate::Rasterized;
         const bool cutAway = watch.cutBy != 0 && (drawn || watch.fate == FaceFate::Rejected);
         const bool concerned = watch.fate == FaceFate::NonFinite ||
-                               watch.boundsHold(m_centre, m_rules.fill == Fill::Solid ? 0 : m_margin) ||
+                               watch.boundsHold(m_centre, m_rules.coversByCentres() ? 0 : m_margin) ||
                                ((cutAway || watch.fate == FaceFate::Rejected) && watch.isMetBy(m_ndc));
         if (!concerned)
             return watch.fate;
@@ -256,7 +256,7 @@ private:
             m_report.visibleFace = at->face;
         }
         judgeHoles();
-        if (m_rules.fill != Fill::Solid) // a face whose lines pass elsewhere does not concern the pixel
+        if (!m_rules.coversByCentres()) // a face whose lines or columns end elsewhere does not concern the pixel
             std::erase_if(m_report.faces, [](const WhyFace& row) { return row.verdict == WhyVerdict::OutsideEdge; });
     }
 
