@@ -32,7 +32,8 @@ struct Look {
     const char* name;
     QRgb color;
 };
-constexpr Look kLooks[] = {{"edge equation", 0xff0072b2}, {"edge walking", 0xffd55e00}, {"tiled", 0xff009e73}};
+constexpr Look kLooks[] = {
+    {"edge equation", 0xff0072b2}, {"edge walking", 0xffd55e00}, {"tiled", 0xff009e73}, {"column fill", 0xffcc79a7}};
 
 const Look& lookOf(Algorithm algorithm) { return kLooks[static_cast<std::size_t>(algorithm)]; }
 
@@ -218,6 +219,10 @@ private:
         case Algorithm::Tiled:
             m_painter.drawPolygon(QPolygonF(
                 {at + QPointF(0, -kDot * 1.3), at + QPointF(kDot * 1.2, kDot), at + QPointF(-kDot * 1.2, kDot)}));
+            break;
+        case Algorithm::ColumnFill:
+            m_painter.drawPolygon(QPolygonF({at + QPointF(0, -kDot * 1.3), at + QPointF(kDot * 1.3, 0),
+                                             at + QPointF(0, kDot * 1.3), at + QPointF(-kDot * 1.3, 0)}));
             break;
         }
     }

@@ -49,6 +49,7 @@ public:
         case StepKind::Vertex:
         case StepKind::Clipped:
         case StepKind::Triangle:
+        case StepKind::Column:
         case StepKind::LineDecision:
         case StepKind::LineSample: break; // see becauseOfLines()
         }

@@ -357,6 +357,14 @@ void StepRecorder::onSample(int x, int y, const EdgeValues& values, bool covered
     storePayload(sampleEvent(StepKind::Sample, x, y, flags), SampleStep{values});
 }
 
+void StepRecorder::onColumn(const FilledColumn& column)
+{
+    // A column that meets the pixels that are asked for, or any column where all are.
+    const int y = std::clamp(m_samples.y, column.first(), std::max(column.first(), column.last()));
+    if (admit(y, column.x, column.x + 1))
+        storePayload(sampleEvent(StepKind::Column, column.x, -1), ColumnFillStep{column});
+}
+
 void StepRecorder::onLineDecision(const LineDecision& decision)
 {
     if (admit(decision.y, decision.x, decision.x + 1))

@@ -70,6 +70,7 @@ public:
     void onWalk(const WalkedTriangle& walk);
     void onSpan(int y, int xBegin, int xEnd, const SpanEnds& ends);
     void onSample(int x, int y, const EdgeValues& values, bool covered);
+    void onColumn(const FilledColumn& column);
     void onLineDecision(const LineDecision& decision);
     void onLineSample(int x, int y, bool onTarget);
     void onFragment(const Fragment& fragment, float storedDepth, bool passed);

@@ -134,6 +134,20 @@ QJsonObject json(const StepLog& log, const StepEvent& event, const SampleStep& s
             {"tie", event.has(StepEvent::kTie)}};
 }
 
+QJsonObject json(const StepLog&, const StepEvent&, const ColumnFillStep& step)
+{
+    const FilledColumn& column = step.column;
+    QJsonArray rows;
+    for (int i = 0; i < column.count; ++i)
+        rows << column.rows[std::size_t(i)];
+    QJsonObject object{{"x", column.x}, {"rows", rows}};
+    if (column.count > 0) {
+        object.insert(QStringLiteral("min"), column.first());
+        object.insert(QStringLiteral("max"), column.last());
+    }
+    return object;
+}
+
 QJsonObject json(const StepLog&, const StepEvent&, const LineStep& step)
 {
     const LineDecision& d = step.decision;

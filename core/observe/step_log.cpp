@@ -146,6 +146,7 @@ void StepLog::count(const StepEvent& event, Statistics& statistics) const
     case StepKind::Triangle:
     case StepKind::Setup:
     case StepKind::Walk:
+    case StepKind::Column:
     case StepKind::LineDecision:
     case StepKind::End: break;
     }

@@ -122,6 +122,11 @@ struct SpanStep {
     SpanEnds ends;
 };
 
+struct ColumnFillStep {
+    static constexpr StepKind kKind = StepKind::Column;
+    FilledColumn column;
+};
+
 struct SampleStep {
     static constexpr StepKind kKind = StepKind::Sample;
     EdgeValues values; ///< AB, BC, CA of the setup; in units of StepSetup::unitsPerArea
@@ -347,8 +352,8 @@ private:
     using Payloads =
         std::tuple<std::vector<VertexStep>, std::vector<ClipStep>, std::vector<CohenSutherlandStep>,
                    std::vector<ViewportStep>, std::vector<FacingStep>, std::vector<ClippedStep>, std::vector<FateStep>,
-                   std::vector<WalkStep>, std::vector<SpanStep>, std::vector<SampleStep>, std::vector<LineStep>,
-                   std::vector<FragmentStep>, std::vector<ShadeStep>, std::vector<WriteStep>>;
+                   std::vector<WalkStep>, std::vector<SpanStep>, std::vector<ColumnFillStep>, std::vector<SampleStep>,
+                   std::vector<LineStep>, std::vector<FragmentStep>, std::vector<ShadeStep>, std::vector<WriteStep>>;
 
     [[nodiscard]] bool isBoundary(std::size_t position, StepLevel level) const;
     /// What this event alone adds to the counters.

@@ -18,6 +18,7 @@ void visitPayload(const StepLog& log, const StepEvent& event, Visit&& visit)
     case StepKind::Fate: visit(log.payload<FateStep>(event)); break;
     case StepKind::Walk: visit(log.payload<WalkStep>(event)); break;
     case StepKind::Span: visit(log.payload<SpanStep>(event)); break;
+    case StepKind::Column: visit(log.payload<ColumnFillStep>(event)); break;
     case StepKind::Sample: visit(log.payload<SampleStep>(event)); break;
     case StepKind::LineDecision: visit(log.payload<LineStep>(event)); break;
     case StepKind::Fragment: visit(log.payload<FragmentStep>(event)); break;

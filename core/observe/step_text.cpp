@@ -168,6 +168,18 @@ StepParts parts(const StepLog& log, const StepEvent& event, const SampleStep& st
     return {kNothing, {QT_TRANSLATE_NOOP("Steps", "%1  %2  %3  %4"), std::move(arguments)}};
 }
 
+StepParts parts(const StepLog&, const StepEvent&, const ColumnFillStep& step)
+{
+    const FilledColumn& column = step.column;
+    if (column.count == 0)
+        return {kNothing, QT_TRANSLATE_NOOP("Steps", "no edge crosses it: the list of y is empty")};
+    QStringList rows;
+    for (int i = 0; i < column.count; ++i)
+        rows << QString::number(column.rows[std::size_t(i)]);
+    return {{QT_TRANSLATE_NOOP("Steps", "y of the edges [%1]"), {rows.join(QStringLiteral(", "))}},
+            {QT_TRANSLATE_NOOP("Steps", "filled from min %1 to max %2"), {column.first(), column.last()}}};
+}
+
 StepParts parts(const StepLog&, const StepEvent&, const LineStep& step)
 {
     const LineDecision& d = step.decision;
@@ -295,7 +307,9 @@ QString stepText(const StepLog& log, std::size_t i)
     QString line = QStringLiteral("%1 %2").arg(i).arg(QLatin1String(stepKindId(event.kind)));
     if (event.face != StepEvent::kNone)
         line += QLatin1Char(' ') + faceText(event.face, log.lineOf(event.face));
-    if (event.x >= 0 || event.kind == StepKind::LineSample || event.kind == StepKind::LineDecision)
+    if (event.kind == StepKind::Column)
+        line += QStringLiteral(" x %1").arg(event.x);
+    else if (event.x >= 0 || event.kind == StepKind::LineSample || event.kind == StepKind::LineDecision)
         line += QStringLiteral(" (%1, %2)").arg(event.x).arg(event.y);
     else if (event.kind == StepKind::Span)
         line += QStringLiteral(" row %1").arg(event.y);

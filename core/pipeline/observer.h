@@ -2,6 +2,7 @@
 #include "core/pipeline/types.h"
 #include "core/settings/rules.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <type_traits>
@@ -47,6 +48,17 @@ struct SpanEnds {
     std::int64_t end = 0;      ///< one past the last sample, before it is held within the bounds
     bool leftOwnsTie = true;   ///< a centre on the left edge is inside: ceil(v - 0.5), else floor(v - 0.5) + 1
     bool rightOwnsTie = false; ///< a centre on the right edge is inside
+};
+
+/// Column fill: the rows in which the edges of a triangle cross a column of samples.
+struct FilledColumn {
+    int x = 0;
+    std::array<int, 6> rows{}; ///< `count` of them, edge by edge; a vertical edge has two
+    int count = 0;             ///< 0: no edge crosses the column
+
+    /// The least and the greatest row; first() > last() where there is none.
+    [[nodiscard]] int first() const { return count > 0 ? *std::min_element(rows.begin(), rows.begin() + count) : 0; }
+    [[nodiscard]] int last() const { return count > 0 ? *std::max_element(rows.begin(), rows.begin() + count) : -1; }
 };
 
 /// Bresenham: which of two samples is nearer to the ideal line, after sample (x, y) was plotted.
@@ -95,8 +107,10 @@ struct NullObserver {
     constexpr void onWalk(const WalkedTriangle&) {}
     constexpr void onSpan(int /*y*/, int /*xBegin*/, int /*xEnd*/, const SpanEnds&) {}
     constexpr void onSample(int /*x*/, int /*y*/, const EdgeValues&, bool /*covered*/) {}
+    /// Column fill: before the samples of the column.
+    constexpr void onColumn(const FilledColumn&) {}
     constexpr void onLineDecision(const LineDecision&) {}
-    /// A sample of a line or a corner; off the target nothing is drawn.
+    /// A sample of a line, a corner or a filled column; off the target nothing is drawn.
     constexpr void onLineSample(int /*x*/, int /*y*/, bool /*onTarget*/) {}
     /// The sample's depth against the stored one. Varyings are there where the fragment is shaded.
     constexpr void onFragment(const Fragment&, float /*storedDepth*/, bool /*passedDepth*/) {}

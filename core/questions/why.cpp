@@ -167,7 +167,7 @@ private:
         const bool drawn = watch.fate == FaceFate::Rasterized;
         const bool cutAway = watch.cutBy != 0 && (drawn || watch.fate == FaceFate::Rejected);
         const bool concerned = watch.fate == FaceFate::NonFinite ||
-                               watch.boundsHold(m_centre, m_rules.fill == Fill::Solid ? 0 : m_margin) ||
+                               watch.boundsHold(m_centre, m_rules.coversByCentres() ? 0 : m_margin) ||
                                ((cutAway || watch.fate == FaceFate::Rejected) && watch.isMetBy(m_ndc));
         if (!concerned)
             return watch.fate;
@@ -410,9 +410,10 @@ QString verdictText(const WhyReport& report, const WhyFace& row)
                                                  .arg(fullNumber(row.facing->screenArea / 2));
     case WhyVerdict::ClippedAway: return QStringLiteral("clipped away by %1").arg(planesText(row.planes));
     case WhyVerdict::OutsideEdge:
-        if (report.rules.fill != Fill::Solid)
-            return report.rules.fill == Fill::Points ? QStringLiteral("no corner of it is drawn here")
-                                                     : QStringLiteral("no line of it is drawn here");
+        if (!report.rules.coversByCentres())
+            return report.rules.fill == Fill::Points  ? QStringLiteral("no corner of it is drawn here")
+                   : report.rules.fill == Fill::Solid ? QStringLiteral("no column of it is filled here")
+                                                      : QStringLiteral("no line of it is drawn here");
         return row.edge < 0 ? QStringLiteral("outside the pieces that clipping left")
                             : QStringLiteral("outside edge %1").arg(edgeText(row, row.edges[std::size_t(row.edge)]));
     case WhyVerdict::LostTie: {
@@ -545,8 +546,8 @@ WhyReport why(const Scene& scene, const Settings& settings, int x, int y, const 
     const Resolved resolved = resolve(shown, scene);
     WhyReport report = Inquiry(scene, resolved, x, y, stop).answer();
     nameMistakes(report, scene, shown, stop);
-    // Lines that pass elsewhere do not concern the pixel, unless it is for a mistake that they do.
-    if (report.rules.fill != Fill::Solid)
+    // Lines and columns elsewhere do not concern the pixel, unless it is for a mistake that they do.
+    if (!report.rules.coversByCentres())
         std::erase_if(report.faces,
                       [](const WhyFace& row) { return row.verdict == WhyVerdict::OutsideEdge && row.because.empty(); });
     return report;

@@ -46,6 +46,8 @@ template <class Stage, class Observer>
     case Fill::Points: return drawPoints<Stage, Observer>;
     case Fill::Solid: break;
     }
+    if (rules.algorithm == Algorithm::ColumnFill)
+        return ColumnFill::cover<Stage, Observer>;
     Cover<Stage, Observer> cover = nullptr;
     forEachTriangleRasterizer([&]<class Rasterizer>(Rasterizer) {
         if (Rasterizer::info.algorithm == rules.algorithm)

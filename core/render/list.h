@@ -1,4 +1,5 @@
 #pragma once
+#include "core/rasterizers/column_fill.h"
 #include "core/rasterizers/edge_equation.h"
 #include "core/rasterizers/edge_walking.h"
 #include "core/tiled/tiled.h"
@@ -6,7 +7,8 @@
 namespace rasterlens
 {
 
-/// Every rasterizer that works triangle by triangle, with cover(): add the name of a new one here.
+/// Every rasterizer that finds the samples whose centres a triangle covers, triangle by triangle, with cover(): add the
+/// name of a new one here.
 template <class Visitor>
 void forEachTriangleRasterizer(Visitor&& visit)
 {
@@ -20,6 +22,7 @@ void forEachRasterizer(Visitor&& visit)
 {
     forEachTriangleRasterizer(visit);
     visit(Tiled());
+    visit(ColumnFill());
 }
 
 /// Why the algorithm of these rules cannot draw them, or nothing; a text of the context "Unsupported".

@@ -55,6 +55,7 @@ enum class Bounds {
 enum class LineAdvance {
     LongerAxis, ///< one sample each step along the longer axis
     Columns,    ///< a column at a time, with dy/dx rows in each
+    OneRow,     ///< a column at a time, with one row in each
 };
 
 /// What the box filter takes the mean of.
@@ -145,6 +146,9 @@ struct Rules {
     bool strideIsRows = false;         ///< samples are stored as if a row of them had rows() samples
     Resolve resolve = Resolve::AllSamples;
 
+    /// Whether the centres of samples decide what a triangle covers. Lines, corners and column fill go by the grid points of
+    /// the corners.
+    [[nodiscard]] bool coversByCentres() const { return fill == Fill::Solid && algorithm != Algorithm::ColumnFill; }
     [[nodiscard]] int columns() const { return width * sampleGrid; } ///< samples
     [[nodiscard]] int rows() const { return height * sampleGrid; }   ///< samples
 };

@@ -18,7 +18,8 @@ namespace
 
 constexpr auto kAlgorithms = std::to_array<Choice>({{"edge-equation", QT_TRANSLATE_NOOP("Settings", "Edge equation")},
                                                     {"edge-walking", QT_TRANSLATE_NOOP("Settings", "Edge walking")},
-                                                    {"tiled", QT_TRANSLATE_NOOP("Settings", "Tiled (fast)")}});
+                                                    {"tiled", QT_TRANSLATE_NOOP("Settings", "Tiled (fast)")},
+                                                    {"column-fill", QT_TRANSLATE_NOOP("Settings", "Column fill")}});
 constexpr auto kNumberTypes = std::to_array<Choice>({{"fixed", QT_TRANSLATE_NOOP("Settings", "Fixed point")},
                                                      {"float32", QT_TRANSLATE_NOOP("Settings", "Float, 32 bit")},
                                                      {"float64", QT_TRANSLATE_NOOP("Settings", "Float, 64 bit")}});

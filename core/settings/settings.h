@@ -15,7 +15,7 @@ namespace rasterlens
 {
 
 // The choices a user has. The order of the enumerators is the order of the choices in the field table (settings.cpp).
-enum class Algorithm { EdgeEquation, EdgeWalking, Tiled };
+enum class Algorithm { EdgeEquation, EdgeWalking, Tiled, ColumnFill };
 enum class NumberType { Fixed, Float32, Float64 };
 enum class Stepping { Incremental, Direct };
 enum class Fill { Solid, Wireframe, Points };

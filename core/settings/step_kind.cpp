@@ -26,6 +26,7 @@ constexpr auto kKinds = std::to_array<StepKindInfo>({
     {StepKind::Setup, "setup", QT_TRANSLATE_NOOP("StepListing", "setup"), Stage::Cover, 3},
     {StepKind::Walk, "walk", QT_TRANSLATE_NOOP("StepListing", "corners by height"), Stage::Cover, 3},
     {StepKind::Span, "span", QT_TRANSLATE_NOOP("StepListing", "span"), Stage::Cover, kCoverPhase},
+    {StepKind::Column, "column", QT_TRANSLATE_NOOP("StepListing", "column"), Stage::Cover, kCoverPhase},
     {StepKind::Sample, "sample", QT_TRANSLATE_NOOP("StepListing", "sample"), Stage::Cover, kCoverPhase},
     {StepKind::LineDecision, "line-decision", QT_TRANSLATE_NOOP("StepListing", "line decision"), Stage::Cover,
      kCoverPhase},

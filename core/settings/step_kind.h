@@ -19,9 +19,10 @@ enum class StepKind : std::uint8_t {
     Setup,           ///< its edge functions; see StepLog::triangle
     Walk,            ///< edge walking sorts the corners: WalkStep
     Span,            ///< edge walking fills a row: SpanStep
+    Column,          ///< column fill fills a column: ColumnFillStep
     Sample,          ///< edge equation tests a sample: SampleStep
     LineDecision,    ///< Bresenham: LineStep
-    LineSample,      ///< a sample of a line or corner
+    LineSample,      ///< a sample of a line, a corner or a filled column
     Fragment,        ///< interpolation and depth test: FragmentStep
     Shade,           ///< ShadeStep
     Write,           ///< WriteStep

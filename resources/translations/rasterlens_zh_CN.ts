@@ -16,6 +16,18 @@
         <translation>只有实心填充的三角形才会在公共边上争夺像素。</translation>
     </message>
     <message>
+        <source>Column fill counts in whole rows and columns.</source>
+        <translation>逐列填充只用整数的行和列。</translation>
+    </message>
+    <message>
+        <source>Column fill evaluates no edge functions.</source>
+        <translation>逐列填充不计算边函数。</translation>
+    </message>
+    <message>
+        <source>Column fill takes the outline of every triangle with it.</source>
+        <translation>逐列填充把每个三角形的轮廓也算在内。</translation>
+    </message>
+    <message>
         <source>Edge walking evaluates no edge functions.</source>
         <translation>边步进（扫描线）不计算边函数。</translation>
     </message>
@@ -2076,6 +2088,10 @@
         <source>tie: %1, %2</source>
         <translation>平局: %1，%2</translation>
     </message>
+    <message>
+        <source>no edge: the list of y is empty</source>
+        <translation>没有边：y 的列表为空</translation>
+    </message>
 </context>
 <context>
     <name>LocateModel</name>
@@ -2305,6 +2321,22 @@
     <message>
         <source>It looks like the line algorithm, for flat lines.</source>
         <translation>对平缓的线，它看起来就是画线算法。</translation>
+    </message>
+    <message>
+        <source>Steep lines with one pixel a column</source>
+        <translation>陡线每列只画一个像素</translation>
+    </message>
+    <message>
+        <source>Steep lines are dots that lie far apart, and jump two columns&apos; way at once: 6, 0, 6, 0 rows for 3, 3, 3, 3.</source>
+        <translation>陡线变成相距很远的点，而且一次跳两列的行数：本应每列 3、3、3、3 行，却成了 6、0、6、0。</translation>
+    </message>
+    <message>
+        <source>step = error / dx; y += step; error -= 2 * dx * step</source>
+        <translation>step = error / dx; y += step; error -= 2 * dx * step</translation>
+    </message>
+    <message>
+        <source>It was made for filling columns, which needs one y of each edge in a column.</source>
+        <translation>它原本用于逐列填充：那里每条边在一列中只需要一个 y。</translation>
     </message>
     <message>
         <source>The weight along a line divided in integers</source>
@@ -2892,6 +2924,10 @@
     <message>
         <source>Tiled (fast)</source>
         <translation>分块（快速）</translation>
+    </message>
+    <message>
+        <source>Column fill</source>
+        <translation>逐列填充</translation>
     </message>
     <message>
         <source>Fixed point</source>
@@ -3540,6 +3576,10 @@
         <translation>跨度</translation>
     </message>
     <message>
+        <source>column</source>
+        <translation>列</translation>
+    </message>
+    <message>
         <source>sample</source>
         <translation>采样</translation>
     </message>
@@ -3853,6 +3893,18 @@
     <message>
         <source>off the target</source>
         <translation>在画面外</translation>
+    </message>
+    <message>
+        <source>no edge crosses it: the list of y is empty</source>
+        <translation>没有边经过这一列：y 的列表为空</translation>
+    </message>
+    <message>
+        <source>y of the edges [%1]</source>
+        <translation>各边的 y [%1]</translation>
+    </message>
+    <message>
+        <source>filled from min %1 to max %2</source>
+        <translation>从最小值 %1 填充到最大值 %2</translation>
     </message>
 </context>
 <context>
@@ -5362,6 +5414,10 @@
     <message>
         <source>no corner of it is drawn here</source>
         <translation>它的顶点没有画在这里</translation>
+    </message>
+    <message>
+        <source>no column of it is filled here</source>
+        <translation>它没有哪一列填到这里</translation>
     </message>
     <message>
         <source>no line of it is drawn here</source>

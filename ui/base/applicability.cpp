@@ -18,6 +18,7 @@ struct Rule {
 bool notSolid(const Settings& s) { return s.fill != Fill::Solid; }
 bool noDepthBuffer(const Settings& s) { return s.visibility != Visibility::ZBuffer; }
 bool tiled(const Settings& s) { return s.algorithm == Algorithm::Tiled; }
+bool columnFill(const Settings& s) { return s.algorithm == Algorithm::ColumnFill; }
 bool notTiled(const Settings& s) { return !tiled(s); }
 
 bool withoutAttributes(const Settings& s)
@@ -48,6 +49,10 @@ constexpr Rule kRules[] = {
      QT_TRANSLATE_NOOP("Applicability", "Edge walking evaluates no edge functions.")},
     {"stepping", tiled,
      QT_TRANSLATE_NOOP("Applicability", "The tiled algorithm steps through blocks of samples in its own way.")},
+    {"number-type", columnFill, QT_TRANSLATE_NOOP("Applicability", "Column fill counts in whole rows and columns.")},
+    {"stepping", columnFill, QT_TRANSLATE_NOOP("Applicability", "Column fill evaluates no edge functions.")},
+    {"tie-rule", columnFill,
+     QT_TRANSLATE_NOOP("Applicability", "Column fill takes the outline of every triangle with it.")},
     {"line", [](const Settings& s) { return s.fill != Fill::Wireframe; },
      QT_TRANSLATE_NOOP("Applicability", "Lines are drawn by the wireframe only.")},
     {"winding", [](const Settings& s) { return s.culling == Culling::None; },

@@ -68,6 +68,7 @@ ClipStory clipStory(const Scene& scene, const Settings& settings, std::uint32_t 
         case StepKind::Setup:
         case StepKind::Walk:
         case StepKind::Span:
+        case StepKind::Column:
         case StepKind::Sample:
         case StepKind::LineDecision:
         case StepKind::LineSample:

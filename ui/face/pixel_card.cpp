@@ -68,9 +68,10 @@ QString verdictWords(const WhyReport& report, const WhyFace& face)
                                                   .arg(shortNumber(face.facing->screenArea / 2));
     case WhyVerdict::ClippedAway: return PixelCard::tr("clipped away by %1").arg(planesWords(face.planes));
     case WhyVerdict::OutsideEdge: {
-        if (report.rules.fill != Fill::Solid)
-            return report.rules.fill == Fill::Points ? PixelCard::tr("no corner of it is drawn here")
-                                                     : PixelCard::tr("no line of it is drawn here");
+        if (!report.rules.coversByCentres())
+            return report.rules.fill == Fill::Points  ? PixelCard::tr("no corner of it is drawn here")
+                   : report.rules.fill == Fill::Solid ? PixelCard::tr("no column of it is filled here")
+                                                      : PixelCard::tr("no line of it is drawn here");
         if (face.edge < 0)
             return PixelCard::tr("outside of what clipping left");
         const WhyEdge& edge = face.edges[static_cast<std::size_t>(face.edge)];

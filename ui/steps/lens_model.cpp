@@ -119,6 +119,12 @@ const WalkedTriangle* LensModel::walk() const
 
 const SpanStep* LensModel::span() const { return lastOf<SpanStep>(*m_log, m_spans, m_position); }
 
+const FilledColumn* LensModel::column() const
+{
+    const auto* step = lastOf<ColumnFillStep>(*m_log, eventsOfTriangle(StepKind::Column), m_position);
+    return step ? &step->column : nullptr;
+}
+
 const LineStep* LensModel::line() const
 {
     return lastOf<LineStep>(*m_log, eventsOfTriangle(StepKind::LineDecision), m_position);

@@ -48,6 +48,8 @@ public:
     /// Edge walking: how the triangle is walked, and the present row's span.
     [[nodiscard]] const WalkedTriangle* walk() const;
     [[nodiscard]] const SpanStep* span() const;
+    /// Column fill: the present column; null where another triangle's is the last one.
+    [[nodiscard]] const FilledColumn* column() const;
     /// Bresenham: the present decision.
     [[nodiscard]] const LineStep* line() const;
     /// The ends of the line that decision belongs to, in samples.

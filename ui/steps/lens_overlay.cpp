@@ -208,6 +208,7 @@ void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTran
         paintNumbers(view);
     paintWalk(view);
     paintLine(view);
+    paintColumn(view);
     paintCurrent(view);
     paintCorners(view);
     paintHover(view);
@@ -493,6 +494,30 @@ void LensOverlay::paintLine(View& view) const
                 QStringLiteral("d_upper = %1").arg(shortNumber(step->dUpper())),
                 QStringLiteral("p_%1 = %2").arg(d.step).arg(d.decision)},
                numberFont(0));
+}
+
+/// Column fill: the rows of the edges in the present column, the least and the greatest of them, and the span between.
+void LensOverlay::paintColumn(View& view) const
+{
+    const FilledColumn* column = m_model->column();
+    if (!column)
+        return;
+    view.painter.setBrush(Qt::NoBrush);
+    for (int i = 0; i < column->count; ++i) {
+        const int y = column->rows[std::size_t(i)];
+        const bool isEnd = y == column->first() || y == column->last();
+        view.painter.setPen(QPen(QColor(isEnd ? kPlusColor : kMinusColor), view.thickness(3), Qt::SolidLine));
+        view.painter.drawRect(view.box(column->x, y).adjusted(2, 2, -2, -2));
+    }
+    const QPointF below = view.box(column->x + 1, column->last() + 1).topLeft();
+    if (view.cell < kGlyphsFromCell)
+        return;
+    QStringList lines{QStringLiteral("x = %1").arg(column->x)};
+    if (column->count > 0)
+        lines << QStringLiteral("min = %1").arg(column->first()) << QStringLiteral("max = %1").arg(column->last());
+    else
+        lines << QCoreApplication::translate("Lens", "no edge: the list of y is empty");
+    paintPlate(view.painter, view.canvas, below, lines, numberFont(0));
 }
 
 void LensOverlay::paintCurrent(View& view) const

@@ -55,6 +55,7 @@ private:
     void paintCorners(View& view) const;
     void paintWalk(View& view) const;
     void paintLine(View& view) const;
+    void paintColumn(View& view) const;
     void paintCurrent(View& view) const;
     void paintHover(View& view) const;
 

@@ -33,6 +33,7 @@ PipKind pipKindOf(const StepEvent& event)
     case StepKind::Fate: return PipKind::Cull;
     case StepKind::Sample: return event.has(StepEvent::kCovered) ? PipKind::Sample : PipKind::Outside;
     case StepKind::Span:
+    case StepKind::Column:
     case StepKind::LineSample: return PipKind::Sample;
     case StepKind::Fragment: return event.has(StepEvent::kPassed) ? PipKind::Other : PipKind::DepthFail;
     case StepKind::Vertex:

@@ -79,6 +79,12 @@ std::array<QString, 4> lineCode(const Rules& rules)
             QStringLiteral("  if (p > 0) { y += 1;  p -= 2 dx; }  p += 2 dy; }"), onLine, color};
 }
 
+std::array<QString, 4> columnCode(const Rules& rules)
+{
+    return {QStringLiteral("for (x = xmin; x <= xmax; ++x) {  ys = table[x];"),
+            QStringLiteral("  for (y = min(ys); y <= max(ys); ++y) {"), weightedDepth(rules), shadeLine(rules)};
+}
+
 /// Whether a step is run by the code of the geometry stages. Where lines or points are drawn, no set-up follows the
 /// triangle: it begins with their code.
 bool isGeometry(StepKind kind, const Rules& rules)
@@ -92,8 +98,13 @@ StepKinds kindsOfDrawing(const Rules& rules)
     const StepKinds all = kindBit(StepKind::Fragment) | kindBit(StepKind::Shade) | kindBit(StepKind::Write);
     if (rules.fill != Fill::Solid)
         return all | kindBit(StepKind::LineDecision) | kindBit(StepKind::LineSample);
-    return all | (rules.algorithm == Algorithm::EdgeWalking ? kindBit(StepKind::Walk) | kindBit(StepKind::Span)
-                                                            : kindBit(StepKind::Sample));
+    switch (rules.algorithm) {
+    case Algorithm::EdgeWalking: return all | kindBit(StepKind::Walk) | kindBit(StepKind::Span);
+    case Algorithm::ColumnFill: return all | kindBit(StepKind::Column);
+    case Algorithm::EdgeEquation:
+    case Algorithm::Tiled: break;
+    }
+    return all | kindBit(StepKind::Sample);
 }
 
 /// The right code for a step, and the kinds of step it is about.
@@ -105,7 +116,13 @@ std::pair<std::array<QString, 4>, StepKinds> codeFor(const StepLog& log, StepKin
     const StepKinds kinds = kindsOfDrawing(log.rules());
     if (log.rules().fill != Fill::Solid)
         return {lineCode(right), kinds};
-    return {log.rules().algorithm == Algorithm::EdgeWalking ? walkingCode(right) : equationCode(right), kinds};
+    switch (log.rules().algorithm) {
+    case Algorithm::EdgeWalking: return {walkingCode(right), kinds};
+    case Algorithm::ColumnFill: return {columnCode(right), kinds};
+    case Algorithm::EdgeEquation:
+    case Algorithm::Tiled: break;
+    }
+    return {equationCode(right), kinds};
 }
 
 /// The line of the listing that a step is run by.
@@ -121,11 +138,12 @@ int lineOf(StepKind kind)
     case StepKind::Fate:
     case StepKind::Triangle:
     case StepKind::Setup: return 3;
-    case StepKind::Walk: return 0;
+    case StepKind::Walk:
+    case StepKind::Column: return 0;
     case StepKind::Span:
     case StepKind::Sample:
     case StepKind::LineDecision: return 1;
-    case StepKind::LineSample: return 0;
+    case StepKind::LineSample: return 0; // of a line
     case StepKind::Fragment: return 2;
     case StepKind::Shade:
     case StepKind::Write: return 3;
@@ -137,6 +155,8 @@ int lineOf(StepKind kind)
 int lineOf(const StepLog& log, std::size_t i)
 {
     const StepEvent& event = log.event(i);
+    if (event.kind == StepKind::LineSample && log.rules().fill == Fill::Solid)
+        return 1; // of a filled column
     const bool isRejected = event.kind == StepKind::Fate && log.payload<FateStep>(event).fate == FaceFate::Rejected;
     const bool beginsLines = event.kind == StepKind::Triangle && log.rules().fill != Fill::Solid;
     const bool leadsToNoSample = event.kind == StepKind::LineDecision && !becauseOf(log, i).empty();
@@ -300,6 +320,7 @@ QString formulaOf(const StepLog& log, std::size_t i)
     case StepKind::Triangle:
     case StepKind::Setup:
     case StepKind::Walk:
+    case StepKind::Column:
     case StepKind::LineSample:
     case StepKind::Shade:
     case StepKind::Write:
@@ -343,7 +364,9 @@ QString stepTitle(const StepLog& log, std::size_t i)
     QStringList parts{translated(infoOf(event.kind).title)};
     if (event.has(StepEvent::kTie))
         parts << translated(QT_TRANSLATE_NOOP("StepListing", "tie"));
-    if (event.x >= 0)
+    if (event.kind == StepKind::Column)
+        parts << QStringLiteral("x = %1").arg(event.x);
+    else if (event.x >= 0)
         parts << QStringLiteral("(%1, %2)").arg(event.x).arg(event.y);
     else if (event.y >= 0)
         parts << translated(QT_TRANSLATE_NOOP("StepListing", "row %1")).arg(event.y);
