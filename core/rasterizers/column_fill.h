@@ -1,71 +1,15 @@
 #pragma once
+#include "core/pipeline/interpolation.h"
 #include "core/pipeline/observer.h"
-#include "core/pipeline/types.h"
+#include "core/pipeline/stopping.h"
 #include "core/rasterizers/lines.h"
 #include "core/rasterizers/registry.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
-#include <utility>
 
 namespace rasterlens
 {
-
-/// The rows by which an edge moves on before the next column, and what is left over.
-struct ColumnStep {
-    int rows;
-    int error; ///< in units of 1 / (2 dx) of a row
-};
-
-/// `rows = error / dx; error -= 2 dx rows`: the error counts in halves of dx, so an edge steeper than 45 degrees moves
-/// two columns' worth of rows at once and none in the next column.
-///
-/// in   dx > 0
-[[nodiscard]] constexpr ColumnStep columnStep(int error, int dx)
-{
-    if (error < dx)
-        return {0, error};
-    const int rows = error / dx;
-    return {rows, error - 2 * dx * rows};
-}
-
-/// Follows one edge from its left end to its right end and knows one row for each column.
-class ColumnWalker
-{
-public:
-    ColumnWalker(GridPoint from, GridPoint to) : m_left(from), m_right(to), m_row(from.y)
-    {
-        if (m_left.x > m_right.x) {
-            std::swap(m_left, m_right);
-            m_row = m_left.y;
-        }
-    }
-
-    /// Whether the edge has a row in the column that it has been stepped to.
-    [[nodiscard]] bool holds(int x) const { return x >= m_left.x && x <= m_right.x; }
-    [[nodiscard]] bool isVertical() const { return m_left.x == m_right.x; }
-    [[nodiscard]] int row() const { return m_row; }
-    [[nodiscard]] int lastRow() const { return m_right.y; }
-
-    /// To the next column. An edge that has not begun, or has ended, stays where it is.
-    void step(int x)
-    {
-        if (!holds(x) || isVertical())
-            return;
-        const int dx = m_right.x - m_left.x;
-        const int dy = m_right.y - m_left.y;
-        const ColumnStep next = columnStep(m_error + 2 * std::abs(dy), dx);
-        m_row += dy > 0 ? next.rows : -next.rows;
-        m_error = next.error;
-    }
-
-private:
-    GridPoint m_left;
-    GridPoint m_right;
-    int m_row;
-    int m_error = 0;
-};
 
 /// Notes for each column of samples the rows in which the three edges cross it, and fills from the least to the
 /// greatest.
@@ -93,7 +37,8 @@ struct ColumnFill {
             if (x >= 0)
                 fillColumn(columnOf(x, edges), triangle, rules, emit, observer);
             for (ColumnWalker& edge : edges)
-                edge.step(x);
+                if (edge.holds(x) && !edge.isVertical())
+                    edge.step();
         }
     }
 
@@ -108,7 +53,7 @@ private:
                 continue;
             note(edge.row());
             if (edge.isVertical())
-                note(edge.lastRow());
+                note(edge.right().y);
         }
         return column;
     }
