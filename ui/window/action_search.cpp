@@ -85,7 +85,7 @@ private:
     std::vector<const ActionRow*> m_rows; ///< the table does not grow once the window stands
 };
 
-/// Shows the actions whose texts have all typed words. Those whose own name begins with what is typed come first.
+/// Shows the actions whose texts have all typed words; first the actions whose own name begins with what is typed.
 class ActionFilter : public QSortFilterProxyModel
 {
 public:
