@@ -49,6 +49,7 @@ struct Arguments {
     rasterlens::CompareView compare = rasterlens::CompareView::Off;
     std::optional<rasterlens::LanguageKind> language;
     std::optional<rasterlens::ThemeKind> theme;
+    bool keys = false;
 };
 
 QStringList panelNames()
@@ -120,10 +121,14 @@ struct Options {
         QStringLiteral("Compares with the picture without mistakes or as the scene asks: wipe, blink or difference."),
         QStringLiteral("view")};
 
+    QCommandLineOption keys{
+        QStringLiteral("keys"),
+        QStringLiteral("Prints the keys as a table in Markdown, in English or in --language, and exits.")};
+
     [[nodiscard]] QList<QCommandLineOption> all() const
     {
-        return {help,  version, screenshot, windowSize, language, theme,  panel,
-                pixel, step,    referee,    reference,  compare,  measure};
+        return {help,  version, screenshot, windowSize, language, theme,   panel,
+                pixel, step,    referee,    reference,  compare,  measure, keys};
     }
 };
 
@@ -190,6 +195,7 @@ std::optional<QString> readAll(const QCommandLineParser& parser, const Options& 
     if (parser.positionalArguments().size() > 1)
         return QStringLiteral("more than one scene given");
     arguments.scene = parser.positionalArguments().value(0);
+    arguments.keys = parser.isSet(options.keys);
     arguments.screenshot = parser.value(options.screenshot);
     if (parser.isSet(options.screenshot) && arguments.screenshot.isEmpty())
         return QStringLiteral("--screenshot needs a file");
@@ -259,6 +265,23 @@ void takeScreenshot(rasterlens::MainWindow& window, const QString& path)
             printError(*error);
         QApplication::exit(overInput ? kBadArguments : error ? kInvalidInput : kFine);
     });
+}
+
+/// Prints the list of keys, which a window in memory knows.
+ExitCode printKeys(int& argc, char** argv, const Arguments& arguments)
+{
+    if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QApplication application(argc, argv);
+    rasterlens::MainWindow window(rasterlens::MainWindow::Memory::Forget);
+    window.setLanguage(arguments.language.value_or(rasterlens::LanguageKind::English));
+    QCoreApplication::sendPostedEvents(); // the window changes its language
+    const QByteArray text = window.actionTable().markdown().toUtf8();
+    const bool written = std::fwrite(text.constData(), 1, std::size_t(text.size()), stdout) == std::size_t(text.size());
+    if (std::fflush(stdout) == 0 && written)
+        return kFine;
+    printError(QStringLiteral("rasterlens: the keys could not be written"));
+    return kInvalidInput;
 }
 
 /// Keeps what the window holds when the system ends the program or the session.
@@ -333,6 +356,8 @@ int main(int argc, char** argv)
     std::signal(SIGPIPE, SIG_IGN); // a pipe whose reader has gone is an error message, not the end of the window
 #endif
 
+    if (arguments.keys)
+        return printKeys(argc, argv, arguments);
     choosePlatform();
     QApplication application(argc, argv);
     rasterlens::useSettingsFormat();

@@ -3978,11 +3978,73 @@
     </message>
 </context>
 <context>
-    <name>rasterlens::Cards</name>
+    <name>rasterlens::ActionSearch</name>
     <message>
-        <source>Pixel card: why this pixel?</source>
-        <translation>像素卡：为什么是这个像素？</translation>
+        <source>Search for an action, in English or Chinese</source>
+        <translation>搜索操作，中英文均可</translation>
     </message>
+</context>
+<context>
+    <name>rasterlens::ActionTable</name>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>编辑</translation>
+    </message>
+    <message>
+        <source>Pipeline</source>
+        <translation>管线</translation>
+    </message>
+    <message>
+        <source>Canvas</source>
+        <translation>画布</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>摄像机</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>窗口</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>步骤</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>面板</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>section</source>
+        <translation>分组</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>what</source>
+        <translation>作用</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::Cards</name>
     <message>
         <source>Vertices</source>
         <translation>顶点</translation>
@@ -4775,10 +4837,6 @@
         <translation>统计</translation>
     </message>
     <message>
-        <source>Scene and pipeline</source>
-        <translation>场景与管线</translation>
-    </message>
-    <message>
         <source>Copy the counters as CSV</source>
         <translation>把计数复制为 CSV</translation>
     </message>
@@ -4795,152 +4853,36 @@
         <translation>清除</translation>
     </message>
     <message>
-        <source>Pipeline</source>
-        <translation>管线</translation>
-    </message>
-    <message>
-        <source>Canvas</source>
-        <translation>画布</translation>
-    </message>
-    <message>
         <source>Wheel</source>
         <translation>滚轮</translation>
-    </message>
-    <message>
-        <source>zoom at the cursor</source>
-        <translation>以光标为中心缩放</translation>
     </message>
     <message>
         <source>Middle drag, Shift + drag</source>
         <translation>中键拖动，Shift + 拖动</translation>
     </message>
     <message>
-        <source>move the picture</source>
-        <translation>移动画面</translation>
-    </message>
-    <message>
         <source>Click, arrows</source>
         <translation>单击，方向键</translation>
-    </message>
-    <message>
-        <source>choose a pixel, move on by one</source>
-        <translation>选择像素，逐个移动</translation>
     </message>
     <message>
         <source>Double click</source>
         <translation>双击</translation>
     </message>
     <message>
-        <source>close up of a pixel</source>
-        <translation>放大到像素</translation>
-    </message>
-    <message>
-        <source>fit</source>
-        <translation>适合窗口</translation>
-    </message>
-    <message>
-        <source>one to one</source>
-        <translation>一比一</translation>
-    </message>
-    <message>
-        <source>go to pixel</source>
-        <translation>转到像素</translation>
-    </message>
-    <message>
-        <source>Camera</source>
-        <translation>摄像机</translation>
-    </message>
-    <message>
         <source>Drag</source>
         <translation>拖动</translation>
-    </message>
-    <message>
-        <source>orbit</source>
-        <translation>环绕</translation>
     </message>
     <message>
         <source>Right drag, Ctrl + wheel</source>
         <translation>右键拖动，Ctrl + 滚轮</translation>
     </message>
     <message>
-        <source>nearer, farther</source>
-        <translation>拉近、拉远</translation>
-    </message>
-    <message>
         <source>Ctrl + drag</source>
         <translation>Ctrl + 拖动</translation>
     </message>
     <message>
-        <source>move the scene</source>
-        <translation>移动场景</translation>
-    </message>
-    <message>
-        <source>front, right, above</source>
-        <translation>前、右、上视图</translation>
-    </message>
-    <message>
-        <source>Home</source>
-        <translation>Home</translation>
-    </message>
-    <message>
-        <source>reset camera</source>
-        <translation>重置摄像机</translation>
-    </message>
-    <message>
-        <source>on</source>
-        <translation>开</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>关</translation>
-    </message>
-    <message>
-        <source>Window</source>
-        <translation>窗口</translation>
-    </message>
-    <message>
-        <source>presentation</source>
-        <translation>演示模式</translation>
-    </message>
-    <message>
-        <source>dark theme</source>
-        <translation>深色主题</translation>
-    </message>
-    <message>
-        <source>fast first picture</source>
-        <translation>先快速出图</translation>
-    </message>
-    <message>
         <source>Menu View</source>
         <translation>“视图”菜单</translation>
-    </message>
-    <message>
-        <source>draw continuously</source>
-        <translation>连续绘制</translation>
-    </message>
-    <message>
-        <source>reset layout</source>
-        <translation>恢复默认布局</translation>
-    </message>
-    <message>
-        <source>undo, redo</source>
-        <translation>撤销、重做</translation>
-    </message>
-    <message>
-        <source>figure with overlay</source>
-        <translation>带叠加层的插图</translation>
-    </message>
-    <message>
-        <source>framebuffer 1:1</source>
-        <translation>帧缓冲 1:1</translation>
-    </message>
-    <message>
-        <source>whole window</source>
-        <translation>整个窗口</translation>
-    </message>
-    <message>
-        <source>this list</source>
-        <translation>本列表</translation>
     </message>
     <message>
         <source>Open</source>
@@ -4971,66 +4913,6 @@
         <translation>导出一段步骤(&amp;R)…</translation>
     </message>
     <message>
-        <source>Steps</source>
-        <translation>步骤</translation>
-    </message>
-    <message>
-        <source>record steps</source>
-        <translation>记录步骤</translation>
-    </message>
-    <message>
-        <source>Space</source>
-        <translation>空格</translation>
-    </message>
-    <message>
-        <source>play, pause</source>
-        <translation>播放、暂停</translation>
-    </message>
-    <message>
-        <source>Left, Right</source>
-        <translation>左、右</translation>
-    </message>
-    <message>
-        <source>one step</source>
-        <translation>一步</translation>
-    </message>
-    <message>
-        <source>Shift + Left, Right</source>
-        <translation>Shift + 左、右</translation>
-    </message>
-    <message>
-        <source>one row</source>
-        <translation>一行</translation>
-    </message>
-    <message>
-        <source>Ctrl + Left, Right</source>
-        <translation>Ctrl + 左、右</translation>
-    </message>
-    <message>
-        <source>one face</source>
-        <translation>一个面</translation>
-    </message>
-    <message>
-        <source>Ctrl + Shift + Left, Right</source>
-        <translation>Ctrl + Shift + 左、右</translation>
-    </message>
-    <message>
-        <source>one stage</source>
-        <translation>一个阶段</translation>
-    </message>
-    <message>
-        <source>Ctrl + Home, End</source>
-        <translation>Ctrl + Home、End</translation>
-    </message>
-    <message>
-        <source>to the start, the end</source>
-        <translation>到开头、结尾</translation>
-    </message>
-    <message>
-        <source>slower, faster</source>
-        <translation>更慢、更快</translation>
-    </message>
-    <message>
         <source>&amp;Mistakes</source>
         <translation>错误(&amp;M)</translation>
     </message>
@@ -5039,72 +4921,20 @@
         <translation>错误列表</translation>
     </message>
     <message>
-        <source>mistakes</source>
-        <translation>错误</translation>
-    </message>
-    <message>
         <source>Fast first picture (camera moves, slow scenes)</source>
         <translation>先快速出图（相机移动、绘制较慢时）</translation>
-    </message>
-    <message>
-        <source>Compare</source>
-        <translation>比较</translation>
-    </message>
-    <message>
-        <source>exact referee</source>
-        <translation>精确裁判</translation>
-    </message>
-    <message>
-        <source>next wrong pixel</source>
-        <translation>下一个错误像素</translation>
-    </message>
-    <message>
-        <source>wipe between A and B</source>
-        <translation>在 A 与 B 之间划分</translation>
-    </message>
-    <message>
-        <source>blink A and B</source>
-        <translation>A 与 B 闪烁</translation>
-    </message>
-    <message>
-        <source>difference of A and B</source>
-        <translation>A 与 B 的差异</translation>
-    </message>
-    <message>
-        <source>pin A, exchange A and B</source>
-        <translation>固定 A，交换 A 与 B</translation>
     </message>
     <message>
         <source>Esc</source>
         <translation>Esc</translation>
     </message>
     <message>
-        <source>leave field, help, presentation, steps</source>
-        <translation>依次离开输入框、帮助、演示模式、单步</translation>
-    </message>
-    <message>
-        <source>Panels</source>
-        <translation>面板</translation>
-    </message>
-    <message>
         <source>The name of the dropped file did not arrive. Open it from the menu.</source>
         <translation>拖入的文件名没有传到。请从菜单中打开它。</translation>
     </message>
     <message>
-        <source>judge from object space</source>
-        <translation>从物体空间判起</translation>
-    </message>
-    <message>
         <source>Re&amp;load from disk</source>
         <translation>从磁盘重新读取(&amp;L)</translation>
-    </message>
-    <message>
-        <source>save session</source>
-        <translation>保存会话</translation>
-    </message>
-    <message>
-        <source>read files again</source>
-        <translation>重新读取文件</translation>
     </message>
     <message>
         <source>%1 (not found)</source>
@@ -5113,6 +4943,54 @@
     <message>
         <source>One file at a time: %1 is opened.</source>
         <translation>一次只能打开一个文件：已打开 %1。</translation>
+    </message>
+    <message>
+        <source>Zoom at the cursor</source>
+        <translation>以光标为中心缩放</translation>
+    </message>
+    <message>
+        <source>Move the picture</source>
+        <translation>移动画面</translation>
+    </message>
+    <message>
+        <source>Choose a pixel, move on by one</source>
+        <translation>选择像素，逐个移动</translation>
+    </message>
+    <message>
+        <source>Close up of a pixel</source>
+        <translation>放大到像素</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>环绕</translation>
+    </message>
+    <message>
+        <source>Nearer, farther</source>
+        <translation>拉近、拉远</translation>
+    </message>
+    <message>
+        <source>Move the scene</source>
+        <translation>移动场景</translation>
+    </message>
+    <message>
+        <source>From the front, the right, above</source>
+        <translation>前、右、俯视图</translation>
+    </message>
+    <message>
+        <source>&amp;Search for an action…</source>
+        <translation>搜索操作(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Leave field, help, presentation, steps</source>
+        <translation>依次离开输入框、帮助、演示模式、单步</translation>
+    </message>
+    <message>
+        <source>Tab, Shift + Tab</source>
+        <translation>Tab，Shift + Tab</translation>
+    </message>
+    <message>
+        <source>To the next field, back</source>
+        <translation>到下一个输入框、返回</translation>
     </message>
 </context>
 <context>
@@ -5311,6 +5189,46 @@
     <message>
         <source>Tabs &amp;below the canvas</source>
         <translation>面板放在画布下方(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Scene and pipeline</source>
+        <translation>场景与管线</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>统计</translation>
+    </message>
+    <message>
+        <source>Pixel card: why this pixel?</source>
+        <translation>像素卡：为什么是这个像素？</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>顶点</translation>
+    </message>
+    <message>
+        <source>Clip theatre</source>
+        <translation>裁剪剧场</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Algorithm race</source>
+        <translation>算法竞赛</translation>
+    </message>
+    <message>
+        <source>Hard cases</source>
+        <translation>疑难案例</translation>
+    </message>
+    <message>
+        <source>Speed against error</source>
+        <translation>速度与误差</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>步骤</translation>
     </message>
 </context>
 <context>
@@ -6135,6 +6053,30 @@
         <source>speed %1 ▾</source>
         <translation>速度 %1 ▾</translation>
     </message>
+    <message>
+        <source>One step</source>
+        <translation>一步</translation>
+    </message>
+    <message>
+        <source>One row</source>
+        <translation>一行</translation>
+    </message>
+    <message>
+        <source>One face</source>
+        <translation>一个面</translation>
+    </message>
+    <message>
+        <source>One stage</source>
+        <translation>一个阶段</translation>
+    </message>
+    <message>
+        <source>To the start, the end</source>
+        <translation>到开头、结尾</translation>
+    </message>
+    <message>
+        <source>Slower, faster</source>
+        <translation>更慢、更快</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::TruthMode</name>
@@ -6181,6 +6123,10 @@
     <message>
         <source>&amp;Judge from object space</source>
         <translation>从物体空间判起(&amp;J)</translation>
+    </message>
+    <message>
+        <source>Pin A, exchange A and B</source>
+        <translation>固定 A，交换 A 与 B</translation>
     </message>
 </context>
 <context>

@@ -228,7 +228,6 @@ void Cards::showFace(const FaceFindings& found)
 void Cards::retranslate()
 {
     m_whyDock->setTitle(m_pixelCard->title());
-    m_whyDock->toggleViewAction()->setText(tr("Pixel card: why this pixel?"));
     m_vertexDock->setTitle(tr("Vertices"));
     m_clipDock->setTitle(tr("Clip theatre"));
     m_curvesDock->setTitle(tr("Curves"));

@@ -208,41 +208,46 @@ void MistakesSection::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
 }
 
-MistakesMenu::MistakesMenu(Document& document, const Language& language, QMenu* menu)
-    : QObject(menu), m_document(document), m_language(language), m_none(menu->addAction(QString()))
+MistakesMenu::MistakesMenu(Document& document, const Language& language, ActionMenu menu)
+    : QObject(menu.menu()), m_document(document), m_language(language)
 {
-    connect(m_none, &QAction::triggered, this, [this] {
+    const auto words = [this](const char* english) { return ActionWords{metaObject()->className(), english}; };
+    m_none = menu.add("mistakes.none", words(QT_TR_NOOP("None")), {}, [this] {
         Settings next = m_document.settings();
         next.mistakes.clear();
         m_document.setSettings(next);
     });
-    menu->addSeparator();
-    m_show = menu->addMenu(QString());
-    menu->addSeparator();
+    menu.addSeparator();
+    ActionMenu show = menu.addMenu(words(QT_TR_NOOP("Show in its scene")));
+    menu.addSeparator();
     constexpr std::size_t kEach = 10;
     const auto all = mistakes();
     for (std::size_t first = 0; first < all.size(); first += kEach) {
-        const std::size_t end = std::min(first + kEach, all.size());
+        const auto some = all.subspan(first, std::min(kEach, all.size() - first));
         const QString range =
-            QStringLiteral("%1 \u2013 %2").arg(QLatin1String(all[first].number), QLatin1String(all[end - 1].number));
-        QMenu* switches = menu->addMenu(range);
-        QMenu* demos = m_show->addMenu(range);
-        switches->setToolTipsVisible(true);
-        demos->setToolTipsVisible(true);
-        for (std::size_t i = first; i < end; ++i) {
-            const QString id = QLatin1String(all[i].id);
-            QAction* toggle = switches->addAction(QString());
-            toggle->setCheckable(true);
-            connect(toggle, &QAction::triggered, this,
-                    [this, id](bool on) { m_document.setSettings(withMistake(m_document.settings(), id, on)); });
-            m_switches.push_back({&all[i], toggle});
-            QAction* demo = demos->addAction(QString());
-            connect(demo, &QAction::triggered, this, [this, id] { m_document.openMistake(id); });
-            m_demos.push_back({&all[i], demo});
-        }
+            QStringLiteral("%1 \u2013 %2").arg(QLatin1String(some.front().number), QLatin1String(some.back().number));
+        addRange(some, menu.addMenu({.name = range}), show.addMenu({.name = range}));
     }
     connect(&document, &Document::settingsChanged, this, &MistakesMenu::sync);
     retranslate();
+}
+
+void MistakesMenu::addRange(std::span<const Mistake> range, ActionMenu switches, ActionMenu demos)
+{
+    switches.menu()->setToolTipsVisible(true);
+    demos.menu()->setToolTipsVisible(true);
+    for (const Mistake& mistake : range) {
+        const QString id = QLatin1String(mistake.id);
+        const ActionWords words{"Mistake", mistake.title, QString(QLatin1String(mistake.number)) + QLatin1Char(' ')};
+        QAction* toggle = switches.add(QStringLiteral("mistake.%1").arg(id), words, {}, [this, id](bool on) {
+            m_document.setSettings(withMistake(m_document.settings(), id, on));
+        });
+        toggle->setCheckable(true);
+        m_switches.push_back({&mistake, toggle});
+        QAction* demo =
+            demos.add(QStringLiteral("mistake.%1.show").arg(id), words, {}, [this, id] { m_document.openMistake(id); });
+        m_demos.push_back({&mistake, demo});
+    }
 }
 
 void MistakesMenu::sync()
@@ -255,13 +260,9 @@ void MistakesMenu::sync()
 
 void MistakesMenu::retranslate()
 {
-    m_none->setText(tr("None"));
-    m_show->setTitle(tr("Show in its scene"));
     for (const auto* entries : {&m_switches, &m_demos})
-        for (const Entry& entry : *entries) {
-            entry.action->setText(mistakeTitle(*entry.mistake));
+        for (const Entry& entry : *entries)
             entry.action->setToolTip(mistakeToolTip(*entry.mistake, m_language));
-        }
     sync();
 }
 

@@ -1,16 +1,16 @@
 #pragma once
 #include "core/settings/mistakes.h"
+#include "ui/base/action_table.h"
 #include "ui/base/language.h"
 #include "ui/document/document.h"
 
 #include <QWidget>
 
+#include <span>
 #include <vector>
 
-class QAction;
 class QCheckBox;
 class QLabel;
-class QMenu;
 class QScrollArea;
 class QToolButton;
 
@@ -72,7 +72,7 @@ class MistakesMenu : public QObject
     Q_OBJECT
 
 public:
-    MistakesMenu(Document& document, const Language& language, QMenu* menu);
+    MistakesMenu(Document& document, const Language& language, ActionMenu menu);
 
     void retranslate();
 
@@ -82,12 +82,12 @@ private:
         QAction* action;
     };
 
+    void addRange(std::span<const Mistake> range, ActionMenu switches, ActionMenu demos);
     void sync();
 
     Document& m_document;
     const Language& m_language;
-    QAction* m_none;
-    QMenu* m_show;
+    QAction* m_none = nullptr;
     std::vector<Entry> m_switches;
     std::vector<Entry> m_demos;
 };

@@ -33,8 +33,8 @@ const StepStop::Kind* stopNamed(const QString& name)
 
 } // namespace
 
-StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& window)
-    : m_session(document), m_viewport(viewport), m_transport(new TransportDock(m_session, &window)),
+StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& window, ActionTable& actions)
+    : m_session(document), m_viewport(viewport), m_transport(new TransportDock(m_session, actions, &window)),
       m_listing(new StepListing(m_session)), m_window(window)
 {
     window.addDockWidget(Qt::BottomDockWidgetArea, m_transport);

@@ -11,6 +11,7 @@ class QMenu;
 namespace rasterlens
 {
 
+class ActionTable;
 class StepListing;
 class TransportDock;
 class ViewportWidget;
@@ -22,7 +23,7 @@ class StepMode : public QObject
 
 public:
     /// Adds the transport at the bottom of the window.
-    StepMode(Document& document, ViewportWidget& viewport, QMainWindow& window);
+    StepMode(Document& document, ViewportWidget& viewport, QMainWindow& window, ActionTable& actions);
     ~StepMode() override;
 
     [[nodiscard]] StepSession& session() { return m_session; }

@@ -9,7 +9,6 @@
 #include <QAbstractItemView>
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
-#include <QActionGroup>
 #include <QApplication>
 #include <QComboBox>
 #include <QEvent>
@@ -64,11 +63,11 @@ private:
 
 } // namespace
 
-TransportDock::TransportDock(StepSession& session, QWidget* parent)
+TransportDock::TransportDock(StepSession& session, ActionTable& actions, QWidget* parent)
     : QDockWidget(parent), m_session(session), m_menu(new QMenu(this))
 {
     setObjectName(QStringLiteral("transportDock"));
-    buildActions();
+    buildActions(actions);
     setTitleBarWidget(buildTitleRow());
     setWidget(buildBody());
     qApp->installEventFilter(this);
@@ -84,113 +83,119 @@ TransportDock::TransportDock(StepSession& session, QWidget* parent)
     retranslate();
 }
 
-QAction* TransportDock::add(QMenu* menu, const char* text, const QKeySequence& key, std::function<void()> run)
+void TransportDock::buildActions(ActionTable& table)
 {
-    QAction* action = menu->addAction(QString());
-    action->setShortcut(key);
-    connect(action, &QAction::triggered, this, [run = std::move(run)] { run(); });
-    m_texts.push_back({action, text});
-    parentWidget()->addAction(action); // keys work also while the menu bar is hidden
-    return action;
-}
-
-void TransportDock::addStep(const char* text, const QKeySequence& key, StepLevel level, StepDirection direction)
-{
-    m_stepActions << add(m_menu, text, key, [this, level, direction] { m_session.step(level, direction); });
-}
-
-void TransportDock::buildActions()
-{
-    m_record = add(m_menu, QT_TR_NOOP("&Record steps"), Qt::Key_R,
-                   [this] { m_session.isOpen() ? m_session.close() : m_session.open(); });
-    m_record->setCheckable(true);
-    buildScopeMenu();
-    m_menu->addSeparator();
-    m_play = add(m_menu, QT_TR_NOOP("&Play"), Qt::Key_Space, [this] {
+    ActionMenu menu(table, m_menu, *this, ActionSection::Steps, QT_TR_NOOP("S&tep"));
+    m_record = menu.addToggle("step.record", QT_TR_NOOP("&Record steps"), {Qt::Key_R}, false,
+                              [this] { m_session.isOpen() ? m_session.close() : m_session.open(); });
+    buildScopeMenu(menu.addMenu(QT_TR_NOOP("Record &what")));
+    menu.addSeparator();
+    m_play = menu.addToggle("step.play", QT_TR_NOOP("&Play"), {Qt::Key_Space}, false, [this] {
         m_session.open();
         m_session.setPlaying(!m_session.isPlaying());
+        sync();
     });
-    const auto key = [](auto modifiers, Qt::Key arrow) { return QKeySequence(modifiers | arrow); };
-    constexpr auto kForth = StepDirection::Forward;
-    constexpr auto kBack = StepDirection::Backward;
-    addStep(QT_TR_NOOP("Step &back"), Qt::Key_Left, StepLevel::Event, kBack);
-    addStep(QT_TR_NOOP("&Step"), Qt::Key_Right, StepLevel::Event, kForth);
-    addStep(QT_TR_NOOP("Row back"), key(Qt::SHIFT, Qt::Key_Left), StepLevel::Row, kBack);
-    addStep(QT_TR_NOOP("Next ro&w"), key(Qt::SHIFT, Qt::Key_Right), StepLevel::Row, kForth);
-    addStep(QT_TR_NOOP("Face back"), key(Qt::CTRL, Qt::Key_Left), StepLevel::Face, kBack);
-    addStep(QT_TR_NOOP("Next &face"), key(Qt::CTRL, Qt::Key_Right), StepLevel::Face, kForth);
-    addStep(QT_TR_NOOP("Stage back"), key(Qt::CTRL | Qt::SHIFT, Qt::Key_Left), StepLevel::Stage, kBack);
-    addStep(QT_TR_NOOP("Next s&tage"), key(Qt::CTRL | Qt::SHIFT, Qt::Key_Right), StepLevel::Stage, kForth);
+    buildSteps(menu);
+    menu.addSeparator();
+    buildRunMenu(menu.addMenu(QT_TR_NOOP("Run &until")));
+    buildSpeedMenu(menu.addMenu(QT_TR_NOOP("Spee&d")));
+    m_loop = menu.addToggle("step.loop", QT_TR_NOOP("&Loop"), {Qt::Key_L}, false,
+                            [this] { m_session.setLooping(!m_session.isLooping()); });
+}
+
+/// Back and forth by every length of step, and to both ends.
+void TransportDock::buildSteps(ActionMenu& menu)
+{
+    struct Step {
+        const char* backId;
+        const char* back;
+        const char* nextId;
+        const char* next;
+        const char* both; ///< what the line of help for the two says
+        Qt::KeyboardModifiers modifiers;
+        StepLevel level;
+    };
+    const Step steps[] = {
+        {"step.back", QT_TR_NOOP("Step &back"), "step.next", QT_TR_NOOP("&Step"), QT_TR_NOOP("One step"),
+         Qt::NoModifier, StepLevel::Event},
+        {"step.row-back", QT_TR_NOOP("Row back"), "step.next-row", QT_TR_NOOP("Next ro&w"), QT_TR_NOOP("One row"),
+         Qt::ShiftModifier, StepLevel::Row},
+        {"step.face-back", QT_TR_NOOP("Face back"), "step.next-face", QT_TR_NOOP("Next &face"), QT_TR_NOOP("One face"),
+         Qt::ControlModifier, StepLevel::Face},
+        {"step.stage-back", QT_TR_NOOP("Stage back"), "step.next-stage", QT_TR_NOOP("Next s&tage"),
+         QT_TR_NOOP("One stage"), Qt::ControlModifier | Qt::ShiftModifier, StepLevel::Stage},
+    };
+    for (const Step& step : steps) {
+        const auto go = [this, level = step.level](StepDirection direction) {
+            return [this, level, direction] { m_session.step(level, direction); };
+        };
+        QAction* back = menu.add(step.backId, step.back, {step.modifiers | Qt::Key_Left}, go(StepDirection::Backward));
+        QAction* next = menu.add(step.nextId, step.next, {step.modifiers | Qt::Key_Right}, go(StepDirection::Forward));
+        menu.table().listTogether(menu.words(step.both), {back, next});
+        m_stepActions << back << next;
+    }
     const auto jump = [this](std::size_t position) {
         m_session.setPlaying(false);
         m_session.moveTo(position);
     };
-    m_start = add(m_menu, QT_TR_NOOP("To the st&art"), key(Qt::CTRL, Qt::Key_Home), [jump] { jump(0); });
-    m_end =
-        add(m_menu, QT_TR_NOOP("To the &end"), key(Qt::CTRL, Qt::Key_End), [this, jump] { jump(m_session.size()); });
+    m_start = menu.add("step.start", QT_TR_NOOP("To the st&art"), {Qt::CTRL | Qt::Key_Home}, [jump] { jump(0); });
+    m_end = menu.add("step.end", QT_TR_NOOP("To the &end"), {Qt::CTRL | Qt::Key_End},
+                     [this, jump] { jump(m_session.size()); });
+    menu.table().listTogether(menu.words(QT_TR_NOOP("To the start, the end")), {m_start, m_end});
     m_onlyOpen = m_stepActions;
     m_onlyOpen << m_start << m_end;
-    m_menu->addSeparator();
-    buildRunMenu();
-    buildSpeedMenu();
-    m_loop = add(m_menu, QT_TR_NOOP("&Loop"), Qt::Key_L, [this] { m_session.setLooping(!m_session.isLooping()); });
-    m_loop->setCheckable(true);
 }
 
-void TransportDock::buildScopeMenu()
+void TransportDock::buildScopeMenu(ActionMenu menu)
 {
-    m_scopeMenu = m_menu->addMenu(QString());
-    m_texts.push_back({m_scopeMenu->menuAction(), QT_TR_NOOP("Record &what")});
-    const auto addScope = [&](const char* text, StepScope scope) {
-        QAction* action = add(m_scopeMenu, text, {}, [this, scope] {
+    m_scopeMenu = menu.menu();
+    const auto addScope = [&](const char* id, const char* text, StepScope scope) {
+        m_scopeActions << menu.addToggle(id, text, {}, false, [this, scope] {
             if (scope == StepScope::SelectedFace)
                 selectFaceHere();
             if (scope == StepScope::Rectangle)
                 Q_EMIT rectangleWanted();
             m_session.setScope(scope);
         });
-        action->setCheckable(true);
-        m_scopeActions << action;
     };
-    addScope(QT_TR_NOOP("The whole frame"), StepScope::Frame);
-    addScope(QT_TR_NOOP("The face at the selected pixel"), StepScope::SelectedFace);
-    addScope(QT_TR_NOOP("What the canvas shows"), StepScope::Rectangle);
+    addScope("step.record-frame", QT_TR_NOOP("The whole frame"), StepScope::Frame);
+    addScope("step.record-face", QT_TR_NOOP("The face at the selected pixel"), StepScope::SelectedFace);
+    addScope("step.record-view", QT_TR_NOOP("What the canvas shows"), StepScope::Rectangle);
 }
 
-void TransportDock::buildRunMenu()
+void TransportDock::buildRunMenu(ActionMenu menu)
 {
-    m_runMenu = m_menu->addMenu(QString());
-    m_texts.push_back({m_runMenu->menuAction(), QT_TR_NOOP("Run &until")});
-    const auto addStop = [&](const char* text, StepStop::Kind kind) {
-        QAction* action = add(m_runMenu, text, {}, [this, kind] { runUntil(kind); });
+    m_runMenu = menu.menu();
+    const auto addStop = [&](const char* id, const char* text, StepStop::Kind kind) {
+        QAction* action = menu.add(id, text, {}, [this, kind] { runUntil(kind); });
         m_onlyOpen << action;
         return action;
     };
-    m_untilPixel = addStop(QT_TR_NOOP("This &pixel"), StepStop::Kind::Pixel);
-    addStop(QT_TR_NOOP("&Sign change"), StepStop::Kind::SignChange);
-    addStop(QT_TR_NOOP("&Tie"), StepStop::Kind::Tie);
-    addStop(QT_TR_NOOP("&Depth test fails"), StepStop::Kind::DepthFail);
-    addStop(QT_TR_NOOP("&Clip"), StepStop::Kind::Clip);
-    addStop(QT_TR_NOOP("&NaN or infinity"), StepStop::Kind::NonFinite);
+    m_untilPixel = addStop("step.until-pixel", QT_TR_NOOP("This &pixel"), StepStop::Kind::Pixel);
+    addStop("step.until-sign-change", QT_TR_NOOP("&Sign change"), StepStop::Kind::SignChange);
+    addStop("step.until-tie", QT_TR_NOOP("&Tie"), StepStop::Kind::Tie);
+    addStop("step.until-depth-fail", QT_TR_NOOP("&Depth test fails"), StepStop::Kind::DepthFail);
+    addStop("step.until-clip", QT_TR_NOOP("&Clip"), StepStop::Kind::Clip);
+    addStop("step.until-nan", QT_TR_NOOP("&NaN or infinity"), StepStop::Kind::NonFinite);
 }
 
-void TransportDock::buildSpeedMenu()
+void TransportDock::buildSpeedMenu(ActionMenu menu)
 {
-    m_speedMenu = m_menu->addMenu(QString());
-    m_texts.push_back({m_speedMenu->menuAction(), QT_TR_NOOP("Spee&d")});
+    m_speedMenu = menu.menu();
     for (const double speed : kSpeeds) {
-        QAction* action = m_speedMenu->addAction(speedText(speed));
+        QAction* action =
+            menu.add(QStringLiteral("step.speed-%1").arg(speed), {.name = speedText(speed)}, {}, [this, speed] {
+                m_session.setSpeed(speed);
+                sync();
+            });
         action->setCheckable(true);
-        connect(action, &QAction::triggered, this, [this, speed] {
-            m_session.setSpeed(speed);
-            sync();
-        });
         m_speedActions << action;
     }
-    m_speedMenu->addSeparator();
+    menu.addSeparator();
     const auto next = [this](double factor) { m_session.setSpeed(m_session.speed() * factor); };
-    add(m_speedMenu, QT_TR_NOOP("Slower"), Qt::Key_BracketLeft, [next] { next(0.5); });
-    add(m_speedMenu, QT_TR_NOOP("Faster"), Qt::Key_BracketRight, [next] { next(2); });
+    QAction* slower = menu.add("step.slower", QT_TR_NOOP("Slower"), {Qt::Key_BracketLeft}, [next] { next(0.5); });
+    QAction* faster = menu.add("step.faster", QT_TR_NOOP("Faster"), {Qt::Key_BracketRight}, [next] { next(2); });
+    menu.table().listTogether(menu.words(QT_TR_NOOP("Slower, faster")), {slower, faster});
 }
 
 void TransportDock::runUntil(StepStop::Kind kind)
@@ -232,7 +237,7 @@ QToolButton* TransportDock::addButton(QAction* action, TransportSign sign, bool 
     const auto follow = [button, action] {
         button->setEnabled(action->isEnabled());
         const QString key = action->shortcut().toString(QKeySequence::NativeText);
-        QString text = action->text().remove(QLatin1Char('&'));
+        const QString text = withoutMnemonic(action->text());
         button->setToolTip(key.isEmpty() ? text : QStringLiteral("%1 (%2)").arg(text, key));
         button->setAccessibleName(text);
     };
@@ -322,9 +327,6 @@ void TransportDock::retranslate()
 {
     syncIcons();
     setWindowTitle(tr("Steps"));
-    m_menu->setTitle(tr("S&tep"));
-    for (const Translated& entry : m_texts)
-        entry.action->setText(tr(entry.text));
     m_runLink->setText(tr("run until \u25be"));
     const auto word = [](PipKind kind, const QString& text) {
         return QStringLiteral("<span style='color:%1'>%2</span>")
@@ -374,6 +376,7 @@ void TransportDock::sync()
 {
     const bool open = m_session.isOpen();
     m_record->setChecked(open);
+    m_play->setChecked(m_session.isPlaying());
     m_loop->setChecked(m_session.isLooping());
     for (QAction* action : std::as_const(m_onlyOpen))
         action->setEnabled(open && m_session.log());

@@ -1,14 +1,13 @@
 #pragma once
+#include "ui/base/action_table.h"
 #include "ui/steps/step_session.h"
 #include "ui/steps/transport_icon.h"
 
 #include <QDockWidget>
 #include <QList>
 
-#include <functional>
 #include <vector>
 
-class QActionGroup;
 class QFrame;
 class QLabel;
 class QMenu;
@@ -19,13 +18,13 @@ namespace rasterlens
 
 class Scrubber;
 
-/// Playing, stepping and the scrubber; its actions make up the menu Step.
+/// Playing, stepping and the scrubber; its actions make up the menu Step of the table of actions.
 class TransportDock : public QDockWidget
 {
     Q_OBJECT
 
 public:
-    explicit TransportDock(StepSession& session, QWidget* parent);
+    TransportDock(StepSession& session, ActionTable& actions, QWidget* parent);
 
     /// The menu Step; its keys work in the whole window.
     [[nodiscard]] QMenu* menu() const { return m_menu; }
@@ -45,12 +44,11 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    QAction* add(QMenu* menu, const char* text, const QKeySequence& key, std::function<void()> run);
-    void addStep(const char* text, const QKeySequence& key, StepLevel level, StepDirection direction);
-    void buildActions();
-    void buildScopeMenu();
-    void buildRunMenu();
-    void buildSpeedMenu();
+    void buildActions(ActionTable& table);
+    void buildSteps(ActionMenu& menu);
+    void buildScopeMenu(ActionMenu menu);
+    void buildRunMenu(ActionMenu menu);
+    void buildSpeedMenu(ActionMenu menu);
     QWidget* buildTitleRow();
     QWidget* buildBody();
     QToolButton* addButton(QAction* action, TransportSign sign, bool backward);
@@ -61,11 +59,6 @@ private:
     void syncLog();
     void runUntil(StepStop::Kind kind);
     void selectFaceHere();
-
-    struct Translated {
-        QAction* action;
-        const char* text;
-    };
 
     StepSession& m_session;
     QMenu* m_menu = nullptr;
@@ -82,7 +75,6 @@ private:
     QList<QAction*> m_scopeActions;
     QList<QAction*> m_speedActions;
     QList<QAction*> m_onlyOpen; ///< of use in the step mode only
-    std::vector<Translated> m_texts;
     struct Button {
         QToolButton* widget;
         TransportSign sign;

@@ -1,5 +1,6 @@
 #include "ui/truth/truth_mode.h"
 
+#include "ui/base/action_table.h"
 #include "ui/base/dock.h"
 #include "ui/canvas/viewport_widget.h"
 #include "ui/truth/case_browser.h"
@@ -12,13 +13,12 @@
 #include <QMenu>
 #include <QVBoxLayout>
 
-#include <utility>
-
 namespace rasterlens
 {
 
-TruthMode::TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& window, QVBoxLayout& bars)
-    : m_document(document), m_viewport(viewport), m_window(window), m_referee(document), m_refereeLayer(m_referee),
+TruthMode::TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& window, QVBoxLayout& bars,
+                     ActionTable& actions)
+    : m_document(document), m_viewport(viewport), m_referee(document), m_refereeLayer(m_referee),
       m_comparison(document), m_differenceLayer(m_comparison), m_refereeBar(new RefereeBar(m_referee)),
       m_compareBar(new CompareBar(document, m_comparison)), m_cases(new CaseBrowser),
       m_experiment(new ExperimentPanel(document)), m_menu(new QMenu(&window))
@@ -27,7 +27,7 @@ TruthMode::TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& 
     viewport.addLayer(&m_differenceLayer);
     bars.addWidget(m_refereeBar);
     bars.addWidget(m_compareBar);
-    buildMenu();
+    buildMenu(actions);
     m_docks = {new Dock(QStringLiteral("casesDock"), m_cases, &window, Dock::Fit::Scrolls),
                new Dock(QStringLiteral("experimentDock"), m_experiment, &window, Dock::Fit::Scrolls)};
     connect(m_cases, &CaseBrowser::caseChosen, this, &TruthMode::showCase);
@@ -61,40 +61,31 @@ bool TruthMode::showPanel(const QString& name)
     return true;
 }
 
-QAction* TruthMode::add(const char* text, const QKeySequence& key, std::function<void()> run, bool checkable)
+void TruthMode::buildMenu(ActionTable& table)
 {
-    QAction* action = m_menu->addAction(QString());
-    action->setShortcut(key);
-    action->setCheckable(checkable);
-    connect(action, &QAction::triggered, this, [run = std::move(run)] { run(); });
-    m_window.addAction(action); // keys work also while the menu bar is hidden
-    m_texts.push_back({action, text});
-    return action;
-}
-
-void TruthMode::buildMenu()
-{
-    m_refereeAction = add(
-        QT_TR_NOOP("&Exact referee"), Qt::Key_V, [this] { m_referee.setOn(!m_referee.isOn()); }, true);
-    m_vertexStage = add(
-        QT_TR_NOOP("&Judge from object space"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_V),
-        [this] {
-            m_referee.setSpace(m_vertexStage->isChecked() ? ReferenceSpace::Object : ReferenceSpace::Clip);
-            m_referee.setOn(true);
-        },
-        true);
-    m_nextWrong =
-        add(QT_TR_NOOP("&Next wrong pixel"), QKeySequence(Qt::SHIFT | Qt::Key_V), [this] { showNextWrong(); });
-    m_menu->addSeparator();
-    m_wipe = add(
-        QT_TR_NOOP("&Wipe between A and B"), Qt::Key_S, [this] { toggle(CompareView::Wipe); }, true);
-    m_blink = add(
-        QT_TR_NOOP("&Blink A and B"), Qt::Key_B, [this] { toggle(CompareView::Blink); }, true);
-    m_heat = add(
-        QT_TR_NOOP("&Difference of A and B"), Qt::Key_D, [this] { toggle(CompareView::Difference); }, true);
-    m_menu->addSeparator();
-    add(QT_TR_NOOP("&Pin the present settings as A"), Qt::Key_A, [this] { m_comparison.pin(); });
-    add(QT_TR_NOOP("E&xchange A and B"), QKeySequence(Qt::SHIFT | Qt::Key_A), [this] { m_comparison.swap(); });
+    ActionMenu menu(table, m_menu, *this, ActionSection::Compare, QT_TR_NOOP("&Compare"));
+    m_refereeAction = menu.addToggle("compare.referee", QT_TR_NOOP("&Exact referee"), {Qt::Key_V}, false,
+                                     [this] { m_referee.setOn(!m_referee.isOn()); });
+    m_vertexStage = menu.addToggle("compare.object-space", QT_TR_NOOP("&Judge from object space"),
+                                   {Qt::CTRL | Qt::SHIFT | Qt::Key_V}, false, [this](bool on) {
+                                       m_referee.setSpace(on ? ReferenceSpace::Object : ReferenceSpace::Clip);
+                                       m_referee.setOn(true);
+                                   });
+    m_nextWrong = menu.add("compare.next-wrong", QT_TR_NOOP("&Next wrong pixel"), {Qt::SHIFT | Qt::Key_V},
+                           [this] { showNextWrong(); });
+    menu.addSeparator();
+    const auto addView = [&](const char* id, const char* text, Qt::Key key, CompareView view) {
+        return menu.addToggle(id, text, {key}, false, [this, view] { toggle(view); });
+    };
+    m_wipe = addView("compare.wipe", QT_TR_NOOP("&Wipe between A and B"), Qt::Key_S, CompareView::Wipe);
+    m_blink = addView("compare.blink", QT_TR_NOOP("&Blink A and B"), Qt::Key_B, CompareView::Blink);
+    m_heat = addView("compare.difference", QT_TR_NOOP("&Difference of A and B"), Qt::Key_D, CompareView::Difference);
+    menu.addSeparator();
+    QAction* pin = menu.add("compare.pin", QT_TR_NOOP("&Pin the present settings as A"), {Qt::Key_A},
+                            [this] { m_comparison.pin(); });
+    QAction* swap = menu.add("compare.exchange", QT_TR_NOOP("E&xchange A and B"), {Qt::SHIFT | Qt::Key_A},
+                             [this] { m_comparison.swap(); });
+    table.listTogether(menu.words(QT_TR_NOOP("Pin A, exchange A and B")), {pin, swap});
 }
 
 void TruthMode::toggle(CompareView view)
@@ -192,11 +183,8 @@ void TruthMode::openLens()
 
 void TruthMode::retranslate()
 {
-    m_menu->setTitle(tr("&Compare"));
     m_docks[0]->setTitle(tr("Hard cases"));
     m_docks[1]->setTitle(tr("Speed against error"));
-    for (const TranslatedAction& entry : m_texts)
-        entry.action->setText(tr(entry.text));
     sync();
 }
 

@@ -3,10 +3,8 @@
 #include "ui/truth/difference_layer.h"
 #include "ui/truth/referee.h"
 
-#include <QKeySequence>
 #include <QObject>
 
-#include <functional>
 #include <vector>
 
 class QAction;
@@ -17,6 +15,7 @@ class QVBoxLayout;
 namespace rasterlens
 {
 
+class ActionTable;
 class CaseBrowser;
 class CompareBar;
 class Dock;
@@ -31,8 +30,9 @@ class TruthMode : public QObject
     Q_OBJECT
 
 public:
-    /// Adds the lines to `bars`.
-    TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& window, QVBoxLayout& bars);
+    /// Adds the lines to `bars` and the menu's actions to the table.
+    TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& window, QVBoxLayout& bars,
+              ActionTable& actions);
     ~TruthMode() override;
 
     [[nodiscard]] Referee& referee() { return m_referee; }
@@ -74,13 +74,7 @@ Q_SIGNALS:
     void failed(const QString& text);
 
 private:
-    struct TranslatedAction {
-        QAction* action;
-        const char* text;
-    };
-
-    void buildMenu();
-    QAction* add(const char* text, const QKeySequence& key, std::function<void()> run, bool checkable = false);
+    void buildMenu(ActionTable& table);
     void toggle(CompareView view);
     void sync();
     void syncCanvas();
@@ -88,7 +82,6 @@ private:
 
     Document& m_document;
     ViewportWidget& m_viewport;
-    QMainWindow& m_window;
     Referee m_referee;
     RefereeLayer m_refereeLayer;
     Comparison m_comparison;
@@ -102,7 +95,6 @@ private:
     ExperimentPanel* m_experiment;
     std::vector<Dock*> m_docks;
     QMenu* m_menu;
-    std::vector<TranslatedAction> m_texts;
     QAction* m_refereeAction = nullptr;
     QAction* m_vertexStage = nullptr;
     QAction* m_nextWrong = nullptr;

@@ -7,19 +7,22 @@
 #include <QLabel>
 
 #include <algorithm>
+#include <utility>
 
 namespace rasterlens
 {
 namespace
 {
 
-QString htmlOf(const HelpOverlay::Section& section, const QPalette& palette)
+constexpr std::size_t kMostColumns = 3;
+
+QString htmlOf(const KeySection& section, const QPalette& palette)
 {
     const QString accent = palette.color(QPalette::Highlight).name();
     const QString muted = palette.color(QPalette::PlaceholderText).name();
     QString html = QStringLiteral("<p style='margin:8px 0 3px 0'><b>%1</b></p><table cellspacing='0' cellpadding='2'>")
                        .arg(section.title.toHtmlEscaped());
-    for (const HelpOverlay::Line& line : section.lines)
+    for (const KeyLine& line : section.lines)
         html +=
             QStringLiteral("<tr><td style='padding-right:12px'><b><span style='color:%1'>%2</span></b></td>"
                            "<td style='padding-right:10px'>%3</td><td style='color:%4'>%5</td></tr>")
@@ -35,11 +38,12 @@ HelpOverlay::HelpOverlay(QWidget* parent) : QFrame(parent)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(22, 12, 22, 16);
     row->setSpacing(28);
-    for (QLabel** label : {&m_left, &m_right}) {
-        *label = new QLabel;
-        (*label)->setTextFormat(Qt::RichText);
-        (*label)->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-        row->addWidget(*label);
+    for (std::size_t i = 0; i < kMostColumns; ++i) {
+        auto* label = new QLabel;
+        label->setTextFormat(Qt::RichText);
+        label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+        row->addWidget(label);
+        m_columns.push_back(label);
     }
     auto* shadow = new QGraphicsDropShadowEffect(this);
     shadow->setBlurRadius(32);
@@ -50,21 +54,30 @@ HelpOverlay::HelpOverlay(QWidget* parent) : QFrame(parent)
     hide();
 }
 
-void HelpOverlay::setSections(const std::vector<Section>& sections)
+void HelpOverlay::setSections(std::vector<KeySection> sections)
 {
-    std::size_t total = 0;
-    for (const Section& section : sections)
-        total += section.lines.size() + 2;
-    QString left;
-    QString right;
-    std::size_t used = 0;
-    for (const Section& section : sections) {
-        (used * 2 + section.lines.size() < total ? left : right) += htmlOf(section, palette());
-        used += section.lines.size() + 2;
-    }
-    m_left->setText(left);
-    m_right->setText(right);
+    m_sections = std::move(sections);
     place();
+}
+
+/// Spreads the sections over so many columns of about equal height, in their order.
+void HelpOverlay::fill(std::size_t columns)
+{
+    constexpr std::size_t kHeading = 2; // lines that a heading takes
+    std::size_t total = 0;
+    for (const KeySection& section : m_sections)
+        total += section.lines.size() + kHeading;
+    std::vector<QString> texts(m_columns.size());
+    std::size_t used = 0;
+    for (const KeySection& section : m_sections) {
+        const std::size_t lines = section.lines.size() + kHeading;
+        texts[(2 * used + lines) * columns / (2 * total)] += htmlOf(section, palette());
+        used += lines;
+    }
+    for (std::size_t i = 0; i < m_columns.size(); ++i) {
+        m_columns[i]->setText(texts[i]);
+        m_columns[i]->setVisible(i < columns);
+    }
 }
 
 void HelpOverlay::place()
@@ -72,16 +85,19 @@ void HelpOverlay::place()
     // As large as everything else where there is room, smaller where there is not.
     const QSize room = parentWidget()->size();
     constexpr qreal kSmallest = 7;
-    for (qreal points = QApplication::font().pointSizeF(); points >= kSmallest; points -= 0.5) {
+    const auto fits = [&](qreal points, std::size_t columns) {
         QFont font = QApplication::font();
         font.setPointSizeF(points);
-        m_left->setFont(font);
-        m_right->setFont(font);
+        fill(columns);
+        for (QLabel* column : m_columns)
+            column->setFont(font);
         layout()->activate();
         adjustSize();
-        if (width() <= room.width() && height() <= room.height())
+        return width() <= room.width() && height() <= room.height();
+    };
+    for (qreal points = QApplication::font().pointSizeF(); points >= kSmallest; points -= 0.5)
+        if (fits(points, 2) || fits(points, kMostColumns))
             break;
-    }
     move(std::max(0, (room.width() - width()) / 2), std::max(0, (room.height() - height()) / 2));
     raise();
 }

@@ -1,6 +1,7 @@
 #pragma once
+#include "ui/base/action_table.h"
+
 #include <QFrame>
-#include <QString>
 
 #include <vector>
 
@@ -9,25 +10,16 @@ class QLabel;
 namespace rasterlens
 {
 
-/// A card over the window that lists the keys with the state each of them changes.
+/// A card over the window that lists the keys with the state each of them changes, in two columns or, where the window
+/// is low, in three.
 class HelpOverlay : public QFrame
 {
     Q_OBJECT
 
 public:
-    struct Line {
-        QString keys;
-        QString what;
-        QString state; ///< may be empty
-    };
-    struct Section {
-        QString title;
-        std::vector<Line> lines;
-    };
-
     explicit HelpOverlay(QWidget* parent);
 
-    void setSections(const std::vector<Section>& sections);
+    void setSections(std::vector<KeySection> sections);
     void place();
 
 protected:
@@ -35,8 +27,10 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    QLabel* m_left = nullptr;
-    QLabel* m_right = nullptr;
+    void fill(std::size_t columns);
+
+    std::vector<KeySection> m_sections;
+    std::vector<QLabel*> m_columns;
 };
 
 } // namespace rasterlens

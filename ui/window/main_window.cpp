@@ -22,6 +22,7 @@
 #include "ui/steps/step_mode.h"
 #include "ui/steps/transport_dock.h"
 #include "ui/truth/truth_mode.h"
+#include "ui/window/action_search.h"
 #include "ui/window/dragged_file.h"
 #include "ui/window/help_overlay.h"
 #include "ui/window/life_cycle.h"
@@ -85,6 +86,7 @@ MainWindow::MainWindow(Memory memory, QWidget* parent) : QMainWindow(parent), m_
     buildMenus();
     buildStatusBar();
     m_help = new HelpOverlay(this);
+    m_search = new ActionSearch(m_actions, *this);
     connectParts();
     buildFocus();
     m_defaultState = saveState(kLayoutVersion);
@@ -162,8 +164,8 @@ QWidget* MainWindow::buildCanvas()
     column->addLayout(bars);
     m_mistakeBadge = new MistakeBadge(m_viewport);
     column->addWidget(m_viewport, 1);
-    m_stepMode = std::make_unique<StepMode>(m_document, *m_viewport, *this);
-    m_truth = std::make_unique<TruthMode>(m_document, *m_viewport, *this, *bars);
+    m_stepMode = std::make_unique<StepMode>(m_document, *m_viewport, *this, m_actions);
+    m_truth = std::make_unique<TruthMode>(m_document, *m_viewport, *this, *bars, m_actions);
     m_lifeCycle =
         std::make_unique<LifeCycle>(m_document, *m_stepMode, LifeCycle::Bars{m_recoveryOffer, m_filesOffer}, *this);
     column->addWidget(&m_stepMode->listing());

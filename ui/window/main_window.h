@@ -1,4 +1,5 @@
 #pragma once
+#include "ui/base/action_table.h"
 #include "ui/base/language.h"
 #include "ui/base/theme.h"
 #include "ui/canvas/viewport_widget.h"
@@ -20,6 +21,7 @@ class QToolButton;
 namespace rasterlens
 {
 
+class ActionSearch;
 class Cards;
 class Dock;
 class HelpOverlay;
@@ -55,6 +57,8 @@ public:
     [[nodiscard]] StatisticsPanel& statisticsPanel() { return *m_statisticsPanel; }
     [[nodiscard]] StageStrip& stageStrip() { return *m_stageStrip; }
     [[nodiscard]] HelpOverlay& helpOverlay() { return *m_help; }
+    [[nodiscard]] ActionSearch& actionSearch() { return *m_search; }
+    [[nodiscard]] const ActionTable& actionTable() const { return m_actions; }
     [[nodiscard]] Cards& cards() { return *m_cards; }
     [[nodiscard]] MistakeBadge& mistakeBadge() { return *m_mistakeBadge; }
     [[nodiscard]] RenderWorker& worker() { return m_worker; }
@@ -104,39 +108,31 @@ protected:
 private:
     static constexpr int kLayoutVersion = 4; ///< another one makes the program forget former layouts
 
-    /// An action or menu whose text follows the language.
-    struct TranslatedAction {
-        QAction* action;
-        const char* text;
-    };
-    /// A key that steps one field through its values.
-    struct FieldKey {
-        const char* field;
-        Qt::Key key;
-        QAction* action;
-    };
-
     void buildLayout();
     void buildFocus();
     QWidget* buildCanvas();
     void buildStatusBar();
     void connectParts();
     void buildMenus();
+    void addHint(const char* id, ActionSection section, const char* keys, const char* what);
+    void addMouseHints();
     void buildFileMenu();
+    void buildExports(ActionMenu& file);
+    void buildFigureScale(ActionMenu scale);
+    void buildSceneMenu(ActionMenu scenes);
     void buildEditMenu();
     void buildViewMenu();
-    void buildAppearanceMenus(QMenu* view);
+    void buildCamera(ActionMenu menu);
+    void buildOverlays(ActionMenu& view);
+    void buildDrawing(ActionMenu menu);
+    void buildAppearance(ActionMenu menu);
     void buildSettingsMenu();
     void buildMistakesMenu();
     void buildHelpMenu();
-    QMenu* addMenu(QMenu* parent, const char* text);
-    QAction* add(QMenu* menu, const char* text, const QKeySequence& key, std::function<void()> run);
-    QAction* addToggle(QMenu* menu, const char* text, const QKeySequence& key, bool on, std::function<void(bool)> run);
+    [[nodiscard]] ActionMenu addMenu(ActionSection section, const char* title);
 
     void retranslate();
-    void retranslateActions();
     void fillRecentMenu();
-    void fillBuiltinMenu();
     void syncActions();
     void syncHelp();
     void syncCanvasHeader();
@@ -157,7 +153,6 @@ private:
     template <class Field, class Refused, class Mended>
     void connectField(Field* field, Refused refused, Mended mended);
     void leaveInnermost();
-    void followHelpStates();
     void syncCounters();
     void reportSaved(const std::optional<QString>& error, const QString& path);
     void chooseFileToOpen();
@@ -168,6 +163,7 @@ private:
 
     Memory m_memory;
     Language m_language;
+    ActionTable m_actions{*this, m_language};
     Look m_look;
     Document m_document;
     RenderWorker m_worker;
@@ -190,6 +186,7 @@ private:
     MessageBar* m_filesOffer = nullptr;
     MessageBar* m_unsupported = nullptr; ///< why the present settings are not drawn
     HelpOverlay* m_help = nullptr;
+    ActionSearch* m_search = nullptr;
     QLabel* m_canvasTitle = nullptr;
     QToolButton* m_goToButton = nullptr;
     QLineEdit* m_goToEdit = nullptr;
@@ -203,11 +200,9 @@ private:
     FocusOrder* m_focusOrder = nullptr;
     QTimer m_activityDelay;
 
-    std::vector<TranslatedAction> m_actions;
-    std::vector<FieldKey> m_fieldKeys;
     QMenu* m_recentMenu = nullptr;
-    QMenu* m_builtinMenu = nullptr;
     MistakesMenu* m_mistakesMenu = nullptr;
+    QAction* m_clearRecent = nullptr;
     QAction* m_undo = nullptr;
     QAction* m_redo = nullptr;
     QAction* m_reset = nullptr;
@@ -218,7 +213,6 @@ private:
     QAction* m_zoomOut = nullptr;
     QAction* m_goTo = nullptr;
     QAction* m_fastMotion = nullptr;
-    QAction* m_continuous = nullptr;
     QAction* m_presentation = nullptr;
     QAction* m_fullScreen = nullptr;
     QAction* m_dark = nullptr;

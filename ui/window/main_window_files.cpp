@@ -1,3 +1,7 @@
+// Files that the window opens, keeps and writes, and the names of those in its title.
+#include "core/io/picture_file.h"
+#include "ui/base/dock.h"
+#include "ui/base/image_export.h"
 #include "ui/base/message_bar.h"
 #include "ui/pipeline/scene_words.h"
 #include "ui/window/dragged_file.h"
@@ -13,10 +17,17 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QMimeData>
+#include <QPainter>
 #include <QUrl>
 
 namespace rasterlens
 {
+namespace
+{
+
+const QString kSvg = QStringLiteral("svg");
+
+} // namespace
 
 void MainWindow::syncTitle()
 {
@@ -45,10 +56,10 @@ void MainWindow::fillRecentMenu()
         connect(action, &QAction::triggered, this, [this, path] { m_document.open(path); });
     }
     m_recentMenu->setToolTipsVisible(true);
+    m_clearRecent->setEnabled(!files.isEmpty());
     if (!files.isEmpty()) {
         m_recentMenu->addSeparator();
-        connect(m_recentMenu->addAction(tr("Clear")), &QAction::triggered, this,
-                [this] { m_document.clearRecentFiles(); });
+        m_recentMenu->addAction(m_clearRecent);
     }
     m_recentMenu->menuAction()->setEnabled(!files.isEmpty());
 }
@@ -108,6 +119,54 @@ void MainWindow::dropEvent(QDropEvent* event)
             },
             Qt::SingleShotConnection);
     m_document.open(file);
+}
+
+void MainWindow::chooseFileToExport(const QString& title, const QString& suggestion, bool asDrawing,
+                                    std::function<void(const QString&)> save)
+{
+    const QStringList formats = pictureSuffixes() + (asDrawing ? QStringList{kSvg} : QStringList());
+    QFileDialog* dialog = newExportDialog(this, title, suggestion, formats);
+    connect(dialog, &QFileDialog::fileSelected, this, std::move(save));
+    dialog->open();
+}
+
+QImage MainWindow::picture()
+{
+    QPixmap picture = grab();
+    QPainter painter(&picture);
+    for (Dock* dock : findChildren<Dock*>())
+        if (dock->isVisible() && dock->isFloating())
+            painter.drawPixmap(mapFromGlobal(dock->mapToGlobal(QPoint(0, 0))), dock->grab());
+    painter.end();
+    return picture.toImage();
+}
+
+bool MainWindow::exportFigure(const QString& path)
+{
+    const ExportTarget target{path, m_document.inputFiles()};
+    const auto error = formatOf(path) == kSvg ? m_viewport->saveSvgFigure(m_figureZoom, target)
+                                              : savePicture(m_viewport->figure(m_figureZoom), target, {kSvg});
+    reportSaved(error, path);
+    return !error;
+}
+
+bool MainWindow::exportFramebuffer(const QString& path)
+{
+    const auto error = savePicture(m_lastFrame ? m_lastFrame->frame.image : QImage(), {path, m_document.inputFiles()});
+    reportSaved(error, path);
+    return !error;
+}
+
+bool MainWindow::exportWindow(const QString& path)
+{
+    const auto error = savePicture(picture(), {path, m_document.inputFiles()});
+    reportSaved(error, path);
+    return !error;
+}
+
+void MainWindow::reportSaved(const std::optional<QString>& error, const QString& path)
+{
+    m_message->show(error ? MessageKind::Error : MessageKind::Info, error ? *error : tr("Written: %1").arg(path));
 }
 
 } // namespace rasterlens

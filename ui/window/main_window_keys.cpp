@@ -1,4 +1,4 @@
-// Where the keys go: Tab, Escape, and the field for a pixel.
+// Where the keys go: Tab, Escape, the help, and the field for a pixel.
 #include "core/base/typed_numbers.h"
 #include "ui/base/dock.h"
 #include "ui/base/message_bar.h"
@@ -31,7 +31,7 @@ void MainWindow::buildFocus()
     auto* escape = new QShortcut(Qt::Key_Escape, this);
     connect(escape, &QShortcut::activated, this, &MainWindow::leaveInnermost);
     connect(escape, &QShortcut::activatedAmbiguously, this, &MainWindow::leaveInnermost);
-    followHelpStates();
+    connect(&m_actions, &ActionTable::changed, this, &MainWindow::syncHelp);
 }
 
 bool MainWindow::focusNextPrevChild(bool next) { return m_focusOrder->move(next); }
@@ -54,19 +54,17 @@ void MainWindow::leaveInnermost()
         m_viewport->selectPixel(std::nullopt);
 }
 
-/// The help shows what is on and off; it follows every key that changes that.
-void MainWindow::followHelpStates()
+void MainWindow::toggleHelp()
 {
-    const auto sync = [this] {
-        if (m_help->isVisible())
-            syncHelp();
-    };
-    connect(&m_stepMode->session(), &StepSession::openChanged, m_help, sync);
-    connect(&m_stepMode->session(), &StepSession::playbackChanged, m_help, sync);
-    connect(&m_truth->comparison(), &Comparison::changed, m_help, sync);
-    connect(&m_truth->referee(), &Referee::changed, m_help, sync);
-    for (const QAction* action : {m_presentation, m_dark, m_continuous, m_fastMotion})
-        connect(action, &QAction::changed, m_help, sync, Qt::QueuedConnection);
+    m_help->setVisible(!m_help->isVisible());
+    syncHelp();
+}
+
+/// The help shows the present states of the table's actions.
+void MainWindow::syncHelp()
+{
+    if (m_help->isVisible())
+        m_help->setSections(m_actions.sections(QKeySequence::NativeText));
 }
 
 void MainWindow::toggleGoToPixel() { showGoToPixel(m_goToEdit->isHidden()); }

@@ -4,7 +4,6 @@
 #include <QDockWidget>
 #include <QEvent>
 #include <QMainWindow>
-#include <QMenu>
 #include <QTimer>
 
 #include <algorithm>
@@ -22,6 +21,34 @@ constexpr int kTabWidth = 440;       ///< of a panel beside the canvas
 constexpr double kCanvasShare = 0.4; ///< of the window's width that a panel beside the canvas leaves to it
 constexpr int kLowestPanel = 130;    ///< a lower panel below the canvas shows nothing of use
 constexpr int kMost = QWIDGETSIZE_MAX;
+
+/// What the menu and the help call a panel, and the digit that opens it with Alt: no menu and no other action has these
+/// keys.
+struct PanelRow {
+    QLatin1String dock; ///< its name as an object
+    const char* id;
+    const char* title;
+    Qt::Key digit;
+};
+
+constexpr PanelRow kPanels[] = {
+    {QLatin1String("pipelineDock"), "panel.scene", QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Scene and pipeline"),
+     Qt::Key_1},
+    {QLatin1String("statisticsDock"), "panel.statistics", QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Statistics"),
+     Qt::Key_2},
+    {QLatin1String("whyDock"), "panel.why", QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Pixel card: why this pixel?"),
+     Qt::Key_3},
+    {QLatin1String("verticesDock"), "panel.vertices", QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Vertices"),
+     Qt::Key_4},
+    {QLatin1String("clipDock"), "panel.clip", QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Clip theatre"), Qt::Key_5},
+    {QLatin1String("curvesDock"), "panel.curves", QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Curves"), Qt::Key_6},
+    {QLatin1String("raceDock"), "panel.race", QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Algorithm race"),
+     Qt::Key_7},
+    {QLatin1String("casesDock"), "panel.cases", QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Hard cases"), Qt::Key_8},
+    {QLatin1String("experimentDock"), "panel.experiment",
+     QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Speed against error"), Qt::Key_9},
+    {QLatin1String("transportDock"), "panel.steps", QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Steps"), Qt::Key_0},
+};
 
 } // namespace
 
@@ -48,37 +75,29 @@ void PanelPlaces::watch(QDockWidget* dock)
     });
 }
 
-void PanelPlaces::buildMenu(QMenu* menu)
+void PanelPlaces::buildMenu(ActionMenu menu)
 {
-    // Digits with Alt: no menu and no other action has them.
+    const auto words = [this](const char* english) { return ActionWords{metaObject()->className(), english}; };
     QList<QDockWidget*> docks{m_columns.scene, m_columns.statistics, m_columns.card};
     docks += m_tabs;
-    int digit = Qt::Key_1;
-    for (QDockWidget* dock : docks) {
-        QAction* action = menu->addAction(QString());
+    for (const PanelRow& row : kPanels) {
+        const QList<QKeySequence> keys{Qt::ALT | row.digit};
+        if (row.dock == m_columns.transport->objectName()) {
+            menu.take(row.id, words(row.title), keys, m_columns.transport->toggleViewAction());
+            continue;
+        }
+        const auto dock =
+            std::ranges::find_if(docks, [&](const QDockWidget* d) { return d->objectName() == row.dock; });
+        Q_ASSERT(dock != docks.end());
+        QAction* action = menu.add(row.id, words(row.title), keys, [this, dock = *dock] { toggle(dock); });
         action->setCheckable(true);
-        action->setShortcut(QKeySequence(Qt::ALT | static_cast<Qt::Key>(digit++)));
-        connect(action, &QAction::triggered, this, [this, dock] { toggle(dock); });
-        m_window.addAction(action); // keys work also while the menu bar is hidden
-        m_actions.emplace_back(action, dock);
+        m_actions.emplace_back(action, *dock);
     }
-    QAction* transport = m_columns.transport->toggleViewAction();
-    transport->setShortcut(QKeySequence(Qt::ALT | Qt::Key_0));
-    menu->addAction(transport);
-    m_window.addAction(transport);
-    menu->addSeparator();
-    m_bottom = menu->addAction(QString());
+    Q_ASSERT(m_actions.size() == static_cast<std::size_t>(docks.size())); // each panel has a row
+    menu.addSeparator();
+    m_bottom = menu.add("panel.tabs-below", words(QT_TR_NOOP("Tabs &below the canvas")), {},
+                        [this](bool on) { setTabsAtBottom(on); });
     m_bottom->setCheckable(true);
-    connect(m_bottom, &QAction::triggered, this, &PanelPlaces::setTabsAtBottom);
-    retranslate();
-}
-
-void PanelPlaces::retranslate()
-{
-    for (const auto& [action, dock] : m_actions)
-        action->setText(dock->toggleViewAction()->text());
-    if (m_bottom)
-        m_bottom->setText(tr("Tabs &below the canvas"));
     syncActions();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-#include <QKeySequence>
+#include "ui/base/action_table.h"
+
 #include <QList>
 #include <QObject>
 #include <QSet>
@@ -8,10 +9,8 @@
 #include <functional>
 #include <vector>
 
-class QAction;
 class QDockWidget;
 class QMainWindow;
-class QMenu;
 
 namespace rasterlens
 {
@@ -34,9 +33,8 @@ public:
     /// in  the tabs: the panels that share a place
     PanelPlaces(QMainWindow& window, QWidget& canvas, const Columns& columns, const QList<QDockWidget*>& tabs);
 
-    /// Fills the menu; its keys work in the whole window.
-    void buildMenu(QMenu* menu);
-    void retranslate();
+    /// Fills the menu.
+    void buildMenu(ActionMenu menu);
 
     /// Puts every panel to its usual place: three columns, or one with tabs where the window is narrow.
     void arrange();
