@@ -476,7 +476,7 @@ void MainWindow::setLook(const Look& look)
     if (!(look == m_look))
         applyLook(*qApp, look);
     m_look = look;
-    m_viewport->setCanvasColor(themeColors(look.kind).canvas);
+    m_viewport->setCanvasColor(canvasColor(look.kind));
     m_truth->setPresentation(look.presentation);
     m_viewport->setThickLines(look.presentation);
     m_dark->setChecked(look.kind == ThemeKind::Dark);
