@@ -1,5 +1,6 @@
 #include "ui/base/message_bar.h"
 
+#include "ui/base/parts.h"
 #include "ui/base/style_sheet.h"
 
 #include <QCoreApplication>
@@ -43,8 +44,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent)
     m_text->setWordWrap(true);
     m_text->setTextFormat(Qt::PlainText);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_close = new QToolButton;
-    m_close->setObjectName(QStringLiteral("link"));
+    m_close = makeLink();
     m_close->setText(QStringLiteral("\u2715"));
     connect(m_close, &QToolButton::clicked, this, [this] {
         hide();
