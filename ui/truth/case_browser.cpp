@@ -274,7 +274,7 @@ void CaseBrowser::choose(const QModelIndex& listed, QPoint at)
     const CaseModel::Case& one = m_model->at(m_filtered->mapToSource(listed).row());
     if (variant < one.verdicts.size() && one.verdicts[variant].grade == CaseGrade::Unsupported)
         variant = 0;
-    Q_EMIT caseChosen(one.name, QString::fromLatin1(CaseModel::kVariants[variant]));
+    Q_EMIT caseChosen(one.name, QString::fromLatin1(CaseModel::kVariants[variant].id));
 }
 
 QString CaseBrowser::reasonText(const CaseModel::Case& one) const

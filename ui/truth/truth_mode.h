@@ -31,6 +31,8 @@ class TruthMode : public QObject
     Q_OBJECT
 
 public:
+    enum class Panel { Cases, Experiment };
+
     /// Adds the lines to `bars`.
     TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& window, QVBoxLayout& bars);
     ~TruthMode() override;
@@ -42,7 +44,7 @@ public:
     [[nodiscard]] CaseBrowser& caseBrowser() { return *m_cases; }
     [[nodiscard]] ExperimentPanel& experiment() { return *m_experiment; }
 
-    /// They have no place in the window yet.
+    /// In the order of the panels; they have no place in the window yet.
     [[nodiscard]] const std::vector<Dock*>& docks() const { return m_docks; }
     /// Opens a panel by the short name of the command line.
     bool showPanel(const QString& name);
@@ -79,6 +81,9 @@ private:
         const char* text;
     };
 
+    /// Panels are added in their order.
+    void addDock(Panel which, QWidget* panel);
+    [[nodiscard]] Dock& dock(Panel which) const { return *m_docks[static_cast<std::size_t>(which)]; }
     void buildMenu();
     QAction* add(const char* text, const QKeySequence& key, std::function<void()> run, bool checkable = false);
     void toggle(CompareView view);
