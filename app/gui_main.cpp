@@ -18,6 +18,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -178,11 +179,14 @@ std::optional<QString> readTruth(const QCommandLineParser& parser, const Options
     if (parser.isSet(options.measure) && arguments.measuredFrames < 1)
         return QStringLiteral("--measure takes a number of frames");
     if (parser.isSet(options.compare)) {
-        const QStringList views{QStringLiteral("wipe"), QStringLiteral("blink"), QStringLiteral("difference")};
-        const qsizetype view = views.indexOf(parser.value(options.compare));
-        if (view < 0)
-            return QStringLiteral("--compare takes %1").arg(views.join(QStringLiteral(", ")));
-        arguments.compare = static_cast<rasterlens::CompareView>(view + 1);
+        using rasterlens::CompareView;
+        const std::map<QString, CompareView> views{{QStringLiteral("wipe"), CompareView::Wipe},
+                                                   {QStringLiteral("blink"), CompareView::Blink},
+                                                   {QStringLiteral("difference"), CompareView::Difference}};
+        const auto view = views.find(parser.value(options.compare));
+        if (view == views.end())
+            return QStringLiteral("--compare takes wipe, blink, difference");
+        arguments.compare = view->second;
     }
     return std::nullopt;
 }

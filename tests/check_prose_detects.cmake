@@ -1,22 +1,17 @@
 # Plants one comment without a subject after the other and expects check_prose.cmake to name it.
 #
 # cmake -D SCRATCH=<folder of its own> -P check_prose_detects.cmake
+include(${CMAKE_CURRENT_LIST_DIR}/expect_check.cmake)
 
 # plant(FILE TEXT PASS|FAIL [MESSAGE]): what the check says of a tree with this file alone
 function(plant file text expected)
     file(REMOVE_RECURSE ${SCRATCH})
     file(WRITE ${SCRATCH}/${file} "${text}\n")
-    execute_process(COMMAND ${CMAKE_COMMAND} -D ROOT=${SCRATCH} -P ${CMAKE_CURRENT_LIST_DIR}/check_prose.cmake
-                    RESULT_VARIABLE result ERROR_VARIABLE message)
     set(complaint "${file}:[0-9]+: ")
     if(ARGN)
         set(complaint "${ARGN}")
     endif()
-    if(expected STREQUAL FAIL AND (result EQUAL 0 OR NOT message MATCHES "${complaint}"))
-        message(SEND_ERROR "\"${text}\" passes the check, but must not. ${message}")
-    elseif(expected STREQUAL PASS AND NOT result EQUAL 0)
-        message(SEND_ERROR "\"${text}\" does not pass the check, but should. ${message}")
-    endif()
+    expect_check(check_prose.cmake "\"${text}\"" ${expected} "${complaint}")
 endfunction()
 
 plant(core/base/a.h "/// The distance of two planes." PASS)

@@ -8,6 +8,7 @@
 #include "tests/window_fixture.h"
 #include "ui/face/cards.h"
 #include "ui/face/clip_theatre.h"
+#include "ui/face/curve_plot.h"
 #include "ui/face/curves_panel.h"
 #include "ui/face/pixel_card.h"
 #include "ui/face/race_panel.h"
@@ -80,6 +81,7 @@ private Q_SLOTS:
     void clipTheatreShowsTheRegions();
     void boardHasTheNumbersOfTheTextbook();
     void curvesTakeTheEdge();
+    void textsOfMarksStayInThePlots();
     void raceCountsInLockstep();
     void panelsAreHiddenAtFirstAndInTheMenu();
 };
@@ -429,6 +431,26 @@ void TestCards::boardHasTheNumbersOfTheTextbook()
     QCOMPARE(plain(curves.boardText(0, 4)), QStringLiteral("-0.0738"));
     curves.slider()->setValue(0);
     QCOMPARE(curves.boardText(1, 0), QStringLiteral("1.0000"));
+}
+
+void TestCards::textsOfMarksStayInThePlots()
+{
+    QVERIFY(open(QStringLiteral("builtin:cube")));
+    QVERIFY(show("curves"));
+    CurvesPanel& curves = cards().curvesPanel();
+    curves.edgeBox()->setCurrentIndex(3);
+    for (const bool presentation : {false, true}) {
+        m_window->setPresentation(presentation);
+        for (const int place : {0, 20, 300, 500, 700, 980, 1000}) {
+            curves.slider()->setValue(place);
+            QCoreApplication::processEvents();
+            for (const CurvePlot* plot : {&curves.correctionPlot(), &curves.squeezePlot()}) {
+                const QRectF text = plot->markTextBox();
+                QVERIFY(text.width() > 20 && text.height() > 8);
+                QVERIFY2(plot->area().contains(text), qPrintable(QStringLiteral("m = %1").arg(place / 1000.0)));
+            }
+        }
+    }
 }
 
 void TestCards::curvesTakeTheEdge()

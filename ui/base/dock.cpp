@@ -1,5 +1,7 @@
 #include "ui/base/dock.h"
 
+#include "ui/base/parts.h"
+
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -74,9 +76,7 @@ QToolButton* Dock::addLink() { return insertLink(m_titleRow->indexOf(m_close)); 
 
 QToolButton* Dock::insertLink(int index)
 {
-    auto* link = new QToolButton;
-    link->setObjectName(QStringLiteral("link"));
-    link->setCursor(Qt::PointingHandCursor);
+    QToolButton* link = makeLink();
     m_titleRow->insertWidget(index, link);
     return link;
 }

@@ -1,6 +1,7 @@
 #include "ui/base/message_bar.h"
 
-#include "ui/base/theme.h"
+#include "ui/base/parts.h"
+#include "ui/base/style_sheet.h"
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -43,8 +44,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent)
     m_text->setWordWrap(true);
     m_text->setTextFormat(Qt::PlainText);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_close = new QToolButton;
-    m_close->setObjectName(QStringLiteral("link"));
+    m_close = makeLink();
     m_close->setText(QStringLiteral("\u2715"));
     connect(m_close, &QToolButton::clicked, this, [this] {
         hide();
@@ -71,7 +71,7 @@ void MessageBar::show(MessageKind kind, const QString& text, const QObject* abou
     m_diagnostics.clear();
     setChoices({});
     m_text->setText(text);
-    applyColors();
+    showKind();
     setVisible(true);
     if (kind == MessageKind::Info)
         m_farewell.start();
@@ -135,28 +135,19 @@ void MessageBar::setChoices(const std::vector<Choice>& choices)
 
 QString MessageBar::text() const { return m_text->text(); }
 
-void MessageBar::applyColors()
+void MessageBar::showKind()
 {
-    const bool dark = palette().color(QPalette::Base).lightness() < 128;
-    const ThemeColors& colors = themeColors(dark ? ThemeKind::Dark : ThemeKind::Light);
-    const QColor fill = m_kind == MessageKind::Error     ? colors.errorFill
-                        : m_kind == MessageKind::Warning ? colors.warningFill
-                                                         : colors.infoFill;
-    const QColor text = m_kind == MessageKind::Error ? colors.errorText : colors.text;
-    const QString sheet =
-        QStringLiteral("QFrame#messageBar { background: %1; border: 1px solid %2; border-radius: 6px; }"
-                       "QFrame#messageBar QLabel { color: %3; }")
-            .arg(fill.name(), colors.border.name(), text.name());
-    if (sheet != styleSheet())
-        setStyleSheet(sheet);
+    const char* kind = m_kind == MessageKind::Error ? "error" : m_kind == MessageKind::Warning ? "warning" : "info";
+    for (QWidget* part : {static_cast<QWidget*>(this), static_cast<QWidget*>(m_sign), static_cast<QWidget*>(m_text)})
+        setStyleProperty(*part, "kind", QLatin1String(kind));
     m_sign->setText(m_kind == MessageKind::Info ? QStringLiteral("\u2139") : QStringLiteral("\u26a0"));
     m_close->setToolTip(tr("Close"));
 }
 
 void MessageBar::changeEvent(QEvent* event)
 {
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::LanguageChange)
-        applyColors();
+    if (event->type() == QEvent::LanguageChange)
+        showKind();
     if (event->type() == QEvent::LanguageChange && !m_diagnostics.empty())
         m_text->setText(wordsOf(m_diagnostics));
     QFrame::changeEvent(event);

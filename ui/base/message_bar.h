@@ -57,7 +57,7 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
-    void applyColors();
+    void showKind();
     void setChoices(const std::vector<Choice>& choices);
 
     MessageKind m_kind = MessageKind::Info;

@@ -1,4 +1,6 @@
 #pragma once
+#include "ui/base/style_sheet.h"
+
 #include <QColor>
 #include <QFont>
 
@@ -17,16 +19,17 @@ struct Look {
     friend bool operator==(const Look&, const Look&) = default;
 };
 
-/// Colours beyond those of QPalette. The palette's roles are used thus: Window behind the cards, Base the cards, Mid
-/// their border, PlaceholderText secondary text, AlternateBase soft accent, Highlight accent.
-struct ThemeColors {
-    QColor window, card, border, text, muted, accent, onAccent, accentSoft, canvas;
-    QColor infoFill, warningFill, errorFill, errorText;
-};
+/// The colour around the picture. The canvas paints it, so the style sheet has no name for this colour.
+[[nodiscard]] QColor canvasColor(ThemeKind kind);
 
-[[nodiscard]] const ThemeColors& themeColors(ThemeKind kind);
+/// `resources/style.qss` with the colours, font sizes and fonts of a look.
+///
+/// errors  ends the program where the resource is missing
+[[nodiscard]] StyleSheet styleSheetOf(const Look& look);
 
-/// Sets style, palette, font and style sheet of the application.
+/// Sets style, palette, font and style sheet of the application. The palette's roles are used thus: Window behind the
+/// cards, Base the cards, Mid their border, PlaceholderText secondary text, AlternateBase soft accent, Highlight
+/// accent.
 void applyLook(QApplication& application, const Look& look);
 
 /// Digits of equal width, at the application's size plus `pointDelta`.

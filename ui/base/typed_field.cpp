@@ -1,10 +1,11 @@
 #include "ui/base/typed_field.h"
 
+#include "ui/base/style_sheet.h"
+
 #include <QEvent>
 #include <QFocusEvent>
 #include <QKeyEvent>
 #include <QLineEdit>
-#include <QStyle>
 #include <QVariant>
 
 #include <utility>
@@ -12,15 +13,7 @@
 namespace rasterlens
 {
 
-void markRefused(QWidget& field, bool refused)
-{
-    if (field.property("refused").toBool() == refused)
-        return;
-    field.setProperty("refused", refused);
-    field.style()->unpolish(&field);
-    field.style()->polish(&field);
-    field.update();
-}
+void markRefused(QWidget& field, bool refused) { setStyleProperty(field, "refused", refused); }
 
 TypedField::TypedField(QLineEdit* edit, Reader reader, QWidget* frame)
     : QObject(edit), m_edit(edit), m_frame(frame ? frame : edit), m_reader(std::move(reader))

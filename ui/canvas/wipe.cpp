@@ -1,5 +1,6 @@
 #include "ui/canvas/wipe.h"
 
+#include "ui/base/inks.h"
 #include "ui/base/theme.h"
 
 #include <QPainter>
@@ -13,7 +14,6 @@ namespace
 {
 
 constexpr double kMargin = 10;
-constexpr QRgb kInk = 0xff12151a;
 
 void paintPill(QPainter& painter, QPointF topLeft, const QString& text)
 {
@@ -21,7 +21,7 @@ void paintPill(QPainter& painter, QPointF topLeft, const QString& text)
     const double height = metrics.height() + 4;
     const QRectF pill(topLeft, QSizeF(std::max(height, metrics.horizontalAdvance(text) + 14), height));
     painter.setPen(QPen(Qt::white, 1));
-    painter.setBrush(QColor(kInk));
+    painter.setBrush(QColor(kCanvasInk));
     painter.drawRoundedRect(pill, 5, 5);
     painter.drawText(pill, Qt::AlignCenter, text);
 }
@@ -41,18 +41,18 @@ void paintWipe(QPainter& painter, const QRect& canvas, double column, bool thick
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     const double width = thick ? 4 : 2;
-    painter.fillRect(QRectF(column - width / 2 - 1, canvas.top(), width + 2, canvas.height()), QColor(kInk));
+    painter.fillRect(QRectF(column - width / 2 - 1, canvas.top(), width + 2, canvas.height()), QColor(kCanvasInk));
     painter.fillRect(QRectF(column - width / 2, canvas.top(), width, canvas.height()), Qt::white);
     const double radius = thick ? 14 : 9;
     const QPointF grip(column, canvas.center().y());
-    painter.setPen(QPen(QColor(kInk), 1.5));
+    painter.setPen(QPen(QColor(kCanvasInk), 1.5));
     painter.setBrush(Qt::white);
     painter.drawEllipse(grip, radius, radius);
     for (const double side : {-1.0, 1.0}) {
         const QPointF tip = grip + QPointF(side * radius * 0.65, 0);
         const QPointF back = grip + QPointF(side * radius * 0.2, 0);
         const QPointF up(0, radius * 0.4);
-        painter.setBrush(QColor(kInk));
+        painter.setBrush(QColor(kCanvasInk));
         painter.drawPolygon(QPolygonF{tip, back - up, back + up});
     }
     painter.setFont(textFont(1, true));

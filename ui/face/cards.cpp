@@ -1,5 +1,6 @@
 #include "ui/face/cards.h"
 
+#include "core/base/closed_list.h"
 #include "core/questions/race.h"
 #include "core/questions/why.h"
 #include "core/render/render.h"
@@ -19,6 +20,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 namespace rasterlens
@@ -43,6 +45,22 @@ double boxSamples(const Scene& scene, const Settings& settings, std::uint32_t fa
     return std::max(0.0, high.x - low.x) * std::max(0.0, high.y - low.y) * grid * grid;
 }
 
+struct PanelRow {
+    Cards::Panel panel;
+    const char* name;  ///< on the command line
+    const char* title; ///< in the menu and, but for the pixel card, of the dock
+};
+constexpr auto kPanels = std::to_array<PanelRow>({
+    {Cards::Panel::PixelCard, "why", QT_TRANSLATE_NOOP("rasterlens::Cards", "Pixel card: why this pixel?")},
+    {Cards::Panel::Vertices, "vertices", QT_TRANSLATE_NOOP("rasterlens::Cards", "Vertices")},
+    {Cards::Panel::Clip, "clip", QT_TRANSLATE_NOOP("rasterlens::Cards", "Clip theatre")},
+    {Cards::Panel::Curves, "curves", QT_TRANSLATE_NOOP("rasterlens::Cards", "Curves")},
+    {Cards::Panel::Race, "race", QT_TRANSLATE_NOOP("rasterlens::Cards", "Algorithm race")},
+});
+static_assert(isClosedList(kPanels, &PanelRow::panel));
+
+const PanelRow& rowOf(Cards::Panel panel) { return kPanels[static_cast<std::size_t>(panel)]; }
+
 constexpr double kMostRaceSamples = 3e6; ///< every one is kept, with its counts
 
 } // namespace
@@ -58,16 +76,18 @@ Cards::Cards(Document& document, ViewportWidget& viewport, QMainWindow& window)
     : m_document(document), m_viewport(viewport), m_window(window), m_pixelCard(new PixelCard),
       m_vertexPanel(new VertexPanel(document, m_selection)), m_clipTheatre(new ClipTheatre(m_selection)),
       m_curvesPanel(new CurvesPanel(m_selection)), m_racePanel(new RacePanel(m_selection)),
-      m_handles(new VertexHandles(document, viewport)), m_whyDock(addDock(QStringLiteral("why"), m_pixelCard)),
-      m_vertexDock(addDock(QStringLiteral("vertices"), m_vertexPanel)),
-      m_clipDock(addDock(QStringLiteral("clip"), m_clipTheatre)),
-      m_curvesDock(addDock(QStringLiteral("curves"), m_curvesPanel)),
-      m_raceDock(addDock(QStringLiteral("race"), m_racePanel)), m_copy(m_whyDock->addLink()),
+      m_handles(new VertexHandles(document, viewport)),
       m_why([this](const std::shared_ptr<const WhyReport>& report) { showReport(report); },
             [this](Lack lack) { Q_EMIT failed(tr("The pixel card was not computed: %1.").arg(lackText(lack))); }),
       m_face([this](const std::shared_ptr<const FaceFindings>& found) { showFace(*found); },
              [this](Lack lack) { Q_EMIT failed(tr("The face's panels were not computed: %1.").arg(lackText(lack))); })
 {
+    addDock(Panel::PixelCard, m_pixelCard);
+    addDock(Panel::Vertices, m_vertexPanel);
+    addDock(Panel::Clip, m_clipTheatre);
+    addDock(Panel::Curves, m_curvesPanel);
+    addDock(Panel::Race, m_racePanel);
+    m_copy = dock(Panel::PixelCard).addLink();
     m_soon.setSingleShot(true);
     m_soon.setInterval(0);
     connect(&m_soon, &QTimer::timeout, this, &Cards::refresh);
@@ -95,35 +115,38 @@ Cards::Cards(Document& document, ViewportWidget& viewport, QMainWindow& window)
 
 Cards::~Cards() = default;
 
-Dock* Cards::addDock(const QString& name, QWidget* panel)
+void Cards::addDock(Panel which, QWidget* panel)
 {
+    Q_ASSERT(static_cast<std::size_t>(which) == m_docks.size());
+    const QString name = QLatin1String(rowOf(which).name);
     auto* dock = new Dock(name + QStringLiteral("Dock"), panel, &m_window,
-                          panel == m_pixelCard ? Dock::Fit::Shrinks : Dock::Fit::Scrolls);
+                          which == Panel::PixelCard ? Dock::Fit::Shrinks : Dock::Fit::Scrolls);
     connect(dock, &QDockWidget::visibilityChanged, this, &Cards::refreshSoon);
     connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool on) {
         if (on)
             dock->raise();
     });
     m_docks.push_back(dock);
-    return dock;
 }
 
 QStringList Cards::names()
 {
-    return {QStringLiteral("why"), QStringLiteral("vertices"), QStringLiteral("clip"), QStringLiteral("curves"),
-            QStringLiteral("race")};
+    QStringList names;
+    for (const PanelRow& row : kPanels)
+        names << QLatin1String(row.name);
+    return names;
 }
 
 bool Cards::show(const QString& name)
 {
-    const qsizetype index = names().indexOf(name);
-    if (index < 0)
-        return false;
-    Dock* dock = m_docks[static_cast<std::size_t>(index)];
-    dock->show();
-    dock->raise();
-    refreshSoon();
-    return true;
+    for (const PanelRow& row : kPanels)
+        if (QLatin1String(row.name) == name) {
+            dock(row.panel).show();
+            dock(row.panel).raise();
+            refreshSoon();
+            return true;
+        }
+    return false;
 }
 
 bool Cards::canDraw() const { return !unsupported(*m_document.scene(), m_document.settings()); }
@@ -154,10 +177,10 @@ void Cards::frameCounted()
 void Cards::refresh()
 {
     askWhy();
-    if (m_vertexDock->isVisible())
+    if (dock(Panel::Vertices).isVisible())
         m_vertexPanel->refresh();
-    m_handles->setActive(m_vertexDock->isVisible());
-    if (m_curvesDock->isVisible()) {
+    m_handles->setActive(dock(Panel::Vertices).isVisible());
+    if (dock(Panel::Curves).isVisible()) {
         const Scene& scene = *m_document.scene();
         const Matrices matrices = cameraMatrices(scene, m_document.settings());
         std::optional<std::array<VertexRow, 3>> corners;
@@ -171,12 +194,12 @@ void Cards::refresh()
 void Cards::askWhy()
 {
     const QRect picture(QPoint(0, 0), m_document.settings().size);
-    const bool asked = m_whyDock->isVisible() && m_pixel && picture.contains(*m_pixel) && canDraw();
+    const bool asked = dock(Panel::PixelCard).isVisible() && m_pixel && picture.contains(*m_pixel) && canDraw();
     if (!asked) {
         m_why.drop();
         if (m_pixelCard->report())
             m_pixelCard->setReport(nullptr);
-        m_whyDock->setTitle(m_pixelCard->title());
+        dock(Panel::PixelCard).setTitle(m_pixelCard->title());
         m_copy->setVisible(false);
         return;
     }
@@ -190,14 +213,14 @@ void Cards::askWhy()
 void Cards::showReport(const std::shared_ptr<const WhyReport>& report)
 {
     m_pixelCard->setReport(report);
-    m_whyDock->setTitle(m_pixelCard->title());
+    dock(Panel::PixelCard).setTitle(m_pixelCard->title());
     m_copy->setVisible(true);
 }
 
 void Cards::askFace()
 {
-    const bool wantsStory = m_clipDock->isVisible();
-    const bool wantsRace = m_raceDock->isVisible();
+    const bool wantsStory = dock(Panel::Clip).isVisible();
+    const bool wantsRace = dock(Panel::Race).isVisible();
     if (!(wantsStory || wantsRace) || m_selection.count() == 0 || !canDraw()) {
         m_face.drop();
         m_clipTheatre->setStory(nullptr);
@@ -227,11 +250,9 @@ void Cards::showFace(const FaceFindings& found)
 
 void Cards::retranslate()
 {
-    m_whyDock->setTitle(m_pixelCard->title());
-    m_vertexDock->setTitle(tr("Vertices"));
-    m_clipDock->setTitle(tr("Clip theatre"));
-    m_curvesDock->setTitle(tr("Curves"));
-    m_raceDock->setTitle(tr("Algorithm race"));
+    for (const PanelRow& row : kPanels)
+        dock(row.panel).setTitle(tr(row.title));
+    dock(Panel::PixelCard).setTitle(m_pixelCard->title());
     m_copy->setText(tr("Copy"));
     m_copy->setToolTip(tr("Copy as text"));
 }

@@ -35,10 +35,12 @@ class Cards : public QObject
     Q_OBJECT
 
 public:
+    enum class Panel { PixelCard, Vertices, Clip, Curves, Race };
+
     Cards(Document& document, ViewportWidget& viewport, QMainWindow& window);
     ~Cards() override;
 
-    /// The pixel card first. They have no place in the window yet.
+    /// In the order of the panels; they have no place in the window yet.
     [[nodiscard]] const std::vector<Dock*>& docks() const { return m_docks; }
     /// Opens a panel by the short name of the command line: `why`, `vertices`, `clip`, `curves`, `race`.
     bool show(const QString& name);
@@ -69,7 +71,9 @@ Q_SIGNALS:
     void failed(const QString& message);
 
 private:
-    Dock* addDock(const QString& name, QWidget* panel);
+    /// Panels are added in their order.
+    void addDock(Panel which, QWidget* panel);
+    [[nodiscard]] Dock& dock(Panel which) const { return *m_docks[static_cast<std::size_t>(which)]; }
     void refreshSoon();
     void refresh();
     void followPixel();
@@ -90,11 +94,6 @@ private:
     CurvesPanel* m_curvesPanel;
     RacePanel* m_racePanel;
     VertexHandles* m_handles;
-    Dock* m_whyDock;
-    Dock* m_vertexDock;
-    Dock* m_clipDock;
-    Dock* m_curvesDock;
-    Dock* m_raceDock;
     QToolButton* m_copy;
 
     std::optional<QPoint> m_pixel;

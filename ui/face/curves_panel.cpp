@@ -1,12 +1,12 @@
 #include "ui/face/curves_panel.h"
 
-#include "core/observe/step_text.h"
+#include "core/observe/names.h"
 #include "ui/base/field_row.h"
 #include "ui/base/flow_layout.h"
 #include "ui/base/inks.h"
-#include "ui/base/plot.h"
 #include "ui/base/theme.h"
 #include "ui/base/turning.h"
+#include "ui/face/curve_plot.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -44,21 +44,21 @@ QString fixed(double value)
 }
 
 constexpr int kWidthOfOneRow = 640;
-constexpr int kLowest = 170; ///< of a plot
 
 } // namespace
 
-class CurvesPanel::Canvas : public QWidget
+/// The four-z board: painted, since its rows share the height there is.
+class CurvesPanel::Board : public QWidget
 {
 public:
-    explicit Canvas(CurvesPanel& panel) : m_panel(panel) { setMinimumHeight(kLowest); }
+    explicit Board(CurvesPanel& panel) : m_panel(panel) {}
 
 protected:
     void paintEvent(QPaintEvent*) override
     {
         QPainter painter(this);
         painter.setRenderHint(QPainter::Antialiasing);
-        m_panel.paint(painter, rect());
+        m_panel.paintBoard(painter, rect());
     }
 
 private:
@@ -67,7 +67,8 @@ private:
 
 CurvesPanel::CurvesPanel(FaceSelection& selection, QWidget* parent)
     : QWidget(parent), m_edge(new PanelCombo), m_slider(new QSlider(Qt::Horizontal)), m_sliderName(new QLabel),
-      m_note(new QLabel), m_canvas(new Canvas(*this))
+      m_note(new QLabel), m_correction(new CurvePlot), m_squeeze(new CurvePlot), m_board(new Board(*this)),
+      m_figures(new QBoxLayout(QBoxLayout::LeftToRight))
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 2, 12, 8);
@@ -86,11 +87,19 @@ CurvesPanel::CurvesPanel(FaceSelection& selection, QWidget* parent)
     m_note->setWordWrap(true);
     column->addLayout(head);
     column->addWidget(m_note);
-    column->addWidget(m_canvas, 1);
-    new Turning(this, kWidthOfOneRow,
-                [this](bool inARow) { m_canvas->setMinimumHeight(inARow ? kLowest : 3 * kLowest); });
+    constexpr int kShareOfPlot = 32; // of 100
+    m_figures->setSpacing(14);
+    m_figures->addWidget(m_correction, kShareOfPlot);
+    m_figures->addWidget(m_squeeze, kShareOfPlot);
+    m_figures->addWidget(m_board, 100 - 2 * kShareOfPlot);
+    column->addLayout(m_figures, 1);
+    new Turning(this, kWidthOfOneRow, [this](bool inARow) {
+        m_inARow = inARow;
+        arrange();
+    });
     connect(m_edge, &QComboBox::currentIndexChanged, this, &CurvesPanel::choose);
     connect(m_slider, &QSlider::valueChanged, this, &CurvesPanel::choose);
+    arrange();
     retranslate();
 }
 
@@ -128,7 +137,8 @@ void CurvesPanel::choose()
         }
     }
     m_sliderName->setText(QStringLiteral("m = %1").arg(fraction(), 0, 'f', 3));
-    m_canvas->update();
+    showCurves();
+    m_board->update();
 }
 
 QString CurvesPanel::boardText(int row, int column) const
@@ -140,57 +150,49 @@ QString CurvesPanel::boardText(int row, int column) const
 }
 
 /// Both plots and the board in a row or, where that is too narrow, one below the other.
-CurvesPanel::Parts CurvesPanel::partsOf(const QRectF& where)
+void CurvesPanel::arrange()
 {
-    constexpr double kGap = 14;
-    if (where.width() >= kWidthOfOneRow) {
-        const double board = std::clamp(where.width() * 0.36, 290.0, 430.0);
-        const QSizeF each((where.width() - board - 2 * kGap) / 2, where.height());
-        return {{where.topLeft(), each},
-                {where.topLeft() + QPointF(each.width() + kGap, 0), each},
-                {where.right() - board, where.top(), board, where.height()}};
-    }
     constexpr double kLinesOfBoard = 10.5;
-    const double board = std::min(QFontMetricsF(textFont(0, true)).lineSpacing() * kLinesOfBoard, where.height() / 2);
-    const QSizeF each(where.width(), (where.height() - board - kGap) / 2);
-    return {{where.topLeft(), each},
-            {where.topLeft() + QPointF(0, each.height() + kGap / 2), each},
-            {where.left(), where.bottom() - board, where.width(), board}};
+    constexpr double kLinesOfPlot = 10;
+    constexpr int kNarrowestBoard = 290;
+    constexpr int kWidestBoard = 430;
+    const double line = QFontMetricsF(textFont(0, true)).lineSpacing();
+    const int boardHeight = static_cast<int>(line * kLinesOfBoard);
+    m_figures->setDirection(m_inARow ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_correction->setMinimumHeight(static_cast<int>(line * kLinesOfPlot));
+    m_squeeze->setMinimumHeight(static_cast<int>(line * kLinesOfPlot));
+    m_board->setMinimumSize(m_inARow ? QSize(kNarrowestBoard, 0) : QSize(0, boardHeight));
+    m_board->setMaximumSize(m_inARow ? QSize(kWidestBoard, QWIDGETSIZE_MAX) : QSize(QWIDGETSIZE_MAX, boardHeight));
 }
 
-void CurvesPanel::paint(QPainter& painter, const QRectF& where) const
+void CurvesPanel::showCurves()
 {
-    const Inks inks = inksFor(palette());
-    const Parts parts = partsOf(where);
     const double m = fraction();
-
-    Plot correction;
-    correction.title = tr("Perspective correction n(m)");
-    correction.xName = tr("m, on the screen");
-    correction.yName = tr("n, in space");
-    correction.range = QRectF(0, 0, 1, 1);
-    correction.curves = {{{{0, 0}, {1, 1}}, inks.minus, Qt::DashLine, tr("affine")},
-                         {points(spaceFractionCurve(m_input.z1, m_input.z2, kCurvePoints)), inks.plus, Qt::SolidLine,
-                          QStringLiteral("z1 %1, z2 %2").arg(shortNumber(m_input.z1), shortNumber(m_input.z2))}};
     const double n = spaceFraction(m, m_input.z1, m_input.z2);
-    correction.marks = {{{m, n}, QStringLiteral("n = %1").arg(fixed(n)), palette().color(QPalette::Text)}};
-    paintPlot(painter, parts.correction, correction, palette());
+    m_correction->setFigure(
+        {.title = tr("Perspective correction n(m)"),
+         .xName = tr("m, on the screen"),
+         .yName = tr("n, in space"),
+         .diagonalName = tr("affine"),
+         .curveName = QStringLiteral("z1 %1, z2 %2").arg(shortNumber(m_input.z1), shortNumber(m_input.z2)),
+         .low = 0,
+         .high = 1,
+         .points = points(spaceFractionCurve(m_input.z1, m_input.z2, kCurvePoints)),
+         .mark = {m, n},
+         .markText = QStringLiteral("n = %1").arg(fixed(n))});
 
-    Plot squeeze;
-    squeeze.title = tr("z' = n + f \u2212 nf / z");
-    squeeze.xName = tr("z, distance");
-    squeeze.yName = tr("z'");
-    squeeze.range = QRectF(QPointF(m_input.near, m_input.near), QPointF(m_input.far, m_input.far));
-    squeeze.curves = {
-        {{{m_input.near, m_input.near}, {m_input.far, m_input.far}}, inks.minus, Qt::DashLine, tr("z' = z")},
-        {points(squeezedDepthCurve(m_input.near, m_input.far, kCurvePoints)), inks.plus, Qt::SolidLine, QString()}};
     const double z = fourZ(m_input.near, m_input.far, m_input.z1, m_input.z2, m).view.truth;
     const double squeezed = squeezedDepth(z, m_input.near, m_input.far);
-    squeeze.marks = {{{z, squeezed},
-                      QStringLiteral("z %1 \u2192 %2").arg(shortNumber(z), shortNumber(squeezed)),
-                      palette().color(QPalette::Text)}};
-    paintPlot(painter, parts.squeeze, squeeze, palette());
-    paintBoard(painter, parts.board);
+    m_squeeze->setFigure({.title = tr("z' = n + f \u2212 nf / z"),
+                          .xName = tr("z, distance"),
+                          .yName = tr("z'"),
+                          .diagonalName = tr("z' = z"),
+                          .curveName = {},
+                          .low = m_input.near,
+                          .high = m_input.far,
+                          .points = points(squeezedDepthCurve(m_input.near, m_input.far, kCurvePoints)),
+                          .mark = {z, squeezed},
+                          .markText = QStringLiteral("z %1 \u2192 %2").arg(shortNumber(z), shortNumber(squeezed))});
 }
 
 void CurvesPanel::paintBoard(QPainter& painter, const QRectF& where) const
@@ -260,6 +262,8 @@ void CurvesPanel::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange)
         retranslate();
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+        arrange();
     QWidget::changeEvent(event);
 }
 

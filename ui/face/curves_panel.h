@@ -8,12 +8,15 @@
 #include <array>
 #include <optional>
 
+class QBoxLayout;
 class QComboBox;
 class QLabel;
 class QSlider;
 
 namespace rasterlens
 {
+
+class CurvePlot;
 
 /// What the curves are about: the distances of an edge's ends and the near and far planes.
 struct CurveInput {
@@ -41,6 +44,8 @@ public:
     [[nodiscard]] FourZ board() const;
     /// A cell of the four-z board as it is shown: row 0 NDC z, row 1 distance; truth, linear, error, corrected, error.
     [[nodiscard]] QString boardText(int row, int column) const;
+    [[nodiscard]] const CurvePlot& correctionPlot() const { return *m_correction; }
+    [[nodiscard]] const CurvePlot& squeezePlot() const { return *m_squeeze; }
 
     QSize sizeHint() const override { return {760, 250}; }
 
@@ -48,16 +53,13 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    class Canvas;
-    struct Parts {
-        QRectF correction, squeeze, board;
-    };
+    class Board;
 
-    [[nodiscard]] static Parts partsOf(const QRectF& where);
     void choose();
+    void arrange();
     void retranslate();
+    void showCurves();
     [[nodiscard]] double fraction() const;
-    void paint(QPainter& painter, const QRectF& where) const;
     void paintBoard(QPainter& painter, const QRectF& where) const;
 
     std::optional<std::array<VertexRow, 3>> m_corners;
@@ -68,7 +70,11 @@ private:
     QSlider* m_slider;
     QLabel* m_sliderName;
     QLabel* m_note;
-    Canvas* m_canvas;
+    CurvePlot* m_correction;
+    CurvePlot* m_squeeze;
+    QWidget* m_board;
+    QBoxLayout* m_figures; ///< both plots and the board
+    bool m_inARow = true;
 };
 
 } // namespace rasterlens

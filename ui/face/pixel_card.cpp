@@ -4,6 +4,7 @@
 #include "core/settings/depth_rules.h"
 #include "ui/base/inks.h"
 #include "ui/base/numbers.h"
+#include "ui/base/parts.h"
 #include "ui/base/step_words.h"
 #include "ui/base/theme.h"
 #include "ui/face/clip_theatre.h"
@@ -225,11 +226,7 @@ PixelCard::PixelCard(QWidget* parent) : QWidget(parent)
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 4);
-    m_scroll = new QScrollArea;
-    m_scroll->setWidgetResizable(true);
-    m_scroll->setFrameShape(QFrame::NoFrame);
-    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_scroll->setFocusPolicy(Qt::NoFocus);
+    m_scroll = makePanelScroll();
     column->addWidget(m_scroll);
     m_rebuildSoon.setSingleShot(true);
     m_rebuildSoon.setInterval(0);
@@ -330,8 +327,7 @@ QWidget* PixelCard::makeRow(std::size_t index)
 void PixelCard::rebuild()
 {
     m_rows.clear();
-    auto* content = new QWidget;
-    content->setObjectName(QStringLiteral("panelContent"));
+    QWidget* content = makePanelContent();
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(4, 0, 4, 4);
     column->setSpacing(3);

@@ -1,6 +1,7 @@
 #include "ui/pipeline/mistake_badge.h"
 
 #include "core/truth/mistake_proof.h"
+#include "ui/base/inks.h"
 #include "ui/base/step_words.h"
 #include "ui/base/theme.h"
 #include "ui/pipeline/mistakes_section.h"
@@ -22,7 +23,7 @@ constexpr int kMargin = 10;
 constexpr int kPaddingX = 10;
 constexpr int kPaddingY = 5;
 constexpr qsizetype kShownLines = 5;
-constexpr QRgb kAlarm = 0xffd55e00;
+constexpr QRgb kAlarm = kCanvasMinus;
 
 QString number(double value) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(value, 'g', 6); }
 

@@ -1,5 +1,7 @@
 #include "ui/pipeline/mistakes_section.h"
 
+#include "ui/base/parts.h"
+
 #include <QAction>
 #include <QCheckBox>
 #include <QCoreApplication>
@@ -66,9 +68,7 @@ MistakesSection::MistakesSection(Document& document, const Language& language, Q
     m_heading->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_heading->setCursor(Qt::PointingHandCursor);
     connect(m_heading, &QToolButton::toggled, this, &MistakesSection::setOpen);
-    m_clear = new QToolButton;
-    m_clear->setObjectName(QStringLiteral("link"));
-    m_clear->setCursor(Qt::PointingHandCursor);
+    m_clear = makeLink();
     QSizePolicy keepsItsPlace = m_clear->sizePolicy();
     keepsItsPlace.setRetainSizeWhenHidden(true); // the list below does not move under the mouse
     m_clear->setSizePolicy(keepsItsPlace);
@@ -85,11 +85,7 @@ MistakesSection::MistakesSection(Document& document, const Language& language, Q
     header->addWidget(m_key);
     header->addSpacing(14);
     column->addLayout(header);
-    m_list = new QScrollArea;
-    m_list->setWidgetResizable(true);
-    m_list->setFrameShape(QFrame::NoFrame);
-    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_list->setFocusPolicy(Qt::NoFocus);
+    m_list = makePanelScroll();
     m_list->hide();
     column->addWidget(m_list, 1);
     connect(&document, &Document::settingsChanged, this, &MistakesSection::sync);
@@ -100,8 +96,7 @@ void MistakesSection::makeRows()
 {
     if (!m_rows.empty())
         return;
-    auto* content = new QWidget;
-    content->setObjectName(QStringLiteral("panelContent"));
+    QWidget* content = makePanelContent();
     auto* grid = new QGridLayout(content);
     grid->setContentsMargins(4, 0, 2, 4);
     grid->setHorizontalSpacing(4);
@@ -124,9 +119,7 @@ void MistakesSection::makeRows()
         constexpr QMargins kToTheBox(0, 2, 0, 0);
         title->setContentsMargins(kToTheBox);
         number->setContentsMargins(kToTheBox);
-        auto* show = new QToolButton;
-        show->setObjectName(QStringLiteral("link"));
-        show->setCursor(Qt::PointingHandCursor);
+        QToolButton* show = makeLink();
         connect(show, &QToolButton::clicked, this, [this, id] { m_document.openMistake(id); });
         grid->addWidget(box, line, 0, Qt::AlignTop);
         grid->addWidget(number, line, 1, Qt::AlignTop);

@@ -6,6 +6,7 @@
 #include "ui/base/applicability.h"
 #include "ui/base/case_note.h"
 #include "ui/base/field_row.h"
+#include "ui/base/parts.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/number_dial.h"
 #include "ui/pipeline/scene_words.h"
@@ -43,14 +44,6 @@ constexpr std::array kSizePresets{QSize(8, 8),       QSize(16, 16),    QSize(64,
 
 QString sizeText(QSize size) { return QStringLiteral("%1 \u00d7 %2").arg(size.width()).arg(size.height()); }
 
-QToolButton* linkButton()
-{
-    auto* button = new QToolButton;
-    button->setObjectName(QStringLiteral("link"));
-    button->setCursor(Qt::PointingHandCursor);
-    return button;
-}
-
 } // namespace
 
 PipelinePanel::PipelinePanel(Document& document, const Language& language, QWidget* parent)
@@ -61,65 +54,9 @@ PipelinePanel::PipelinePanel(Document& document, const Language& language, QWidg
     outer->setContentsMargins(0, 2, 0, 6);
     outer->setSpacing(4);
 
-    auto* top = new QVBoxLayout;
-    top->setContentsMargins(12, 0, 12, 0);
-    top->setSpacing(4);
-    addScene(top);
-    auto* header = new QHBoxLayout;
-    m_heading = new QLabel;
-    m_heading->setObjectName(QStringLiteral("title"));
-    m_reset = linkButton();
-    connect(m_reset, &QToolButton::clicked, this, [this] { m_document.resetSettings(); });
-    header->addWidget(m_heading, 1);
-    header->addWidget(m_reset);
-    top->addLayout(header);
-    outer->addLayout(top);
-
-    m_scroll = new QScrollArea;
-    m_scroll->setWidgetResizable(true);
-    m_scroll->setFrameShape(QFrame::NoFrame);
-    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_scroll->setFocusPolicy(Qt::NoFocus);
-    auto* content = new QWidget;
-    content->setObjectName(QStringLiteral("panelContent"));
-    auto* column = new QVBoxLayout(content);
-    column->setContentsMargins(2, 0, 6, 8);
-    column->setSpacing(4);
-    for (const Stage stage : kGroups) {
-        QVBoxLayout* group = addGroup(stage);
-        column->addLayout(group);
-        if (stage == Stage::Image)
-            addSize(group);
-        if (stage == Stage::Screen)
-            addNumberDial(group);
-        for (const SettingsField& field : settingsFields()) {
-            if (field.stage != stage)
-                continue;
-            auto* row = new FieldRow(field, language);
-            connect(row, &FieldRow::chosen, this, [this, &field](int value) {
-                Settings next = m_document.settings();
-                field.set(next, value);
-                m_document.setSettings(next);
-            });
-            connect(row, &FieldRow::resetRequested, this, [this, &field] {
-                Settings next = m_document.settings();
-                field.set(next, field.get(m_document.defaults()));
-                m_document.setSettings(next);
-            });
-            connect(row, &FieldRow::popupOpening, this, [this, row, &field] {
-                row->setValueReasons([this, &field](int value) {
-                    Settings candidate = m_document.settings();
-                    field.set(candidate, value);
-                    const auto reason = unsupported(*m_document.scene(), candidate);
-                    return reason ? whyUnsupported(*reason) : QString();
-                });
-            });
-            group->addWidget(row);
-            m_rows.push_back(row);
-        }
-    }
-    column->addStretch(1);
-    m_scroll->setWidget(content);
+    outer->addLayout(buildHead());
+    m_scroll = makePanelScroll();
+    m_scroll->setWidget(buildSwitches());
     outer->addWidget(m_scroll, 1);
     // Below what scrolls: which mistakes are on is always in sight.
     m_mistakes = new MistakesSection(document, language);
@@ -134,6 +71,71 @@ PipelinePanel::PipelinePanel(Document& document, const Language& language, QWidg
             syncScene(); // the box may name a scene that was not opened
     });
     retranslate();
+}
+
+/// The scene, and how many settings differ from what it asks for.
+QVBoxLayout* PipelinePanel::buildHead()
+{
+    auto* head = new QVBoxLayout;
+    head->setContentsMargins(12, 0, 12, 0);
+    head->setSpacing(4);
+    addScene(head);
+    auto* row = new QHBoxLayout;
+    m_heading = new QLabel;
+    m_heading->setObjectName(QStringLiteral("title"));
+    m_reset = makeLink();
+    connect(m_reset, &QToolButton::clicked, this, [this] { m_document.resetSettings(); });
+    row->addWidget(m_heading, 1);
+    row->addWidget(m_reset);
+    head->addLayout(row);
+    return head;
+}
+
+/// The switches of all stages, a group a stage.
+QWidget* PipelinePanel::buildSwitches()
+{
+    QWidget* content = makePanelContent();
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(2, 0, 6, 8);
+    column->setSpacing(4);
+    for (const Stage stage : kGroups) {
+        QVBoxLayout* group = addGroup(stage);
+        column->addLayout(group);
+        if (stage == Stage::Image)
+            addSize(group);
+        if (stage == Stage::Screen)
+            addNumberDial(group);
+        for (const SettingsField& field : settingsFields())
+            if (field.stage == stage)
+                group->addWidget(addRow(field));
+    }
+    column->addStretch(1);
+    return content;
+}
+
+FieldRow* PipelinePanel::addRow(const SettingsField& field)
+{
+    auto* row = new FieldRow(field, m_language);
+    connect(row, &FieldRow::chosen, this, [this, &field](int value) {
+        Settings next = m_document.settings();
+        field.set(next, value);
+        m_document.setSettings(next);
+    });
+    connect(row, &FieldRow::resetRequested, this, [this, &field] {
+        Settings next = m_document.settings();
+        field.set(next, field.get(m_document.defaults()));
+        m_document.setSettings(next);
+    });
+    connect(row, &FieldRow::popupOpening, this, [this, row, &field] {
+        row->setValueReasons([this, &field](int value) {
+            Settings candidate = m_document.settings();
+            field.set(candidate, value);
+            const auto reason = unsupported(*m_document.scene(), candidate);
+            return reason ? whyUnsupported(*reason) : QString();
+        });
+    });
+    m_rows.push_back(row);
+    return row;
 }
 
 QVBoxLayout* PipelinePanel::addGroup(Stage stage)
@@ -158,7 +160,7 @@ void PipelinePanel::addScene(QVBoxLayout* group)
     m_sceneBox->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     connect(m_sceneBox, &QComboBox::activated, this,
             [this](int index) { Q_EMIT sceneChosen(m_sceneBox->itemData(index).toString()); });
-    m_open = linkButton();
+    m_open = makeLink();
     connect(m_open, &QToolButton::clicked, this, &PipelinePanel::openRequested);
     row->addWidget(m_sceneBox, 1);
     row->addWidget(m_open);
@@ -174,11 +176,8 @@ void PipelinePanel::addNumberDial(QVBoxLayout* group)
 {
     m_dial = new NumberDial(m_document);
     group->addWidget(m_dial);
-    m_floatFailures = linkButton();
-    m_floatFailures->setPopupMode(QToolButton::InstantPopup);
-    m_floatFailures->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
-    m_failureMenu = new QMenu(m_floatFailures);
-    m_floatFailures->setMenu(m_failureMenu);
+    m_failureMenu = new QMenu(this);
+    m_floatFailures = makeMenuLink(m_failureMenu);
     group->addWidget(m_floatFailures, 0, Qt::AlignHCenter);
     connect(m_failureMenu, &QMenu::triggered, this,
             [this](const QAction* action) { Q_EMIT floatFailureChosen(action->data().toString()); });

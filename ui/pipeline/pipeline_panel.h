@@ -63,7 +63,10 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    QVBoxLayout* buildHead();
+    QWidget* buildSwitches();
     QVBoxLayout* addGroup(Stage stage);
+    FieldRow* addRow(const SettingsField& field);
     void addScene(QVBoxLayout* group);
     void addSize(QVBoxLayout* group);
     void addNumberDial(QVBoxLayout* group);

@@ -2,6 +2,7 @@
 
 #include "core/render/render.h"
 #include "ui/base/numbers.h"
+#include "ui/base/parts.h"
 #include "ui/base/step_words.h"
 
 #include <QCoreApplication>
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 
 namespace rasterlens
 {
@@ -43,62 +45,91 @@ const QString kUnknown = QStringLiteral("\u2013");
 
 } // namespace
 
-StatisticsPanel::StatisticsPanel(QWidget* parent)
-    : QWidget(parent),
-      m_rows{
-          {QT_TRANSLATE_NOOP("StatisticsPanel", "Faces"), nullptr, {}},
-          {QT_TRANSLATE_NOOP("StatisticsPanel", "submitted"),
-           QT_TRANSLATE_NOOP("StatisticsPanel", "Triangles of the scene."),
-           {COUNTER("submitted", faces.submitted)}},
-          {QT_TRANSLATE_NOOP("StatisticsPanel", "rejected"),
-           QT_TRANSLATE_NOOP("StatisticsPanel", "Wholly outside the view volume."),
-           {COUNTER("rejected", faces.rejected)}},
-          {QT_TRANSLATE_NOOP("StatisticsPanel", "clipped · into pieces"),
-           QT_TRANSLATE_NOOP("StatisticsPanel",
-                             "Cut by at least one plane, and the triangles drawn for the cut faces."),
-           {COUNTER("clipped", faces.clipped), COUNTER("created_by_clipping", faces.createdByClipping)}},
-          {QT_TRANSLATE_NOOP("StatisticsPanel", "culled: back · front"),
-           QT_TRANSLATE_NOOP("StatisticsPanel", "Turned away from us, and turned towards us."),
-           {COUNTER("culled_back", faces.culledBack), COUNTER("culled_front", faces.culledFront)}},
-          {QT_TRANSLATE_NOOP("StatisticsPanel", "no area · not finite"),
-           QT_TRANSLATE_NOOP("StatisticsPanel",
-                             "Without area after snapping, and with a corner that is infinite or not a number."),
-           {COUNTER("degenerate", faces.degenerate), COUNTER("non_finite", faces.nonFinite)}},
-          {QT_TRANSLATE_NOOP("StatisticsPanel", "rasterized"),
-           QT_TRANSLATE_NOOP("StatisticsPanel", "Faces that reached the pixels; a cut face counts once."),
-           {COUNTER("rasterized", faces.rasterized)}},
-          {QT_TRANSLATE_NOOP("StatisticsPanel", "Pixels"), nullptr, {}},
-          {QT_TRANSLATE_NOOP("StatisticsPanel", "tested"),
-           QT_TRANSLATE_NOOP(
-               "StatisticsPanel",
-               "Positions at which coverage was decided. The tiled algorithm decides for several at once."),
-           {COUNTER("tested", pixels.tested)}},
-          {QT_TRANSLATE_NOOP("StatisticsPanel", "covered"),
-           QT_TRANSLATE_NOOP("StatisticsPanel", "Fragments."),
-           {COUNTER("covered", pixels.covered)}},
-          {QT_TRANSLATE_NOOP("StatisticsPanel", "depth passed"),
-           QT_TRANSLATE_NOOP("StatisticsPanel", "Fragments that passed the depth test."),
-           {COUNTER("depth_passed", pixels.depthPassed)}},
-          {QT_TRANSLATE_NOOP("StatisticsPanel", "depth failed"),
-           QT_TRANSLATE_NOOP("StatisticsPanel", "Fragments hidden behind what was there."),
-           {COUNTER("depth_failed", pixels.depthFailed)}},
-          {QT_TRANSLATE_NOOP("StatisticsPanel", "shaded"),
-           QT_TRANSLATE_NOOP("StatisticsPanel",
-                             "Fragments whose colour was computed. The tiled algorithm shades visible ones only."),
-           {COUNTER("shaded", pixels.shaded)}},
-          {QT_TRANSLATE_NOOP("StatisticsPanel", "written"),
-           QT_TRANSLATE_NOOP("StatisticsPanel",
-                             "Fragments stored in the image. The tiled algorithm stores visible ones only."),
-           {COUNTER("written", pixels.written)}},
-          {QT_TRANSLATE_NOOP("StatisticsPanel", "hit twice"),
-           QT_TRANSLATE_NOOP("StatisticsPanel", "Hit by both faces at the edge they share: 0 under the top-left rule."),
-           {COUNTER("covered_twice", pixels.coveredTwice)}},
-      }
+std::vector<StatisticsPanel::Row> StatisticsPanel::faceRows()
 {
+    return {
+        {QT_TRANSLATE_NOOP("StatisticsPanel", "Faces"), nullptr, {}},
+        {QT_TRANSLATE_NOOP("StatisticsPanel", "submitted"),
+         QT_TRANSLATE_NOOP("StatisticsPanel", "Triangles of the scene."),
+         {COUNTER("submitted", faces.submitted)}},
+        {QT_TRANSLATE_NOOP("StatisticsPanel", "rejected"),
+         QT_TRANSLATE_NOOP("StatisticsPanel", "Wholly outside the view volume."),
+         {COUNTER("rejected", faces.rejected)}},
+        {QT_TRANSLATE_NOOP("StatisticsPanel", "clipped · into pieces"),
+         QT_TRANSLATE_NOOP("StatisticsPanel", "Cut by at least one plane, and the triangles drawn for the cut faces."),
+         {COUNTER("clipped", faces.clipped), COUNTER("created_by_clipping", faces.createdByClipping)}},
+        {QT_TRANSLATE_NOOP("StatisticsPanel", "culled: back · front"),
+         QT_TRANSLATE_NOOP("StatisticsPanel", "Turned away from us, and turned towards us."),
+         {COUNTER("culled_back", faces.culledBack), COUNTER("culled_front", faces.culledFront)}},
+        {QT_TRANSLATE_NOOP("StatisticsPanel", "no area · not finite"),
+         QT_TRANSLATE_NOOP("StatisticsPanel",
+                           "Without area after snapping, and with a corner that is infinite or not a number."),
+         {COUNTER("degenerate", faces.degenerate), COUNTER("non_finite", faces.nonFinite)}},
+        {QT_TRANSLATE_NOOP("StatisticsPanel", "rasterized"),
+         QT_TRANSLATE_NOOP("StatisticsPanel", "Faces that reached the pixels; a cut face counts once."),
+         {COUNTER("rasterized", faces.rasterized)}},
+    };
+}
+
+std::vector<StatisticsPanel::Row> StatisticsPanel::pixelRows()
+{
+    return {
+        {QT_TRANSLATE_NOOP("StatisticsPanel", "Pixels"), nullptr, {}},
+        {QT_TRANSLATE_NOOP("StatisticsPanel", "tested"),
+         QT_TRANSLATE_NOOP("StatisticsPanel",
+                           "Positions at which coverage was decided. The tiled algorithm decides for several at once."),
+         {COUNTER("tested", pixels.tested)}},
+        {QT_TRANSLATE_NOOP("StatisticsPanel", "covered"),
+         QT_TRANSLATE_NOOP("StatisticsPanel", "Fragments."),
+         {COUNTER("covered", pixels.covered)}},
+        {QT_TRANSLATE_NOOP("StatisticsPanel", "depth passed"),
+         QT_TRANSLATE_NOOP("StatisticsPanel", "Fragments that passed the depth test."),
+         {COUNTER("depth_passed", pixels.depthPassed)}},
+        {QT_TRANSLATE_NOOP("StatisticsPanel", "depth failed"),
+         QT_TRANSLATE_NOOP("StatisticsPanel", "Fragments hidden behind what was there."),
+         {COUNTER("depth_failed", pixels.depthFailed)}},
+        {QT_TRANSLATE_NOOP("StatisticsPanel", "shaded"),
+         QT_TRANSLATE_NOOP("StatisticsPanel",
+                           "Fragments whose colour was computed. The tiled algorithm shades visible ones only."),
+         {COUNTER("shaded", pixels.shaded)}},
+        {QT_TRANSLATE_NOOP("StatisticsPanel", "written"),
+         QT_TRANSLATE_NOOP("StatisticsPanel",
+                           "Fragments stored in the image. The tiled algorithm stores visible ones only."),
+         {COUNTER("written", pixels.written)}},
+        {QT_TRANSLATE_NOOP("StatisticsPanel", "hit twice"),
+         QT_TRANSLATE_NOOP("StatisticsPanel", "Hit by both faces at the edge they share: 0 under the top-left rule."),
+         {COUNTER("covered_twice", pixels.coveredTwice)}},
+    };
+}
+
+#undef COUNTER
+
+StatisticsPanel::StatisticsPanel(QWidget* parent) : QWidget(parent), m_rows(faceRows())
+{
+    std::ranges::move(pixelRows(), std::back_inserter(m_rows));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 2, 8, 8);
     column->setSpacing(2);
+    column->addLayout(buildRate());
+    m_stageTimes = mutedLabel();
+    m_stageTimes->setObjectName(QStringLiteral("mutedSmall"));
+    column->addWidget(m_stageTimes);
+    m_scroll = makePanelScroll();
+    m_scroll->setWidget(buildCounters());
+    column->addWidget(m_scroll, 1);
 
+    m_settle.setSingleShot(true);
+    m_settle.setInterval(static_cast<int>(kRateWindowMs) + 100);
+    connect(&m_settle, &QTimer::timeout, this, &StatisticsPanel::showTimes);
+    m_lag.setSingleShot(true);
+    m_lag.setInterval(kLagMs);
+    connect(&m_lag, &QTimer::timeout, this, [this] { setStale(true); });
+    m_clock.start();
+    retranslate();
+}
+
+QHBoxLayout* StatisticsPanel::buildRate()
+{
     auto* rate = new QHBoxLayout;
     m_fps = new QLabel(kUnknown);
     m_fps->setObjectName(QStringLiteral("fps"));
@@ -107,18 +138,13 @@ StatisticsPanel::StatisticsPanel(QWidget* parent)
     rate->addWidget(m_fps, 0, Qt::AlignBaseline);
     rate->addWidget(m_fpsUnit, 1, Qt::AlignBaseline);
     rate->addWidget(m_frameTime, 0, Qt::AlignBaseline);
-    column->addLayout(rate);
-    m_stageTimes = mutedLabel();
-    m_stageTimes->setObjectName(QStringLiteral("mutedSmall"));
-    column->addWidget(m_stageTimes);
+    return rate;
+}
 
-    m_scroll = new QScrollArea;
-    m_scroll->setWidgetResizable(true);
-    m_scroll->setFrameShape(QFrame::NoFrame);
-    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_scroll->setFocusPolicy(Qt::NoFocus);
-    auto* content = new QWidget;
-    content->setObjectName(QStringLiteral("panelContent"));
+/// A line for every row: headings over both columns, else the name and its counters.
+QWidget* StatisticsPanel::buildCounters()
+{
+    QWidget* content = makePanelContent();
     auto* grid = new QGridLayout(content);
     grid->setContentsMargins(0, 0, 2, 0);
     grid->setHorizontalSpacing(8);
@@ -137,20 +163,8 @@ StatisticsPanel::StatisticsPanel(QWidget* parent)
         ++line;
     }
     grid->setRowStretch(line, 1);
-    m_scroll->setWidget(content);
-    column->addWidget(m_scroll, 1);
-
-    m_settle.setSingleShot(true);
-    m_settle.setInterval(static_cast<int>(kRateWindowMs) + 100);
-    connect(&m_settle, &QTimer::timeout, this, &StatisticsPanel::showTimes);
-    m_lag.setSingleShot(true);
-    m_lag.setInterval(kLagMs);
-    connect(&m_lag, &QTimer::timeout, this, [this] { setStale(true); });
-    m_clock.start();
-    retranslate();
+    return content;
 }
-
-#undef COUNTER
 
 /// Right-aligned, with a dot between two.
 QHBoxLayout* StatisticsPanel::counterLine(std::vector<Counter>& counters)

@@ -67,6 +67,10 @@ private:
         std::vector<Counter> counters;
         QLabel* name = nullptr;
     };
+    [[nodiscard]] static std::vector<Row> faceRows();
+    [[nodiscard]] static std::vector<Row> pixelRows();
+    QHBoxLayout* buildRate();
+    QWidget* buildCounters();
     static QHBoxLayout* counterLine(std::vector<Counter>& counters);
     void showCounters(const FramePtr& frame);
     void showHeadings();

@@ -1,6 +1,7 @@
 #include "ui/steps/lens_overlay.h"
 
 #include "core/observe/step_text.h"
+#include "ui/base/inks.h"
 #include "ui/base/theme.h"
 #include "ui/steps/step_formula.h"
 
@@ -84,8 +85,8 @@ void paintGlyph(QPainter& painter, QPointF centre, double diameter, EdgeSign sig
 {
     const double r = diameter / 2;
     const double stroke = std::max(1.0, diameter / 7);
-    painter.setBrush(sign == EdgeSign::Plus    ? QColor(kPlusColor)
-                     : sign == EdgeSign::Minus ? QColor(kMinusColor)
+    painter.setBrush(sign == EdgeSign::Plus    ? QColor(kCanvasPlus)
+                     : sign == EdgeSign::Minus ? QColor(kCanvasMinus)
                                                : QColor(Qt::white));
     painter.setPen(sign == EdgeSign::Zero || sign == EdgeSign::NotANumber ? QPen(Qt::black, stroke) : QPen(Qt::NoPen));
     const double inset = sign == EdgeSign::Zero || sign == EdgeSign::NotANumber ? stroke / 2 : 0;
@@ -224,7 +225,7 @@ QColor LensOverlay::veilOf(const LensCell& cell, const QColor& fill)
         inside =
             std::none_of(cell.signs.begin(), cell.signs.end(), [](EdgeSign sign) { return sign == EdgeSign::Minus; });
     const double tint = inside ? (waiting ? 0.07 : 0.17) : 0;
-    const QColor plus(kPlusColor);
+    const QColor plus(kCanvasPlus);
     const auto mixed = [&](int a, int b) { return int(std::lround(a + (b - a) * tint)); };
     return {mixed(fill.red(), plus.red()), mixed(fill.green(), plus.green()), mixed(fill.blue(), plus.blue()),
             waiting ? 246 : 250};
@@ -478,14 +479,14 @@ void LensOverlay::paintLine(View& view) const
     view.painter.setBrush(Qt::NoBrush);
     for (const glm::ivec2 candidate : {lower, upper}) {
         const bool chosen = (candidate == upper) == d.sideways;
-        view.painter.setPen(QPen(QColor(chosen ? kPlusColor : kMinusColor), view.thickness(chosen ? 3.5 : 2),
+        view.painter.setPen(QPen(QColor(chosen ? kCanvasPlus : kCanvasMinus), view.thickness(chosen ? 3.5 : 2),
                                  chosen ? Qt::SolidLine : Qt::DashLine));
         view.painter.drawRect(view.box(candidate.x, candidate.y).adjusted(2, 2, -2, -2));
     }
     glm::dvec2 ideal = centre(lower);
     ideal[1 - axis] += step->dLower() * way[1 - axis];
-    view.line(centre(lower), ideal, QColor(kPlusColor), 3, Qt::SolidLine);
-    view.line(ideal, centre(upper), QColor(kMinusColor), 3, Qt::SolidLine);
+    view.line(centre(lower), ideal, QColor(kCanvasPlus), 3, Qt::SolidLine);
+    view.line(ideal, centre(upper), QColor(kCanvasMinus), 3, Qt::SolidLine);
     if (view.cell < kGlyphsFromCell)
         return;
     paintPlate(view.painter, view.canvas,

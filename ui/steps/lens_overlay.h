@@ -15,10 +15,6 @@ namespace rasterlens
 constexpr double kGlyphsFromCell = 16; ///< canvas pixels a sample
 constexpr double kLensNumbersFromCell = 48;
 
-/// Signs: always a glyph beside the colour.
-constexpr QRgb kPlusColor = 0xff0072b2;
-constexpr QRgb kMinusColor = 0xffd55e00;
-
 /// The hue and the pen style of the edges AB, BC, CA.
 struct EdgeLook {
     QRgb color;

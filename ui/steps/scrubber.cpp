@@ -1,5 +1,7 @@
 #include "ui/steps/scrubber.h"
 
+#include "ui/base/inks.h"
+
 #include <QEvent>
 #include <QGuiApplication>
 #include <QMouseEvent>
@@ -51,13 +53,14 @@ PipKind pipKindOf(const StepEvent& event)
 
 QColor pipColor(PipKind kind, const QPalette& palette)
 {
-    const bool isDark = palette.color(QPalette::Base).lightness() < 128;
-    const auto readable = [isDark](QRgb color) { return isDark ? QColor(color).lighter(165) : QColor(color); };
+    const Inks inks = inksFor(palette);
+    const bool dark = isDark(palette);
+    const auto readable = [dark](QRgb color) { return dark ? QColor(color).lighter(165) : QColor(color); };
     switch (kind) {
     case PipKind::None: return Qt::transparent;
     case PipKind::Other: return palette.color(QPalette::Mid);
-    case PipKind::Sample: return readable(0x0072b2);
-    case PipKind::Outside: return QColor(0xd55e00);
+    case PipKind::Sample: return inks.plus;
+    case PipKind::Outside: return inks.minus;
     case PipKind::Cull: return readable(0x6a3d9a);
     case PipKind::Clip: return readable(0x00796b);
     case PipKind::DepthFail: return readable(0xb07aa1);

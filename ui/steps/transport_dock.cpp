@@ -1,6 +1,7 @@
 #include "ui/steps/transport_dock.h"
 
 #include "ui/base/elided_label.h"
+#include "ui/base/parts.h"
 #include "ui/base/theme.h"
 #include "ui/steps/scrubber.h"
 #include "ui/steps/step_listing.h"
@@ -248,13 +249,8 @@ QToolButton* TransportDock::addButton(QAction* action, TransportSign sign, bool 
 
 QToolButton* TransportDock::addLink(QMenu* menu)
 {
-    auto* link = new QToolButton;
-    link->setObjectName(QStringLiteral("link"));
+    QToolButton* link = makeMenuLink(menu);
     link->setFocusPolicy(Qt::TabFocus);
-    link->setCursor(Qt::PointingHandCursor);
-    link->setPopupMode(QToolButton::InstantPopup);
-    link->setMenu(menu);
-    link->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
     return link;
 }
 

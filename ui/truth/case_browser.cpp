@@ -2,6 +2,7 @@
 
 #include "ui/base/flow_layout.h"
 #include "ui/base/inks.h"
+#include "ui/base/parts.h"
 #include "ui/base/theme.h"
 #include "ui/base/turning.h"
 
@@ -171,53 +172,8 @@ CaseBrowser::CaseBrowser(QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 2, 12, 8);
     column->setSpacing(4);
-    auto* head = new FlowLayout(10);
-    m_filter->setClearButtonEnabled(true);
-    m_filter->setMaximumWidth(280);
-    m_progress->setTextVisible(false);
-    m_progress->setFixedSize(90, 8);
-    m_progress->setRange(0, m_model->rowCount());
-    m_state->setObjectName(QStringLiteral("muted"));
-    head->addWidget(m_filter);
-    head->addWidget(m_failing);
-    head->addWidget(m_state);
-    head->addWidget(m_progress);
-    column->addLayout(head);
-
-    auto* row = new QHBoxLayout;
-    m_filtered->setSourceModel(m_model);
-    m_list->setModel(m_filtered);
-    m_list->setItemDelegate(new Delegate(*m_filtered, *m_model, this));
-    m_list->setViewMode(QListView::IconMode);
-    m_list->setMovement(QListView::Static);
-    m_list->setResizeMode(QListView::Adjust);
-    m_list->setUniformItemSizes(true);
-    m_list->setMouseTracking(true);
-    m_list->setFrameShape(QFrame::NoFrame);
-    m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-    m_list->setMinimumSize(cellSize() + QSize(20, 0));
-    m_list->viewport()->installEventFilter(this);
-    row->addWidget(m_list, 1);
-    auto* scroll = new QScrollArea;
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(kDetailWidth);
-    scroll->setMaximumWidth(kDetailWidth);
-    m_detail->setWordWrap(true);
-    m_detail->setTextFormat(Qt::RichText);
-    m_detail->setAlignment(Qt::AlignTop);
-    m_detail->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_detail->setObjectName(QStringLiteral("panelContent"));
-    scroll->setWidget(m_detail);
-    row->addWidget(scroll);
-    column->addLayout(row, 1);
-    constexpr int kBeside = 620;
-    new Turning(this, kBeside, [row, scroll](bool beside) {
-        row->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-        scroll->setMinimumWidth(beside ? kDetailWidth : 0);
-        scroll->setMaximumWidth(beside ? kDetailWidth : QWIDGETSIZE_MAX);
-    });
+    column->addLayout(buildHead());
+    column->addLayout(buildCases(), 1);
 
     connect(m_filter, &QLineEdit::textChanged, this, [this](const QString& text) {
         m_filtered->setWords(text);
@@ -231,6 +187,60 @@ CaseBrowser::CaseBrowser(QWidget* parent)
     connect(m_list, &QListView::activated, this, [this](const QModelIndex& index) { choose(index, {}); });
     connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this, &CaseBrowser::describe);
     retranslate();
+}
+
+/// What chooses among the cases, and how far they are judged.
+QLayout* CaseBrowser::buildHead()
+{
+    auto* head = new FlowLayout(10);
+    m_filter->setClearButtonEnabled(true);
+    m_filter->setMaximumWidth(280);
+    m_progress->setTextVisible(false);
+    m_progress->setFixedSize(90, 8);
+    m_progress->setRange(0, m_model->rowCount());
+    m_state->setObjectName(QStringLiteral("muted"));
+    head->addWidget(m_filter);
+    head->addWidget(m_failing);
+    head->addWidget(m_state);
+    head->addWidget(m_progress);
+    return head;
+}
+
+/// The list of cases and, beside it or below it, what is known of the chosen one.
+QLayout* CaseBrowser::buildCases()
+{
+    m_filtered->setSourceModel(m_model);
+    m_list->setModel(m_filtered);
+    m_list->setItemDelegate(new Delegate(*m_filtered, *m_model, this));
+    m_list->setViewMode(QListView::IconMode);
+    m_list->setMovement(QListView::Static);
+    m_list->setResizeMode(QListView::Adjust);
+    m_list->setUniformItemSizes(true);
+    m_list->setMouseTracking(true);
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_list->setMinimumSize(cellSize() + QSize(20, 0));
+    m_list->viewport()->installEventFilter(this);
+    m_detail->setWordWrap(true);
+    m_detail->setTextFormat(Qt::RichText);
+    m_detail->setAlignment(Qt::AlignTop);
+    m_detail->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_detail->setObjectName(QStringLiteral("panelContent"));
+    QScrollArea* scroll = makePanelScroll();
+    scroll->setFocusPolicy(Qt::StrongFocus); // keys scroll: nothing inside takes them
+    scroll->setFixedWidth(kDetailWidth);
+    scroll->setWidget(m_detail);
+
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_list, 1);
+    row->addWidget(scroll);
+    constexpr int kBeside = 620;
+    new Turning(this, kBeside, [row, scroll](bool beside) {
+        row->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+        scroll->setMinimumWidth(beside ? kDetailWidth : 0);
+        scroll->setMaximumWidth(beside ? kDetailWidth : QWIDGETSIZE_MAX);
+    });
+    return row;
 }
 
 int CaseBrowser::listed() const { return m_filtered->rowCount(); }
@@ -264,7 +274,7 @@ void CaseBrowser::choose(const QModelIndex& listed, QPoint at)
     const CaseModel::Case& one = m_model->at(m_filtered->mapToSource(listed).row());
     if (variant < one.verdicts.size() && one.verdicts[variant].grade == CaseGrade::Unsupported)
         variant = 0;
-    Q_EMIT caseChosen(one.name, QString::fromLatin1(CaseModel::kVariants[variant]));
+    Q_EMIT caseChosen(one.name, QString::fromLatin1(CaseModel::kVariants[variant].id));
 }
 
 QString CaseBrowser::reasonText(const CaseModel::Case& one) const

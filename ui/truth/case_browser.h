@@ -5,6 +5,7 @@
 
 class QCheckBox;
 class QLabel;
+class QLayout;
 class QLineEdit;
 class QListView;
 class QProgressBar;
@@ -45,6 +46,8 @@ private:
     class Delegate;
     class Filter;
 
+    QLayout* buildHead();
+    QLayout* buildCases();
     void choose(const QModelIndex& listed, QPoint at);
     void describe(const QModelIndex& listed);
     void syncState();

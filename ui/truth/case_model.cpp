@@ -44,10 +44,11 @@ CaseModel::Case judgedCase(const QString& name, const std::stop_token& stop)
     one.expectations = scene.expectations;
     one.thumbnail = thumbnailOf(scene);
     const ExactFrame truth = caseTruth(scene, scene.defaults.samples);
-    for (const char* id : CaseModel::kVariants) {
+    for (const CaseModel::Variant& variant : CaseModel::kVariants) {
         if (stop.stop_requested())
             break;
-        CaseVerdict verdict = judgeCase(scene, truth, changedBy(*findVariant(QString::fromLatin1(id)), scene.defaults));
+        CaseVerdict verdict =
+            judgeCase(scene, truth, changedBy(*findVariant(QString::fromLatin1(variant.id)), scene.defaults));
         one.verdicts.push_back({verdict.grade, std::move(verdict.reasons)});
     }
     return one;
@@ -133,15 +134,10 @@ QVariant CaseModel::data(const QModelIndex& index, int role) const
 
 QString CaseModel::variantTitle(std::size_t variant)
 {
-    return titleOf(*findVariant(QString::fromLatin1(kVariants[variant])),
+    return titleOf(*findVariant(QString::fromLatin1(kVariants[variant].id)),
                    [](const char* text) { return QCoreApplication::translate("Settings", text); });
 }
 
-QString CaseModel::variantSign(std::size_t variant)
-{
-    constexpr std::array kSigns{"EE", "EW", "Ti", "f32", "f64"};
-    static_assert(kSigns.size() == kVariants.size());
-    return QString::fromLatin1(kSigns[variant]);
-}
+QString CaseModel::variantSign(std::size_t variant) { return QString::fromLatin1(kVariants[variant].sign); }
 
 } // namespace rasterlens

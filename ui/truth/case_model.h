@@ -21,9 +21,18 @@ class CaseModel : public QAbstractListModel
     Q_OBJECT
 
 public:
-    /// The variants a case is drawn with, by their ids.
-    static constexpr std::array kVariants{"edge-equation", "edge-walking", "tiled", "edge-equation-float32",
-                                          "edge-equation-float64"};
+    /// A variant that a case is drawn with.
+    struct Variant {
+        const char* id;
+        const char* sign; ///< at most four characters
+    };
+    static constexpr auto kVariants = std::to_array<Variant>({
+        {"edge-equation", "EE"},
+        {"edge-walking", "EW"},
+        {"tiled", "Ti"},
+        {"edge-equation-float32", "f32"},
+        {"edge-equation-float64", "f64"},
+    });
     struct Verdict {
         CaseGrade grade;
         std::vector<Reason> reasons;

@@ -1,6 +1,7 @@
 #include "ui/truth/compare_bar.h"
 
 #include "ui/base/field_row.h"
+#include "ui/base/parts.h"
 #include "ui/base/theme.h"
 
 #include <QEvent>
@@ -56,9 +57,9 @@ private:
 };
 
 CompareBar::CompareBar(Document& document, Comparison& comparison, QWidget* parent)
-    : QFrame(parent), m_comparison(comparison), m_title(new QLabel), m_with(new PanelCombo), m_pin(addButton()),
-      m_swap(addButton()), m_wipe(addViewButton(CompareView::Wipe)), m_blink(addViewButton(CompareView::Blink)),
-      m_heat(addViewButton(CompareView::Difference)), m_amplification(new PanelCombo), m_close(addButton()),
+    : QFrame(parent), m_comparison(comparison), m_title(new QLabel), m_with(new PanelCombo), m_pin(makeLink()),
+      m_swap(makeLink()), m_wipe(addViewButton(CompareView::Wipe)), m_blink(addViewButton(CompareView::Blink)),
+      m_heat(addViewButton(CompareView::Difference)), m_amplification(new PanelCombo), m_close(makeLink()),
       m_text(new QLabel), m_settings(new QLabel), m_legend(new HeatLegend)
 {
     setObjectName(QStringLiteral("toolRow"));
@@ -106,17 +107,9 @@ CompareBar::CompareBar(Document& document, Comparison& comparison, QWidget* pare
     retranslate();
 }
 
-QToolButton* CompareBar::addButton()
-{
-    auto* button = new QToolButton;
-    button->setObjectName(QStringLiteral("link"));
-    button->setCursor(Qt::PointingHandCursor);
-    return button;
-}
-
 QToolButton* CompareBar::addViewButton(CompareView view)
 {
-    QToolButton* button = addButton();
+    QToolButton* button = makeLink();
     button->setCheckable(true);
     connect(button, &QToolButton::clicked, this, [this, view] { m_comparison.setView(view); });
     return button;

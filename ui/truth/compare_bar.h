@@ -29,7 +29,6 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    QToolButton* addButton();
     QToolButton* addViewButton(CompareView view);
     void sync();
     void retranslate();

@@ -4,6 +4,7 @@
 #include "core/truth/experiment_export.h"
 #include "ui/base/field_row.h"
 #include "ui/base/image_export.h"
+#include "ui/base/parts.h"
 #include "ui/base/turning.h"
 #include "ui/truth/experiment_model.h"
 
@@ -127,12 +128,8 @@ QWidget* ExperimentPanel::buildControls()
         box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     connect(m_errorBox, &QComboBox::currentIndexChanged, this, &ExperimentPanel::show);
     connect(m_speedBox, &QComboBox::currentIndexChanged, this, &ExperimentPanel::show);
-    m_export = new QToolButton;
-    m_export->setObjectName(QStringLiteral("link"));
-    m_export->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
-    m_export->setPopupMode(QToolButton::InstantPopup);
-    m_exportMenu = new QMenu(m_export);
-    m_export->setMenu(m_exportMenu);
+    m_exportMenu = new QMenu(this);
+    m_export = makeMenuLink(m_exportMenu);
     for (const char* suffix : {"csv", "json", "svg", "png"})
         connect(m_exportMenu->addAction(QString::fromLatin1(suffix).toUpper()), &QAction::triggered, this,
                 [this, suffix] { chooseFile(QString::fromLatin1(suffix)); });

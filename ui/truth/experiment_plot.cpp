@@ -1,7 +1,7 @@
 #include "ui/truth/experiment_plot.h"
 
 #include "ui/base/inks.h"
-#include "ui/base/theme.h"
+#include "ui/base/plot_theme.h"
 
 #include <QApplication>
 #include <QEvent>
@@ -16,22 +16,22 @@
 #include <cmath>
 #include <limits>
 
-// QCustomPlot's header is written with Qt's keywords, which the project does without.
-#define signals Q_SIGNALS
-#define slots Q_SLOTS
-#define foreach Q_FOREACH
-#include <qcustomplot.h>
-#undef signals
-#undef slots
-#undef foreach
-
 namespace rasterlens
 {
 namespace
 {
 
-constexpr std::array kAlgorithms{Algorithm::EdgeEquation, Algorithm::EdgeWalking, Algorithm::Tiled};
-constexpr std::array kShapes{QCPScatterStyle::ssCircle, QCPScatterStyle::ssSquare, QCPScatterStyle::ssTriangle};
+/// The dots of an algorithm.
+struct DotLook {
+    Algorithm algorithm;
+    QCPScatterStyle::ScatterShape shape;
+    QColor Inks::*ink;
+};
+constexpr auto kDotLooks = std::to_array<DotLook>({
+    {Algorithm::EdgeEquation, QCPScatterStyle::ssCircle, &Inks::plus},
+    {Algorithm::EdgeWalking, QCPScatterStyle::ssSquare, &Inks::minus},
+    {Algorithm::Tiled, QCPScatterStyle::ssTriangle, &Inks::third},
+});
 constexpr double kDotSize = 8;
 
 /// Powers of ten, and a 0 where errors of zero are shown.
@@ -81,12 +81,6 @@ QString titleOfAlgorithm(Algorithm algorithm)
     return QCoreApplication::translate("Settings", field->choices[static_cast<std::size_t>(algorithm)].title);
 }
 
-std::array<QColor, kAlgorithms.size()> algorithmColors(const QPalette& palette)
-{
-    const Inks inks = inksFor(palette);
-    return {inks.plus, inks.minus, inks.third};
-}
-
 } // namespace
 
 Speed speedOf(const ExperimentRow& row, SpeedMeasure measure)
@@ -102,14 +96,14 @@ QPixmap algorithmMark(Algorithm algorithm)
 {
     constexpr int kSharper = 3;
     constexpr int kSide = static_cast<int>(kDotSize) + 4;
-    const auto i = static_cast<std::size_t>(std::ranges::find(kAlgorithms, algorithm) - kAlgorithms.begin());
+    const DotLook& look = *std::ranges::find(kDotLooks, algorithm, &DotLook::algorithm);
     QPixmap mark(kSide * kSharper, kSide * kSharper);
     mark.setDevicePixelRatio(kSharper);
     mark.fill(Qt::transparent);
     QCPPainter painter(&mark);
     painter.setAntialiasing(true);
-    const QColor color = algorithmColors(QApplication::palette())[i];
-    const QCPScatterStyle style(kShapes[i], QPen(color), QBrush(color), kDotSize);
+    const QColor color = inksFor(QApplication::palette()).*look.ink;
+    const QCPScatterStyle style(look.shape, QPen(color), QBrush(color), kDotSize);
     style.applyTo(&painter, style.pen());
     style.drawShape(&painter, QPointF(kSide, kSide) / 2);
     return mark;
@@ -138,27 +132,18 @@ ExperimentPlot::ExperimentPlot(QWidget* parent) : QWidget(parent), m_plot(new QC
     m_plot->yAxis->setTicker(QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog));
     m_frontier = m_plot->addGraph();
     m_frontier->setScatterStyle(QCPScatterStyle::ssNone);
-    for (std::size_t i = 0; i < kAlgorithms.size(); ++i) {
+    for (const DotLook& look : kDotLooks) {
         QCPGraph* graph = m_plot->addGraph();
         graph->setLineStyle(QCPGraph::lsNone);
         auto* bars = new QCPErrorBars(m_plot->xAxis, m_plot->yAxis);
         bars->removeFromLegend();
         bars->setDataPlottable(graph);
-        m_graphs.push_back(graph);
-        m_bars.push_back(bars);
+        m_series.push_back({look.algorithm, graph, bars});
     }
     m_ring = m_plot->addGraph();
     m_ring->setLineStyle(QCPGraph::lsNone);
     m_ring->removeFromLegend();
-    m_plot->legend->setVisible(true);
-    m_plot->legend->setFillOrder(QCPLegend::foColumnsFirst);
-    // The legend lies above the axes: no dot is ever below it.
-    m_plot->plotLayout()->insertRow(0);
-    m_plot->plotLayout()->addElement(0, 0, m_plot->legend);
-    m_plot->plotLayout()->setRowStretchFactor(0, 0.001);
-    m_plot->legend->setColumnSpacing(4);
-    m_plot->legend->setIconTextPadding(3);
-    m_plot->legend->setMargins(QMargins(2, 1, 2, 5));
+    putLegendAbove(*m_plot);
     m_plot->installEventFilter(this);
     m_plot->setMouseTracking(true);
     applyColors();
@@ -217,27 +202,20 @@ void ExperimentPlot::setRanges()
 
 void ExperimentPlot::draw()
 {
-    for (std::size_t i = 0; i < kAlgorithms.size(); ++i) {
-        QVector<double> x, y, below, above;
-        for (const Dot& dot : m_dots)
-            if (dot.algorithm == kAlgorithms[i]) {
-                x << dot.x;
-                y << dot.y;
-                below << dot.y - dot.low;
-                above << dot.high - dot.y;
+    // Dots keep the order of the rows; a graph wants them from left to right.
+    std::vector<const Dot*> sorted;
+    for (const Dot& dot : m_dots)
+        sorted.push_back(&dot);
+    std::ranges::stable_sort(sorted, {}, [](const Dot* dot) { return dot->x; });
+    for (const Series& series : m_series) {
+        series.graph->data()->clear();
+        series.bars->data()->clear();
+        for (const Dot* dot : sorted)
+            if (dot->algorithm == series.algorithm) {
+                series.graph->addData(dot->x, dot->y);
+                series.bars->addData(dot->y - dot->low, dot->high - dot->y);
             }
-        // Dots come from the rows, whose order is kept: errors are not sorted.
-        m_graphs[i]->data()->clear();
-        m_bars[i]->data()->clear();
-        std::vector<int> order(static_cast<std::size_t>(x.size()));
-        for (std::size_t k = 0; k < order.size(); ++k)
-            order[k] = static_cast<int>(k);
-        std::ranges::stable_sort(order, {}, [&](int k) { return x[k]; });
-        for (const int k : order) {
-            m_graphs[i]->addData(x[k], y[k]);
-            m_bars[i]->addData(below[k], above[k]);
-        }
-        m_graphs[i]->setName(titleOfAlgorithm(kAlgorithms[i]));
+        series.graph->setName(titleOfAlgorithm(series.algorithm));
     }
     drawFrontier();
     setRanges();
@@ -319,37 +297,21 @@ void ExperimentPlot::applyColors()
 {
     const QColor text = palette().color(QPalette::Text);
     const QColor muted = palette().color(QPalette::PlaceholderText);
-    const std::array colors = algorithmColors(palette());
-    m_plot->setBackground(QBrush(palette().color(QPalette::Base)));
-    for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis}) {
-        axis->setBasePen(QPen(muted));
-        axis->setTickPen(QPen(muted));
-        axis->setSubTickPen(QPen(muted));
-        axis->setLabelColor(text);
-        axis->setTickLabelColor(text);
-        axis->setLabelFont(textFont(-1));
-        axis->setTickLabelFont(textFont(-1));
-        axis->setLabelPadding(2);
-        QColor grid = palette().color(QPalette::Mid);
-        grid.setAlpha(110);
-        axis->grid()->setPen(QPen(grid, 1, Qt::DotLine));
-    }
-    for (std::size_t i = 0; i < m_graphs.size(); ++i) {
-        m_graphs[i]->setScatterStyle(
-            QCPScatterStyle(kShapes[i], QPen(palette().color(QPalette::Base), 1), QBrush(colors[i]), kDotSize));
-        m_graphs[i]->setPen(QPen(colors[i]));
-        QColor faint = colors[i];
+    const Inks inks = inksFor(palette());
+    applyPlotTheme(*m_plot, palette());
+    for (const Series& series : m_series) {
+        const DotLook& look = *std::ranges::find(kDotLooks, series.algorithm, &DotLook::algorithm);
+        const QColor color = inks.*look.ink;
+        series.graph->setScatterStyle(
+            QCPScatterStyle(look.shape, QPen(palette().color(QPalette::Base), 1), QBrush(color), kDotSize));
+        series.graph->setPen(QPen(color));
+        QColor faint = color;
         faint.setAlpha(150);
-        m_bars[i]->setPen(QPen(faint, 1));
-        m_bars[i]->setWhiskerWidth(4);
+        series.bars->setPen(QPen(faint, 1));
+        series.bars->setWhiskerWidth(4);
     }
     m_frontier->setPen(QPen(muted, 1.5, Qt::DashLine));
     m_ring->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(text, 2), Qt::NoBrush, kDotSize + 7));
-    m_plot->legend->setFont(textFont(-1.5));
-    m_plot->legend->setTextColor(text);
-    m_plot->legend->setBrush(Qt::NoBrush);
-    m_plot->legend->setBorderPen(Qt::NoPen);
-    m_plot->legend->setIconSize(16, QFontMetrics(textFont(-1)).height());
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 

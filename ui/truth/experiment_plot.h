@@ -65,6 +65,12 @@ private:
         bool frontier;
     };
 
+    struct Series {
+        Algorithm algorithm;
+        QCPGraph* graph;
+        QCPErrorBars* bars;
+    };
+
     void takeDots(const std::vector<ExperimentRow>& rows);
     void draw();
     void drawFrontier();
@@ -73,8 +79,7 @@ private:
     [[nodiscard]] std::optional<int> rowAt(QPointF point) const;
 
     QCustomPlot* m_plot;
-    std::vector<QCPGraph*> m_graphs; ///< one an algorithm
-    std::vector<QCPErrorBars*> m_bars;
+    std::vector<Series> m_series; ///< one an algorithm
     QCPGraph* m_frontier;
     QCPGraph* m_ring;
     std::vector<Dot> m_dots;

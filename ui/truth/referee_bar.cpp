@@ -1,5 +1,7 @@
 #include "ui/truth/referee_bar.h"
 
+#include "ui/base/parts.h"
+
 #include <QBuffer>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -29,19 +31,11 @@ QString signOf(PixelVerdict verdict, int side)
         .arg(side);
 }
 
-QToolButton* link()
-{
-    auto* button = new QToolButton;
-    button->setObjectName(QStringLiteral("link"));
-    button->setCursor(Qt::PointingHandCursor);
-    return button;
-}
-
 } // namespace
 
 RefereeBar::RefereeBar(Referee& referee, QWidget* parent)
-    : QFrame(parent), m_referee(referee), m_title(new QLabel), m_text(new QLabel), m_space(link()), m_next(link()),
-      m_close(link()), m_detail(new QLabel)
+    : QFrame(parent), m_referee(referee), m_title(new QLabel), m_text(new QLabel), m_space(makeLink()),
+      m_next(makeLink()), m_close(makeLink()), m_detail(new QLabel)
 {
     setObjectName(QStringLiteral("toolRow"));
     auto* column = new QVBoxLayout(this);

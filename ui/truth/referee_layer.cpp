@@ -1,3 +1,4 @@
+#include "ui/base/inks.h"
 #include "ui/base/theme.h"
 #include "ui/truth/referee.h"
 
@@ -36,7 +37,6 @@ VerdictLook lookOf(PixelVerdict verdict)
 }
 
 constexpr double kGlow = 6; ///< canvas pixels round a wrong pixel
-constexpr QRgb kInk = 0xff12151a;
 
 void paintHalo(QPainter& painter, const QRectF& cell, const QColor& color)
 {
@@ -55,7 +55,7 @@ void paintSpot(QPainter& painter, QPointF at, PixelVerdict verdict, bool thick)
     const QColor color(lookOf(verdict).color);
     const double radius = thick ? 4 : 2.5;
     paintHalo(painter, QRectF(at.x() - radius, at.y() - radius, 2 * radius, 2 * radius), color);
-    painter.setPen(QPen(QColor(kInk), 1));
+    painter.setPen(QPen(QColor(kCanvasInk), 1));
     painter.setBrush(color);
     if (verdict == PixelVerdict::Missing)
         painter.drawEllipse(at, radius, radius);
@@ -127,7 +127,7 @@ void paintVerdict(QPainter& painter, const QRectF& cell, PixelVerdict verdict, b
     painter.fillRect(cell, QBrush(color, look.hatching));
     const double width = (cell.width() >= 24 ? 3 : 2) * (thick ? 1.5 : 1);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(QColor(kInk), width + 2, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+    painter.setPen(QPen(QColor(kCanvasInk), width + 2, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
     const double inset = width / 2;
     painter.drawRect(cell.adjusted(inset, inset, -inset, -inset));
     painter.setPen(QPen(color, width, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
@@ -144,7 +144,7 @@ void paintVerdict(QPainter& painter, const QRectF& cell, PixelVerdict verdict, b
 void paintVerdictSign(QPainter& painter, const QRectF& box, PixelVerdict verdict)
 {
     const VerdictLook look = lookOf(verdict);
-    painter.fillRect(box, QColor(kInk));
+    painter.fillRect(box, QColor(kCanvasInk));
     QFont font = textFont(0, true);
     font.setPixelSize(static_cast<int>(box.height() * 0.85));
     painter.setFont(font);

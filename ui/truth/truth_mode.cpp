@@ -1,5 +1,6 @@
 #include "ui/truth/truth_mode.h"
 
+#include "core/base/closed_list.h"
 #include "ui/base/action_table.h"
 #include "ui/base/dock.h"
 #include "ui/canvas/viewport_widget.h"
@@ -13,8 +14,25 @@
 #include <QMenu>
 #include <QVBoxLayout>
 
+#include <array>
+
 namespace rasterlens
 {
+namespace
+{
+
+struct PanelRow {
+    TruthMode::Panel panel;
+    const char* name;  ///< on the command line
+    const char* title; ///< of the dock
+};
+constexpr auto kPanels = std::to_array<PanelRow>({
+    {TruthMode::Panel::Cases, "cases", QT_TRANSLATE_NOOP("rasterlens::TruthMode", "Hard cases")},
+    {TruthMode::Panel::Experiment, "experiment", QT_TRANSLATE_NOOP("rasterlens::TruthMode", "Speed against error")},
+});
+static_assert(isClosedList(kPanels, &PanelRow::panel));
+
+} // namespace
 
 TruthMode::TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& window, QVBoxLayout& bars,
                      ActionTable& actions)
@@ -28,8 +46,8 @@ TruthMode::TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& 
     bars.addWidget(m_refereeBar);
     bars.addWidget(m_compareBar);
     buildMenu(actions);
-    m_docks = {new Dock(QStringLiteral("casesDock"), m_cases, &window, Dock::Fit::Scrolls),
-               new Dock(QStringLiteral("experimentDock"), m_experiment, &window, Dock::Fit::Scrolls)};
+    addDock(Panel::Cases, m_cases, window);
+    addDock(Panel::Experiment, m_experiment, window);
     connect(m_cases, &CaseBrowser::caseChosen, this, &TruthMode::showCase);
     connect(&m_referee, &Referee::changed, this, &TruthMode::openLens);
     connect(&m_cases->model(), &CaseModel::failed, this, &TruthMode::failed);
@@ -48,17 +66,30 @@ TruthMode::~TruthMode()
     m_viewport.removeLayer(&m_refereeLayer);
 }
 
-QStringList TruthMode::panelNames() { return {QStringLiteral("cases"), QStringLiteral("experiment")}; }
+void TruthMode::addDock(Panel which, QWidget* panel, QMainWindow& window)
+{
+    Q_ASSERT(static_cast<std::size_t>(which) == m_docks.size());
+    const QString name = QLatin1String(kPanels[static_cast<std::size_t>(which)].name);
+    m_docks.push_back(new Dock(name + QStringLiteral("Dock"), panel, &window, Dock::Fit::Scrolls));
+}
+
+QStringList TruthMode::panelNames()
+{
+    QStringList names;
+    for (const PanelRow& row : kPanels)
+        names << QLatin1String(row.name);
+    return names;
+}
 
 bool TruthMode::showPanel(const QString& name)
 {
-    const qsizetype index = panelNames().indexOf(name);
-    if (index < 0)
-        return false;
-    Dock* dock = m_docks[static_cast<std::size_t>(index)];
-    dock->show();
-    dock->raise();
-    return true;
+    for (const PanelRow& row : kPanels)
+        if (QLatin1String(row.name) == name) {
+            dock(row.panel).show();
+            dock(row.panel).raise();
+            return true;
+        }
+    return false;
 }
 
 void TruthMode::buildMenu(ActionTable& table)
@@ -183,8 +214,8 @@ void TruthMode::openLens()
 
 void TruthMode::retranslate()
 {
-    m_docks[0]->setTitle(tr("Hard cases"));
-    m_docks[1]->setTitle(tr("Speed against error"));
+    for (const PanelRow& row : kPanels)
+        dock(row.panel).setTitle(tr(row.title));
     sync();
 }
 

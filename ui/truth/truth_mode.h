@@ -30,6 +30,8 @@ class TruthMode : public QObject
     Q_OBJECT
 
 public:
+    enum class Panel { Cases, Experiment };
+
     /// Adds the lines to `bars` and the menu's actions to the table.
     TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& window, QVBoxLayout& bars,
               ActionTable& actions);
@@ -42,7 +44,7 @@ public:
     [[nodiscard]] CaseBrowser& caseBrowser() { return *m_cases; }
     [[nodiscard]] ExperimentPanel& experiment() { return *m_experiment; }
 
-    /// They have no place in the window yet.
+    /// In the order of the panels; they have no place in the window yet.
     [[nodiscard]] const std::vector<Dock*>& docks() const { return m_docks; }
     /// Opens a panel by the short name of the command line.
     bool showPanel(const QString& name);
@@ -74,6 +76,9 @@ Q_SIGNALS:
     void failed(const QString& text);
 
 private:
+    /// Panels are added in their order.
+    void addDock(Panel which, QWidget* panel, QMainWindow& window);
+    [[nodiscard]] Dock& dock(Panel which) const { return *m_docks[static_cast<std::size_t>(which)]; }
     void buildMenu(ActionTable& table);
     void toggle(CompareView view);
     void sync();

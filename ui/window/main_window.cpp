@@ -7,6 +7,7 @@
 #include "ui/base/elided_label.h"
 #include "ui/base/message_bar.h"
 #include "ui/base/message_column.h"
+#include "ui/base/parts.h"
 #include "ui/base/step_words.h"
 #include "ui/base/typed_field.h"
 #include "ui/document/navigation.h"
@@ -56,9 +57,7 @@ constexpr int kActivityDelayMs = 150;
 
 QToolButton* canvasLink(QAction* action)
 {
-    auto* button = new QToolButton;
-    button->setObjectName(QStringLiteral("link"));
-    button->setCursor(Qt::PointingHandCursor);
+    QToolButton* button = makeLink();
     button->setFocusPolicy(Qt::TabFocus);
     if (action)
         button->setDefaultAction(action);
@@ -478,7 +477,7 @@ void MainWindow::setLook(const Look& look)
     if (!(look == m_look))
         applyLook(*qApp, look);
     m_look = look;
-    m_viewport->setCanvasColor(themeColors(look.kind).canvas);
+    m_viewport->setCanvasColor(canvasColor(look.kind));
     m_truth->setPresentation(look.presentation);
     m_viewport->setThickLines(look.presentation);
     m_dark->setChecked(look.kind == ThemeKind::Dark);
