@@ -99,7 +99,7 @@ Dock* Cards::addDock(const QString& name, QWidget* panel)
 {
     auto* dock = new Dock(name + QStringLiteral("Dock"), panel, &m_window,
                           panel == m_pixelCard ? Dock::Fit::Shrinks : Dock::Fit::Scrolls);
-    connect(dock, &QDockWidget::visibilityChanged, this, &Cards::refreshSoon);
+    connect(dock, &Dock::sightChanged, this, &Cards::refreshSoon);
     connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool on) {
         if (on)
             dock->raise();
@@ -154,10 +154,10 @@ void Cards::frameCounted()
 void Cards::refresh()
 {
     askWhy();
-    if (m_vertexDock->isVisible())
+    if (m_vertexDock->isInSight())
         m_vertexPanel->refresh();
-    m_handles->setActive(m_vertexDock->isVisible());
-    if (m_curvesDock->isVisible()) {
+    m_handles->setActive(m_vertexDock->isInSight());
+    if (m_curvesDock->isInSight()) {
         const Scene& scene = *m_document.scene();
         const Matrices matrices = cameraMatrices(scene, m_document.settings());
         std::optional<std::array<VertexRow, 3>> corners;
@@ -171,7 +171,7 @@ void Cards::refresh()
 void Cards::askWhy()
 {
     const QRect picture(QPoint(0, 0), m_document.settings().size);
-    const bool asked = m_whyDock->isVisible() && m_pixel && picture.contains(*m_pixel) && canDraw();
+    const bool asked = m_whyDock->isInSight() && m_pixel && picture.contains(*m_pixel) && canDraw();
     if (!asked) {
         m_why.drop();
         if (m_pixelCard->report())
@@ -196,10 +196,12 @@ void Cards::showReport(const std::shared_ptr<const WhyReport>& report)
 
 void Cards::askFace()
 {
-    const bool wantsStory = m_clipDock->isVisible();
-    const bool wantsRace = m_raceDock->isVisible();
+    const bool wantsStory = m_clipDock->isInSight();
+    const bool wantsRace = m_raceDock->isInSight();
     if (!(wantsStory || wantsRace) || m_selection.count() == 0 || !canDraw()) {
         m_face.drop();
+        if (!(wantsStory || wantsRace || m_clipTheatre->story() || m_racePanel->race()))
+            return; // out of sight, and empty already
         m_clipTheatre->setStory(nullptr);
         m_racePanel->setRace(nullptr);
         return;
