@@ -8,6 +8,7 @@
 
 #include <QMainWindow>
 
+#include <bitset>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -121,6 +122,11 @@ private:
     QWidget* buildCanvas();
     void buildStatusBar();
     void connectParts();
+    void connectDocument();
+    void connectWorker();
+    void connectPanels();
+    void connectModes();
+    void connectCanvas();
     void buildMenus();
     void buildFileMenu();
     void buildEditMenu();
@@ -137,6 +143,11 @@ private:
     void retranslateActions();
     void fillRecentMenu();
     void fillBuiltinMenu();
+    /// What the window says in words: about the scene and its settings (title, caption), and about a pixel (the line
+    /// above the canvas, the read-out).
+    enum class Words { OfDocument, OfPixel };
+    void syncSoon(Words which);
+    void syncWords();
     void syncActions();
     void syncHelp();
     void syncCanvasHeader();
@@ -145,6 +156,8 @@ private:
     void syncCaption();
 
     void updatePicture();
+    [[nodiscard]] bool isShown() const;
+    void tellIfSettled();
     void takeFrame(const FramePtr& frame);
     void showFrame();
     void stepField(const SettingsField& field);
@@ -230,7 +243,8 @@ private:
     FramePtr m_lastFrame;
     bool m_refused = false;
     EmptyRemark m_emptyRemark;
-    bool m_gaveUp = false; ///< the system had no memory or no threads for the present picture
+    std::bitset<2> m_wordsAreOld; ///< by Words
+    bool m_gaveUp = false;        ///< the system had no memory or no threads for the present picture
     QByteArray m_defaultState;
     QByteArray m_stateBeforePresentation;
 };

@@ -1,5 +1,4 @@
 #include "ui/base/message_bar.h"
-#include "ui/pipeline/scene_words.h"
 #include "ui/window/dragged_file.h"
 #include "ui/window/life_cycle.h"
 #include "ui/window/main_window.h"
@@ -17,16 +16,6 @@
 
 namespace rasterlens
 {
-
-void MainWindow::syncTitle()
-{
-    QString title = sceneTitle(*m_document.scene());
-    if (!m_document.sessionPath().isEmpty())
-        title += QStringLiteral(" \u2013 ") + QFileInfo(m_document.sessionPath()).fileName();
-    setWindowTitle(
-        QStringLiteral("%1[*] \u2013 RasterLens").arg(title.replace(QLatin1String("[*]"), QLatin1String("[*][*]"))));
-    setWindowModified(m_document.isDirty());
-}
 
 void MainWindow::fillRecentMenu()
 {
