@@ -39,10 +39,12 @@ private:
     TruthMode& truth() { return m_window->truthMode(); }
     Cards& cards() { return m_window->cards(); }
 
+    /// Each time in a picture of another size: the badge keeps the right ones that it has.
     void setMistakes(const QStringList& mistakes)
     {
         Settings next = settings();
         next.mistakes = mistakes;
+        next.size.setWidth(next.size.width() < 100 ? next.size.width() + 1 : 48);
         document().setSettings(next);
     }
 

@@ -278,6 +278,7 @@ private Q_SLOTS:
         dialog->close();
         QVERIFY(waitFor([this] { return !document().isLoading(); }) && settle());
         QCOMPARE(settings().culling, Culling::Front);
+        QVERIFY2(m_window->message().isEmpty(), qPrintable(m_window->message())); // all is well now
         QCOMPARE(document().sessionPath(), path("refused.json"));
         QVERIFY(document().saveSession(path("refused.json")));
         QCOMPARE(loadSession(path("refused.json")).session->scene, path("a.case"));

@@ -1,19 +1,31 @@
-// What the window draws and keeps: at most two pictures a change, none that waits behind another, and no memory of
-// large pictures. And drags that bring nothing.
+// What the window draws, computes and keeps: at most two pictures a change, none that waits behind another, nothing for
+// panels out of sight, and no memory of large pictures. And drags that bring nothing.
+#include "core/questions/why.h"
 #include "tests/window_fixture.h"
+#include "ui/base/dock.h"
+#include "ui/base/numbers.h"
 #include "ui/document/picture_memory.h"
+#include "ui/face/cards.h"
+#include "ui/face/clip_story.h"
+#include "ui/face/clip_theatre.h"
+#include "ui/face/pixel_card.h"
+#include "ui/face/race_panel.h"
 #include "ui/pipeline/mistake_badge.h"
+#include "ui/pipeline/stage_strip.h"
+#include "ui/pipeline/statistics_panel.h"
 #include "ui/truth/truth_mode.h"
 
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFile>
+#include <QLabel>
 #include <QMimeData>
 #include <QSignalSpy>
 #include <QUrl>
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 #include <vector>
 
 using namespace rasterlens;
@@ -43,6 +55,39 @@ private:
     private:
         QEvent::Type m_type;
     };
+
+    /// The pictures drawn since the last call: those shown and counted, and the right ones of the badge.
+    struct Drawn {
+        std::uint64_t shown;
+        std::uint64_t right;
+        friend bool operator==(const Drawn&, const Drawn&) = default;
+    };
+    Drawn m_before{};
+    Drawn drawn()
+    {
+        const Drawn now{worker().picturesDrawn(), m_window->mistakeBadge().rightPicturesDrawn()};
+        const Drawn before = std::exchange(m_before, now);
+        return {now.shown - before.shown, now.right - before.right};
+    }
+
+    /// Opens or closes the dock around a panel and waits for what it shows.
+    bool setShown(QWidget& panel, bool shown)
+    {
+        QWidget* dock = paneled(panel);
+        dock->setVisible(shown);
+        if (shown)
+            dock->raise();
+        QCoreApplication::processEvents();
+        return complete();
+    }
+
+    static Dock* paneled(QWidget& panel)
+    {
+        for (QWidget* widget = &panel; widget != nullptr; widget = widget->parentWidget())
+            if (auto* dock = qobject_cast<Dock*>(widget))
+                return dock;
+        return nullptr;
+    }
 
     /// Drags over the window; Qt hands a drop on to what accepted that.
     bool dragIn(const QMimeData& data, Qt::DropActions offered)
@@ -82,6 +127,144 @@ private Q_SLOTS:
         QVERIFY(complete());
         QCOMPARE(worker().picturesDrawn() - before, 4U);
         QCOMPARE(m_window->mistakeBadge().isVisible(), !mistakes.isEmpty());
+    }
+
+    /// What a mistake is held against is drawn once, and kept while a setting goes to and fro.
+    void rightPicturesAreKept()
+    {
+        QVERIFY(openSmall(QStringLiteral("builtin:tile-square")));
+        drawn();
+        QVERIFY(change([](Settings& s) { s.mistakes = {QStringLiteral("affine")}; }));
+        QVERIFY((drawn() == Drawn{2, 0})); // the picture before it was the right one
+        const QStringList lines = m_window->mistakeBadge().lines();
+        key(Qt::Key_P);
+        QVERIFY(complete());
+        QVERIFY((drawn() == Drawn{2, 1}));
+        key(Qt::Key_P);
+        QVERIFY(complete());
+        QVERIFY((drawn() == Drawn{2, 0}));
+        QCOMPARE(m_window->mistakeBadge().lines(), lines);
+        QVERIFY(lines.front().contains(QStringLiteral("wrong pixels")));
+        QVERIFY(change([](Settings& s) { s.size = {100, 80}; })); // another right picture
+        QVERIFY((drawn() == Drawn{2, 1}));
+        QVERIFY(m_window->mistakeBadge().lines() != lines);
+    }
+
+    void whatIsShownIsNotDrawnAgain()
+    {
+        QVERIFY(openSmall(QStringLiteral("builtin:tile-square")));
+        const QImage former = picture();
+        drawn();
+        QVERIFY(document().saveSession(m_folder.filePath(QStringLiteral("saved.json"))));
+        QVERIFY(complete());
+        QVERIFY(change([](Settings& s) {
+            s.algorithm = Algorithm::Tiled;
+            s.numberType = NumberType::Float32;
+        }));
+        QVERIFY(!m_window->message().isEmpty());
+        document().undo();
+        QVERIFY(complete());
+        QVERIFY((drawn() == Drawn{0, 0}));
+        QCOMPARE(picture(), former);
+        QVERIFY(!m_window->statisticsPanel().isStale());
+        key(Qt::Key_P);
+        QVERIFY(complete());
+        QVERIFY((drawn() == Drawn{2, 0}));
+    }
+
+    /// The counted picture looks like the first: the canvas is painted once, and words are made once for each of them.
+    void aChangeIsPaintedAndSaidOnce()
+    {
+        QVERIFY(openSmall(QStringLiteral("builtin:tile-square")));
+        viewport().selectPixel(QPoint(100, 120));
+        QVERIFY(complete());
+        QTest::qWait(50);
+        EventCounter paints(QEvent::Paint);
+        EventCounter said(QEvent::ToolTipChange);
+        EventCounter titled(QEvent::WindowTitleChange);
+        QSignalSpy frames(&worker(), &RenderWorker::frameReady);
+        viewport().installEventFilter(&paints);
+        m_window->findChild<QLabel*>(QStringLiteral("readout"))->installEventFilter(&said);
+        m_window->installEventFilter(&titled);
+        key(Qt::Key_P);
+        QVERIFY(complete());
+        QTest::qWait(50);
+        QCOMPARE(frames.size(), 2);
+        QCOMPARE(paints.events, 1);
+        QVERIFY2(said.events <= frames.size(), qPrintable(QString::number(said.events)));
+        QCOMPARE(titled.events, 0);
+    }
+
+    /// What pixels show of the counted picture is painted as soon as it is there.
+    void numbersInPixelsComeWithTheCount()
+    {
+        QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+        viewport().setZoom(128);
+        EventCounter paints(QEvent::Paint);
+        viewport().installEventFilter(&paints);
+        QVERIFY(change([](Settings& s) { s.shading = Shading::Depth; }));
+        QCoreApplication::processEvents();
+        QVERIFY2(paints.events >= 2, qPrintable(QString::number(paints.events)));
+    }
+
+    void closedPanelsComputeNothing()
+    {
+        QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+        viewport().selectPixel(QPoint(3, 4));
+        Cards& cards = m_window->cards();
+        QVERIFY(setShown(cards.pixelCard(), true));
+        QVERIFY(cards.pixelCard().report() != nullptr);
+        QVERIFY(setShown(cards.pixelCard(), false));
+        QVERIFY(setShown(m_window->statisticsPanel(), false));
+        QVERIFY(change([](Settings& s) { s.tieRule = TieRule::Exclusive; }));
+        QVERIFY(cards.pixelCard().report() == nullptr);
+        QVERIFY(setShown(cards.pixelCard(), true));
+        QVERIFY(setShown(m_window->statisticsPanel(), true));
+        const WhyReport expected = why(*document().scene(), settings(), 3, 4);
+        QVERIFY(toJson(*cards.pixelCard().report()) == toJson(expected));
+        const Statistics& counted = viewport().frame()->statistics;
+        QCOMPARE(m_window->statisticsPanel().shown(QStringLiteral("covered")), grouped(counted.pixels.covered));
+        QCOMPARE(m_window->stageStrip().figure(Stage::Cover),
+                 QStringLiteral("%1 px").arg(grouped(counted.pixels.covered)));
+    }
+
+    /// Of tabs that lie behind each other only the one in front is computed.
+    void tabsBehindComputeNothing()
+    {
+        QVERIFY(open(QStringLiteral("builtin:cube")));
+        Cards& cards = m_window->cards();
+        QVERIFY(cards.show(QStringLiteral("clip")) && complete());
+        QVERIFY(cards.clipTheatre().story() != nullptr);
+        QVERIFY(cards.show(QStringLiteral("race")));
+        QCoreApplication::processEvents();
+        QVERIFY(complete());
+        QVERIFY(paneled(cards.clipTheatre())->isVisible() && !paneled(cards.clipTheatre())->isInSight());
+        QVERIFY(cards.clipTheatre().story() == nullptr);
+        QVERIFY(change([](Settings& s) { s.clipping = Clipping::None; }));
+        QVERIFY(cards.clipTheatre().story() == nullptr);
+        QVERIFY(cards.racePanel().race() != nullptr);
+        paneled(cards.clipTheatre())->raise();
+        QCoreApplication::processEvents();
+        QVERIFY(complete());
+        QVERIFY(cards.racePanel().race() == nullptr);
+        const ClipStory expected = clipStory(*document().scene(), settings(), cards.selection().face());
+        QVERIFY(cards.clipTheatre().story() != nullptr);
+        QCOMPARE(cards.clipTheatre().story()->steps.size(), expected.steps.size());
+        QVERIFY(cards.clipTheatre().story()->rules.clipping == settings().clipping);
+    }
+
+    /// The caption is made when the presentation begins, of the settings there are then.
+    void theCaptionIsOfThePresentSettings()
+    {
+        QVERIFY(openSmall(QStringLiteral("builtin:tile-square")));
+        QVERIFY(change([](Settings& s) { s.fill = Fill::Wireframe; }));
+        const auto* caption = m_window->findChild<QLabel*>(QStringLiteral("caption"));
+        QVERIFY(!caption->text().contains(QStringLiteral("Wireframe")));
+        m_window->setPresentation(true);
+        QVERIFY2(caption->text().contains(QStringLiteral("Wireframe")), qPrintable(caption->text()));
+        QVERIFY(change([](Settings& s) { s.fill = Fill::Points; }));
+        QVERIFY2(!caption->text().contains(QStringLiteral("Wireframe")), qPrintable(caption->text()));
+        m_window->setPresentation(false);
     }
 
     void aRefusedPictureIsRefusedOnce()

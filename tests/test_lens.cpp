@@ -1,7 +1,9 @@
 // The step mode in the window: the lens's numbers, what the canvas shows, and when steps are recorded anew.
 #include "core/observe/step_text.h"
 #include "tests/step_fixture.h"
+#include "ui/face/cards.h"
 #include "ui/pipeline/stage_strip.h"
+#include "ui/steps/code_line.h"
 #include "ui/steps/lens_overlay.h"
 #include "ui/steps/step_listing.h"
 #include "ui/steps/transport_dock.h"
@@ -48,6 +50,8 @@ private Q_SLOTS:
     void everyFaceOfThePainterHasItsTriangle();
     void scopeLimitsTheRecord();
     void theStripMarksTheStageOfTheStep();
+    void mistakesFitSmallWindows_data();
+    void mistakesFitSmallWindows();
 };
 
 void TestLens::offUntilOpened()
@@ -296,9 +300,11 @@ void TestLens::numbersSayTheirMoment()
     QVERIFY(!readout().contains(QStringLiteral("step")));
     QVERIFY(record());
     session().moveTo(50);
+    QVERIFY(complete()); // the words follow before the window is painted
     QCOMPARE(heading(), QStringLiteral("Faces \u00b7 after step 50"));
     QVERIFY2(readout().startsWith(QStringLiteral("after step 50")), qPrintable(readout()));
     session().moveTo(session().size());
+    QVERIFY(complete());
     QCOMPARE(heading(), QStringLiteral("Faces \u00b7 finished frame"));
     QVERIFY(!readout().contains(QStringLiteral("step")));
 }
@@ -311,6 +317,49 @@ void TestLens::otherSceneDropsTheRecord()
     QVERIFY(session().log());
     QCOMPARE(session().position(), std::size_t(0));
     QCOMPARE(viewport().frame()->scene, document().scene());
+}
+
+void TestLens::mistakesFitSmallWindows_data()
+{
+    QTest::addColumn<LanguageKind>("language");
+    QTest::newRow("English") << LanguageKind::English;
+    QTest::newRow("Chinese") << LanguageKind::Chinese;
+}
+
+/// What has no room at the least usual size ends in dots and is whole in the tool tip; nothing is left out in between.
+void TestLens::mistakesFitSmallWindows()
+{
+    QFETCH(LanguageKind, language);
+    m_window->resize(1024, 768);
+    m_window->setLanguage(language);
+    QVERIFY(m_window->cards().show(QStringLiteral("why")));
+    QVERIFY(change([](Settings& s) {
+        s.mistakes = {QStringLiteral("all-inclusive")};
+        s.reversedZ = true;
+        s.numberType = NumberType::Float32;
+    }));
+    mode().showStep(QStringLiteral("tie"));
+    QVERIFY(complete());
+    const StepListing& listing = mode().listing();
+    const StepExplanation& told = listing.explanation();
+    const ListingLine& line = told.listing.at(std::size_t(told.line));
+    QVERIFY(!line.right.isEmpty());
+    const CodeLine& shown = *listing.lines().at(std::size_t(told.line));
+    QVERIFY(shown.isVisible());
+    QCOMPARE(shown.shown().code, line.code);
+    const QString right = shown.shown().right;
+    const QString whole = line.right.trimmed();
+    const QChar dots(0x2026);
+    QVERIFY2(right == whole || (right.endsWith(dots) && whole.startsWith(right.chopped(1)) && right.size() > 12),
+             qPrintable(right));
+    QVERIFY(shown.toolTip().contains(whole));
+
+    const QString formula = told.formula.simplified();
+    QString rows = listing.formulaRows().join(QLatin1Char(' ')).simplified();
+    QVERIFY2(rows == formula || (rows.endsWith(dots) && formula.startsWith(rows.chopped(1))), qPrintable(rows));
+    QVERIFY2(rows.size() > formula.size() / 2, qPrintable(rows));
+    const QString snapped = m_window->stageStrip().shown(Stage::Screen);
+    QVERIFY2(!snapped.isEmpty() && !snapped.contains(dots), qPrintable(snapped));
 }
 
 /// The painter draws faces from far to near: their numbers come in any order.

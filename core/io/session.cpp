@@ -86,8 +86,8 @@ QStringList placesOf(const QString& stored, const QString& absolute, const QDir&
 class Reader
 {
 public:
-    Reader(const QJsonObject& json, const QDir& folder, DiagnosticSink& diagnostics)
-        : m_json(json), m_folder(folder), m_diagnostics(diagnostics)
+    Reader(const QJsonObject& json, const QDir& folder, const QString& sceneInstead, DiagnosticSink& diagnostics)
+        : m_json(json), m_folder(folder), m_sceneInstead(sceneInstead), m_diagnostics(diagnostics)
     {
     }
 
@@ -149,6 +149,10 @@ private:
         m_session.scene = stored;
         if (stored.isEmpty())
             return m_diagnostics.error(0, QT_TRANSLATE_NOOP("Diagnostic", "\"scene\" takes the name of a scene"));
+        if (!m_sceneInstead.isEmpty()) {
+            m_session.scene = m_sceneInstead;
+            return;
+        }
         if (!isPath(stored))
             return;
         const QStringList places = placesOf(stored, m_json[kAbsoluteKey].toString(), m_folder);
@@ -245,6 +249,7 @@ private:
 
     const QJsonObject& m_json;
     const QDir& m_folder;
+    const QString& m_sceneInstead;
     DiagnosticSink& m_diagnostics;
     Session m_session;
     bool m_newer = false;
@@ -282,7 +287,7 @@ bool isSession(const QString& name)
     return !takeOffByteOrderMark(beginning) && beginning.trimmed().startsWith('{');
 }
 
-SessionLoad loadSession(const QString& path)
+SessionLoad loadSession(const QString& path, const QString& sceneInstead)
 {
     constexpr int kAll = 1000; // each key that is left out is named
     DiagnosticSink diagnostics(path, kAll);
@@ -295,7 +300,7 @@ SessionLoad loadSession(const QString& path)
     } else {
         const QJsonObject json = parse(input.bytes, diagnostics);
         if (!diagnostics.hasErrors())
-            session = Reader(json, QFileInfo(path).absoluteDir(), diagnostics).read();
+            session = Reader(json, QFileInfo(path).absoluteDir(), sceneInstead, diagnostics).read();
     }
     if (diagnostics.hasErrors())
         return {std::nullopt, diagnostics.take()};

@@ -28,11 +28,12 @@ struct SessionLoad {
 
 /// Reads `{"rasterlens": 1, "scene": NAME, "settings": {..}, "vertices": {"0": [x, y, z, w], ..}}`.
 ///
+/// in      sceneInstead: the model in place of the one that the file names, which is then not looked for; empty: none
 /// covers  a newer version: what is understood is read. The model is looked for at its place relative to the session,
 ///         then at its absolute place, then by its name beside the session and in the folder above.
 /// errors  diagnostics with file and (for broken JSON) line: not JSON, values out of range. Warnings: keys and settings
 ///         that do not exist, a newer version and what is not understood of it, a model found at another place
-[[nodiscard]] SessionLoad loadSession(const QString& path);
+[[nodiscard]] SessionLoad loadSession(const QString& path, const QString& sceneInstead = {});
 
 /// The session's settings over those of its scene.
 ///

@@ -5761,6 +5761,11 @@
         <translation>不对齐</translation>
     </message>
     <message>
+        <source>no snap</source>
+        <comment>short for not snapped</comment>
+        <translation>不对齐</translation>
+    </message>
+    <message>
         <source>%1 culled</source>
         <translation>剔除 %1</translation>
     </message>

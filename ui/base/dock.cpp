@@ -2,12 +2,15 @@
 
 #include "ui/base/parts.h"
 
+#include <QEvent>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace rasterlens
 {
@@ -70,6 +73,28 @@ void Dock::setTitle(const QString& title)
     m_title->setText(title);
     m_close->setToolTip(tr("Close this panel; the menu Panels opens it again"));
     m_close->setAccessibleName(m_close->toolTip());
+}
+
+/// QMainWindow moves a tab behind another out of the window; it does not hide it.
+bool Dock::isInSight() const
+{
+    return isVisible() && (isFloating() || (geometry().right() >= 0 && geometry().bottom() >= 0));
+}
+
+bool Dock::event(QEvent* event)
+{
+    const bool done = QDockWidget::event(event);
+    switch (event->type()) {
+    case QEvent::Show:
+    case QEvent::Hide:
+    case QEvent::Move:
+    case QEvent::Resize:
+        if (std::exchange(m_wasInSight, isInSight()) != isInSight())
+            Q_EMIT sightChanged(isInSight());
+        break;
+    default: break;
+    }
+    return done;
 }
 
 QToolButton* Dock::addLink() { return insertLink(m_titleRow->indexOf(m_close)); }

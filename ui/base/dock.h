@@ -22,6 +22,14 @@ public:
     void setTitle(const QString& title);
     /// A link between title and cross.
     QToolButton* addLink();
+    /// Open, and not a tab behind another: what it shows can be seen.
+    [[nodiscard]] bool isInSight() const;
+
+Q_SIGNALS:
+    void sightChanged(bool inSight);
+
+protected:
+    bool event(QEvent* event) override;
 
 private:
     QToolButton* insertLink(int index);
@@ -29,6 +37,7 @@ private:
     QLabel* m_title = nullptr;
     QHBoxLayout* m_titleRow = nullptr;
     QToolButton* m_close = nullptr;
+    bool m_wasInSight = false; ///< as sightChanged() told
 };
 
 } // namespace rasterlens

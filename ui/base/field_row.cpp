@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rasterlens
 {
@@ -44,11 +45,13 @@ ChangeDot::ChangeDot(QWidget* parent) : QAbstractButton(parent)
 {
     setFocusPolicy(Qt::NoFocus);
     setFixedWidth(sizeHint().width());
+    setEnabled(false);
 }
 
 void ChangeDot::setChanged(bool changed)
 {
-    m_changed = changed;
+    if (std::exchange(m_changed, changed) == changed)
+        return;
     setCursor(changed ? Qt::PointingHandCursor : Qt::ArrowCursor);
     setEnabled(changed);
     update();

@@ -105,7 +105,8 @@ void paintImage(QPainter& painter, const QRect& pixels, const CanvasTransform& t
     }
     // Every pixel has its share of what is shown: the painter's own filter would skip some, and thin lines with them.
     const QSize size = (target.size() * painter.device()->devicePixelRatioF()).toSize().expandedTo({1, 1});
-    painter.drawImage(target, image.copy(pixels).scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+    const QImage shown = pixels == image.rect() ? image : image.copy(pixels);
+    painter.drawImage(target, shown.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
 }
 
 /// As the tiles of cellTile(), one of which each pixel gets on the screen.

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace rasterlens
@@ -48,7 +49,7 @@ ViewportWidget::ViewportWidget(QWidget* parent) : QWidget(parent), m_canvasColor
 void ViewportWidget::setFrame(const FramePtr& frame)
 {
     const QSize former = imageSize();
-    m_frameShown = m_frame == frame;
+    const bool looksTheSame = m_frame == frame || looksLikeTheShown(*frame);
     m_frame = frame;
     if (imageSize() != former) {
         m_fitPixels.reset();
@@ -57,14 +58,30 @@ void ViewportWidget::setFrame(const FramePtr& frame)
         if (m_fitted || former.isEmpty())
             fit();
     }
-    update();
+    if (!looksTheSame) {
+        m_frameShown = false;
+        update();
+    }
     Q_EMIT pixelChanged();
+}
+
+/// Whether the frame is another one of the same change, with the same picture: the counted one after the first. Where
+/// the pixels show depths and faces the counted one looks different.
+bool ViewportWidget::looksLikeTheShown(const RenderedFrame& frame) const
+{
+    const bool showsCounts = m_options.numbers && m_transform.zoom >= kNumbersFromZoom;
+    if (!m_frame || showsCounts || m_frame->requested != frame.requested)
+        return false;
+    const QImage& shown = m_frame->frame.image;
+    const QImage& next = frame.frame.image;
+    const bool isAlike = next.size() == shown.size() && next.format() == shown.format();
+    return isAlike && std::memcmp(next.constBits(), shown.constBits(), std::size_t(shown.sizeInBytes())) == 0;
 }
 
 void ViewportWidget::setStale(bool stale)
 {
-    m_stale = stale;
-    update();
+    if (std::exchange(m_stale, stale) != stale)
+        update();
 }
 
 void ViewportWidget::setCanvasColor(const QColor& color)
@@ -81,6 +98,8 @@ void ViewportWidget::setThickLines(bool on)
 
 void ViewportWidget::setCompared(const FramePtr& left, const QString& tag)
 {
+    if (!left && !m_options.wipe && tag == m_options.tag)
+        return;
     if (left)
         m_wipe.left = left;
     m_options.wipe = left ? std::optional(m_wipe) : std::nullopt;
@@ -196,7 +215,8 @@ void ViewportWidget::hover(std::optional<QPoint> pixel)
     if (pixel == m_options.hoveredPixel)
         return;
     m_options.hoveredPixel = pixel;
-    update();
+    if (m_transform.zoom >= kGridFromZoom) // smaller pixels are not framed
+        update();
     Q_EMIT pixelChanged();
 }
 

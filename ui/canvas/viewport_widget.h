@@ -107,6 +107,7 @@ private:
     [[nodiscard]] std::optional<FigurePart> figurePart(std::optional<int> zoom) const;
     void paintFigure(QPainter& painter, const FigurePart& part) const;
     [[nodiscard]] Drag dragFor(const QMouseEvent& event) const;
+    [[nodiscard]] bool looksLikeTheShown(const RenderedFrame& frame) const;
     [[nodiscard]] QSize imageSize() const;
     void applyFit();
     void setTransform(CanvasTransform transform);

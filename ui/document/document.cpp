@@ -228,13 +228,13 @@ Document::Opened Document::load(const QString& name, const QString& sceneInstead
     QString sceneName = name;
     SessionLoad session;
     if (isSession(name)) {
-        session = loadSession(name);
+        session = loadSession(name, sceneInstead);
         opened.diagnostics = std::move(session.diagnostics);
         if (!session.session)
             return opened;
-        sceneName = sceneInstead.isEmpty() ? session.session->scene : sceneInstead;
+        sceneName = session.session->scene;
         opened.isPartial = session.session->isPartial;
-        opened.sceneIsMissing = sceneInstead.isEmpty() && !session.session->sceneFound;
+        opened.sceneIsMissing = !session.session->sceneFound;
     }
     LoadOptions options;
     if (session.session)

@@ -121,7 +121,7 @@ void Cards::addDock(Panel which, QWidget* panel)
     const QString name = QLatin1String(rowOf(which).name);
     auto* dock = new Dock(name + QStringLiteral("Dock"), panel, &m_window,
                           which == Panel::PixelCard ? Dock::Fit::Shrinks : Dock::Fit::Scrolls);
-    connect(dock, &QDockWidget::visibilityChanged, this, &Cards::refreshSoon);
+    connect(dock, &Dock::sightChanged, this, &Cards::refreshSoon);
     connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool on) {
         if (on)
             dock->raise();
@@ -177,10 +177,10 @@ void Cards::frameCounted()
 void Cards::refresh()
 {
     askWhy();
-    if (dock(Panel::Vertices).isVisible())
+    if (dock(Panel::Vertices).isInSight())
         m_vertexPanel->refresh();
-    m_handles->setActive(dock(Panel::Vertices).isVisible());
-    if (dock(Panel::Curves).isVisible()) {
+    m_handles->setActive(dock(Panel::Vertices).isInSight());
+    if (dock(Panel::Curves).isInSight()) {
         const Scene& scene = *m_document.scene();
         const Matrices matrices = cameraMatrices(scene, m_document.settings());
         std::optional<std::array<VertexRow, 3>> corners;
@@ -194,7 +194,7 @@ void Cards::refresh()
 void Cards::askWhy()
 {
     const QRect picture(QPoint(0, 0), m_document.settings().size);
-    const bool asked = dock(Panel::PixelCard).isVisible() && m_pixel && picture.contains(*m_pixel) && canDraw();
+    const bool asked = dock(Panel::PixelCard).isInSight() && m_pixel && picture.contains(*m_pixel) && canDraw();
     if (!asked) {
         m_why.drop();
         if (m_pixelCard->report())
@@ -219,10 +219,12 @@ void Cards::showReport(const std::shared_ptr<const WhyReport>& report)
 
 void Cards::askFace()
 {
-    const bool wantsStory = dock(Panel::Clip).isVisible();
-    const bool wantsRace = dock(Panel::Race).isVisible();
+    const bool wantsStory = dock(Panel::Clip).isInSight();
+    const bool wantsRace = dock(Panel::Race).isInSight();
     if (!(wantsStory || wantsRace) || m_selection.count() == 0 || !canDraw()) {
         m_face.drop();
+        if (!(wantsStory || wantsRace || m_clipTheatre->story() || m_racePanel->race()))
+            return; // out of sight, and empty already
         m_clipTheatre->setStory(nullptr);
         m_racePanel->setRace(nullptr);
         return;

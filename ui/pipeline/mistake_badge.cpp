@@ -4,6 +4,7 @@
 #include "ui/base/inks.h"
 #include "ui/base/step_words.h"
 #include "ui/base/theme.h"
+#include "ui/document/picture_memory.h"
 #include "ui/pipeline/mistakes_section.h"
 
 #include <QEvent>
@@ -24,8 +25,15 @@ constexpr int kPaddingX = 10;
 constexpr int kPaddingY = 5;
 constexpr qsizetype kShownLines = 5;
 constexpr QRgb kAlarm = kCanvasMinus;
+constexpr std::size_t kKept = 2;
 
 QString number(double value) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(value, 'g', 6); }
+
+/// Whether a picture drawn with the outputs `has` has all of `needed`.
+bool covers(const Outputs& has, const Outputs& needed)
+{
+    return (has.depth || !needed.depth) && (has.ids || !needed.ids) && (has.picture || !needed.picture);
+}
 
 } // namespace
 
@@ -55,8 +63,9 @@ QString proofTitle(Proof proof)
 MistakeBadge::MistakeBadge(QWidget* canvas)
     : QWidget(canvas),
       m_result(
-          [this](std::vector<Evidence> evidence) {
-              m_evidence = std::move(evidence);
+          [this](Weighed weighed) {
+              m_evidence = std::move(weighed.evidence);
+              keep(std::move(weighed.right));
               fitToText();
               Q_EMIT counted();
           },
@@ -78,39 +87,63 @@ void MistakeBadge::showFor(const FramePtr& frame)
     m_evidence = std::move(evidence);
     setVisible(!m_evidence.empty());
     fitToText();
+    std::erase_if(m_kept, [&](const Right& right) { return right.scene != frame->scene; });
     if (m_evidence.empty()) {
         m_result.drop();
+        keep({frame->scene, frame->settings, {.depth = true, .ids = true}, frame});
         return;
     }
-    m_result.ask(
-        [frame, evidence = m_evidence](const auto& turn) mutable {
-            weigh(*frame, evidence, turn.stop());
-            return evidence;
-        },
-        LatestJob::Running::Interrupt);
+    m_result.ask([this, frame, known = Weighed{m_evidence, rightFor(*frame)}](
+                     const auto& turn) { return weigh(*frame, known, turn.stop()); },
+                 LatestJob::Running::Interrupt);
 }
 
-void MistakeBadge::weigh(const RenderedFrame& shown, std::vector<Evidence>& evidence, const std::stop_token& stop)
+/// The right picture for the one that is shown, with its memory where it is kept.
+MistakeBadge::Right MistakeBadge::rightFor(const RenderedFrame& shown) const
 {
-    Settings right = shown.settings;
-    right.mistakes.clear();
-    if (unsupported(*shown.scene, right))
-        return;
-    Outputs outputs{.picture = false};
-    for (const Evidence& one : evidence) {
+    Right right{shown.scene, shown.settings, {.picture = false}, nullptr};
+    right.settings.mistakes.clear();
+    for (const Evidence& one : m_evidence) {
         const Outputs needed = proofOutputs(one.mistake->proof);
-        outputs.depth = outputs.depth || needed.depth;
-        outputs.ids = outputs.ids || needed.ids;
-        outputs.picture = outputs.picture || needed.picture;
+        right.has.depth = right.has.depth || needed.depth;
+        right.has.ids = right.has.ids || needed.ids;
+        right.has.picture = right.has.picture || needed.picture;
     }
-    const CountedPicture rightPicture = drawCounted(*shown.scene, right, outputs, stop);
-    for (Evidence& one : evidence) {
+    const auto kept = std::ranges::find_if(
+        m_kept, [&](const Right& one) { return one.settings == right.settings && covers(one.has, right.has); });
+    return kept == m_kept.end() ? right : *kept;
+}
+
+/// Of large pictures none is kept: their memory is wanted for the next ones.
+void MistakeBadge::keep(Right right)
+{
+    std::erase_if(m_kept, [&](const Right& one) { return one.settings == right.settings; });
+    if (!right.picture || isLarge(right.settings))
+        return;
+    m_kept.push_back(std::move(right));
+    if (m_kept.size() > kKept)
+        m_kept.erase(m_kept.begin());
+}
+
+/// On the background thread.
+MistakeBadge::Weighed MistakeBadge::weigh(const RenderedFrame& shown, Weighed known, const std::stop_token& stop)
+{
+    Right& right = known.right;
+    if (!right.picture) {
+        if (unsupported(*right.scene, right.settings))
+            return known;
+        ++m_drawn;
+        right.picture =
+            std::make_shared<const CountedPicture>(drawCounted(*right.scene, right.settings, right.has, stop));
+    }
+    for (Evidence& one : known.evidence) {
         if (stop.stop_requested())
-            return;
+            return known;
         one.known = true;
-        one.shown = proofValue(one.mistake->proof, shown, rightPicture);
-        one.right = proofValue(one.mistake->proof, rightPicture, rightPicture);
+        one.shown = proofValue(one.mistake->proof, shown, *right.picture);
+        one.right = proofValue(one.mistake->proof, *right.picture, *right.picture);
     }
+    return known;
 }
 
 void MistakeBadge::setSaysMoment(bool on)

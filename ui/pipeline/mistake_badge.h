@@ -5,6 +5,9 @@
 
 #include <QWidget>
 
+#include <atomic>
+#include <cstdint>
+#include <memory>
 #include <stop_token>
 #include <vector>
 
@@ -22,16 +25,19 @@ class MistakeBadge : public QWidget
 public:
     explicit MistakeBadge(QWidget* canvas);
 
-    /// Shows the mistakes at once and their proofs when they are known: on a background thread the right picture is
-    /// counted and held against this one.
+    /// Shows the mistakes at once and their proofs when they are known: on a background thread this picture is held
+    /// against the right one. That is drawn only where it is none of the last pictures without mistakes: whoever
+    /// switches a mistake on and off, or a setting to and fro, looks at two of them in turn.
     ///
-    /// in  a counted frame
+    /// in  a counted frame, also one without mistakes
     void showFor(const FramePtr& frame);
     /// While another picture than the finished one is on the canvas the badge says that it speaks of that.
     void setSaysMoment(bool on);
     /// One line a mistake.
     [[nodiscard]] QStringList lines() const;
     [[nodiscard]] bool isCounting() const { return m_result.isBusy(); }
+    /// How many right pictures have been drawn, finished or not.
+    [[nodiscard]] std::uint64_t rightPicturesDrawn() const { return m_drawn; }
 
 Q_SIGNALS:
     void counted();
@@ -51,13 +57,28 @@ private:
         double shown = 0;
         double right = 0;
     };
+    /// A picture without mistakes, which those with mistakes are held against.
+    struct Right {
+        std::shared_ptr<const Scene> scene;
+        Settings settings;
+        Outputs has;
+        std::shared_ptr<const CountedPicture> picture; ///< null: not drawn yet, or these settings cannot be drawn
+    };
+    struct Weighed {
+        std::vector<Evidence> evidence;
+        Right right;
+    };
 
-    static void weigh(const RenderedFrame& shown, std::vector<Evidence>& evidence, const std::stop_token& stop);
+    [[nodiscard]] Right rightFor(const RenderedFrame& shown) const;
+    [[nodiscard]] Weighed weigh(const RenderedFrame& shown, Weighed known, const std::stop_token& stop);
+    void keep(Right right);
     void fitToText();
 
     std::vector<Evidence> m_evidence;
+    std::vector<Right> m_kept; ///< the latest last; of one scene, with their pictures
     bool m_saysMoment = false;
-    LatestResult<std::vector<Evidence>> m_result; ///< last: its thread uses the members above
+    std::atomic<std::uint64_t> m_drawn = 0;
+    LatestResult<Weighed> m_result; ///< last: its thread uses the members above
 };
 
 } // namespace rasterlens

@@ -46,13 +46,23 @@ public:
     }
 
     /// The short texts are shown where the long ones have no room.
-    void setTexts(const QString& name, const QString& shortName, const QString& figure, const QString& shortFigure)
+    struct Texts {
+        QString name;
+        QString shortName;
+        QString figure;
+        QString shortFigure;
+
+        friend bool operator==(const Texts&, const Texts&) = default;
+    };
+
+    void setTexts(const Texts& texts)
     {
-        setText(name);
-        m_shortName = shortName;
-        m_figure = figure;
-        m_shortFigure = shortFigure;
-        setAccessibleDescription(figure);
+        if (texts == m_texts)
+            return;
+        m_texts = texts;
+        setText(texts.name);
+        setAccessibleDescription(texts.figure);
+        setToolTip(QStringLiteral("%1: %2").arg(texts.name, texts.figure));
         update();
     }
 
@@ -60,6 +70,12 @@ public:
     {
         if (std::exchange(m_marked, on) != on)
             update();
+    }
+
+    /// The figure as it is drawn.
+    [[nodiscard]] QString shownFigure() const
+    {
+        return fitting(box().width(), figureFont(), {m_texts.figure, m_texts.shortFigure}).text;
     }
 
     QSize sizeHint() const override
@@ -72,8 +88,7 @@ protected:
     {
         QPainter painter(this);
         painter.setRenderHint(QPainter::Antialiasing);
-        const int arrow = m_last ? 0 : (parentWidget()->width() >= kWidthWithArrows ? kArrowWidth : 5);
-        const QRectF box = QRectF(rect()).adjusted(0.5, 0.5, -0.5 - arrow, -0.5);
+        const QRectF box = this->box();
         painter.setPen(
             QPen(hasFocus() || underMouse() ? palette().color(QPalette::Highlight) : palette().color(QPalette::Mid),
                  hasFocus() ? 2 : 1));
@@ -83,12 +98,12 @@ protected:
         const QRectF upper(box.left(), box.top() + 5, box.width(), QFontMetricsF(nameFont()).height());
         const QRectF lower(box.left(), upper.bottom() + 1, box.width(), QFontMetricsF(figureFont()).height());
         painter.setPen(palette().color(m_marked ? QPalette::HighlightedText : QPalette::Text));
-        drawFitting(painter, upper, nameFont(), {text(), m_shortName});
+        drawFitting(painter, upper, nameFont(), {m_texts.name, m_texts.shortName});
         if (!m_marked)
             painter.setPen(palette().color(QPalette::PlaceholderText));
-        drawFitting(painter, lower, figureFont(), {m_figure, m_shortFigure});
+        drawFitting(painter, lower, figureFont(), {m_texts.figure, m_texts.shortFigure});
 
-        if (arrow == kArrowWidth) {
+        if (hasWideArrow()) {
             painter.setPen(QPen(palette().color(QPalette::PlaceholderText), 1.5));
             const QPointF tip(width() - 4.5, box.center().y());
             painter.drawLine(tip, tip + QPointF(-4, -4));
@@ -100,27 +115,44 @@ private:
     static QFont nameFont() { return textFont(0, true); }
     static QFont figureFont() { return textFont(-1); }
 
-    /// The first of the texts that fits; the last one is narrowed until it does.
-    static void drawFitting(QPainter& painter, const QRectF& box, QFont font, const QStringList& texts)
+    /// Where the stage is drawn: the arrow to the next one lies behind.
+    [[nodiscard]] QRectF box() const
+    {
+        const int arrow = m_last ? 0 : hasWideArrow() ? kArrowWidth : 5;
+        return QRectF(rect()).adjusted(0.5, 0.5, -0.5 - arrow, -0.5);
+    }
+    [[nodiscard]] bool hasWideArrow() const { return !m_last && parentWidget()->width() >= kWidthWithArrows; }
+
+    struct Fitting {
+        QString text;
+        QFont font;
+    };
+    /// The first of the texts that fits; the last one is narrowed until it does, and ends in dots where it still does
+    /// not.
+    static Fitting fitting(double width, QFont font, const QStringList& texts)
     {
         constexpr double kPadding = 4;
-        const double room = box.width() - kPadding;
+        const double room = width - kPadding;
         QString text = texts.last();
         for (const QString& candidate : texts)
             if (QFontMetricsF(font).horizontalAdvance(candidate) <= room) {
                 text = candidate;
                 break;
             }
-        const double width = QFontMetricsF(font).horizontalAdvance(text);
-        if (width > room)
-            font.setPointSizeF(std::max(font.pointSizeF() * room / width, font.pointSizeF() * 0.75));
-        painter.setFont(font);
-        painter.drawText(box, Qt::AlignCenter, QFontMetricsF(font).elidedText(text, Qt::ElideRight, box.width()));
+        const double needed = QFontMetricsF(font).horizontalAdvance(text);
+        if (needed > room)
+            font.setPointSizeF(std::max(font.pointSizeF() * room / needed, font.pointSizeF() * 0.75));
+        return {QFontMetricsF(font).elidedText(text, Qt::ElideRight, width), font};
     }
 
-    QString m_shortName;
-    QString m_figure;
-    QString m_shortFigure;
+    static void drawFitting(QPainter& painter, const QRectF& box, const QFont& font, const QStringList& texts)
+    {
+        const Fitting fits = fitting(box.width(), font, texts);
+        painter.setFont(fits.font);
+        painter.drawText(box, Qt::AlignCenter, fits.text);
+    }
+
+    Texts m_texts;
     bool m_last;
     bool m_marked = false;
 };
@@ -230,6 +262,12 @@ QString StageStrip::figure(Stage stage) const
     return {};
 }
 
+QString StageStrip::shown(Stage stage) const
+{
+    const auto at = std::ranges::find(kStages, stage) - kStages.begin();
+    return m_chips[static_cast<std::size_t>(at)]->shownFigure();
+}
+
 QString StageStrip::shortFigure(Stage stage) const
 {
     if (!m_counted && isCounted(stage))
@@ -240,7 +278,7 @@ QString StageStrip::shortFigure(Stage stage) const
     case Stage::Clip: return shortened(counts.faces.clipped);
     case Stage::Screen:
         return m_settings.numberType == NumberType::Fixed ? QStringLiteral("1/%1").arg(1 << m_settings.subpixelBits)
-                                                          : figure(stage);
+                                                          : tr("no snap", "short for not snapped");
     case Stage::Cull: return shortened(counts.faces.culledBack + counts.faces.culledFront);
     case Stage::Cover: return shortened(counts.pixels.covered);
     case Stage::Depth: return shortened(counts.pixels.depthPassed);
@@ -250,14 +288,24 @@ QString StageStrip::shortFigure(Stage stage) const
     return figure(stage);
 }
 
+/// What cannot be seen waits until it is shown.
 void StageStrip::updateTexts()
 {
+    m_textsAreOld = !isVisible();
+    if (m_textsAreOld)
+        return;
     for (const Stage stage : kStages) {
-        StageChip* chip = m_chips[static_cast<std::size_t>(stage)];
         const QString shortName = stage == Stage::Clip ? tr("Clip", "short for clip space") : stageTitle(stage);
-        chip->setTexts(stageTitle(stage), shortName, figure(stage), shortFigure(stage));
-        chip->setToolTip(QStringLiteral("%1: %2").arg(stageTitle(stage), figure(stage)));
+        m_chips[static_cast<std::size_t>(stage)]->setTexts(
+            {stageTitle(stage), shortName, figure(stage), shortFigure(stage)});
     }
+}
+
+void StageStrip::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    if (m_textsAreOld)
+        updateTexts();
 }
 
 void StageStrip::changeEvent(QEvent* event)

@@ -29,6 +29,8 @@ public:
 
     /// The figure shown under a stage; a dash where nothing is counted yet.
     [[nodiscard]] QString figure(Stage stage) const;
+    /// The figure as there is room for it.
+    [[nodiscard]] QString shown(Stage stage) const;
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -40,6 +42,7 @@ Q_SIGNALS:
 protected:
     void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     [[nodiscard]] static int chipsInARow(int width);
@@ -51,6 +54,7 @@ private:
     Settings m_settings;
     std::optional<Statistics> m_counted;
     std::optional<Stage> m_current;
+    bool m_textsAreOld = false; ///< something changed while the strip could not be seen
 };
 
 /// The name of a stage in the language in use.

@@ -1,6 +1,7 @@
 #include "ui/steps/step_listing.h"
 
 #include "ui/base/theme.h"
+#include "ui/steps/code_line.h"
 #include "ui/steps/step_session.h"
 
 #include <QEvent>
@@ -14,16 +15,53 @@ namespace rasterlens
 namespace
 {
 
-constexpr int kFormulaLines = 2;
-constexpr int kCompactBelow = 560; ///< height of the canvas card from which on the whole listing has room
+constexpr int kCompactBelow = 560;              ///< height of the canvas card from which on the whole listing has room
+const QString kBetween = QStringLiteral("   "); ///< what stands between the parts of a formula
 
-/// The line that is run; where it is a mistake's, the right one stands beside it, struck through.
-QString lineHtml(const ListingLine& line)
+/// Where the first row of a line ends: before the last part that has room, else before the last word that has; -1: the
+/// first word has no room.
+qsizetype endOfRow(const QString& line, const QFontMetrics& metrics, int room)
 {
-    const auto html = [](const QString& code) {
-        return code.toHtmlEscaped().replace(QLatin1Char(' '), QStringLiteral("&nbsp;"));
-    };
-    return html(line.code) + QStringLiteral("&nbsp;&nbsp;&nbsp;<s>%1</s>").arg(html(line.right.trimmed()));
+    for (const QString& between : {kBetween, QStringLiteral(" ")}) {
+        qsizetype end = -1;
+        for (qsizetype at = line.indexOf(between, 1); at > 0 && metrics.horizontalAdvance(line.left(at)) <= room;
+             at = line.indexOf(between, at + between.size()))
+            end = at;
+        if (end > 0)
+            return end;
+    }
+    return -1;
+}
+
+QStringList wrapped(QString line, const QFontMetrics& metrics, int room)
+{
+    QStringList rows;
+    while (metrics.horizontalAdvance(line) > room) {
+        const qsizetype end = endOfRow(line, metrics, room);
+        if (end < 0)
+            break;
+        rows << line.left(end);
+        line = line.sliced(end).trimmed();
+    }
+    return rows << line;
+}
+
+/// A formula in at most `most` rows; what is left over stands behind the last one, which ends in dots then.
+QStringList rowsOf(const QString& formula, const QFontMetrics& metrics, int room, int most)
+{
+    QStringList rows;
+    for (const QString& line : formula.split(QLatin1Char('\n')))
+        rows << wrapped(line, metrics, room);
+    while (rows.size() > most) {
+        const QString last = rows.takeLast();
+        rows.last() += kBetween + last;
+    }
+    return rows;
+}
+
+bool fits(const QStringList& rows, const QFontMetrics& metrics, int room)
+{
+    return std::ranges::all_of(rows, [&](const QString& row) { return metrics.horizontalAdvance(row) <= room; });
 }
 
 } // namespace
@@ -34,19 +72,19 @@ StepListing::StepListing(const StepSession& session, QWidget* parent) : QFrame(p
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(10, 3, 10, 3);
     column->setSpacing(0);
-    const auto addLabel = [&] {
-        auto* label = new QLabel;
-        label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-        column->addWidget(label);
-        return label;
-    };
-    for (std::size_t i = 0; i < std::tuple_size_v<Listing>; ++i)
-        m_lines.push_back(addLabel());
-    m_formula = addLabel();
+    for (std::size_t i = 0; i < std::tuple_size_v<Listing>; ++i) {
+        m_lines.push_back(new CodeLine);
+        column->addWidget(m_lines.back());
+    }
+    m_formula = new QLabel;
+    m_formula->setObjectName(QStringLiteral("stepFormula"));
+    m_formula->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_formula->setForegroundRole(QPalette::Link);
     m_formula->setTextFormat(Qt::PlainText);
     m_formula->setContentsMargins(4, 2, 0, 0);
     m_formula->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_formula->setFocusPolicy(Qt::NoFocus);
+    column->addWidget(m_formula);
     connect(&session, &StepSession::positionChanged, this, &StepListing::sync);
     connect(&session, &StepSession::openChanged, this, [this](bool open) {
         setVisible(open);
@@ -61,24 +99,13 @@ void StepListing::sync()
     if (m_session.isOpen() && m_session.log() && m_session.position() > 0)
         m_explanation = explainStep(*m_session.log(), m_session.position() - 1);
     const bool isCompact = parentWidget()->height() < kCompactBelow;
-    const QFont font = numberFont(-0.5);
-    const QString accent = palette().color(QPalette::AlternateBase).name();
     // The canvas above keeps its height: there are as many lines at every step, all of one height.
     const int kept = std::clamp(m_explanation.line, 0, int(m_lines.size()) - 1);
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
-        const bool now = int(i) == m_explanation.line;
-        m_lines[i]->setFont(font);
         m_lines[i]->setFixedHeight(lineHeight());
         m_lines[i]->setVisible(int(i) == kept || !isCompact);
-        const ListingLine& line = m_explanation.listing[i];
-        m_lines[i]->setTextFormat(line.right.isEmpty() ? Qt::PlainText : Qt::RichText);
-        m_lines[i]->setText(line.right.isEmpty() ? line.code : lineHtml(line));
-        m_lines[i]->setStyleSheet(
-            QStringLiteral("padding: 0 4px; border-radius: 3px; %1")
-                .arg(now ? QStringLiteral("background: %1;").arg(accent)
-                         : QStringLiteral("color: %1;").arg(palette().color(QPalette::PlaceholderText).name())));
+        m_lines[i]->setLine(m_explanation.listing[i], int(i) == m_explanation.line);
     }
-    m_formula->setStyleSheet(QStringLiteral("color: %1;").arg(palette().color(QPalette::Link).name()));
     fitFormula();
 }
 
@@ -89,31 +116,39 @@ int StepListing::lineHeight()
     return std::max(QFontMetrics(numberFont(-0.5)).height(), QFontMetrics(textFont(-0.5)).height()) + kAir;
 }
 
-/// Long numbers first make the formula smaller, then leave dots in its middle; the tool tip has all of it.
+/// With a mistake on there is a row more, for its name: at every step of the record.
+int StepListing::formulaRowCount() const
+{
+    const bool hasMistakes = m_session.log() && !m_session.log()->mistakes().empty();
+    return hasMistakes ? 3 : 2;
+}
+
+/// Long formulas are broken into rows, then made smaller, and end in dots at last; the tool tip has all of them.
 void StepListing::fitFormula()
 {
-    constexpr double kSmallest = 0.8;
     const QMargins around = layout()->contentsMargins() + m_formula->contentsMargins();
     const int room = width() - around.left() - around.right();
-    QStringList lines = m_explanation.formula.split(QLatin1Char('\n'));
-    while (lines.size() > kFormulaLines) {
-        const QString last = lines.takeLast();
-        lines.last() += QStringLiteral("   ") + last;
-    }
-    while (lines.size() < kFormulaLines)
-        lines << QString();
+    const int most = formulaRowCount();
     QFont font = numberFont(-0.5);
-    int longest = 1;
-    for (const QString& line : lines)
-        longest = std::max(longest, QFontMetrics(font).horizontalAdvance(line));
-    font.setPointSizeF(font.pointSizeF() * std::clamp(double(room) / longest, kSmallest, 1.0));
-    for (QString& line : lines)
-        line = QFontMetrics(font).elidedText(line, Qt::ElideMiddle, room);
+    const double full = font.pointSizeF();
+    QStringList rows;
+    for (const double size : {1.0, 0.9, 0.8}) {
+        font.setPointSizeF(full * size);
+        rows = rowsOf(m_explanation.formula, QFontMetrics(font), room, most);
+        if (fits(rows, QFontMetrics(font), room))
+            break;
+    }
+    for (QString& row : rows)
+        row = QFontMetrics(font).elidedText(row, Qt::ElideRight, room);
+    while (rows.size() < most)
+        rows << QString();
     m_formula->setFont(font);
-    m_formula->setFixedHeight(kFormulaLines * lineHeight() + 2);
-    m_formula->setText(lines.join(QLatin1Char('\n')));
+    m_formula->setFixedHeight(most * lineHeight() + 2);
+    m_formula->setText(rows.join(QLatin1Char('\n')));
     m_formula->setToolTip(m_explanation.formula);
 }
+
+QStringList StepListing::formulaRows() const { return m_formula->text().split(QLatin1Char('\n')); }
 
 void StepListing::resizeEvent(QResizeEvent* event)
 {
@@ -124,9 +159,9 @@ void StepListing::resizeEvent(QResizeEvent* event)
 QSize StepListing::minimumSizeHint() const
 {
     int shown = 0;
-    for (const QLabel* line : m_lines)
+    for (const CodeLine* line : m_lines)
         shown += line->isHidden() ? 0 : 1;
-    return QFrame::minimumSizeHint() - QSize(0, std::max(shown - 1, 0) * m_lines.front()->sizeHint().height());
+    return QFrame::minimumSizeHint() - QSize(0, std::max(shown - 1, 0) * lineHeight());
 }
 
 void StepListing::showEvent(QShowEvent* event)

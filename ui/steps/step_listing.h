@@ -10,6 +10,7 @@ class QLabel;
 namespace rasterlens
 {
 
+class CodeLine;
 class StepSession;
 
 /// The linked view below the canvas: follows the session.
@@ -21,6 +22,9 @@ public:
     explicit StepListing(const StepSession& session, QWidget* parent = nullptr);
 
     [[nodiscard]] const StepExplanation& explanation() const { return m_explanation; }
+    [[nodiscard]] const std::vector<CodeLine*>& lines() const { return m_lines; }
+    /// The rows of the formula as they are shown.
+    [[nodiscard]] QStringList formulaRows() const;
 
     QSize minimumSizeHint() const override; ///< of the present line and the formula: the other lines leave first
 
@@ -33,11 +37,12 @@ protected:
 private:
     void sync();
     void fitFormula();
+    [[nodiscard]] int formulaRowCount() const;
     [[nodiscard]] static int lineHeight();
 
     const StepSession& m_session;
     StepExplanation m_explanation;
-    std::vector<QLabel*> m_lines;
+    std::vector<CodeLine*> m_lines;
     QLabel* m_formula = nullptr;
 };
 

@@ -8,7 +8,6 @@
 #include "ui/base/message_bar.h"
 #include "ui/base/message_column.h"
 #include "ui/base/parts.h"
-#include "ui/base/step_words.h"
 #include "ui/base/typed_field.h"
 #include "ui/document/navigation.h"
 #include "ui/face/cards.h"
@@ -16,7 +15,6 @@
 #include "ui/pipeline/mistake_badge.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/pipeline_panel.h"
-#include "ui/pipeline/scene_words.h"
 #include "ui/pipeline/stage_strip.h"
 #include "ui/pipeline/statistics_panel.h"
 #include "ui/steps/step_listing.h"
@@ -62,11 +60,6 @@ QToolButton* canvasLink(QAction* action)
     if (action)
         button->setDefaultAction(action);
     return button;
-}
-
-QString zoomText(double zoom)
-{
-    return zoom >= 1 ? QStringLiteral("%1\u00d7").arg(zoom) : QStringLiteral("%1 %").arg(zoom * 100, 0, 'f', 0);
 }
 
 } // namespace
@@ -222,42 +215,65 @@ void MainWindow::connectField(Field* field, Refused refused, Mended mended)
 
 void MainWindow::connectParts()
 {
+    connectDocument();
+    connectWorker();
+    connectPanels();
+    connectModes();
+    connectCanvas();
+    // Errors and remarks of the parts are messages over the canvas.
+    const auto says = [this](MessageKind kind) {
+        return [this, kind](const QString& text) { m_message->show(kind, text); };
+    };
+    connect(&m_worker, &RenderWorker::memoryNeeded, m_message, says(MessageKind::Info));
+    connect(m_truth.get(), &TruthMode::message, m_message, says(MessageKind::Info));
+    connect(m_stepMode.get(), &StepMode::message, m_message, says(MessageKind::Info));
+    connect(m_lifeCycle.get(), &LifeCycle::warned, m_message, says(MessageKind::Warning));
+    connect(m_truth.get(), &TruthMode::failed, m_message, says(MessageKind::Error));
+    connect(m_cards, &Cards::failed, m_message, says(MessageKind::Error));
+    connect(m_mistakeBadge, &MistakeBadge::failed, m_message, says(MessageKind::Error));
+    connect(&m_stepMode->session(), &StepSession::failed, m_message, says(MessageKind::Error));
+    connectField(m_pipelinePanel, &PipelinePanel::invalidInput, &PipelinePanel::inputMended);
+    connectField(&m_cards->vertexPanel(), &VertexPanel::invalidInput, &VertexPanel::inputMended);
+    connectField(m_goToField, &TypedField::refused, &TypedField::mended);
+}
+
+void MainWindow::connectDocument()
+{
     connect(&m_document, &Document::sceneChanged, this, [this] {
+        const bool hasCamera = m_document.scene()->space == SceneSpace::Object;
         m_stageStrip->setScene(*m_document.scene());
-        m_viewport->setLeftDrag(m_document.scene()->space == SceneSpace::Object ? ViewportWidget::LeftDrag::Orbits
-                                                                                : ViewportWidget::LeftDrag::PansCanvas);
+        m_viewport->setLeftDrag(hasCamera ? ViewportWidget::LeftDrag::Orbits : ViewportWidget::LeftDrag::PansCanvas);
         m_message->hide();
         for (QAction* action : m_cameraActions)
-            action->setEnabled(m_document.scene()->space == SceneSpace::Object);
+            action->setEnabled(hasCamera);
     });
     connect(&m_document, &Document::settingsChanged, this, [this] {
         m_stageStrip->setSettings(m_document.settings());
         updatePicture();
-        syncActions();
-        syncTitle();
-        syncCaption();
+        syncActions(); // at once: the next key may be Undo
+        setWindowModified(m_document.isDirty());
+        syncSoon(Words::OfDocument);
     });
     connect(&m_document, &Document::diagnosticsReported, m_message,
             [this](const Diagnostics& diagnostics) { m_message->show(diagnostics); });
-    connect(m_lifeCycle.get(), &LifeCycle::saved, this,
-            [this](const QString& path) { reportSaved(std::nullopt, path); });
-    connect(m_lifeCycle.get(), &LifeCycle::warned, m_message,
-            [this](const QString& text) { m_message->show(MessageKind::Warning, text); });
     connect(&m_document, &Document::sceneMissing, this,
             [this](const QString& session) { offerToLocateModel(*this, m_document, session); });
     connect(&m_document, &Document::recentFilesChanged, this, &MainWindow::fillRecentMenu);
     connect(&m_document, &Document::loadingChanged, this, [this](bool loading, const QString& name) {
         m_activity->setText(loading ? tr("opening %1 \u2026").arg(QFileInfo(name).fileName()) : QString());
     });
+    connect(m_lifeCycle.get(), &LifeCycle::saved, this,
+            [this](const QString& path) { reportSaved(std::nullopt, path); });
+}
+
+void MainWindow::connectWorker()
+{
     connect(&m_worker, &RenderWorker::frameReady, this, &MainWindow::takeFrame);
     connect(&m_worker, &RenderWorker::failed, this, [this](const QString& message) {
         m_message->show(MessageKind::Error, message);
         m_gaveUp = true;
-        if (isSettled())
-            Q_EMIT settled();
+        tellIfSettled();
     });
-    connect(&m_worker, &RenderWorker::memoryNeeded, m_message,
-            [this](const QString& message) { m_message->show(MessageKind::Info, message); });
     connect(&m_worker, &RenderWorker::busyChanged, this, [this](bool busy) {
         if (busy)
             m_activityDelay.start();
@@ -267,7 +283,10 @@ void MainWindow::connectParts()
             m_activity->clear();
     });
     connect(&m_activityDelay, &QTimer::timeout, this, [this] { m_activity->setText(tr("drawing \u2026")); });
+}
 
+void MainWindow::connectPanels()
+{
     connect(m_stageStrip, &StageStrip::stageClicked, this, [this](Stage stage) {
         m_pipelineDock->show();
         m_pipelinePanel->scrollTo(stage);
@@ -279,40 +298,31 @@ void MainWindow::connectParts()
     connect(m_pipelinePanel, &PipelinePanel::sceneChosen, &m_document, &Document::open);
     connect(m_pipelinePanel, &PipelinePanel::floatFailureChosen, m_truth.get(), &TruthMode::showFloatFailure);
     connect(m_pipelinePanel, &PipelinePanel::openRequested, this, &MainWindow::chooseFileToOpen);
-    connectField(m_pipelinePanel, &PipelinePanel::invalidInput, &PipelinePanel::inputMended);
-    connectField(&m_cards->vertexPanel(), &VertexPanel::invalidInput, &VertexPanel::inputMended);
-    connectField(m_goToField, &TypedField::refused, &TypedField::mended);
     connect(m_copyCsv, &QToolButton::clicked, this,
             [this] { QGuiApplication::clipboard()->setText(m_statisticsPanel->asCsv()); });
     connect(m_copyJson, &QToolButton::clicked, this,
             [this] { QGuiApplication::clipboard()->setText(m_statisticsPanel->asJson()); });
+}
 
+void MainWindow::connectModes()
+{
     connect(m_cards, &Cards::stepRequested, m_stepMode.get(), &StepMode::showFace);
     connect(m_stepMode.get(), &StepMode::frameChanged, this, &MainWindow::showFrame);
-    connect(m_truth.get(), &TruthMode::faceWanted, m_stepMode.get(), &StepMode::showFace);
-    connect(m_truth.get(), &TruthMode::stepWanted, m_stepMode.get(), &StepMode::showStep);
-    connect(&m_truth->comparison(), &Comparison::changed, this, &MainWindow::syncReadout);
-    connect(m_truth.get(), &TruthMode::message, m_message,
-            [this](const QString& text) { m_message->show(MessageKind::Info, text); });
-    const auto showError = [this](const QString& text) { m_message->show(MessageKind::Error, text); };
-    connect(m_truth.get(), &TruthMode::failed, m_message, showError);
-    connect(m_cards, &Cards::failed, m_message, showError);
-    connect(m_mistakeBadge, &MistakeBadge::failed, m_message, showError);
-    connect(&m_stepMode->session(), &StepSession::failed, m_message, showError);
-    connect(m_stepMode.get(), &StepMode::message, m_message,
-            [this](const QString& text) { m_message->show(MessageKind::Info, text); });
     connect(&m_stepMode->session(), &StepSession::positionChanged, this, [this] {
         if (const auto face = m_stepMode->session().face())
             m_cards->followFace(*face);
     });
-    connect(&m_stepMode->session(), &StepSession::recordingChanged, this, [this] {
-        if (isSettled())
-            Q_EMIT settled();
-    });
+    connect(&m_stepMode->session(), &StepSession::recordingChanged, this, &MainWindow::tellIfSettled);
+    connect(m_truth.get(), &TruthMode::faceWanted, m_stepMode.get(), &StepMode::showFace);
+    connect(m_truth.get(), &TruthMode::stepWanted, m_stepMode.get(), &StepMode::showStep);
+    connect(&m_truth->comparison(), &Comparison::changed, this, [this] { syncSoon(Words::OfPixel); });
+}
 
+void MainWindow::connectCanvas()
+{
     connect(m_viewport, &ViewportWidget::frameShown, m_statisticsPanel, &StatisticsPanel::setShown);
-    connect(m_viewport, &ViewportWidget::viewChanged, this, &MainWindow::syncCanvasHeader);
-    connect(m_viewport, &ViewportWidget::pixelChanged, this, &MainWindow::syncReadout);
+    connect(m_viewport, &ViewportWidget::viewChanged, this, [this] { syncSoon(Words::OfPixel); });
+    connect(m_viewport, &ViewportWidget::pixelChanged, this, [this] { syncSoon(Words::OfPixel); });
     connect(m_viewport, &ViewportWidget::pixelChosen, m_panels, &PanelPlaces::revealCard);
     connect(m_viewport, &ViewportWidget::gestureEnded, this, [this] { m_document.endGesture(); });
     const auto height = [this] { return m_document.settings().size.height(); };
@@ -369,6 +379,11 @@ void MainWindow::updatePicture()
         return;
     }
     m_unsupported->hide();
+    if (isShown() && !m_worker.busy() && !m_worker.isContinuous()) { // saved, or back from settings without a picture
+        showFrame();
+        tellIfSettled();
+        return;
+    }
     m_worker.request(m_document.scene(), m_document.settings());
 }
 
@@ -386,7 +401,12 @@ void MainWindow::takeFrame(const FramePtr& frame)
         m_mistakeBadge->showFor(frame);
         m_emptyRemark.update(*frame, *m_message);
     }
-    syncCanvasHeader();
+    syncSoon(Words::OfPixel);
+    tellIfSettled();
+}
+
+void MainWindow::tellIfSettled()
+{
     if (isSettled())
         Q_EMIT settled();
 }
@@ -407,21 +427,27 @@ void MainWindow::showFrame()
     m_statisticsPanel->setMoment(moment);
     m_mistakeBadge->setSaysMoment(moment.has_value());
     m_cards->setSaysMoment(moment.has_value());
-    syncReadout();
+    syncSoon(Words::OfPixel);
 }
 
 bool MainWindow::isSettled() const
 {
     if (m_document.isLoading() || !m_stepMode->isSettled())
         return false;
-    return m_refused || m_gaveUp ||
-           (m_lastFrame && m_lastFrame->counted && m_lastFrame->scene == m_document.scene() &&
-            m_lastFrame->settings == m_document.settings());
+    return m_refused || m_gaveUp || isShown();
+}
+
+/// The last frame is that of the document, and counted.
+bool MainWindow::isShown() const
+{
+    return m_lastFrame && m_lastFrame->counted && m_lastFrame->scene == m_document.scene() &&
+           m_lastFrame->settings == m_document.settings();
 }
 
 bool MainWindow::isComplete() const
 {
-    return isSettled() && !m_cards->isBusy() && !m_mistakeBadge->isCounting() && !m_truth->isBusy();
+    return isSettled() && !m_wordsAreOld.any() && !m_cards->isBusy() && !m_mistakeBadge->isCounting() &&
+           !m_truth->isBusy();
 }
 
 QString MainWindow::message() const
@@ -429,41 +455,6 @@ QString MainWindow::message() const
     if (!m_message->isHidden())
         return m_message->text();
     return m_unsupported->isHidden() ? QString() : m_unsupported->text();
-}
-
-void MainWindow::syncCanvasHeader()
-{
-    QStringList parts{zoomText(m_viewport->transform().zoom)};
-    if (const auto pixel = m_viewport->selectedPixel())
-        parts << tr("pixel (%1, %2)").arg(pixel->x()).arg(pixel->y());
-    m_canvasTitle->setText(parts.join(QStringLiteral("  \u00b7  ")));
-}
-
-void MainWindow::syncReadout()
-{
-    syncCanvasHeader();
-    const auto at = m_viewport->hoveredPixel() ? m_viewport->hoveredPixel() : m_viewport->selectedPixel();
-    const auto moment = m_stepMode->moment();
-    m_readout->show(at ? m_viewport->readout(*at) : std::nullopt,
-                    at && !moment ? m_truth->comparison().at(*at) : std::nullopt, moment);
-}
-
-/// The caption of the presentation names the scene and what was changed about it, or else what there is to see.
-void MainWindow::syncCaption()
-{
-    QStringList changes;
-    for (const SettingsField& field : settingsFields())
-        if (field.get(m_document.settings()) != field.get(m_document.defaults()))
-            changes << QStringLiteral("%1: %2").arg(QCoreApplication::translate("Settings", field.title),
-                                                    valueTitle(field, m_document.settings()));
-    std::vector<const Mistake*> mistakes;
-    for (const QString& id : m_document.settings().mistakes)
-        mistakes.push_back(findMistake(id));
-    if (!mistakes.empty())
-        changes << becauseWords(mistakes);
-    const QString title = sceneTitle(*m_document.scene()).toHtmlEscaped();
-    const QString text = changes.isEmpty() ? sceneNote(*m_document.scene()) : changes.join(QStringLiteral(" \u00b7 "));
-    m_caption->setText(QStringLiteral("<b>%1</b> &nbsp; %2").arg(title, text.toHtmlEscaped()));
 }
 
 void MainWindow::setLanguage(LanguageKind kind)

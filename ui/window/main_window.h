@@ -9,6 +9,7 @@
 
 #include <QMainWindow>
 
+#include <bitset>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -113,6 +114,11 @@ private:
     QWidget* buildCanvas();
     void buildStatusBar();
     void connectParts();
+    void connectDocument();
+    void connectWorker();
+    void connectPanels();
+    void connectModes();
+    void connectCanvas();
     void buildMenus();
     void addHint(const char* id, ActionSection section, const char* keys, const char* what);
     void addMouseHints();
@@ -133,6 +139,11 @@ private:
 
     void retranslate();
     void fillRecentMenu();
+    /// What the window says in words: about the scene and its settings (title, caption), and about a pixel (the line
+    /// above the canvas, the read-out).
+    enum class Words { OfDocument, OfPixel };
+    void syncSoon(Words which);
+    void syncWords();
     void syncActions();
     void syncHelp();
     void syncCanvasHeader();
@@ -141,6 +152,8 @@ private:
     void syncCaption();
 
     void updatePicture();
+    [[nodiscard]] bool isShown() const;
+    void tellIfSettled();
     void takeFrame(const FramePtr& frame);
     void showFrame();
     void stepField(const SettingsField& field);
@@ -224,7 +237,8 @@ private:
     FramePtr m_lastFrame;
     bool m_refused = false;
     EmptyRemark m_emptyRemark;
-    bool m_gaveUp = false; ///< the system had no memory or no threads for the present picture
+    std::bitset<2> m_wordsAreOld; ///< by Words
+    bool m_gaveUp = false;        ///< the system had no memory or no threads for the present picture
     QByteArray m_defaultState;
     QByteArray m_stateBeforePresentation;
 };

@@ -3,7 +3,6 @@
 #include "ui/base/dock.h"
 #include "ui/base/image_export.h"
 #include "ui/base/message_bar.h"
-#include "ui/pipeline/scene_words.h"
 #include "ui/window/dragged_file.h"
 #include "ui/window/life_cycle.h"
 #include "ui/window/main_window.h"
@@ -28,16 +27,6 @@ namespace
 const QString kSvg = QStringLiteral("svg");
 
 } // namespace
-
-void MainWindow::syncTitle()
-{
-    QString title = sceneTitle(*m_document.scene());
-    if (!m_document.sessionPath().isEmpty())
-        title += QStringLiteral(" \u2013 ") + QFileInfo(m_document.sessionPath()).fileName();
-    setWindowTitle(
-        QStringLiteral("%1[*] \u2013 RasterLens").arg(title.replace(QLatin1String("[*]"), QLatin1String("[*][*]"))));
-    setWindowModified(m_document.isDirty());
-}
 
 void MainWindow::fillRecentMenu()
 {

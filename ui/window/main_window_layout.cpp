@@ -35,6 +35,7 @@ void MainWindow::setPresentation(bool on)
     menuBar()->setVisible(!on);
     centralWidget()->layout()->setContentsMargins(0, on ? kGap : 0, 0, 0);
     m_caption->setVisible(on);
+    syncCaption();
     m_presentation->setChecked(on);
     if (on) {
         m_stepMode->transport().setVisible(m_stepMode->session().isOpen());
@@ -60,7 +61,8 @@ void MainWindow::resetLayout()
 void MainWindow::syncCounters()
 {
     m_counters->setVisible(!m_panels->isInSight(m_statisticsDock));
-    m_counters->setText(m_statisticsPanel->brief());
+    if (!m_counters->isHidden())
+        m_counters->setText(m_statisticsPanel->brief());
 }
 
 } // namespace rasterlens

@@ -6,6 +6,9 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
+
+#include <utility>
 
 namespace rasterlens
 {
@@ -19,12 +22,38 @@ QString channelsText(const QColor& color)
 
 } // namespace
 
+/// The colour of a pixel; where two pictures are compared, those of both.
+class ColorPair : public QWidget
+{
+public:
+    ColorPair() { setFixedSize(18, 14); }
+
+    void setColors(const QColor& left, const QColor& right)
+    {
+        if (std::exchange(m_left, left) != left || std::exchange(m_right, right) != right)
+            update();
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        painter.fillRect(rect(), Qt::gray);
+        const QRect inner = rect().adjusted(1, 1, -1, -1);
+        painter.fillRect(inner, m_right);
+        painter.fillRect(QRect(inner.topLeft(), QSize(inner.width() / 2, inner.height())), m_left);
+    }
+
+private:
+    QColor m_left;
+    QColor m_right;
+};
+
 ReadoutBar::ReadoutBar(QWidget* parent)
-    : QWidget(parent), m_swatch(new QLabel), m_text(new ElidedLabel(QStringLiteral("readout")))
+    : QWidget(parent), m_swatch(new ColorPair), m_text(new ElidedLabel(QStringLiteral("readout")))
 {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
-    m_swatch->setFixedSize(18, 14);
     m_swatch->hide();
     row->addWidget(m_swatch);
     row->addWidget(m_text, 1);
@@ -42,10 +71,7 @@ void ReadoutBar::show(const std::optional<PixelReadout>& pixel, const std::optio
     }
     const QColor a(compared ? compared->a : pixel->color);
     const QColor b(compared ? compared->b : pixel->color);
-    m_swatch->setStyleSheet(
-        QStringLiteral("background: qlineargradient(x1:0, y1:0, x2:1, y2:0, stop:0.499 %1, stop:0.501 %2);"
-                       "border: 1px solid gray;")
-            .arg(a.name(), b.name()));
+    m_swatch->setColors(a, b);
     QStringList parts;
     if (step)
         parts << momentText(step);

@@ -9,6 +9,8 @@ class QLabel;
 namespace rasterlens
 {
 
+class ColorPair;
+
 /// The line in the status bar that says what is at a pixel; while pictures are compared, what is there in both, and the
 /// difference.
 class ReadoutBar : public QWidget
@@ -18,15 +20,14 @@ class ReadoutBar : public QWidget
 public:
     explicit ReadoutBar(QWidget* parent = nullptr);
 
-    /// in   nothing: no pixel; nothing: no comparison; the step of a record after which that is so, nothing: it is so
-    /// of
-    ///      the finished frame
+    /// in   pixel: nothing where there is none to speak of; compared: nothing where there is no comparison; step: of a
+    ///      record, after which that is so; nothing where it is so of the finished frame
     void show(const std::optional<PixelReadout>& pixel, const std::optional<ComparedPixel>& compared,
               const std::optional<std::size_t>& step);
     [[nodiscard]] QString text() const;
 
 private:
-    QLabel* m_swatch;
+    ColorPair* m_swatch;
     QLabel* m_text;
 };
 

@@ -1,0 +1,72 @@
+#include "ui/steps/code_line.h"
+
+#include "ui/base/theme.h"
+
+#include <QFontMetrics>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr int kPadding = 4;
+constexpr int kGap = 18; ///< between the code that is run and the right one
+
+QFont codeFont() { return numberFont(-0.5); }
+
+} // namespace
+
+CodeLine::CodeLine(QWidget* parent) : QWidget(parent) { setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); }
+
+void CodeLine::setLine(const ListingLine& line, bool isPresent)
+{
+    m_line = {line.code, line.right.trimmed()};
+    m_isPresent = isPresent;
+    QStringList whole{m_line.code.trimmed(), m_line.right};
+    whole.removeAll(QString());
+    setToolTip(whole.join(QLatin1Char('\n')));
+    update();
+}
+
+CodeLine::Shown CodeLine::shown() const
+{
+    const QFontMetrics metrics(codeFont());
+    const int room = width() - 2 * kPadding;
+    if (m_line.right.isEmpty())
+        return {metrics.elidedText(m_line.code, Qt::ElideRight, room), {}};
+    // The code that is run has the room it needs as long as a quarter of the line is left for the right one.
+    const int wanted = metrics.horizontalAdvance(m_line.right);
+    const int left = room - kGap - metrics.horizontalAdvance(m_line.code);
+    const int rightRoom = std::min(wanted, std::max(left, (room - kGap) / 4));
+    return {metrics.elidedText(m_line.code, Qt::ElideRight, room - kGap - rightRoom),
+            metrics.elidedText(m_line.right, Qt::ElideRight, rightRoom)};
+}
+
+void CodeLine::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    if (m_isPresent) {
+        constexpr double kCorner = 3;
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(palette().color(QPalette::AlternateBase));
+        painter.drawRoundedRect(rect(), kCorner, kCorner);
+    }
+    QFont font = codeFont();
+    painter.setFont(font);
+    painter.setPen(palette().color(m_isPresent ? QPalette::Text : QPalette::PlaceholderText));
+    const Shown texts = shown();
+    const QRect room = rect().adjusted(kPadding, 0, -kPadding, 0);
+    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, texts.code);
+    if (texts.right.isEmpty())
+        return;
+    const int code = QFontMetrics(font).horizontalAdvance(texts.code);
+    font.setStrikeOut(true);
+    painter.setFont(font);
+    painter.drawText(room.adjusted(code + kGap, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, texts.right);
+}
+
+} // namespace rasterlens

@@ -1,0 +1,96 @@
+// What the window says in words: the title, the caption of the presentation, the line above the canvas and the
+// read-out.
+#include "core/settings/mistakes.h"
+#include "ui/base/applicability.h"
+#include "ui/base/step_words.h"
+#include "ui/pipeline/scene_words.h"
+#include "ui/steps/step_mode.h"
+#include "ui/truth/truth_mode.h"
+#include "ui/window/main_window.h"
+#include "ui/window/readout_bar.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QLabel>
+
+#include <utility>
+
+namespace rasterlens
+{
+namespace
+{
+
+QString zoomText(double zoom)
+{
+    return zoom >= 1 ? QStringLiteral("%1\u00d7").arg(zoom) : QStringLiteral("%1 %").arg(zoom * 100, 0, 'f', 0);
+}
+
+} // namespace
+
+/// However often a change asks for it, the words are made once, before the window is painted.
+void MainWindow::syncSoon(Words which)
+{
+    const bool isUnderWay = m_wordsAreOld.any();
+    m_wordsAreOld.set(static_cast<std::size_t>(which));
+    if (!isUnderWay) // what is queued comes before painting, which has a lower priority
+        QMetaObject::invokeMethod(this, &MainWindow::syncWords, Qt::QueuedConnection);
+}
+
+void MainWindow::syncWords()
+{
+    const auto old = std::exchange(m_wordsAreOld, {});
+    if (old.test(static_cast<std::size_t>(Words::OfPixel)))
+        syncReadout();
+    if (old.test(static_cast<std::size_t>(Words::OfDocument))) {
+        syncTitle();
+        syncCaption();
+    }
+}
+
+void MainWindow::syncCanvasHeader()
+{
+    QStringList parts{zoomText(m_viewport->transform().zoom)};
+    if (const auto pixel = m_viewport->selectedPixel())
+        parts << tr("pixel (%1, %2)").arg(pixel->x()).arg(pixel->y());
+    m_canvasTitle->setText(parts.join(QStringLiteral("  \u00b7  ")));
+}
+
+void MainWindow::syncReadout()
+{
+    syncCanvasHeader();
+    const auto at = m_viewport->hoveredPixel() ? m_viewport->hoveredPixel() : m_viewport->selectedPixel();
+    const auto moment = m_stepMode->moment();
+    m_readout->show(at ? m_viewport->readout(*at) : std::nullopt,
+                    at && !moment ? m_truth->comparison().at(*at) : std::nullopt, moment);
+}
+
+/// The caption of the presentation names the scene and what was changed about it, or else what there is to see.
+void MainWindow::syncCaption()
+{
+    if (m_caption->isHidden())
+        return;
+    QStringList changes;
+    for (const SettingsField& field : settingsFields())
+        if (field.get(m_document.settings()) != field.get(m_document.defaults()))
+            changes << QStringLiteral("%1: %2").arg(QCoreApplication::translate("Settings", field.title),
+                                                    valueTitle(field, m_document.settings()));
+    std::vector<const Mistake*> mistakes;
+    for (const QString& id : m_document.settings().mistakes)
+        mistakes.push_back(findMistake(id));
+    if (!mistakes.empty())
+        changes << becauseWords(mistakes);
+    const QString title = sceneTitle(*m_document.scene()).toHtmlEscaped();
+    const QString text = changes.isEmpty() ? sceneNote(*m_document.scene()) : changes.join(QStringLiteral(" \u00b7 "));
+    m_caption->setText(QStringLiteral("<b>%1</b> &nbsp; %2").arg(title, text.toHtmlEscaped()));
+}
+
+void MainWindow::syncTitle()
+{
+    QString title = sceneTitle(*m_document.scene());
+    if (!m_document.sessionPath().isEmpty())
+        title += QStringLiteral(" \u2013 ") + QFileInfo(m_document.sessionPath()).fileName();
+    setWindowTitle(
+        QStringLiteral("%1[*] \u2013 RasterLens").arg(title.replace(QLatin1String("[*]"), QLatin1String("[*][*]"))));
+}
+
+} // namespace rasterlens
