@@ -15,6 +15,7 @@ struct Verb {
 
 ExitCode runBench(const QStringList& words);
 ExitCode runCases(const QStringList& words);
+ExitCode runDerive(const QStringList& words);
 ExitCode runDiff(const QStringList& words);
 ExitCode runInfo(const QStringList& words);
 ExitCode runRender(const QStringList& words);

@@ -376,6 +376,777 @@
     </message>
 </context>
 <context>
+    <name>Derive</name>
+    <message>
+        <source>The colour at the pixel (0 to 1, lit at the corners): the %1 of the three corners, each times its weight.</source>
+        <translation>像素的颜色（0 到 1，已在顶点处算好光照）：三个顶点的 %1 各乘自己的权重，再相加。</translation>
+    </message>
+    <message>
+        <source>The texture coordinates: the %1 of the three corners, each times its weight.</source>
+        <translation>纹理坐标：三个顶点的 %1 各乘自己的权重，再相加。</translation>
+    </message>
+    <message>
+        <source>The normal: the %1 of the three corners, each times its weight. The sum is shorter than 1 where the normals differ, and is made 1 long again before it is used.</source>
+        <translation>法线：三个顶点的 %1 各乘自己的权重，再相加。各法线不同时，和的长度小于 1，使用前要重新归一化。</translation>
+    </message>
+    <message>
+        <source>With the weights on the screen instead: what affine interpolation would show.</source>
+        <translation>改用屏幕上的权重：仿射插值会显示的值。</translation>
+    </message>
+    <message>
+        <source>Way 1. The three edge values have the same sum everywhere, so one division a triangle is enough: its reciprocal is kept.</source>
+        <translation>方法一。三个边函数值之和处处相同，所以每个三角形只需一次除法：保存和的倒数。</translation>
+    </message>
+    <message>
+        <source>Each corner is weighted by the edge opposite to it: the edge value is largest at the corner and 0 on the edge.</source>
+        <translation>每个顶点的权重来自它的对边：边函数值在该顶点处最大，在这条边上为 0。</translation>
+    </message>
+    <message>
+        <source>Way 2. The area of the triangle %1%2P, half a cross product.</source>
+        <translation>方法二。三角形 %1%2P 的面积，即叉积的一半。</translation>
+    </message>
+    <message>
+        <source>Each weight is the part that the triangle opposite the corner has of the whole area.</source>
+        <translation>每个权重是顶点所对的小三角形占总面积的比例。</translation>
+    </message>
+    <message>
+        <source>The vectors from P to the corners, each times the area opposite, cancel out: that is why these areas are the weights.</source>
+        <translation>从 P 到各顶点的向量分别乘以所对的面积，相加为零（奔驰定理）：所以这些面积就是权重。</translation>
+    </message>
+    <message>
+        <source>Way 3. The line equation of AB at P, over its value at C: 0 on AB and 1 at C.</source>
+        <translation>方法三。直线 AB 的方程在 P 处的值除以它在 C 处的值：在 AB 上为 0，在 C 处为 1。</translation>
+    </message>
+    <message>
+        <source>The line equation of AC at P, over its value at B.</source>
+        <translation>直线 AC 的方程在 P 处的值除以它在 B 处的值。</translation>
+    </message>
+    <message>
+        <source>What the other two leave: the weights add up to 1.</source>
+        <translation>剩下的部分：权重之和为 1。</translation>
+    </message>
+    <message>
+        <source>Way 4. P - C is to be alpha (A - C) + beta (B - C): two equations, one for x and one for y. The determinant of the two base vectors.</source>
+        <translation>方法四。要求 P - C = α (A - C) + β (B - C)：x 和 y 各一个方程。这是两个基向量的行列式。</translation>
+    </message>
+    <message>
+        <source>Cramer: P - C takes the place of the first column.</source>
+        <translation>克拉默法则：用 P - C 替换第一列。</translation>
+    </message>
+    <message>
+        <source>P - C takes the place of the second column.</source>
+        <translation>用 P - C 替换第二列。</translation>
+    </message>
+    <message>
+        <source>The cross product of the row of x and the row of y, each of A - C, B - C and C - P, has the three determinants as its parts: U = (Du, Dv, D).</source>
+        <translation>把 A - C、B - C、C - P 的 x 排成一行、y 排成一行，两行的叉积正好以三个行列式为分量：U = (Du, Dv, D)。</translation>
+    </message>
+    <message>
+        <source>Where U_z is nearly 0 the triangle has no area, and no weights.</source>
+        <translation>U_z 接近 0 时三角形没有面积，也就没有权重。</translation>
+    </message>
+    <message>
+        <source>Way 5. The line from %1 through P meets %2%3 in a point Q; Q lies s times as far from %1 as P.</source>
+        <translation>方法五。从 %1 经过 P 的直线与 %2%3 交于点 Q；%1 到 Q 的距离是到 P 的 s 倍。</translation>
+    </message>
+    <message>
+        <source>The point Q on the side.</source>
+        <translation>边上的点 Q。</translation>
+    </message>
+    <message>
+        <source>The part of the way from %1 to %2 at which Q lies.</source>
+        <translation>Q 在从 %1 到 %2 的路程中所处的比例。</translation>
+    </message>
+    <message>
+        <source>Ratios of lengths: PQ over %1Q for the corner, and the rest is shared between the ends of the side as Q divides it.</source>
+        <translation>长度之比：该顶点的权重是 PQ 比 %1Q，其余部分按 Q 分割对边的比例分给两个端点。</translation>
+    </message>
+    <message>
+        <source>The weights the program drew with put the corners together to P again.</source>
+        <translation>用程序绘制时的权重把三个顶点合起来，又得到 P。</translation>
+    </message>
+    <message>
+        <source>Their sum.</source>
+        <translation>它们的和。</translation>
+    </message>
+    <message>
+        <source>How far way %1 is from what the program drew with, in double precision.</source>
+        <translation>方法 %1 的结果与程序绘制所用权重的差（双精度）。</translation>
+    </message>
+    <message>
+        <source>The largest difference: rounding, and nothing else.</source>
+        <translation>最大的差：只有舍入误差。</translation>
+    </message>
+    <message>
+        <source>face %1 is not drawn</source>
+        <translation>面 %1 没有被绘制</translation>
+    </message>
+    <message>
+        <source>no step of the edge %1%2 is decided: it begins and ends in one pixel, or is not drawn by Bresenham&apos;s way</source>
+        <translation>边 %1%2 上没有任何判断：它的起点和终点在同一个像素内，或者不是用 Bresenham 算法画的</translation>
+    </message>
+    <message>
+        <source>face %1, edge %2%3</source>
+        <translation>面 %1，边 %2%3</translation>
+    </message>
+    <message>
+        <source>nothing is decided at pixel (%1, %2): the edge does not go on from there</source>
+        <translation>在像素 (%1, %2) 处没有判断：这条边不从那里继续</translation>
+    </message>
+    <message>
+        <source>How far the line goes along each axis; sx and sy say which way, 1 or -1.</source>
+        <translation>直线在每个轴上走多远；sx、sy 表示方向，为 1 或 -1。</translation>
+    </message>
+    <message>
+        <source>The line is steep: y takes a step every time, and x now and then. x and y change their parts.</source>
+        <translation>直线陡：y 每次走一步，x 偶尔走一步。x 与 y 互换角色。</translation>
+    </message>
+    <message>
+        <source>The line is flat: x takes a step every time, and y now and then.</source>
+        <translation>直线平缓：x 每次走一步，y 偶尔走一步。</translation>
+    </message>
+    <message>
+        <source>The line through both samples is x = m y + b.</source>
+        <translation>过两个样本的直线是 x = m y + b。</translation>
+    </message>
+    <message>
+        <source>The line through both samples is y = m x + b.</source>
+        <translation>过两个样本的直线是 y = m x + b。</translation>
+    </message>
+    <message>
+        <source>b from the first sample.</source>
+        <translation>由第一个样本求 b。</translation>
+    </message>
+    <message>
+        <source>Step %1: where the line itself is one step on.</source>
+        <translation>第 %1 步：向前一步后，直线本身所在的位置。</translation>
+    </message>
+    <message>
+        <source>From the sample straight on to the line.</source>
+        <translation>从直行的样本到直线的距离。</translation>
+    </message>
+    <message>
+        <source>From the line to the sample that also goes aside; both distances make 1.</source>
+        <translation>从直线到同时侧移的样本的距离；两段距离之和为 1。</translation>
+    </message>
+    <message>
+        <source>The sign of the difference decides. Times the length of the line, which is positive, no fraction is left in it.</source>
+        <translation>由差的符号决定。乘以直线的长度（正数）后，其中就没有分数了。</translation>
+    </message>
+    <message>
+        <source>What of it does not change from step to step.</source>
+        <translation>其中每一步都不变的部分。</translation>
+    </message>
+    <message>
+        <source>Multiplied out, with m = dy / dx: whole numbers only.</source>
+        <translation>代入 m = dy / dx 并展开：只剩整数。</translation>
+    </message>
+    <message>
+        <source>The line is nearer to the sample aside: that one is taken.</source>
+        <translation>直线离侧移的样本更近：取它。</translation>
+    </message>
+    <message>
+        <source>The line is not nearer to the sample aside: the next one straight on is taken.</source>
+        <translation>直线并不更靠近侧移的样本：取直行的下一个。</translation>
+    </message>
+    <message>
+        <source>The start. The line goes through the middle of its first sample: d_lower is 0 there and d_upper 1.</source>
+        <translation>起点。直线穿过第一个样本的中心：那里 d_lower 为 0，d_upper 为 1。</translation>
+    </message>
+    <message>
+        <source>One step straight on from there.</source>
+        <translation>从那里直行一步。</translation>
+    </message>
+    <message>
+        <source>The value the loop begins with.</source>
+        <translation>循环开始时的值。</translation>
+    </message>
+    <message>
+        <source>Sample (%1, %2): the step before went aside, which takes 2 lengths off.</source>
+        <translation>样本 (%1, %2)：前一步侧移了，要减去两倍长度。</translation>
+    </message>
+    <message>
+        <source>Sample (%1, %2): the step before went straight on.</source>
+        <translation>样本 (%1, %2)：前一步是直行。</translation>
+    </message>
+    <message>
+        <source>A tie at sample (%1, %2): both candidates are equally near. By the rule in words, p &lt;= 0, the line goes straight on.</source>
+        <translation>样本 (%1, %2) 处相等：两个候选一样近。按文字规则 p &lt;= 0，直线直行。</translation>
+    </message>
+    <message>
+        <source>Code that asks p &lt; 0 goes aside at a tie: another sample, equally near.</source>
+        <translation>代码若判断 p &lt; 0，相等时就会侧移：得到另一个同样近的样本。</translation>
+    </message>
+    <message>
+        <source>It is right of the screen: the edge is cut there.</source>
+        <translation>它在屏幕右侧之外：在右边界处裁切。</translation>
+    </message>
+    <message>
+        <source>It is left of the screen: the edge is cut there.</source>
+        <translation>它在屏幕左侧之外：在左边界处裁切。</translation>
+    </message>
+    <message>
+        <source>It is above the screen: the edge is cut there.</source>
+        <translation>它在屏幕上方之外：在上边界处裁切。</translation>
+    </message>
+    <message>
+        <source>It is below the screen: the edge is cut there.</source>
+        <translation>它在屏幕下方之外：在下边界处裁切。</translation>
+    </message>
+    <message>
+        <source>Edge %1%2: both ends are beyond the same side. Nothing of it is seen: a null line.</source>
+        <translation>边 %1%2：两端都在同一侧之外，完全看不见：空线段。</translation>
+    </message>
+    <message>
+        <source>Edge %1%2: both codes are 0000. It lies inside, and is kept.</source>
+        <translation>边 %1%2：两个区域码都是 0000。它在内部，保留。</translation>
+    </message>
+    <message>
+        <source>Edge %1%2: no side has both ends beyond it, so a part may be seen.</source>
+        <translation>边 %1%2：没有哪一侧把两端都隔在外面，所以可能看得见一部分。</translation>
+    </message>
+    <message>
+        <source>The weight of the new end: how far the border is from %1, over how far the other end is.</source>
+        <translation>新端点的权重：边界到 %1 的距离，除以另一端到它的距离。</translation>
+    </message>
+    <message>
+        <source>The new end %1 lies on the border.</source>
+        <translation>新端点 %1 在边界上。</translation>
+    </message>
+    <message>
+        <source>Its new code is %1. On the border it counts as inside; a program that takes it for outside has to move it in by a little (0.001), or the loop never ends.</source>
+        <translation>它的新区域码是 %1。在边界上算作内部；若程序把它当作外部，就必须向内移一点（0.001），否则循环永不结束。</translation>
+    </message>
+    <message>
+        <source>The edge was cut on the screen, so attributes need the part of the way in space.</source>
+        <translation>边是在屏幕上裁切的，所以属性需要空间中的路程比例。</translation>
+    </message>
+    <message>
+        <source>w of the new end.</source>
+        <translation>新端点的 w。</translation>
+    </message>
+    <message>
+        <source>The outline put together again: the ends that are left (%1), and the corners of the screen that lie inside the face. Edges alone lose those.</source>
+        <translation>重新拼成轮廓：留下的端点（%1），以及落在面内的屏幕角点。只裁边会丢掉这些角点。</translation>
+    </message>
+    <message>
+        <source>A worked example, not of this face: from U left of the screen to V above it. The codes have no bit in common, yet the edge passes the corner of the screen by.</source>
+        <translation>一个算例，与此面无关：从屏幕左侧的 U 到屏幕上方的 V。两个区域码没有相同的位，可这条边仍从屏幕角外经过。</translation>
+    </message>
+    <message>
+        <source>What is left is drawn as a fan: each triangle takes one corner more.</source>
+        <translation>剩下的部分画成三角扇：每多一个角就多一个三角形。</translation>
+    </message>
+    <message>
+        <source>Plane %1: both ends are equally far from it, so the edge never meets it.</source>
+        <translation>平面 %1：两端到它的距离相等，所以边永远不与它相交。</translation>
+    </message>
+    <message>
+        <source>Plane %1: both ends are inside; the line meets it beyond them, with t outside of 0 to 1.</source>
+        <translation>平面 %1：两端都在内侧；交点在线段之外，t 不在 0 到 1 之间。</translation>
+    </message>
+    <message>
+        <source>Plane %1: both ends are outside; nothing of the edge is kept.</source>
+        <translation>平面 %1：两端都在外侧；这条边什么也不保留。</translation>
+    </message>
+    <message>
+        <source>Plane %1: the edge crosses it. t counts from the start of the edge to its end: the distance of the start over the difference of both.</source>
+        <translation>平面 %1：边穿过它。t 从边的起点数到终点：起点的距离除以两端距离之差。</translation>
+    </message>
+    <message>
+        <source>Plane %1: how far corner %2 is inside; outside is negative.</source>
+        <translation>平面 %1：顶点 %2 在内侧多深；外侧为负。</translation>
+    </message>
+    <message>
+        <source>Edge %1%2, inside to inside: its end %2 is kept.</source>
+        <translation>边 %1%2，内到内：保留终点 %2。</translation>
+    </message>
+    <message>
+        <source>Edge %1%2, outside to outside: nothing is kept.</source>
+        <translation>边 %1%2，外到外：什么也不保留。</translation>
+    </message>
+    <message>
+        <source>Edge %1%2, inside to outside: the cut is kept, its end %2 is not. t runs from the inside to the outside.</source>
+        <translation>边 %1%2，内到外：保留交点，不保留终点 %2。t 从内侧数到外侧。</translation>
+    </message>
+    <message>
+        <source>Edge %2%1, outside to inside: the cut is kept, and then its end %1. t runs from the inside to the outside.</source>
+        <translation>边 %2%1，外到内：先保留交点，再保留终点 %1。t 从内侧数到外侧。</translation>
+    </message>
+    <message>
+        <source>Counted from the start of the edge, as a text counts it. The program counts from the inside, so that both faces at an edge make the same corner.</source>
+        <translation>按教材从边的起点数起。程序从内侧数起，这样共用一条边的两个面得到同一个顶点。</translation>
+    </message>
+    <message>
+        <source>The new corner %1, in all four coordinates: clip space is linear.</source>
+        <translation>新顶点 %1 的四个坐标：裁剪空间是线性的。</translation>
+    </message>
+    <message>
+        <source>a corner of face %1 is no number</source>
+        <translation>面 %1 有一个顶点不是数</translation>
+    </message>
+    <message>
+        <source>The matrix T that makes a box of the view volume: rows (n, 0, 0, 0), (0, n, 0, 0), (0, 0, n + f, -n f) and (0, 0, 1, 0); z is the distance in front of the eye.</source>
+        <translation>把视景体变成长方体的矩阵 T：各行为 (n, 0, 0, 0)、(0, n, 0, 0)、(0, 0, n + f, -n f)、(0, 0, 1, 0)；z 是眼睛前方的距离。</translation>
+    </message>
+    <message>
+        <source>T times end %1 of the edge. w has become the distance.</source>
+        <translation>T 乘以边的端点 %1。w 变成了距离。</translation>
+    </message>
+    <message>
+        <source>Divided by w.</source>
+        <translation>除以 w。</translation>
+    </message>
+    <message>
+        <source>So z&apos; is a hyperbola over the distance.</source>
+        <translation>所以 z&apos; 是距离的反比例函数（双曲线）。</translation>
+    </message>
+    <message>
+        <source>First proof. A point of the edge in space: a parts of end 1, 1 - a of end 2.</source>
+        <translation>证明一。空间中边上的一点：端点 1 占 a，端点 2 占 1 - a。</translation>
+    </message>
+    <message>
+        <source>The point itself through T and the divide.</source>
+        <translation>该点本身经过 T 和除法。</translation>
+    </message>
+    <message>
+        <source>x = z x&apos; / n put into the sum for x3: these stand before x1&apos; and x2&apos;.</source>
+        <translation>把 x = z x&apos; / n 代入 x3 的和：这两个数是 x1&apos; 和 x2&apos; 的系数。</translation>
+    </message>
+    <message>
+        <source>They add up to z3 / z3 = 1, so the second is 1 - b: straight lines stay straight.</source>
+        <translation>它们之和是 z3 / z3 = 1，所以第二个是 1 - b：直线仍是直线。</translation>
+    </message>
+    <message>
+        <source>The place on the screen, from those of the ends.</source>
+        <translation>由两端的屏幕位置得到该点的屏幕位置。</translation>
+    </message>
+    <message>
+        <source>One over the distance.</source>
+        <translation>距离的倒数。</translation>
+    </message>
+    <message>
+        <source>1 / z is linear on the screen: a / z3 = b / z1, and the other end alike.</source>
+        <translation>1 / z 在屏幕上是线性的：a / z3 = b / z1，另一端也一样。</translation>
+    </message>
+    <message>
+        <source>Put into z&apos; = n + f - n f / z.</source>
+        <translation>代入 z&apos; = n + f - n f / z。</translation>
+    </message>
+    <message>
+        <source>Sorted by b: z&apos; is linear on the screen, with the weights of x&apos; and y&apos;.</source>
+        <translation>按 b 整理：z&apos; 在屏幕上是线性的，权重与 x&apos;、y&apos; 相同。</translation>
+    </message>
+    <message>
+        <source>Second proof. Suppose P&apos; lies between A&apos; and B&apos; with b. The two ratios, in space and on the screen.</source>
+        <translation>证明二。假设 P&apos; 以 b 位于 A&apos; 与 B&apos; 之间。空间中和屏幕上的两个比值。</translation>
+    </message>
+    <message>
+        <source>x3 / y3 = x3&apos; / y3&apos; holds if they differ by the ratio of the distances.</source>
+        <translation>只要两个比值相差距离之比，就有 x3 / y3 = x3&apos; / y3&apos;。</translation>
+    </message>
+    <message>
+        <source>The distance by the ratio in space.</source>
+        <translation>由空间中的比值求距离。</translation>
+    </message>
+    <message>
+        <source>The distance by b: one over it is linear, and the end of the first proof follows again.</source>
+        <translation>由 b 求距离：它的倒数是线性的，接下来与证明一的结尾相同。</translation>
+    </message>
+    <message>
+        <source>A distance of free choice on the curve; half-way from near to far unless another is asked for.</source>
+        <translation>曲线上任选的一个距离；没有指定时取近平面与远平面的正中间。</translation>
+    </message>
+    <message>
+        <source>The part of the way from near to far at which it comes to lie: what lay in the middle goes towards far.</source>
+        <translation>变换后它在近到远之间的比例：原来在中间的点移向远平面。</translation>
+    </message>
+    <message>
+        <source>As far behind the eye: the other branch of the curve.</source>
+        <translation>眼睛后方同样远处：曲线的另一支。</translation>
+    </message>
+    <message>
+        <source>What lies behind the eye comes out beyond far; so it is cut away before the divide.</source>
+        <translation>眼睛后面的点会落到远平面之外；所以要在除法之前裁掉。</translation>
+    </message>
+    <message>
+        <source>c is z / w of the program&apos;s own clip space at the ends. It is linear on the screen: b is the right weight.</source>
+        <translation>c 是程序自己的裁剪空间中两端的 z / w。它在屏幕上是线性的：b 是正确的权重。</translation>
+    </message>
+    <message>
+        <source>z / w &quot;corrected&quot; with the weight in space, as attributes are: wrong.</source>
+        <translation>像属性那样用空间中的权重去“校正” z / w：错误。</translation>
+    </message>
+    <message>
+        <source>Its error.</source>
+        <translation>它的误差。</translation>
+    </message>
+    <message>
+        <source>The distance itself with the weight on the screen: wrong.</source>
+        <translation>距离本身却用屏幕上的权重：错误。</translation>
+    </message>
+    <message>
+        <source>a scene in clip space has no distances of near and far</source>
+        <translation>裁剪空间的场景没有近平面和远平面的距离</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>成立</translation>
+    </message>
+    <message>
+        <source>does not hold</source>
+        <translation>不成立</translation>
+    </message>
+    <message>
+        <source>The edge as a vector, from %1 to %2; y runs down.</source>
+        <translation>边作为向量，从 %1 到 %2；y 轴向下。</translation>
+    </message>
+    <message>
+        <source>From %1 to the sample P.</source>
+        <translation>从 %1 到样本 P。</translation>
+    </message>
+    <message>
+        <source>The cross product of the two vectors points along z, and has this length: twice the area of the triangle %1P, with a sign. What z the vectors themselves have does not matter to it.</source>
+        <translation>两个向量的叉积沿 z 方向，长度是这个数：三角形 %1P 面积的两倍，带符号。向量自己的 z 是多少与它无关。</translation>
+    </message>
+    <message>
+        <source>With y down the product is negative inside a triangle that runs counter-clockwise. The program turns the sign round, so that inside is positive; a text that keeps it tests F &lt;= 0.</source>
+        <translation>y 轴向下时，逆时针三角形内部的叉积为负。程序把符号反过来，使内部为正；保留原符号的教材则判断 F &lt;= 0。</translation>
+    </message>
+    <message>
+        <source>The coordinates put in.</source>
+        <translation>代入坐标。</translation>
+    </message>
+    <message>
+        <source>What stands before x, what stands before y, and what stands alone, once the products are multiplied out. P does not occur in them: they are computed once a triangle.</source>
+        <translation>乘积展开后 x 的系数、y 的系数和常数项。其中没有 P：每个三角形只算一次。</translation>
+    </message>
+    <message>
+        <source>The line equation: 0 on the edge, a plane over the picture.</source>
+        <translation>直线方程：在边上为 0，在整幅图上是一个平面。</translation>
+    </message>
+    <message>
+        <source>One sample to the right x grows by 1: one addition instead of two products.</source>
+        <translation>向右一个样本，x 增加 1：用一次加法代替两次乘法。</translation>
+    </message>
+    <message>
+        <source>One row down y grows by 1: the start of the next row is one addition away, too.</source>
+        <translation>向下一行，y 增加 1：下一行的起始值也只差一次加法。</translation>
+    </message>
+    <message>
+        <source>%1 is a left edge. t is the smallest value that counts as inside.</source>
+        <translation>%1 是左边。t 是算作内部的最小值。</translation>
+    </message>
+    <message>
+        <source>%1 is a top edge. t is the smallest value that counts as inside.</source>
+        <translation>%1 是上边。t 是算作内部的最小值。</translation>
+    </message>
+    <message>
+        <source>%1 is a right or bottom edge. t is the smallest value that counts as inside.</source>
+        <translation>%1 是右边或下边。t 是算作内部的最小值。</translation>
+    </message>
+    <message>
+        <source>The same formula for the edge %1.</source>
+        <translation>对边 %1 用同一个公式。</translation>
+    </message>
+    <message>
+        <source>On which side of %1 the sample lies.</source>
+        <translation>样本在 %1 的哪一侧。</translation>
+    </message>
+    <message>
+        <source>Wherever the sample lies, the three add up to twice the area of the triangle.</source>
+        <translation>无论样本在哪里，三者之和都是三角形面积的两倍。</translation>
+    </message>
+    <message>
+        <source>Which way the face looks is told by two of its edges, in the order of its corners. The first one.</source>
+        <translation>面的朝向由按顶点顺序的两条边决定。第一条。</translation>
+    </message>
+    <message>
+        <source>The second one.</source>
+        <translation>第二条。</translation>
+    </message>
+    <message>
+        <source>Twice the area with a sign: the z of AB x BC, turned round because y runs down.</source>
+        <translation>带符号的两倍面积：AB x BC 的 z，因为 y 轴向下而反号。</translation>
+    </message>
+    <message>
+        <source>A front face, if it holds. s is 1 where counter-clockwise is front, and -1 where clockwise is.</source>
+        <translation>若成立就是正面。以逆时针为正面时 s 为 1，以顺时针为正面时 s 为 -1。</translation>
+    </message>
+    <message>
+        <source>it lies outside the view volume</source>
+        <translation>它在视景体之外</translation>
+    </message>
+    <message>
+        <source>it is a back face, and those are culled</source>
+        <translation>它是背面，而背面被剔除</translation>
+    </message>
+    <message>
+        <source>it is a front face, and those are culled</source>
+        <translation>它是正面，而正面被剔除</translation>
+    </message>
+    <message>
+        <source>it has no area on the screen</source>
+        <translation>它在屏幕上没有面积</translation>
+    </message>
+    <message>
+        <source>a corner is no number</source>
+        <translation>有一个顶点不是数</translation>
+    </message>
+    <message>
+        <source>it holds no sample&apos;s centre</source>
+        <translation>它不包含任何样本的中心</translation>
+    </message>
+    <message>
+        <source>face %1 is not drawn: %2</source>
+        <translation>面 %1 没有被绘制：%2</translation>
+    </message>
+    <message>
+        <source>pixel (%1, %2) is not inside face %3</source>
+        <translation>像素 (%1, %2) 不在面 %3 内</translation>
+    </message>
+    <message>
+        <source>nothing of face %1 is shaded at pixel (%2, %3)</source>
+        <translation>面 %1 在像素 (%2, %3) 处没有着色</translation>
+    </message>
+    <message>
+        <source>corner %1 of face %2 is not in front of the eye: w is %3</source>
+        <translation>面 %2 的顶点 %1 不在眼睛前方：w 为 %3</translation>
+    </message>
+    <message>
+        <source>face %1</source>
+        <translation>面 %1</translation>
+    </message>
+    <message>
+        <source>face %1, pixel (%2, %3)</source>
+        <translation>面 %1，像素 (%2, %3)</translation>
+    </message>
+    <message>
+        <source>From A to %1, in the space of the mesh.</source>
+        <translation>从 A 到 %1，在网格的空间中。</translation>
+    </message>
+    <message>
+        <source>AB x AC stands at right angles to the face.</source>
+        <translation>AB x AC 与面垂直。</translation>
+    </message>
+    <message>
+        <source>Its length is twice the area.</source>
+        <translation>它的长度是面积的两倍。</translation>
+    </message>
+    <message>
+        <source>The normal, of length 1.</source>
+        <translation>长度为 1 的法线。</translation>
+    </message>
+    <message>
+        <source>l points to the light and has length 1, so n . l is the cosine of the angle between the two.</source>
+        <translation>l 指向光源，长度为 1，所以 n . l 是两者夹角的余弦。</translation>
+    </message>
+    <message>
+        <source>Whether the light falls on the front. A program that draws faces only where it holds takes the light for the eye.</source>
+        <translation>光是否照在正面。只在成立时才画面的程序，是把光源当成了眼睛。</translation>
+    </message>
+    <message>
+        <source>Some light is everywhere; the rest grows with the cosine, and never takes light away.</source>
+        <translation>处处都有一些环境光；其余随余弦增加，绝不会减少光。</translation>
+    </message>
+    <message>
+        <source>The colour of the face: that of its first corner times the brightness, as whole numbers up to 255.</source>
+        <translation>面的颜色：第一个顶点的颜色乘以亮度，化为 0 到 255 的整数。</translation>
+    </message>
+    <message>
+        <source>this scene has no light: its colours are shown as they are</source>
+        <translation>这个场景没有光照：颜色按原样显示</translation>
+    </message>
+    <message>
+        <source>face %1 has no area, and so no normal</source>
+        <translation>面 %1 没有面积，因此没有法线</translation>
+    </message>
+    <message>
+        <source>Face %1 is number %2 in the order: the mean distance of its corners (w of clip space) is its sort key.</source>
+        <translation>面 %1 在顺序中是第 %2 个：排序键是各顶点距离（裁剪空间的 w）的平均值。</translation>
+    </message>
+    <message>
+        <source>Face %1 is number %2 in the order: the mean depth of its corners (z / w) is its sort key.</source>
+        <translation>面 %1 在顺序中是第 %2 个：排序键是各顶点深度（z / w）的平均值。</translation>
+    </message>
+    <message>
+        <source>face %1 among %2</source>
+        <translation>面 %1，共 %2 个面</translation>
+    </message>
+    <message>
+        <source>Face %1 is painted before face %2, which covers it wherever both lie. Of equal keys the one that comes first in the mesh stays first.</source>
+        <translation>面 %1 先画，面 %2 后画，重叠处由后者盖住。键相等时，网格中靠前的仍在前。</translation>
+    </message>
+    <message>
+        <source>From the side: the eye at 0, the screen at distance 1, the ends of the edge at height X and distance Z (the w of clip space). A ray to the eye meets the screen at X / Z.</source>
+        <translation>从侧面看：眼睛在 0，屏幕在距离 1 处，边的两端高度为 X、距离为 Z（裁剪空间的 w）。射向眼睛的光线在 X / Z 处与屏幕相交。</translation>
+    </message>
+    <message>
+        <source>The point at the part m of the way on the screen.</source>
+        <translation>屏幕上路程比例为 m 的点。</translation>
+    </message>
+    <message>
+        <source>Parallels to the screen through the ends, up to the ray of P: what is seen as P&apos;A&apos; and P&apos;B&apos; is Z1 and Z2 times as long there.</source>
+        <translation>过两端作屏幕的平行线，直到 P 的光线：屏幕上的 P&apos;A&apos;、P&apos;B&apos; 在那里分别长 Z1 倍和 Z2 倍。</translation>
+    </message>
+    <message>
+        <source>The two triangles along the ray are similar, so n / (1 - n) = AG / BK: P divides the edge in space in this ratio. The size of the screen cancels out.</source>
+        <translation>光线两旁的两个三角形相似，所以 n / (1 - n) = AG / BK：P 在空间中按这个比分割边。屏幕的大小被约去。</translation>
+    </message>
+    <message>
+        <source>The same from the lengths.</source>
+        <translation>由两段长度得到同一个比。</translation>
+    </message>
+    <message>
+        <source>Solved for n: the part of the way in space.</source>
+        <translation>解出 n：空间中的路程比例。</translation>
+    </message>
+    <message>
+        <source>Put in again.</source>
+        <translation>代回去。</translation>
+    </message>
+    <message>
+        <source>With Z1 and Z2 exchanged, a mistake often seen, the near end weighs too little.</source>
+        <translation>把 Z1 和 Z2 弄反（常见错误），近端的权重就太小。</translation>
+    </message>
+    <message>
+        <source>The distance of P: linear in n.</source>
+        <translation>P 的距离：对 n 是线性的。</translation>
+    </message>
+    <message>
+        <source>With n put in.</source>
+        <translation>代入 n。</translation>
+    </message>
+    <message>
+        <source>Divided by Z1 Z2: 1 / Z is linear on the screen.</source>
+        <translation>除以 Z1 Z2：1 / Z 在屏幕上是线性的。</translation>
+    </message>
+    <message>
+        <source>The point of the edge at n is seen at P&apos; indeed.</source>
+        <translation>边上 n 处的点确实在 P&apos; 处被看到。</translation>
+    </message>
+    <message>
+        <source>n at this m where Z1 / Z2 is %1; it is m where both are equal.</source>
+        <translation>Z1 / Z2 为 %1 时，这个 m 对应的 n；两者相等时 n 就是 m。</translation>
+    </message>
+    <message>
+        <source>The same over a face, at the pixel: 1 / w is linear on the screen, so the weights on the screen give it, and it gives w.</source>
+        <translation>在面上、在像素处也一样：1 / w 在屏幕上是线性的，所以由屏幕上的权重得到它，再得到 w。</translation>
+    </message>
+    <message>
+        <source>The weights in space, which attributes are weighted with.</source>
+        <translation>空间中的权重，属性用它们加权。</translation>
+    </message>
+    <message>
+        <source>They add up to 1, because w was chosen so.</source>
+        <translation>它们之和为 1，因为 w 就是这样取的。</translation>
+    </message>
+    <message>
+        <source>From the matrix: it is linear, so w P&apos; = alpha wA A&apos; + beta wB B&apos; + gamma wC C&apos; with the weights in space; the last row is this sum.</source>
+        <translation>由矩阵：它是线性的，所以用空间中的权重有 w P&apos; = α wA A&apos; + β wB B&apos; + γ wC C&apos;；最后一行就是这个和。</translation>
+    </message>
+    <message>
+        <source>Divided by w: the weights of A&apos;, B&apos; and C&apos; on the screen.</source>
+        <translation>除以 w：A&apos;、B&apos;、C&apos; 在屏幕上的权重。</translation>
+    </message>
+    <message>
+        <source>Bresenham&apos;s decision</source>
+        <translation>Bresenham 的判断</translation>
+    </message>
+    <message>
+        <source>Edge function</source>
+        <translation>边函数</translation>
+    </message>
+    <message>
+        <source>Barycentric weights, five ways</source>
+        <translation>重心坐标的五种求法</translation>
+    </message>
+    <message>
+        <source>Perspective-correct weights</source>
+        <translation>透视校正的权重</translation>
+    </message>
+    <message>
+        <source>The curve of depth</source>
+        <translation>深度曲线</translation>
+    </message>
+    <message>
+        <source>Cut of an edge by the planes</source>
+        <translation>平面裁切一条边</translation>
+    </message>
+    <message>
+        <source>Cohen-Sutherland, edge by edge</source>
+        <translation>Cohen-Sutherland：逐边</translation>
+    </message>
+    <message>
+        <source>Along the edges, then along the span</source>
+        <translation>先沿边，再沿扫描段</translation>
+    </message>
+    <message>
+        <source>Flat light</source>
+        <translation>平面光照</translation>
+    </message>
+    <message>
+        <source>The painter&apos;s order</source>
+        <translation>画家的顺序</translation>
+    </message>
+    <message>
+        <source>An attribute as the sum of three</source>
+        <translation>属性是三项之和</translation>
+    </message>
+    <message>
+        <source>edge walking does not fill the pixel (%1, %2)</source>
+        <translation>边步进没有填充像素 (%1, %2)</translation>
+    </message>
+    <message>
+        <source>The long edge runs from the first corner to the third: t from y alone.</source>
+        <translation>长边从第一个顶点到第三个：t 只由 y 决定。</translation>
+    </message>
+    <message>
+        <source>The row lies in the upper half: the short edge runs from the first corner to the second.</source>
+        <translation>该行在上半部分：短边从第一个顶点到第二个。</translation>
+    </message>
+    <message>
+        <source>The row lies in the lower half: the short edge runs from the second corner to the third.</source>
+        <translation>该行在下半部分：短边从第二个顶点到第三个。</translation>
+    </message>
+    <message>
+        <source>The corners are sorted by y and numbered 1, 2, 3 from the top. The second is not above...</source>
+        <translation>顶点按 y 排序，从上到下编号 1、2、3。第二个不在第一个之上……</translation>
+    </message>
+    <message>
+        <source>...and not below its neighbours in this order.</source>
+        <translation>……也不在第三个之下。</translation>
+    </message>
+    <message>
+        <source>The centre line of the row, and the half it lies in: the second corner is where the triangle is divided.</source>
+        <translation>该行的中心线，以及它所在的半部分：三角形在第二个顶点处分成两半。</translation>
+    </message>
+    <message>
+        <source>Where the edge crosses the row: lerp(a, b, t) = a + t (b - a).</source>
+        <translation>边与该行的交点：lerp(a, b, t) = a + t (b - a)。</translation>
+    </message>
+    <message>
+        <source>The part of the way in space that belongs to this part of the way on the screen.</source>
+        <translation>与屏幕上的这个路程比例相对应的空间中的路程比例。</translation>
+    </message>
+    <message>
+        <source>Affine interpolation takes the part of the way on the screen for the part in space.</source>
+        <translation>仿射插值把屏幕上的路程比例当作空间中的比例。</translation>
+    </message>
+    <message>
+        <source>w there: it is an attribute like the others.</source>
+        <translation>那里的 w：它和其他属性一样插值。</translation>
+    </message>
+    <message>
+        <source>Along the span, from the long edge to the short one: the lerp number of the sample.</source>
+        <translation>沿扫描段，从长边到短边：样本的插值系数。</translation>
+    </message>
+    <message>
+        <source>What corner %1 contributes to the sample after both ways.</source>
+        <translation>经过两次插值后，顶点 %1 对样本的贡献。</translation>
+    </message>
+</context>
+<context>
     <name>Diagnostic</name>
     <message>
         <source>there is no such built-in scene; expected one of: %1</source>

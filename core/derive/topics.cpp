@@ -1,0 +1,44 @@
+#include "core/derive/topics.h"
+
+#include "core/base/closed_list.h"
+
+#include <QCoreApplication>
+
+#include <array>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr auto kTopics = std::to_array<DerivationTopicInfo>({
+    {DerivationTopic::Bresenham, "bresenham", QT_TRANSLATE_NOOP("Derive", "Bresenham's decision")},
+    {DerivationTopic::EdgeFunction, "edge-function", QT_TRANSLATE_NOOP("Derive", "Edge function")},
+    {DerivationTopic::Barycentric, "barycentric", QT_TRANSLATE_NOOP("Derive", "Barycentric weights, five ways")},
+    {DerivationTopic::Perspective, "perspective", QT_TRANSLATE_NOOP("Derive", "Perspective-correct weights")},
+    {DerivationTopic::DepthCurve, "depth-curve", QT_TRANSLATE_NOOP("Derive", "The curve of depth")},
+    {DerivationTopic::Cut, "cut", QT_TRANSLATE_NOOP("Derive", "Cut of an edge by the planes")},
+    {DerivationTopic::CohenSutherland, "cohen-sutherland",
+     QT_TRANSLATE_NOOP("Derive", "Cohen-Sutherland, edge by edge")},
+    {DerivationTopic::TwoPoint, "two-point", QT_TRANSLATE_NOOP("Derive", "Along the edges, then along the span")},
+    {DerivationTopic::FlatLight, "flat-light", QT_TRANSLATE_NOOP("Derive", "Flat light")},
+    {DerivationTopic::Painter, "painter", QT_TRANSLATE_NOOP("Derive", "The painter's order")},
+    {DerivationTopic::Attribute, "attribute", QT_TRANSLATE_NOOP("Derive", "An attribute as the sum of three")},
+});
+static_assert(isClosedList(kTopics, &DerivationTopicInfo::topic));
+
+} // namespace
+
+std::span<const DerivationTopicInfo> derivationTopics() { return kTopics; }
+
+const DerivationTopicInfo& infoOf(DerivationTopic topic) { return kTopics[static_cast<std::size_t>(topic)]; }
+
+std::optional<DerivationTopic> derivationTopic(const QString& id)
+{
+    for (const DerivationTopicInfo& info : kTopics)
+        if (id == QLatin1String(info.id))
+            return info.topic;
+    return std::nullopt;
+}
+
+} // namespace rasterlens
