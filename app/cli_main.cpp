@@ -21,6 +21,7 @@ constexpr Verb kVerbs[] = {
     {"cases", "draw the hard cases and compare with the exact reference", runCases},
     {"steps", "tell every step of the drawing", runSteps},
     {"why", "say why a pixel is what it is", runWhy},
+    {"lesson", "list, print and check lessons", runLesson},
 };
 
 QString verbNames()

@@ -22,6 +22,7 @@ set(rooms
     "core/render: core/base core/settings core/scene core/pipeline core/rasterizers core/tiled core/observe"
     "core/questions: core/base core/settings core/scene core/pipeline core/observe core/render"
     "core/truth: core/base core/settings core/scene core/io core/scenes core/pipeline core/observe core/render"
+    "core/lessons: core/base core/settings core/scene core/io core/scenes core/pipeline core/observe core/render core/questions core/truth"
     "ui/base:"
     "ui/document: ui/base"
     "ui/canvas: ui/base ui/document"
@@ -33,7 +34,8 @@ set(rooms
 
 # What ui and app may include of core: every room but those of the stages and the rasterizers, and of the stages' room the
 # results.
-set(entry_rooms core/base core/settings core/scene core/io core/scenes core/observe core/render core/questions core/truth)
+set(entry_rooms core/base core/settings core/scene core/io core/scenes core/observe core/render core/questions core/truth
+    core/lessons)
 set(entry_headers core/pipeline/frame.h core/pipeline/statistics.h)
 
 # <QWidget> and <QtWidgets/QWidget>
