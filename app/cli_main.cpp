@@ -22,6 +22,7 @@ constexpr Verb kVerbs[] = {
     {"steps", "tell every step of the drawing", runSteps},
     {"why", "say why a pixel is what it is", runWhy},
     {"derive", "derive a formula with the numbers of a face", runDerive},
+    {"lesson", "list, print and check lessons", runLesson},
 };
 
 QString verbNames()

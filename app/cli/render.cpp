@@ -4,6 +4,7 @@
 #include "app/cli/options.h"
 #include "app/cli/output.h"
 #include "app/cli/settings_options.h"
+#include "app/cli/slide.h"
 #include "app/cli/verbs.h"
 #include "core/io/npy.h"
 
@@ -43,10 +44,10 @@ Usage usage()
         Option::Kind::Switch,
         {},
         QStringLiteral("Print the ids for --mistake, what they are and the scenes that show them, and end.")};
-    const OptionGroup input{QStringLiteral("Input:"), inputOptions() << listMistakes};
+    const OptionGroup input{QStringLiteral("Input:"), inputOptions() << listMistakes << slideOptions()};
     return {
         QStringLiteral("render"),
-        QStringLiteral("rasterlens-cli render SCENE [-o out.png] [options]"),
+        QStringLiteral("rasterlens-cli render SCENE|--lesson NAME --step N [-o out.png] [options]"),
         QStringLiteral("Draws SCENE into a picture, and on request into arrays and counters.\n\n") + sceneHelp(),
         {QStringLiteral("SCENE")},
         QList<OptionGroup>{outputs, input} + settingsOptionGroups(),
@@ -116,6 +117,17 @@ std::vector<std::int32_t> faceLines(const Mesh& mesh, std::vector<std::int32_t> 
     return ids;
 }
 
+/// Writes the picture of a slide that stands in the middle of the drawing; of the other outputs there are none then.
+void renderStepTo(const Input& input, const StepPlace& step, const OutputNames& names)
+{
+    if (names.all() != QStringList{names.image})
+        failArguments(QStringLiteral("rasterlens-cli render: this slide shows a step of the drawing, of which only the "
+                                     "picture can be written"));
+    OutputFiles files;
+    files.add(names.image, imageBytes(pictureAt(input, step), names.imageFormat));
+    files.write();
+}
+
 void renderTo(const Scene& scene, const Settings& settings, const OutputNames& names)
 {
     const bool counted = !names.stats.isEmpty();
@@ -150,19 +162,30 @@ ExitCode runRender(const QStringList& words)
         printText(mistakeList());
         return ExitCode::Fine;
     }
-    const auto arguments = parseArguments(usage(), words);
+    Usage shown = usage();
+    const bool isSlide = asksForSlide(words);
+    if (isSlide)
+        shown.operands.clear();
+    const auto arguments = parseArguments(shown, words);
     if (!arguments)
         return ExitCode::Fine;
+    if (!isSlide && arguments->has(QStringLiteral("--step")))
+        failArguments(QStringLiteral("--step: needs --lesson beside it"));
 
     const OutputNames names(*arguments);
-    const Input input = openInput(arguments->operands.first(), *arguments);
+    const SlideInput slide =
+        isSlide ? openSlide(*arguments) : SlideInput{openInput(arguments->operands.first(), *arguments), {}};
+    const Input& input = slide.input;
     checkInputsStay(names.all(), input.files);
     if (const auto reason = refusal(input.scene, input.settings))
         failArguments(QStringLiteral("rasterlens-cli render: %1").arg(*reason));
     if (input.settings.shading == Shading::Texture && input.scene.textures.empty())
         std::fprintf(stderr, "%s: note: no material has a texture; shading texture shows a checkerboard\n",
                      qUtf8Printable(input.scene.id));
-    renderTo(input.scene, input.settings, names);
+    if (slide.step)
+        renderStepTo(input, *slide.step, names);
+    else
+        renderTo(input.scene, input.settings, names);
     return ExitCode::Fine;
 }
 

@@ -18,6 +18,7 @@ ExitCode runCases(const QStringList& words);
 ExitCode runDerive(const QStringList& words);
 ExitCode runDiff(const QStringList& words);
 ExitCode runInfo(const QStringList& words);
+ExitCode runLesson(const QStringList& words);
 ExitCode runRender(const QStringList& words);
 ExitCode runSteps(const QStringList& words);
 ExitCode runWhy(const QStringList& words);

@@ -1768,6 +1768,126 @@
         <source>f: %1 corners, cut without overlap; where corners come close to each other on the screen, snapping turns thin triangles over, and single samples are drawn twice</source>
         <translation>f：%1 个角点，剖分无重叠；角点在屏幕上彼此靠近时，对齐会使细长三角形翻转，个别采样点会被绘制两次</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is %2, not %3</source>
+        <translation>“%1”是 %2，不是 %3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is missing; it takes %2</source>
+        <translation>缺少“%1”；它应为%2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; knows no &quot;%2&quot;; expected: %3</source>
+        <translation>“%1”里没有“%2”；应为：%3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands beside &quot;settings&quot;, not in it</source>
+        <translation>“%1”写在“settings”旁边，不在它里面</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands twice in one object</source>
+        <translation>“%1”在同一个对象里出现了两次</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; takes %2</source>
+        <translation>“%1”应为%2</translation>
+    </message>
+    <message>
+        <source>1 (first course) or 2 (second look)</source>
+        <translation>1（第一遍）或 2（第二遍）</translation>
+    </message>
+    <message>
+        <source>a list of objects</source>
+        <translation>对象的列表</translation>
+    </message>
+    <message>
+        <source>a list of texts</source>
+        <translation>文字的列表</translation>
+    </message>
+    <message>
+        <source>a number from 1/64 to 128</source>
+        <translation>1/64 到 128 的数</translation>
+    </message>
+    <message>
+        <source>a number, a text or a list of pixels [x, y]</source>
+        <translation>数、文字，或像素 [x, y] 的列表</translation>
+    </message>
+    <message>
+        <source>a pixel: [x, y], two whole numbers from 0 on</source>
+        <translation>一个像素：[x, y]，两个从 0 开始的整数</translation>
+    </message>
+    <message>
+        <source>a point of the picture: [x, y]</source>
+        <translation>画面上的一个点：[x, y]</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>一段文字</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>一个对象</translation>
+    </message>
+    <message>
+        <source>only questions of the kinds mistake and choice have &quot;choices&quot;</source>
+        <translation>只有 mistake 和 choice 类的问题才有“choices”</translation>
+    </message>
+    <message>
+        <source>pixel %1,%2 lies outside the picture</source>
+        <translation>像素 %1,%2 在画面之外</translation>
+    </message>
+    <message>
+        <source>slide %1: %2</source>
+        <translation>第 %1 张幻灯片：%2</translation>
+    </message>
+    <message>
+        <source>the caption does not have the same numbers in both languages</source>
+        <translation>两种语言的说明里的数不一样</translation>
+    </message>
+    <message>
+        <source>the caption names {%1}, which &quot;expect&quot; does not have</source>
+        <translation>说明里有 {%1}，而“expect”里没有</translation>
+    </message>
+    <message>
+        <source>the fact &quot;%1&quot; takes: %2</source>
+        <translation>事实“%1”的写法：%2</translation>
+    </message>
+    <message>
+        <source>the first slide asks a question and needs &quot;before&quot;, what is shown while it is open</source>
+        <translation>第一张幻灯片提出问题，需要“before”，即回答之前显示的内容</translation>
+    </message>
+    <message>
+        <source>the picture is not drawn</source>
+        <translation>没有画出画面</translation>
+    </message>
+    <message>
+        <source>the question has no answer: &quot;%1&quot;</source>
+        <translation>这个问题没有答案：“%1”</translation>
+    </message>
+    <message>
+        <source>the record has no step &quot;%1&quot;</source>
+        <translation>记录里没有步骤“%1”</translation>
+    </message>
+    <message>
+        <source>there is no &quot;%1&quot; here</source>
+        <translation>这里没有“%1”</translation>
+    </message>
+    <message>
+        <source>there is no fact &quot;%1&quot;; &quot;rasterlens-cli lesson --facts&quot; lists them</source>
+        <translation>没有事实“%1”；“rasterlens-cli lesson --facts”会列出全部</translation>
+    </message>
+    <message>
+        <source>there is no key &quot;%1&quot; here; expected: %2</source>
+        <translation>这里没有键“%1”；应为：%2</translation>
+    </message>
+    <message>
+        <source>there is no scene &quot;%1&quot;; builtin:NAME, stress:NAME, case:NAME or an .obj or .case file is expected</source>
+        <translation>没有场景“%1”；应为 builtin:NAME、stress:NAME、case:NAME，或 .obj、.case 文件</translation>
+    </message>
+    <message>
+        <source>there is no such lesson; expected a .json file or one of: %1</source>
+        <translation>没有这一课；应为 .json 文件，或其中之一：%1</translation>
+    </message>
 </context>
 <context>
     <name>Experiment</name>
