@@ -146,8 +146,8 @@ struct Rules {
     bool strideIsRows = false;         ///< samples are stored as if a row of them had rows() samples
     Resolve resolve = Resolve::AllSamples;
 
-    /// Whether the centres of samples decide what a triangle covers. Lines, corners and column fill go by the grid points of
-    /// the corners.
+    /// Whether the centres of samples decide what a triangle covers. Lines, corners and column fill go by the grid
+    /// points of the corners.
     [[nodiscard]] bool coversByCentres() const { return fill == Fill::Solid && algorithm != Algorithm::ColumnFill; }
     [[nodiscard]] int columns() const { return width * sampleGrid; } ///< samples
     [[nodiscard]] int rows() const { return height * sampleGrid; }   ///< samples
