@@ -10,6 +10,9 @@
 #include <QComboBox>
 #include <QSpinBox>
 
+#include <algorithm>
+#include <set>
+
 using namespace rasterlens;
 using namespace rasterlens::test;
 
@@ -150,31 +153,77 @@ private Q_SLOTS:
                  "neither the picture nor a counter changed");
     }
 
-    void keysStepTheFields_data()
+    void keysToggle_data()
     {
         QTest::addColumn<Qt::Key>("keyOfField");
         QTest::addColumn<QString>("id");
-        QTest::newRow("W") << Qt::Key_W << QStringLiteral("fill");
-        QTest::newRow("E") << Qt::Key_E << QStringLiteral("algorithm");
-        QTest::newRow("C") << Qt::Key_C << QStringLiteral("culling");
-        QTest::newRow("X") << Qt::Key_X << QStringLiteral("clipping");
-        QTest::newRow("T") << Qt::Key_T << QStringLiteral("depth-test");
-        QTest::newRow("P") << Qt::Key_P << QStringLiteral("interpolation");
-        QTest::newRow("N") << Qt::Key_N << QStringLiteral("number-type");
+        QTest::addColumn<QString>("one");
+        QTest::addColumn<QString>("other");
+        const auto row = [](const char* name, Qt::Key key, const char* id, const char* one, const char* other) {
+            QTest::newRow(name) << key << QString::fromLatin1(id) << QString::fromLatin1(one)
+                                << QString::fromLatin1(other);
+        };
+        row("W", Qt::Key_W, "fill", "solid", "wireframe");
+        row("C", Qt::Key_C, "culling", "back", "none");
+        row("X", Qt::Key_X, "clipping", "frustum", "none");
+        row("T", Qt::Key_T, "depth-test", "less", "none");
+        row("P", Qt::Key_P, "interpolation", "perspective", "affine");
+    }
+
+    /// To and fro between the two values of a lecture, and from any other value to the first of them.
+    void keysToggle()
+    {
+        QFETCH(Qt::Key, keyOfField);
+        QFETCH(QString, id);
+        QFETCH(QString, one);
+        QFETCH(QString, other);
+        QVERIFY(openSmall(QStringLiteral("builtin:cube")));
+        const SettingsField& field = *findSettingsField(id);
+        const auto value = [&] { return QString::fromLatin1(field.choices[std::size_t(field.get(settings()))].id); };
+        QCOMPARE(value(), one);
+        for (const QString& expected : {other, one, other}) {
+            key(keyOfField);
+            QCOMPARE(value(), expected);
+        }
+        const auto isThird = [&](const Choice& choice) {
+            return QLatin1String(choice.id) != one && QLatin1String(choice.id) != other;
+        };
+        const auto third = std::ranges::find_if(field.choices, isThird);
+        if (third == field.choices.end())
+            return; // two values are all there are
+        QVERIFY(change([&](Settings& s) { field.set(s, int(third - field.choices.begin())); }));
+        key(keyOfField);
+        QCOMPARE(value(), one);
+    }
+
+    void keysStepTheFields_data()
+    {
+        QTest::addColumn<Qt::Key>("keyOfField");
+        QTest::addColumn<bool>("withShift");
+        QTest::addColumn<QString>("id");
+        QTest::newRow("W") << Qt::Key_W << true << QStringLiteral("fill");
+        QTest::newRow("E") << Qt::Key_E << false << QStringLiteral("algorithm");
+        QTest::newRow("C") << Qt::Key_C << true << QStringLiteral("culling");
+        QTest::newRow("X") << Qt::Key_X << true << QStringLiteral("clipping");
+        QTest::newRow("T") << Qt::Key_T << true << QStringLiteral("depth-test");
+        QTest::newRow("P") << Qt::Key_P << true << QStringLiteral("interpolation");
+        QTest::newRow("N") << Qt::Key_N << false << QStringLiteral("number-type");
     }
 
     void keysStepTheFields()
     {
         QFETCH(Qt::Key, keyOfField);
+        QFETCH(bool, withShift);
         QFETCH(QString, id);
         QVERIFY(openSmall(QStringLiteral("builtin:cube")));
         const SettingsField& field = *findSettingsField(id);
         const int first = field.get(settings());
-        key(keyOfField);
-        QVERIFY(field.get(settings()) != first);
-        for (int i = 0; i < 20 && field.get(settings()) != first; ++i)
-            key(keyOfField);
+        const auto step = [&] { key(keyOfField, withShift ? Qt::ShiftModifier : Qt::NoModifier); };
+        std::set<int> values{first};
+        for (step(); field.get(settings()) != first && values.size() <= 20; step())
+            values.insert(field.get(settings()));
         QCOMPARE(field.get(settings()), first);
+        QVERIFY(values.size() >= 2);
     }
 
     /// Neither depth order nor stepping changes what the tiled algorithm draws or counts, and the panel says so.

@@ -5883,6 +5883,26 @@
         <source>To the next field, back</source>
         <translation>到下一个输入框、返回</translation>
     </message>
+    <message>
+        <source>Clipping, next value</source>
+        <translation>裁剪：下一个值</translation>
+    </message>
+    <message>
+        <source>Culling, next value</source>
+        <translation>面剔除：下一个值</translation>
+    </message>
+    <message>
+        <source>Fill, next value</source>
+        <translation>填充：下一个值</translation>
+    </message>
+    <message>
+        <source>Depth test, next value</source>
+        <translation>深度测试：下一个值</translation>
+    </message>
+    <message>
+        <source>Interpolation, next value</source>
+        <translation>插值：下一个值</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::MessageBar</name>

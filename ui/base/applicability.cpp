@@ -4,6 +4,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace rasterlens
 {
 namespace
@@ -109,6 +111,19 @@ Settings withNextValue(const SettingsField& field, const Settings& settings)
     Settings next = settings;
     const int value = field.get(settings);
     field.set(next, value >= field.maximum ? field.minimum : value + 1);
+    return next;
+}
+
+Settings withOtherOf(const SettingsField& field, const char* one, const char* other, const Settings& settings)
+{
+    const auto valueOf = [&](const char* id) {
+        const auto at = std::ranges::find(field.choices, QLatin1String(id),
+                                          [](const Choice& choice) { return QLatin1String(choice.id); });
+        Q_ASSERT(at != field.choices.end());
+        return static_cast<int>(at - field.choices.begin());
+    };
+    Settings next = settings;
+    field.set(next, field.get(settings) == valueOf(one) ? valueOf(other) : valueOf(one));
     return next;
 }
 

@@ -17,6 +17,11 @@ namespace rasterlens
 
 /// The next value of a field, first after last.
 [[nodiscard]] Settings withNextValue(const SettingsField& field, const Settings& settings);
+/// The settings with the value `other` of the field where it has the value `one`, and with `one` where it has any other.
+///
+/// in  ids of two choices of the field
+[[nodiscard]] Settings withOtherOf(const SettingsField& field, const char* one, const char* other,
+                                   const Settings& settings);
 
 /// The translated title of the present value; for `auto` also what it stands for on this machine.
 [[nodiscard]] QString valueTitle(const SettingsField& field, const Settings& settings);

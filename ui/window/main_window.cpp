@@ -356,14 +356,18 @@ void MainWindow::stepField(const SettingsField& field)
     Settings next = withNextValue(field, m_document.settings());
     for (int i = field.minimum; i < field.maximum && unsupported(*m_document.scene(), next); ++i)
         next = withNextValue(field, next);
-    if (next == m_document.settings()) {
-        if (const auto why = unsupported(*m_document.scene(), withNextValue(field, next)))
-            m_message->show(
-                MessageKind::Info,
-                tr("%1 stays: %2").arg(QCoreApplication::translate("Settings", field.title), whyUnsupported(*why)));
-        return;
-    }
-    m_document.setSettings(next);
+    changeField(field, next == m_document.settings() ? withNextValue(field, next) : next);
+}
+
+/// Takes the settings, in which another value of the field is chosen, or says why they cannot be drawn.
+void MainWindow::changeField(const SettingsField& field, const Settings& settings)
+{
+    if (const auto why = unsupported(*m_document.scene(), settings))
+        m_message->show(
+            MessageKind::Info,
+            tr("%1 stays: %2").arg(QCoreApplication::translate("Settings", field.title), whyUnsupported(*why)));
+    else
+        m_document.setSettings(settings);
 }
 
 void MainWindow::updatePicture()

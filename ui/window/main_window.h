@@ -157,6 +157,7 @@ private:
     void takeFrame(const FramePtr& frame);
     void showFrame();
     void stepField(const SettingsField& field);
+    void changeField(const SettingsField& field, const Settings& settings);
     void moveCamera(const View& view);
     void toggleHelp();
     void toggleGoToPixel();

@@ -28,6 +28,32 @@
 
 namespace rasterlens
 {
+namespace
+{
+
+/// A key that changes a setting: to and fro between the two values that a lecture compares, and with Shift through all
+/// of them; or, where there is no such pair, through all values at once.
+struct FieldKey {
+    const char* field;
+    Qt::Key key;
+    const char* one = nullptr;   ///< values; null: no pair
+    const char* other = nullptr; ///< the value that the key goes to from `one`
+    const char* next = nullptr;  ///< what Shift does
+
+    [[nodiscard]] bool isToggle() const { return one != nullptr; }
+};
+constexpr FieldKey kFieldKeys[] = {
+    {"clipping", Qt::Key_X, "frustum", "none", QT_TRANSLATE_NOOP("rasterlens::MainWindow", "Clipping, next value")},
+    {"number-type", Qt::Key_N},
+    {"culling", Qt::Key_C, "back", "none", QT_TRANSLATE_NOOP("rasterlens::MainWindow", "Culling, next value")},
+    {"fill", Qt::Key_W, "solid", "wireframe", QT_TRANSLATE_NOOP("rasterlens::MainWindow", "Fill, next value")},
+    {"algorithm", Qt::Key_E},
+    {"depth-test", Qt::Key_T, "less", "none", QT_TRANSLATE_NOOP("rasterlens::MainWindow", "Depth test, next value")},
+    {"interpolation", Qt::Key_P, "perspective", "affine",
+     QT_TRANSLATE_NOOP("rasterlens::MainWindow", "Interpolation, next value")},
+};
+
+} // namespace
 
 ActionMenu MainWindow::addMenu(ActionSection section, const char* title)
 {
@@ -260,18 +286,24 @@ void MainWindow::buildAppearance(ActionMenu menu)
 void MainWindow::buildSettingsMenu()
 {
     ActionMenu menu = addMenu(ActionSection::Pipeline, QT_TR_NOOP("&Settings"));
-    constexpr std::pair<const char*, Qt::Key> kKeys[] = {
-        {"clipping", Qt::Key_X},  {"number-type", Qt::Key_N}, {"culling", Qt::Key_C},       {"fill", Qt::Key_W},
-        {"algorithm", Qt::Key_E}, {"depth-test", Qt::Key_T},  {"interpolation", Qt::Key_P},
-    };
-    for (const auto& [id, key] : kKeys) {
-        const QString fieldId = QLatin1String(id);
-        const SettingsField* field = findSettingsField(fieldId);
-        const QAction* action = menu.add(QStringLiteral("settings.") + fieldId, {"Settings", field->title}, {key},
-                                         [this, field] { stepField(*field); });
+    for (const FieldKey& row : kFieldKeys) {
+        const QString id = QLatin1String(row.field);
+        const SettingsField* field = findSettingsField(id);
+        const ActionWords title{"Settings", field->title};
+        QAction* action = menu.add(QStringLiteral("settings.") + id, title, {row.key}, [this, field, row] {
+            if (row.isToggle())
+                changeField(*field, withOtherOf(*field, row.one, row.other, m_document.settings()));
+            else
+                stepField(*field);
+        });
         m_actions.setState(
             action, [this, field] { return valueTitle(*field, m_document.settings()); }, true);
-        m_pipelinePanel->setKeyHint(fieldId, action->shortcut().toString());
+        m_pipelinePanel->setKeyHint(id, action->shortcut().toString());
+        if (!row.isToggle())
+            continue;
+        QAction* next = menu.add(QStringLiteral("settings.%1.next").arg(id), menu.words(row.next),
+                                 {Qt::SHIFT | row.key}, [this, field] { stepField(*field); });
+        m_actions.listTogether(title, {action, next});
     }
 }
 
