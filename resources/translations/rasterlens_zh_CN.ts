@@ -4110,7 +4110,7 @@
     </message>
     <message>
         <source>Culling</source>
-        <translation>背面剔除</translation>
+        <translation>面剔除</translation>
     </message>
     <message>
         <source>Which faces are not drawn.</source>
