@@ -136,11 +136,12 @@ inline void readSpan(const SpanStep& span, const QString& formula, Reader& reade
     reader.expect(filled.hasMatch() == (span.xBegin < span.xEnd), formula, "samples of a span");
 }
 
-/// `p_0 = 3 > 0 .. p_1 = 3 + 2*1 - 2*5 = -5`
+/// `p_0 = 3 > 0 .. p_1 = 3 + 2*1 - 2*5 = -5`; a cause stands before the second line
 inline void readLine(const QString& formula, Reader& reader)
 {
     static const QRegularExpression decision(
-        QStringLiteral("^p_(\\d+) = (-?\\d+) (>|<=) 0   d_lower = (\\S+)   d_upper = (\\S+)\np_(\\d+) = (-?\\d+) \\+ "
+        QStringLiteral("^p_(\\d+) = (-?\\d+) (>|<=) 0   d_lower = (\\S+)   d_upper = (\\S+)\n(?:because of [^\n]*   "
+                       ")?p_(\\d+) = (-?\\d+) \\+ "
                        "2\\*(\\d+)(?: - 2\\*(\\d+))? = (-?\\d+)"));
     const auto match = decision.match(formula);
     reader.expect(match.hasMatch(), formula, "line decision");

@@ -312,7 +312,8 @@ void TestSentences::everyMistakeIsNamed()
     Settings settings = scene.defaults;
     settings.mistakes = {id};
     StepFilter filter;
-    filter.kinds = stepsOf(*mistake) | kindBit(StepKind::Facing) | kindBit(StepKind::Triangle);
+    filter.kinds =
+        stepsOf(*mistake) | kindBit(StepKind::Facing) | kindBit(StepKind::Fate) | kindBit(StepKind::Triangle);
     const auto log = renderSteps(scene, settings, filter);
     std::size_t i = 0;
     while (i < log->size() && becauseOf(*log, i).empty())
