@@ -1,12 +1,19 @@
 #pragma once
+#include "core/base/reason.h"
+#include "core/pipeline/frame.h"
 #include "core/pipeline/resolve.h"
-#include "core/render/render.h"
+#include "core/pipeline/statistics.h"
+#include "core/scene/scene.h"
+#include "core/settings/settings.h"
+
+#include <optional>
+#include <stop_token>
 
 namespace rasterlens
 {
 
-// The functions of render.h for callers of core that have resolved the settings already: `resolved` is what the settings
-// resolve to for the scene.
+// The functions of render.h for callers of core that have resolved the settings already: `resolved` is what the
+// settings resolve to for the scene.
 
 [[nodiscard]] std::optional<Reason> unsupported(const Scene& scene, const Settings& settings, const Resolved& resolved);
 

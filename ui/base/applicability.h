@@ -17,7 +17,8 @@ namespace rasterlens
 
 /// The next value of a field, first after last.
 [[nodiscard]] Settings withNextValue(const SettingsField& field, const Settings& settings);
-/// The settings with the value `other` of the field where it has the value `one`, and with `one` where it has any other.
+/// The settings with the value `other` of the field where it has the value `one`, and with `one` where it has any
+/// other.
 ///
 /// in  ids of two choices of the field
 [[nodiscard]] Settings withOtherOf(const SettingsField& field, const char* one, const char* other,
