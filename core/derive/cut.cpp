@@ -37,7 +37,7 @@ public:
         std::vector<QString> names{cornerLetter(0), cornerLetter(1), cornerLetter(2)};
         for (const std::uint32_t i : m_record.log().eventsOf(StepKind::ClipPlane))
             names = writePlane(m_record.log().payload<ClipStep>(m_record.log().event(i)), names);
-        if (const FanStep* fan = m_record.first<FanStep>(); fan != nullptr && fan->pieces > 0) {
+        if (const ClippedStep* fan = m_record.first<ClippedStep>(); fan != nullptr && fan->pieces > 0) {
             m_writer.given(QStringLiteral("corners"), double(names.size()));
             m_writer.line(
                 formula("{triangles}"), formula("{corners} - 2"),

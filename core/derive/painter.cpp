@@ -1,7 +1,7 @@
 #include "core/derive/topic_list.h"
 
 #include "core/pipeline/geometry.h"
-#include "core/pipeline/rules_for.h"
+#include "core/pipeline/resolve.h"
 
 #include <QCoreApplication>
 
@@ -58,8 +58,8 @@ Derivation derivePainter(const Scene& scene, const Settings& settings, const Der
 {
     Settings painted = settings;
     painted.visibility = Visibility::Painter;
-    const Rules rules = rulesFor(scene, painted);
-    const std::vector<std::uint32_t> order = Geometry(scene, cameraMatrices(scene, painted), rules).order();
+    const Resolved resolved = resolve(painted, scene);
+    const std::vector<std::uint32_t> order = Geometry(scene, resolved.matrices, resolved.rules).order();
     if (stop.stop_requested())
         throw NoDerivation{QString()};
     DerivationWriter writer(DerivationTopic::Painter,
@@ -70,7 +70,7 @@ Derivation derivePainter(const Scene& scene, const Settings& settings, const Der
         writeKey(writer, scene, painted, shown[i], first + i);
         if (i > 0)
             writer.compare(
-                formula(rules.mirrorClipZ ? "{key_%1} <= {key_%2}" : "{key_%1} >= {key_%2}",
+                formula(resolved.rules.mirrorClipZ ? "{key_%1} <= {key_%2}" : "{key_%1} >= {key_%2}",
                         QString::number(shown[i - 1]), QString::number(shown[i])),
                 {QT_TRANSLATE_NOOP("Derive", "Face %1 is painted before face %2, which covers it wherever both lie. "
                                              "Of equal keys the one that comes first in the mesh stays first."),
