@@ -5,8 +5,8 @@
 namespace rasterlens
 {
 
-// The functions of render.h for callers of core that have resolved the settings already: `resolved` is what the settings
-// resolve to for the scene.
+// The functions of render.h for callers of core that have resolved the settings already: `resolved` is what the
+// settings resolve to for the scene.
 
 [[nodiscard]] std::optional<Reason> unsupported(const Scene& scene, const Settings& settings, const Resolved& resolved);
 
