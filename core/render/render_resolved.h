@@ -1,6 +1,11 @@
 #pragma once
+#include "core/base/reason.h"
+#include "core/pipeline/frame.h"
 #include "core/pipeline/resolve.h"
-#include "core/render/render.h"
+#include "core/pipeline/statistics.h"
+
+#include <optional>
+#include <stop_token>
 
 namespace rasterlens
 {
