@@ -24,7 +24,7 @@ namespace
 {
 
 constexpr std::size_t kMostFaces = 4000; ///< scenes of more are left to tests that draw them once
-constexpr int kPixelsToAsk = 40;         ///< of the pixels that a mistake spoils
+constexpr int kPixelsToAsk = 40;         ///< wrong pixels of a picture, at most
 constexpr std::size_t kReadWhole = 1200; ///< events: of longer records a sample is read
 
 /// The built-in scenes of few faces; under the sanitizers a fifth of them.
