@@ -228,7 +228,8 @@ void TestActions::searchFindsBothLanguages()
 {
     QVERIFY(openSmall(QStringLiteral("builtin:cube")));
     QVERIFY(openSearch());
-    QCOMPARE(typed(QStringLiteral("\u6df1\u8272")), QStringLiteral("View \u203a Dark theme"));
+    search().edit().setText(QStringLiteral("\u6df1\u8272")); // an input method writes it at once
+    QCOMPARE(search().view().currentIndex().data().toString(), QStringLiteral("View \u203a Dark theme"));
     m_window->setLanguage(LanguageKind::Chinese);
     QCoreApplication::processEvents();
     const QString chinese = typed(QStringLiteral("dark theme"));
