@@ -97,7 +97,7 @@ void CurvePlot::setFigure(const CurveFigure& figure)
     m_toX->end->setCoords(figure.mark.x(), 1);
     m_toY->end->setCoords(0, figure.mark.y());
     m_markText->setText(figure.markText);
-    m_plot->replot(QCustomPlot::rpQueuedReplot);
+    m_plot->replot(QCustomPlot::rpQueuedRefresh); // at once: a picture of the window may be taken before the next event
 }
 
 /// Right of the mark and a little below it or, where the plot ends before, left of it.
