@@ -385,6 +385,7 @@ private Q_SLOTS:
         QVERIFY(differences[0].a != differences[0].b);
         key(Qt::Key_S);
         QVERIFY(!comparison().at({7, 0}));
+        QVERIFY(complete()); // the words follow before the window is painted
         QVERIFY(!text().contains(QStringLiteral("B ")));
     }
 };

@@ -90,7 +90,6 @@ void MistakeBadge::showFor(const FramePtr& frame)
     std::erase_if(m_kept, [&](const Right& right) { return right.scene != frame->scene; });
     if (m_evidence.empty()) {
         m_result.drop();
-        keep({frame->scene, frame->settings, {.depth = true, .ids = true}, frame});
         return;
     }
     m_result.ask([this, frame, known = Weighed{m_evidence, rightFor(*frame)}](
@@ -133,8 +132,10 @@ MistakeBadge::Weighed MistakeBadge::weigh(const RenderedFrame& shown, Weighed kn
         if (unsupported(*right.scene, right.settings))
             return known;
         ++m_drawn;
-        right.picture =
-            std::make_shared<const CountedPicture>(drawCounted(*right.scene, right.settings, right.has, stop));
+        CountedPicture picture = drawCounted(*right.scene, right.settings, right.has, stop);
+        if (!right.has.depth)
+            picture.frame.depth = {}; // memory of the depth test, which no proof looks at
+        right.picture = std::make_shared<const CountedPicture>(std::move(picture));
     }
     for (Evidence& one : known.evidence) {
         if (stop.stop_requested())

@@ -26,8 +26,8 @@ public:
     explicit MistakeBadge(QWidget* canvas);
 
     /// Shows the mistakes at once and their proofs when they are known: on a background thread this picture is held
-    /// against the right one. That is drawn only where it is none of the last pictures without mistakes: whoever
-    /// switches a mistake on and off, or a setting to and fro, looks at two of them in turn.
+    /// against the right one. The last two right ones are kept: whoever switches a mistake on and off, or a setting to
+    /// and fro, has each drawn once.
     ///
     /// in  a counted frame, also one without mistakes
     void showFor(const FramePtr& frame);
