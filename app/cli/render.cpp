@@ -47,8 +47,11 @@ Usage usage()
     const OptionGroup input{QStringLiteral("Input:"), inputOptions() << listMistakes << slideOptions()};
     return {
         QStringLiteral("render"),
-        QStringLiteral("rasterlens-cli render SCENE|--lesson NAME --step N [-o out.png] [options]"),
-        QStringLiteral("Draws SCENE into a picture, and on request into arrays and counters.\n\n") + sceneHelp(),
+        QStringLiteral("rasterlens-cli render SCENE [-o out.png] [options]"),
+        QStringLiteral(
+            "Draws SCENE into a picture, and on request into arrays and counters. --lesson NAME --step N stands in "
+            "place of SCENE.\n\n") +
+            sceneHelp(),
         {QStringLiteral("SCENE")},
         QList<OptionGroup>{outputs, input} + settingsOptionGroups(),
         QStringLiteral("The .npy files are NumPy arrays of shape (height, width), row 0 on top.\n"
@@ -164,8 +167,10 @@ ExitCode runRender(const QStringList& words)
     }
     Usage shown = usage();
     const bool isSlide = asksForSlide(words);
-    if (isSlide)
+    if (isSlide) {
         shown.operands.clear();
+        shown.synopsis = QStringLiteral("rasterlens-cli render --lesson NAME --step N [-o out.png] [options]");
+    }
     const auto arguments = parseArguments(shown, words);
     if (!arguments)
         return ExitCode::Fine;
