@@ -1,5 +1,7 @@
 #include "ui/pipeline/stage_strip.h"
 
+#include "core/settings/mistakes.h"
+#include "core/settings/rules.h"
 #include "ui/base/applicability.h"
 #include "ui/base/numbers.h"
 #include "ui/base/theme.h"
@@ -30,6 +32,18 @@ constexpr int kWidthWithArrows = 690;
 bool isCounted(Stage stage)
 {
     return stage == Stage::Clip || stage == Stage::Cull || stage == Stage::Cover || stage == Stage::Depth;
+}
+
+/// How corners are snapped: as the settings say, unless a mistake that is on overrules them.
+Rules snappingRules(const Settings& settings)
+{
+    Rules rules;
+    rules.numberType = settings.numberType;
+    rules.subpixelBits = settings.subpixelBits;
+    for (const QString& id : settings.mistakes)
+        if (const Mistake* mistake = findMistake(id))
+            mistake->apply(rules);
+    return rules;
 }
 
 } // namespace
@@ -248,9 +262,11 @@ QString StageStrip::figure(Stage stage) const
     switch (stage) {
     case Stage::Scene: return m_faceCount == 1 ? tr("1 face") : tr("%1 faces").arg(grouped(m_faceCount));
     case Stage::Clip: return tr("%1 cut").arg(grouped(counts.faces.clipped));
-    case Stage::Screen:
-        return m_settings.numberType == NumberType::Fixed ? tr("snapped 1/%1").arg(1 << m_settings.subpixelBits)
-                                                          : tr("not snapped");
+    case Stage::Screen: {
+        const Rules rules = snappingRules(m_settings);
+        return rules.numberType == NumberType::Fixed ? tr("snapped 1/%1").arg(1 << rules.subpixelBits)
+                                                     : tr("not snapped");
+    }
     case Stage::Cull: return tr("%1 culled").arg(grouped(counts.faces.culledBack + counts.faces.culledFront));
     case Stage::Cover:
         return m_settings.samples == Samples::One ? tr("%1 px").arg(grouped(counts.pixels.covered))
@@ -276,9 +292,11 @@ QString StageStrip::shortFigure(Stage stage) const
     switch (stage) {
     case Stage::Scene: return shortened(m_faceCount);
     case Stage::Clip: return shortened(counts.faces.clipped);
-    case Stage::Screen:
-        return m_settings.numberType == NumberType::Fixed ? QStringLiteral("1/%1").arg(1 << m_settings.subpixelBits)
-                                                          : tr("no snap", "short for not snapped");
+    case Stage::Screen: {
+        const Rules rules = snappingRules(m_settings);
+        return rules.numberType == NumberType::Fixed ? QStringLiteral("1/%1").arg(1 << rules.subpixelBits)
+                                                     : tr("no snap", "short for not snapped");
+    }
     case Stage::Cull: return shortened(counts.faces.culledBack + counts.faces.culledFront);
     case Stage::Cover: return shortened(counts.pixels.covered);
     case Stage::Depth: return shortened(counts.pixels.depthPassed);
