@@ -436,11 +436,11 @@ void TestCards::boardHasTheNumbersOfTheTextbook()
 void TestCards::textsOfMarksStayInThePlots()
 {
     QVERIFY(open(QStringLiteral("builtin:cube")));
-    QVERIFY(show("curves"));
     CurvesPanel& curves = cards().curvesPanel();
     curves.edgeBox()->setCurrentIndex(3);
     for (const bool presentation : {false, true}) {
-        m_window->setPresentation(presentation);
+        m_window->setPresentation(presentation); // which puts the panels away
+        QVERIFY(show("curves"));
         for (const int place : {0, 20, 300, 500, 700, 980, 1000}) {
             curves.slider()->setValue(place);
             QCoreApplication::processEvents();
