@@ -507,7 +507,7 @@ void LensOverlay::paintColumn(View& view) const
     for (int i = 0; i < column->count; ++i) {
         const int y = column->rows[std::size_t(i)];
         const bool isEnd = y == column->first() || y == column->last();
-        view.painter.setPen(QPen(QColor(isEnd ? kPlusColor : kMinusColor), view.thickness(3), Qt::SolidLine));
+        view.painter.setPen(QPen(QColor(isEnd ? kCanvasPlus : kCanvasMinus), view.thickness(3), Qt::SolidLine));
         view.painter.drawRect(view.box(column->x, y).adjusted(2, 2, -2, -2));
     }
     const QPointF below = view.box(column->x + 1, column->last() + 1).topLeft();
