@@ -70,6 +70,7 @@ private:
         m_kinds["pixel card"] = panel("why");
         m_kinds["clip theatre"] = panel("clip");
         m_kinds["race"] = panel("race");
+        m_kinds["derivation"] = panel("derive");
         m_kinds["badge"] = {[this] { setMistakes({QStringLiteral("all-inclusive")}); }, [this] { setMistakes({}); },
                             noMessage};
         m_kinds["referee"] = {[this] { truth().referee().setOn(true); }, [this] { truth().referee().setOn(false); },

@@ -4968,6 +4968,14 @@
         <source>The face&apos;s panels were not computed: %1.</source>
         <translation>此面的面板未能算出：%1。</translation>
     </message>
+    <message>
+        <source>Derivations</source>
+        <translation>推导</translation>
+    </message>
+    <message>
+        <source>The derivation was not computed: %1.</source>
+        <translation>没有算出推导：%1。</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::CaseBrowser</name>
@@ -5422,6 +5430,29 @@
     <message>
         <source>The system does not start so many threads.</source>
         <translation>系统无法启动这么多线程。</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::DerivationPanel</name>
+    <message>
+        <source>Derivation</source>
+        <translation>推导</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>边</translation>
+    </message>
+    <message>
+        <source>Edge AB</source>
+        <translation>边 AB</translation>
+    </message>
+    <message>
+        <source>Edge BC</source>
+        <translation>边 BC</translation>
+    </message>
+    <message>
+        <source>Edge CA</source>
+        <translation>边 CA</translation>
     </message>
 </context>
 <context>
@@ -6140,6 +6171,10 @@
     <message>
         <source>Steps</source>
         <translation>步骤</translation>
+    </message>
+    <message>
+        <source>Derivations</source>
+        <translation>推导</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 #include "ui/face/cards.h"
 
 #include "core/base/closed_list.h"
+#include "core/derive/derive.h"
 #include "core/questions/race.h"
 #include "core/questions/why.h"
 #include "core/render/render.h"
@@ -8,6 +9,7 @@
 #include "ui/base/dock.h"
 #include "ui/face/clip_theatre.h"
 #include "ui/face/curves_panel.h"
+#include "ui/face/derivation_panel.h"
 #include "ui/face/pixel_card.h"
 #include "ui/face/race_panel.h"
 #include "ui/face/vertex_handles.h"
@@ -56,6 +58,7 @@ constexpr auto kPanels = std::to_array<PanelRow>({
     {Cards::Panel::Clip, "clip", QT_TRANSLATE_NOOP("rasterlens::Cards", "Clip theatre")},
     {Cards::Panel::Curves, "curves", QT_TRANSLATE_NOOP("rasterlens::Cards", "Curves")},
     {Cards::Panel::Race, "race", QT_TRANSLATE_NOOP("rasterlens::Cards", "Algorithm race")},
+    {Cards::Panel::Derivation, "derive", QT_TRANSLATE_NOOP("rasterlens::Cards", "Derivations")},
 });
 static_assert(isClosedList(kPanels, &PanelRow::panel));
 
@@ -76,17 +79,21 @@ Cards::Cards(Document& document, ViewportWidget& viewport, QMainWindow& window)
     : m_document(document), m_viewport(viewport), m_window(window), m_pixelCard(new PixelCard),
       m_vertexPanel(new VertexPanel(document, m_selection)), m_clipTheatre(new ClipTheatre(m_selection)),
       m_curvesPanel(new CurvesPanel(m_selection)), m_racePanel(new RacePanel(m_selection)),
-      m_handles(new VertexHandles(document, viewport)),
+      m_derivationPanel(new DerivationPanel(m_selection)), m_handles(new VertexHandles(document, viewport)),
       m_why([this](const std::shared_ptr<const WhyReport>& report) { showReport(report); },
             [this](Lack lack) { Q_EMIT failed(tr("The pixel card was not computed: %1.").arg(lackText(lack))); }),
       m_face([this](const std::shared_ptr<const FaceFindings>& found) { showFace(*found); },
-             [this](Lack lack) { Q_EMIT failed(tr("The face's panels were not computed: %1.").arg(lackText(lack))); })
+             [this](Lack lack) { Q_EMIT failed(tr("The face's panels were not computed: %1.").arg(lackText(lack))); }),
+      m_derived([this](const std::shared_ptr<const Derived>& derived) { m_derivationPanel->setDerived(derived); },
+                [this](Lack lack) { Q_EMIT failed(tr("The derivation was not computed: %1.").arg(lackText(lack))); })
 {
     addDock(Panel::PixelCard, m_pixelCard);
     addDock(Panel::Vertices, m_vertexPanel);
     addDock(Panel::Clip, m_clipTheatre);
     addDock(Panel::Curves, m_curvesPanel);
     addDock(Panel::Race, m_racePanel);
+    addDock(Panel::Derivation, m_derivationPanel);
+    viewport.addLayer(&m_derivationPanel->layer());
     m_copy = dock(Panel::PixelCard).addLink();
     m_soon.setSingleShot(true);
     m_soon.setInterval(0);
@@ -110,6 +117,8 @@ Cards::Cards(Document& document, ViewportWidget& viewport, QMainWindow& window)
         m_selection.setFace(face);
         Q_EMIT stepRequested(face, pixel);
     });
+    connect(m_derivationPanel, &DerivationPanel::asked, this, &Cards::refreshSoon);
+    connect(m_derivationPanel, &DerivationPanel::layerChanged, &viewport, qOverload<>(&QWidget::update));
     retranslate();
 }
 
@@ -153,7 +162,7 @@ bool Cards::canDraw() const { return !unsupported(*m_document.scene(), m_documen
 
 void Cards::refreshSoon() { m_soon.start(); }
 
-bool Cards::isBusy() const { return m_soon.isActive() || m_why.isBusy() || m_face.isBusy(); }
+bool Cards::isBusy() const { return m_soon.isActive() || m_why.isBusy() || m_face.isBusy() || m_derived.isBusy(); }
 
 void Cards::followPixel()
 {
@@ -189,6 +198,7 @@ void Cards::refresh()
         m_curvesPanel->setCorners(corners, matrices.near, matrices.far);
     }
     askFace();
+    askDerivation();
 }
 
 void Cards::askWhy()
@@ -240,6 +250,27 @@ void Cards::askFace()
                 found->race =
                     std::make_shared<const AlgorithmRace>(raceAlgorithms(*scene, settings, face, turn.stop()));
             return found;
+        },
+        LatestJob::Running::Interrupt);
+}
+
+/// Formulas of the selected face; those of a pixel are derived at the selected one, or else at one inside the face.
+void Cards::askDerivation()
+{
+    if (!dock(Panel::Derivation).isInSight() || m_selection.count() == 0 || !canDraw()) {
+        m_derived.drop();
+        if (m_derivationPanel->derived())
+            m_derivationPanel->setDerived(nullptr);
+        return;
+    }
+    DerivationPlace place;
+    place.face = m_selection.face();
+    place.pixel = m_pixel;
+    place.edge = m_derivationPanel->edge();
+    m_derived.ask(
+        [place, topic = m_derivationPanel->topic(), scene = m_document.scene(),
+         settings = m_document.settings()](const auto& turn) {
+            return std::make_shared<const Derived>(derive(topic, *scene, settings, place, turn.stop()));
         },
         LatestJob::Running::Interrupt);
 }

@@ -20,12 +20,14 @@ namespace rasterlens
 {
 
 class ClipTheatre;
+class DerivationPanel;
 class CurvesPanel;
 class Dock;
 class PixelCard;
 class RacePanel;
 class VertexHandles;
 class VertexPanel;
+struct Derived;
 struct FaceFindings;
 struct WhyReport;
 
@@ -35,14 +37,14 @@ class Cards : public QObject
     Q_OBJECT
 
 public:
-    enum class Panel { PixelCard, Vertices, Clip, Curves, Race };
+    enum class Panel { PixelCard, Vertices, Clip, Curves, Race, Derivation };
 
     Cards(Document& document, ViewportWidget& viewport, QMainWindow& window);
     ~Cards() override;
 
     /// In the order of the panels; they have no place in the window yet.
     [[nodiscard]] const std::vector<Dock*>& docks() const { return m_docks; }
-    /// Opens a panel by the short name of the command line: `why`, `vertices`, `clip`, `curves`, `race`.
+    /// Opens a panel by the short name of the command line: `why`, `vertices`, `clip`, `curves`, `race`, `derive`.
     bool show(const QString& name);
     [[nodiscard]] static QStringList names();
 
@@ -53,6 +55,7 @@ public:
     [[nodiscard]] ClipTheatre& clipTheatre() { return *m_clipTheatre; }
     [[nodiscard]] CurvesPanel& curvesPanel() { return *m_curvesPanel; }
     [[nodiscard]] RacePanel& racePanel() { return *m_racePanel; }
+    [[nodiscard]] DerivationPanel& derivationPanel() { return *m_derivationPanel; }
 
     /// While another picture than the finished one is on the canvas the pixel card says that it speaks of that.
     void setSaysMoment(bool on);
@@ -79,6 +82,7 @@ private:
     void followPixel();
     void askWhy();
     void askFace();
+    void askDerivation();
     void showReport(const std::shared_ptr<const WhyReport>& report);
     void showFace(const FaceFindings& found);
     [[nodiscard]] bool canDraw() const;
@@ -93,6 +97,7 @@ private:
     ClipTheatre* m_clipTheatre;
     CurvesPanel* m_curvesPanel;
     RacePanel* m_racePanel;
+    DerivationPanel* m_derivationPanel;
     VertexHandles* m_handles;
     QToolButton* m_copy;
 
@@ -101,6 +106,7 @@ private:
     QTimer m_soon;
     LatestResult<std::shared_ptr<const WhyReport>> m_why;
     LatestResult<std::shared_ptr<const FaceFindings>> m_face;
+    LatestResult<std::shared_ptr<const Derived>> m_derived;
 };
 
 } // namespace rasterlens

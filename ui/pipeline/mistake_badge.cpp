@@ -113,7 +113,7 @@ MistakeBadge::Right MistakeBadge::rightFor(const RenderedFrame& shown) const
     return kept == m_kept.end() ? right : *kept;
 }
 
-/// Of large pictures none is kept: their memory is wanted for the next ones.
+/// Large pictures are not kept: the next ones want their memory.
 void MistakeBadge::keep(Right right)
 {
     std::erase_if(m_kept, [&](const Right& one) { return one.settings == right.settings; });

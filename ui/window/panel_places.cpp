@@ -22,13 +22,13 @@ constexpr double kCanvasShare = 0.4; ///< of the window's width that a panel bes
 constexpr int kLowestPanel = 130;    ///< a lower panel below the canvas shows nothing of use
 constexpr int kMost = QWIDGETSIZE_MAX;
 
-/// What the menu and the help call a panel, and the digit that opens it with Alt: no menu and no other action has these
+/// What the menu and the help call a panel, and the key that opens it with Alt: no menu and no other action has these
 /// keys.
 struct PanelRow {
     QLatin1String dock; ///< its name as an object
     const char* id;
     const char* title;
-    Qt::Key digit;
+    Qt::Key key; ///< a digit, as long as there are digits left
 };
 
 constexpr PanelRow kPanels[] = {
@@ -44,6 +44,8 @@ constexpr PanelRow kPanels[] = {
     {QLatin1String("curvesDock"), "panel.curves", QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Curves"), Qt::Key_6},
     {QLatin1String("raceDock"), "panel.race", QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Algorithm race"),
      Qt::Key_7},
+    {QLatin1String("deriveDock"), "panel.derive", QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Derivations"),
+     Qt::Key_D},
     {QLatin1String("casesDock"), "panel.cases", QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Hard cases"), Qt::Key_8},
     {QLatin1String("experimentDock"), "panel.experiment",
      QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Speed against error"), Qt::Key_9},
@@ -81,7 +83,7 @@ void PanelPlaces::buildMenu(ActionMenu menu)
     QList<QDockWidget*> docks{m_columns.scene, m_columns.statistics, m_columns.card};
     docks += m_tabs;
     for (const PanelRow& row : kPanels) {
-        const QList<QKeySequence> keys{Qt::ALT | row.digit};
+        const QList<QKeySequence> keys{Qt::ALT | row.key};
         if (row.dock == m_columns.transport->objectName()) {
             menu.take(row.id, words(row.title), keys, m_columns.transport->toggleViewAction());
             continue;
