@@ -62,7 +62,7 @@ struct Columns : NullObserver {
     void onColumn(const FilledColumn& column) { columns.push_back(column); }
 };
 
-struct Samples {
+struct Plotted {
     std::vector<std::pair<int, int>> at;
     std::vector<Weights> weights;
     void operator()(int x, int y, const Weights& w)
@@ -126,7 +126,7 @@ private Q_SLOTS:
             if (triangle.area2 == 0)
                 continue;
             Columns observer;
-            Samples samples;
+            Plotted samples;
             ColumnFill::cover(triangle, rules, samples, observer);
             std::vector<std::pair<int, int>> expected;
             std::size_t column = 0;
@@ -152,7 +152,7 @@ private Q_SLOTS:
         Rules rules;
         rules.width = rules.height = 64;
         NullObserver nobody;
-        Samples samples;
+        Plotted samples;
         const ScreenTriangle triangle = triangleOf({{{3, 40}, {50, 60}, {9, 2}}});
         ColumnFill::cover(triangle, rules, samples, nobody);
         QVERIFY(samples.weights.size() > 900);

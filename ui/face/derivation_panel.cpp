@@ -160,11 +160,10 @@ const Derivation* DerivationPanel::derivation() const
 
 void DerivationPanel::setDerived(std::shared_ptr<const Derived> derived)
 {
-    const Derivation* before = derivation();
-    const auto topicBefore = before != nullptr ? std::optional(before->topic) : std::nullopt;
-    m_derived = std::move(derived);
+    const std::shared_ptr<const Derived> before = std::exchange(m_derived, std::move(derived));
     const Derivation* now = derivation();
-    if (now == nullptr || topicBefore != now->topic || m_line >= now->lines.size())
+    const bool isSameTopic = now != nullptr && before && before->derivation && before->derivation->topic == now->topic;
+    if (!isSameTopic || m_line >= now->lines.size())
         m_line = 0;
     showText();
     showFigure();
