@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
+#include <vector>
 
 namespace rasterlens::test
 {
@@ -208,6 +210,25 @@ inline void readClip(const ClipStep& step, const QString& text, Reader& reader)
     }
 }
 
+/// The least and the greatest row of a column are those of its list.
+inline void readColumn(const FilledColumn& column, const QString& text, Reader& reader)
+{
+    static const QRegularExpression list(QStringLiteral("\\[([^\\]]*)\\].*min (-?\\d+) to max (-?\\d+)"));
+    const auto match = list.match(text);
+    reader.expect(match.hasMatch() == (column.count > 0), text, "column");
+    if (!match.hasMatch())
+        return;
+    std::vector<int> rows;
+    for (const QString& row : match.captured(1).split(QStringLiteral(", ")))
+        rows.push_back(row.toInt());
+    reader.expect(rows.size() == std::size_t(column.count) &&
+                      std::ranges::equal(rows, std::span(column.rows).first(rows.size())),
+                  text, "rows of a column");
+    reader.expect(match.captured(2).toInt() == std::ranges::min(rows) &&
+                      match.captured(3).toInt() == std::ranges::max(rows),
+                  text, "ends of a column");
+}
+
 /// What the sentences of a whole record tell, counted.
 struct Told {
     std::uint64_t passed = 0;
@@ -295,6 +316,7 @@ inline void readEvent(const StepLog& log, std::size_t i, const QString& text, Re
         break;
     case StepKind::Span: readSpan(log.payload<SpanStep>(event), formula, reader); break;
     case StepKind::LineDecision: readLine(formula, reader); break;
+    case StepKind::Column: readColumn(log.payload<ColumnFillStep>(event).column, text, reader); break;
     case StepKind::Viewport: readViewport(log, log.payload<ViewportStep>(event), text, reader); break;
     case StepKind::Facing: readFacing(log, log.payload<FacingStep>(event).decision, text, reader); break;
     case StepKind::ClipPlane: readClip(log.payload<ClipStep>(event), text, reader); break;

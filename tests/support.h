@@ -116,15 +116,17 @@ inline QString difference(const Frame& a, const Frame& b)
     return a.image == b.image ? QString() : QStringLiteral("image");
 }
 
-/// The algorithms that can draw these settings.
+/// The algorithms that go by the centres of samples, and so are to give one picture, as far as they can draw these
+/// settings. Column fill is none of them.
 inline std::vector<Algorithm> algorithmsFor(const Scene& scene, Settings settings)
 {
     std::vector<Algorithm> algorithms;
     const SettingsField* field = findSettingsField(QStringLiteral("algorithm"));
     for (int value = field->minimum; value <= field->maximum; ++value) {
         field->set(settings, value);
-        if (!unsupported(scene, settings))
-            algorithms.push_back(static_cast<Algorithm>(value));
+        const auto algorithm = static_cast<Algorithm>(value);
+        if (algorithm != Algorithm::ColumnFill && !unsupported(scene, settings))
+            algorithms.push_back(algorithm);
     }
     return algorithms;
 }

@@ -143,6 +143,7 @@ private Q_SLOTS:
     void titleFollowsTheLanguage()
     {
         QVERIFY(openFile(QStringLiteral("builtin:square-diagonal")));
+        QCoreApplication::processEvents(); // titles follow before the next picture
         const QString english = m_window->windowTitle();
         m_window->setLanguage(LanguageKind::Chinese);
         QCoreApplication::processEvents();

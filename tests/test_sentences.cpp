@@ -394,7 +394,7 @@ void TestSentences::everyDepthSetting()
 void TestSentences::everyAlgorithm_data()
 {
     QTest::addColumn<QStringList>("values");
-    for (const char* algorithm : {"edge-equation", "edge-walking", "tiled"})
+    for (const char* algorithm : {"edge-equation", "edge-walking", "tiled", "column-fill"})
         for (const char* numbers : {"fixed", "float32", "float64"})
             for (const char* fill : {"solid", "wireframe", "points"})
                 QTest::addRow("%s %s %s", algorithm, numbers, fill)

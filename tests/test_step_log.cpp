@@ -92,6 +92,7 @@ public:
     void onWalk(const WalkedTriangle&) { tick(); }
     void onSpan(int y, int from, int to, const SpanEnds& ends) { CountingObserver::onSpan(y, from, to, ends), tick(); }
     void onSample(int x, int y, const EdgeValues& e, bool c) { CountingObserver::onSample(x, y, e, c), tick(); }
+    void onColumn(const FilledColumn&) { tick(); }
     void onLineDecision(const LineDecision&) { tick(); }
     void onLineSample(int x, int y, bool on) { CountingObserver::onLineSample(x, y, on), tick(); }
     void onFragment(const Fragment& f, float stored, bool p) { CountingObserver::onFragment(f, stored, p), tick(); }

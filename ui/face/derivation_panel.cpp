@@ -31,16 +31,17 @@ constexpr QRgb kFigureInk = 0xff56b4e9;
 constexpr QRgb kHoveredInk = 0xfff0e442;
 constexpr double kSeam = 2; ///< wider on both sides together: keeps strokes in sight on any picture
 
-constexpr char kSymbol[] = "symbol:";
-constexpr char kLine[] = "line:";
+const QString kSymbol = QStringLiteral("symbol:"); // schemes of links
+const QString kLine = QStringLiteral("line:");
+const QString kAnchor = QStringLiteral("l");
 
 /// The number behind the scheme of a link of the text.
-std::optional<std::size_t> numberOf(const QUrl& url, const char* scheme)
+std::optional<std::size_t> numberOf(const QUrl& url, const QString& scheme)
 {
     const QString text = url.toString();
     bool isNumber = false;
-    const auto number = text.sliced(std::min(text.size(), qsizetype(qstrlen(scheme)))).toULongLong(&isNumber);
-    if (!text.startsWith(QLatin1String(scheme)) || !isNumber)
+    const auto number = text.sliced(std::min(text.size(), scheme.size())).toULongLong(&isNumber);
+    if (!text.startsWith(scheme) || !isNumber)
         return std::nullopt;
     return number;
 }
@@ -202,10 +203,8 @@ QString DerivationPanel::tokensHtml(const std::vector<DerivationToken>& tokens) 
     for (const DerivationToken& token : tokens) {
         const QString text = token.text.toHtmlEscaped();
         html += token.symbol < 0 ? text
-                                 : QStringLiteral("<a href=\"%1%2\" style=\"text-decoration:none\">%3</a>")
-                                       .arg(QLatin1String(kSymbol))
-                                       .arg(token.symbol)
-                                       .arg(text);
+                                 : QStringLiteral("<a href=\"%1\" style=\"text-decoration:none\">%2</a>")
+                                       .arg(kSymbol + QString::number(token.symbol), text);
     }
     return html;
 }
@@ -222,14 +221,12 @@ QString DerivationPanel::lineHtml(std::size_t i) const
             : QStringLiteral("%1 = %2<br>= %3<br>= <b>%4</b>")
                   .arg(tokensHtml(line.left), formula, numbers, line.result.toHtmlEscaped());
     const QString color = i == m_line ? palette().color(QPalette::AlternateBase).name() : QStringLiteral("transparent");
-    return QStringLiteral(
-               "<table width=\"100%\" cellpadding=\"5\"><tr><td bgcolor=\"%1\">"
-               "<a name=\"l%2\" href=\"%3%2\" style=\"text-decoration:none\"><b>%4</b></a> %5<br>%6</td></tr></table>")
-        .arg(color)
-        .arg(i)
-        .arg(QLatin1String(kLine))
-        .arg(i + 1)
-        .arg(math, textOf(line.words, translated).toHtmlEscaped());
+    const QString number = QString::number(i);
+    return QStringLiteral("<table width=\"100%\" cellpadding=\"5\"><tr><td bgcolor=\"%1\">"
+                          "<a name=\"%2\" href=\"%3\" style=\"text-decoration:none\"><b>%4</b></a> %5<br>%6"
+                          "</td></tr></table>")
+        .arg(color, kAnchor + number, kLine + number, QString::number(i + 1), math,
+             textOf(line.words, translated).toHtmlEscaped());
 }
 
 void DerivationPanel::showText()
@@ -253,7 +250,7 @@ void DerivationPanel::showText()
     const int at = m_view->verticalScrollBar()->value();
     m_view->setHtml(html);
     m_view->verticalScrollBar()->setValue(at);
-    m_view->scrollToAnchor(QStringLiteral("l%1").arg(m_line));
+    m_view->scrollToAnchor(kAnchor + QString::number(m_line));
 }
 
 bool DerivationPanel::eventFilter(QObject* watched, QEvent* event)

@@ -26,8 +26,8 @@ public:
     explicit MistakeBadge(QWidget* canvas);
 
     /// Shows the mistakes at once and their proofs when they are known: on a background thread this picture is held
-    /// against the right one. The last two right ones are kept: whoever switches a mistake on and off, or a setting to
-    /// and fro, has each drawn once.
+    /// against the right one. The last two right ones are kept: while a mistake is switched on and off, or a setting to
+    /// and fro, each is drawn once.
     ///
     /// in  a counted frame, also one without mistakes
     void showFor(const FramePtr& frame);
