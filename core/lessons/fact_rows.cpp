@@ -16,10 +16,16 @@ namespace
 
 using Found = std::optional<FactValue>;
 
+template <class Value>
+Found found(Value value)
+{
+    return Found(std::in_place, std::move(value));
+}
+
 template <class Number>
 Found number(Number value)
 {
-    return FactValue(static_cast<double>(value));
+    return found(static_cast<double>(value));
 }
 
 // ---- counters of the whole picture, and measures against the other one
@@ -62,7 +68,7 @@ Found pixelsWhere(MomentFacts& facts, Test&& test)
         for (int x = 0; x < size.width(); ++x)
             if (test(facts.indexOf({x, y})))
                 pixels.emplace_back(x, y);
-    return FactValue(std::move(pixels));
+    return found(std::move(pixels));
 }
 
 Found winner(MomentFacts& facts, const FactName& name)
@@ -82,7 +88,7 @@ Found hitsAt(MomentFacts& facts, const FactName& name)
 
 Found colorAt(MomentFacts& facts, const FactName& name)
 {
-    return FactValue(colorText(facts.shown().frame.image.pixel(*name.pixel)));
+    return found(colorText(facts.shown().frame.image.pixel(*name.pixel)));
 }
 
 Found seen(MomentFacts& facts, const FactName& name)
@@ -117,7 +123,7 @@ Found pixelsOfEvents(MomentFacts& facts, std::uint32_t face, StepKind kind, std:
             pixels.emplace_back(event.x / log.grid(), event.y / log.grid());
     std::ranges::sort(pixels, {}, [](QPoint p) { return std::pair(p.y(), p.x()); });
     pixels.erase(std::ranges::unique(pixels).begin(), pixels.end());
-    return FactValue(std::move(pixels));
+    return found(std::move(pixels));
 }
 
 Found pixelsTied(MomentFacts& facts, const FactName& name)
@@ -216,7 +222,7 @@ Found fate(MomentFacts& facts, const FactName& name)
     const auto fates = log->eventsOf(StepKind::Fate);
     if (fates.empty())
         return std::nullopt;
-    return FactValue(QString::fromLatin1(faceFateId(log->payload<FateStep>(log->event(fates[0])).fate)));
+    return found(QString::fromLatin1(faceFateId(log->payload<FateStep>(log->event(fates[0])).fate)));
 }
 
 Found corners(MomentFacts& facts, const FactName& name)

@@ -27,6 +27,7 @@ namespace
 
 QString translated(const char* text) { return QCoreApplication::translate("Derive", text); }
 
+constexpr int kShownOfTopic = 18; ///< letters
 constexpr QRgb kFigureInk = 0xff56b4e9;
 constexpr QRgb kHoveredInk = 0xfff0e442;
 constexpr double kSeam = 2; ///< wider on both sides together: keeps strokes in sight on any picture
@@ -125,6 +126,7 @@ DerivationPanel::DerivationPanel(FaceSelection& selection, QWidget* parent)
     auto* head = new FlowLayout(10);
     for (std::size_t i = 0; i < derivationTopics().size(); ++i)
         m_topic->addItem(QString());
+    m_topic->setMinimumContentsLength(kShownOfTopic);
     m_topic->setCurrentIndex(static_cast<int>(DerivationTopic::EdgeFunction));
     head->addWidget(m_topic);
     head->addWidget(new FacePicker(selection));
