@@ -8,6 +8,7 @@
 #include "core/truth/perspective_curves.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace rasterlens
 {
