@@ -4976,6 +4976,10 @@
         <source>The derivation was not computed: %1.</source>
         <translation>没有算出推导：%1。</translation>
     </message>
+    <message>
+        <source>Pixel card: why this pixel?</source>
+        <translation>像素卡：为什么是这个像素？</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::CaseBrowser</name>
@@ -5312,6 +5316,29 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::DerivationPanel</name>
+    <message>
+        <source>Derivation</source>
+        <translation>推导</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>边</translation>
+    </message>
+    <message>
+        <source>Edge AB</source>
+        <translation>边 AB</translation>
+    </message>
+    <message>
+        <source>Edge BC</source>
+        <translation>边 BC</translation>
+    </message>
+    <message>
+        <source>Edge CA</source>
+        <translation>边 CA</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::Dock</name>
     <message>
         <source>Close this panel; the menu Panels opens it again</source>
@@ -5430,29 +5457,6 @@
     <message>
         <source>The system does not start so many threads.</source>
         <translation>系统无法启动这么多线程。</translation>
-    </message>
-</context>
-<context>
-    <name>rasterlens::DerivationPanel</name>
-    <message>
-        <source>Derivation</source>
-        <translation>推导</translation>
-    </message>
-    <message>
-        <source>Edge</source>
-        <translation>边</translation>
-    </message>
-    <message>
-        <source>Edge AB</source>
-        <translation>边 AB</translation>
-    </message>
-    <message>
-        <source>Edge BC</source>
-        <translation>边 BC</translation>
-    </message>
-    <message>
-        <source>Edge CA</source>
-        <translation>边 CA</translation>
     </message>
 </context>
 <context>
