@@ -8,6 +8,7 @@
 
 #include <map>
 #include <random>
+#include <set>
 
 using namespace rasterlens;
 using namespace rasterlens::test;
@@ -166,6 +167,38 @@ private Q_SLOTS:
     {
         const FilledColumn empty;
         QVERIFY(empty.first() > empty.last());
+    }
+
+    /// Both halves of a square draw the samples of their diagonal, and the counter says so: as many as the records of
+    /// the two faces, each by itself, have in common. The same by the counter of the record.
+    void sharedEdgesAreHitTwice()
+    {
+        for (const char* name : {"square-diagonal", "two-windings"}) {
+            const Scene scene = *makeBuiltinScene(QLatin1String(name)).scene;
+            Settings settings = columnFill(scene);
+            settings.depthTest = DepthTest::Always;
+            settings.culling = Culling::None;
+            const auto drawnBy = [&](std::uint32_t face) {
+                StepFilter filter;
+                filter.face = face;
+                filter.kinds = kindBit(StepKind::Fragment);
+                const auto log = renderSteps(scene, settings, filter);
+                std::set<std::pair<int, int>> samples;
+                for (const std::uint32_t i : log->eventsOf(StepKind::Fragment))
+                    samples.emplace(log->event(i).x, log->event(i).y);
+                return samples;
+            };
+            const auto first = drawnBy(0);
+            const auto second = drawnBy(1);
+            std::uint64_t common = 0;
+            for (const auto& sample : first)
+                common += second.count(sample);
+            QVERIFY2(common > 0, name);
+            Frame frame;
+            QCOMPARE(renderCounted(scene, settings, frame, {}).pixels.coveredTwice, common);
+            const auto log = renderSteps(scene, settings);
+            QCOMPARE(log->countersAt(log->size()).pixels.coveredTwice, common);
+        }
     }
 
     /// A column, then its samples from above; the sentence of the column tells the table, least and greatest.
