@@ -39,16 +39,21 @@ public:
         case StepKind::Facing: return differs(m_log.payload<FacingStep>(event).decision);
         case StepKind::Fate: return differs(m_log.payload<FateStep>(event).fate, i);
         case StepKind::Setup: return setupDiffers(*m_log.triangle(event));
-        case StepKind::Walk: return m_rules.extraEdgeHeight != 0;
+        case StepKind::Halves:
+        case StepKind::Crossing: return m_rules.extraEdgeHeight != 0;
         case StepKind::Span: return differs(event, m_log.payload<SpanStep>(event));
         case StepKind::Sample: return covers(event, event.x, event.y) != event.has(StepEvent::kCovered);
         case StepKind::Fragment: return differs(event, m_log.payload<FragmentStep>(event));
         case StepKind::Shade: return m_rules.cornerData != CornerData::Own;
         case StepKind::Write: return m_rules.strideIsRows && event.y > 0;
+        case StepKind::Resolve: return m_log.payload<ResolveStep>(event).pixel.black != 0;
         case StepKind::End: return m_rules.resolve != m_right.resolve || endsEarly(i);
         case StepKind::Vertex:
         case StepKind::Clipped:
         case StepKind::Triangle:
+        case StepKind::Outline:
+        case StepKind::Walk:
+        case StepKind::Sides:
         case StepKind::Column:
         case StepKind::LineDecision:
         case StepKind::LineSample: break; // see becauseOfLines()

@@ -134,6 +134,13 @@ void StepRecorder::beginFace(std::uint32_t face)
         m_faceMark = mark();
 }
 
+void StepRecorder::leaveFaces()
+{
+    dropPending();
+    m_face = m_triangle = StepEvent::kNone;
+    m_faceKept = m_triangleKept = true;
+}
+
 bool StepRecorder::admit(int y, int xBegin, int xEnd)
 {
     if (!isFaceWanted())
@@ -319,6 +326,31 @@ void StepRecorder::onWalk(const WalkedTriangle& walk)
         storePayload(faceEvent(StepKind::Walk), WalkStep{walk});
 }
 
+void StepRecorder::onOutline()
+{
+    if (isFaceWanted())
+        storeFaceEvent(StepKind::Outline);
+}
+
+void StepRecorder::onSides(const WalkedTriangle& walk)
+{
+    if (isFaceWanted())
+        storePayload(faceEvent(StepKind::Sides), SidesStep{walk});
+}
+
+void StepRecorder::onHalves(const WalkedTriangle& walk, const WalkedHalves& halves)
+{
+    if (isFaceWanted())
+        storePayload(faceEvent(StepKind::Halves, finiteFlag(halves.alpha, halves.x)), HalvesStep{walk, halves});
+}
+
+void StepRecorder::onCrossing(const RowCrossings& row)
+{
+    if (admit(row.y, row.xBegin, row.xEnd))
+        storePayload(sampleEvent(StepKind::Crossing, -1, row.y, finiteFlag(row.alpha, row.beta, row.xa, row.xb)),
+                     CrossingStep{row});
+}
+
 void StepRecorder::onSpan(int y, int xBegin, int xEnd, const SpanEnds& ends)
 {
     m_counter.onSpan(y, xBegin, xEnd, ends);
@@ -439,6 +471,22 @@ void StepRecorder::onWrite(int x, int y, Pixel before, Pixel after)
     storePayload(sampleEvent(StepKind::Write, x, y), WriteStep{before, after});
 }
 
+/// A pixel in which nothing was drawn has a step only where the filter asks for it.
+void StepRecorder::onResolve(const ResolvedPixel& pixel)
+{
+    leaveFaces();
+    const auto isCleared = [&](const Pixel& sample) { return sample == m_log->m_clear; };
+    const auto samples = std::span(pixel.samples).first(static_cast<std::size_t>(pixel.count));
+    const int grid = m_rules.sampleGrid;
+    const int x = pixel.x * grid;
+    const int y = pixel.y * grid;
+    const bool isAsked = m_filter.pixels && x >= m_samples.x && x < m_samples.x + m_samples.width && y >= m_samples.y &&
+                         y < m_samples.y + m_samples.height;
+    const bool isWanted = m_filter.pixels ? isAsked : !std::ranges::all_of(samples, isCleared);
+    if (isWanted && !m_filter.face && !m_full)
+        storePayload(sampleEvent(StepKind::Resolve, x, y), ResolveStep{pixel});
+}
+
 std::shared_ptr<const StepLog> StepRecorder::finish(bool stopped, const QImage& picture)
 {
     dropPending();
@@ -452,9 +500,9 @@ std::shared_ptr<const StepLog> StepRecorder::finish(bool stopped, const QImage& 
         m_filter.cap = log.m_events.size() + 1;
         m_face = m_triangle = StepEvent::kNone;
         storeFaceEvent(StepKind::End);
-        if (m_rules.resolve != Resolve::AllSamples)
-            log.m_finished = picture;
     }
+    if (m_rules.resolve != Resolve::AllSamples)
+        log.m_finished = picture;
     for (std::size_t i = 0; i < log.m_events.size(); ++i)
         log.m_byKind[static_cast<std::size_t>(log.m_events[i].kind)].push_back(static_cast<std::uint32_t>(i));
     return std::move(m_log);

@@ -67,7 +67,11 @@ public:
         }
         storeFaceEvent(StepKind::Setup);
     }
+    void onOutline();
     void onWalk(const WalkedTriangle& walk);
+    void onSides(const WalkedTriangle& walk);
+    void onHalves(const WalkedTriangle& walk, const WalkedHalves& halves);
+    void onCrossing(const RowCrossings& row);
     void onSpan(int y, int xBegin, int xEnd, const SpanEnds& ends);
     void onSample(int x, int y, const EdgeValues& values, bool covered);
     void onColumn(const FilledColumn& column);
@@ -76,6 +80,7 @@ public:
     void onFragment(const Fragment& fragment, float storedDepth, bool passed);
     void onShade(const Fragment& fragment, std::uint32_t color);
     void onWrite(int x, int y, Pixel before, Pixel after);
+    void onResolve(const ResolvedPixel& pixel);
 
     /// Ends the log.
     ///
@@ -100,6 +105,8 @@ private:
     void rollBack(const Mark& mark);
     void beginFace(std::uint32_t face);
     void dropPending();
+    /// After this, events belong to no face.
+    void leaveFaces();
     /// Whether something that happens to samples [xBegin, xEnd) of a row is within the filter; the face then is, too.
     [[nodiscard]] bool admit(int y, int xBegin, int xEnd);
     void setFull();

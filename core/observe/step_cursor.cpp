@@ -34,13 +34,35 @@ void StepCursor::moveTo(std::size_t position)
         put(effects[i].sample, effects[i].after);
     for (std::size_t i = from; i > to; --i)
         put(effects[i - 1].sample, effects[i - 1].before);
-    const bool wasFinished = isFinished();
     m_position = position;
     m_changed = {};
     if (from != to)
         show();
-    if (isFinished() != wasFinished)
-        m_changed = {0, 0, m_image.width(), m_image.height()};
+    if (!m_log->finishedImage().isNull())
+        resolveUpTo(m_log->resolvedPixels(position));
+}
+
+void StepCursor::resolveUpTo(std::size_t pixels)
+{
+    if (pixels == m_resolved)
+        return;
+    const auto width = static_cast<std::size_t>(m_image.width());
+    auto* const colors = reinterpret_cast<std::uint32_t*>(m_image.bits()); // rows of 32 bits follow without gaps
+    const auto* const finished = reinterpret_cast<const std::uint32_t*>(m_log->finishedImage().constBits());
+    for (std::size_t i = m_resolved; i < pixels; ++i)
+        colors[i] = finished[i];
+    for (std::size_t i = pixels; i < m_resolved; ++i)
+        colors[i] = meanAt(static_cast<int>(i % width), static_cast<int>(i / width));
+    m_resolved = pixels;
+    m_changed = {0, 0, m_image.width(), m_image.height()};
+}
+
+std::uint32_t StepCursor::meanAt(int x, int y) const
+{
+    const auto columns = static_cast<std::size_t>(m_log->columns());
+    return meanOfSamples(m_log->grid(), x, y, [&](int column, int row) {
+        return m_color[static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column)];
+    });
 }
 
 void StepCursor::put(std::uint32_t sample, const Pixel& pixel)
@@ -77,9 +99,7 @@ void StepCursor::show()
                         line + row.left);
         else
             for (int x = row.left; x <= row.right; ++x)
-                line[x] = meanOfSamples(m_log->grid(), x, y, [&](int column, int sampleRow) {
-                    return samples[std::size_t(sampleRow) * columns + std::size_t(column)];
-                });
+                line[x] = meanAt(x, y);
         left = std::min(left, row.left);
         right = std::max(right, row.right);
         top = std::min(top, y);

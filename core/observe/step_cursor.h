@@ -31,8 +31,9 @@ public:
         return m_position == 0 ? nullptr : &m_log->event(m_position - 1);
     }
 
-    /// Pixels, Format_RGB32: with several samples their mean.
-    [[nodiscard]] const QImage& image() const { return isFinished() ? m_log->finishedImage() : m_image; }
+    /// Pixels, Format_RGB32: with several samples their mean. Where a mistake makes the picture something else than the
+    /// mean, a pixel is that from its step Resolve on.
+    [[nodiscard]] const QImage& image() const { return m_image; }
     /// The pixels that the last moveTo changed lie within; empty: none.
     [[nodiscard]] PixelRect changedPixels() const { return m_changed; }
     /// 0xffRRGGBB of each sample, row by row.
@@ -48,7 +49,9 @@ private:
         int right;
     };
 
-    [[nodiscard]] bool isFinished() const { return m_position == m_log->size() && !m_log->finishedImage().isNull(); }
+    [[nodiscard]] std::uint32_t meanAt(int x, int y) const;
+    /// Gives pixels the colours of the finished picture, or takes them away.
+    void resolveUpTo(std::size_t pixels);
     void put(std::uint32_t sample, const Pixel& pixel);
     /// Makes pixels of the samples that were put.
     void show();
@@ -59,6 +62,7 @@ private:
     std::vector<std::uint32_t> m_color;
     std::vector<float> m_depth;
     std::vector<RowRange> m_touched; ///< of each row of pixels
+    std::size_t m_resolved = 0;      ///< pixels, row by row, that have the colours of the finished picture
     PixelRect m_changed;
 };
 

@@ -145,11 +145,29 @@ void StepLog::count(const StepEvent& event, Statistics& statistics) const
     case StepKind::Facing:
     case StepKind::Triangle:
     case StepKind::Setup:
+    case StepKind::Outline:
     case StepKind::Walk:
+    case StepKind::Sides:
+    case StepKind::Halves:
+    case StepKind::Crossing:
     case StepKind::Column:
     case StepKind::LineDecision:
+    case StepKind::Resolve:
     case StepKind::End: break;
     }
+}
+
+std::size_t StepLog::resolvedPixels(std::size_t position) const
+{
+    const auto width = static_cast<std::size_t>(columns() / grid());
+    if (position > 0 && m_events[position - 1].kind == StepKind::End)
+        return width * static_cast<std::size_t>(rows() / grid());
+    const auto resolves = eventsOf(StepKind::Resolve);
+    const auto after = std::ranges::lower_bound(resolves, position);
+    if (after == resolves.begin())
+        return 0;
+    const StepEvent& last = m_events[*std::prev(after)];
+    return static_cast<std::size_t>(last.y / grid()) * width + static_cast<std::size_t>(last.x / grid()) + 1;
 }
 
 Statistics StepLog::countersAt(std::size_t position) const

@@ -115,6 +115,22 @@ struct WalkStep {
     WalkedTriangle walk;
 };
 
+struct SidesStep {
+    static constexpr StepKind kKind = StepKind::Sides;
+    WalkedTriangle walk;
+};
+
+struct HalvesStep {
+    static constexpr StepKind kKind = StepKind::Halves;
+    WalkedTriangle walk;
+    WalkedHalves halves;
+};
+
+struct CrossingStep {
+    static constexpr StepKind kKind = StepKind::Crossing;
+    RowCrossings row;
+};
+
 struct SpanStep {
     static constexpr StepKind kKind = StepKind::Span;
     int xBegin; ///< samples [xBegin, xEnd) of the row
@@ -161,6 +177,11 @@ struct WriteStep {
     static constexpr StepKind kKind = StepKind::Write;
     Pixel before;
     Pixel after;
+};
+
+struct ResolveStep {
+    static constexpr StepKind kKind = StepKind::Resolve;
+    ResolvedPixel pixel;
 };
 
 /// E(x, y) = a (x - fromX) + b (y - fromY), positive inside, in the units of the number type.
@@ -326,6 +347,9 @@ public:
     /// cost  at most kCheckpointEvents events
     [[nodiscard]] Statistics countersAt(std::size_t position) const;
 
+    /// How many pixels, row by row, the picture has of their samples at a position. With one sample a pixel none need
+    /// to be made.
+    [[nodiscard]] std::size_t resolvedPixels(std::size_t position) const;
     /// The finished picture where a mistake makes it something else than the mean of the samples; else null.
     [[nodiscard]] const QImage& finishedImage() const { return m_finished; }
 
@@ -352,8 +376,9 @@ private:
     using Payloads =
         std::tuple<std::vector<VertexStep>, std::vector<ClipStep>, std::vector<CohenSutherlandStep>,
                    std::vector<ViewportStep>, std::vector<FacingStep>, std::vector<ClippedStep>, std::vector<FateStep>,
-                   std::vector<WalkStep>, std::vector<SpanStep>, std::vector<ColumnFillStep>, std::vector<SampleStep>,
-                   std::vector<LineStep>, std::vector<FragmentStep>, std::vector<ShadeStep>, std::vector<WriteStep>>;
+                   std::vector<WalkStep>, std::vector<SidesStep>, std::vector<HalvesStep>, std::vector<CrossingStep>,
+                   std::vector<SpanStep>, std::vector<ColumnFillStep>, std::vector<SampleStep>, std::vector<LineStep>,
+                   std::vector<FragmentStep>, std::vector<ShadeStep>, std::vector<WriteStep>, std::vector<ResolveStep>>;
 
     [[nodiscard]] bool isBoundary(std::size_t position, StepLevel level) const;
     /// What this event alone adds to the counters.

@@ -5,6 +5,7 @@
 #include "core/settings/rules.h"
 
 #include <cstdint>
+#include <functional>
 #include <stop_token>
 #include <vector>
 
@@ -59,12 +60,19 @@ public:
 
     [[nodiscard]] const SampleBuffer& samples() const { return m_samples; }
 
+    /// A function that is told of each pixel what samples it has and what colour the picture has of them.
+    using ResolveListener = std::function<void(const ResolvedPixel&)>;
+
     /// Finishes the picture: overdraw colours, box filter, and the sample nearest the centre for the other outputs.
-    void resolve();
+    ///
+    /// in  a listener, or nothing
+    void resolve(const ResolveListener& listener = {});
 
 private:
     void resolveColor();
-    void blackenAllButLastFace();
+    void resolveColorOneByOne(const ResolveListener& listener);
+    [[nodiscard]] ResolvedPixel samplesOf(int x, int y) const;
+    [[nodiscard]] std::uint32_t samplesOfEarlierFaces(int x, int y) const;
     [[nodiscard]] bool isDirect() const;
     [[nodiscard]] std::size_t sampleCount() const;
     /// Where a sample is read from: what is stored elsewhere (rules.strideIsRows) is not found.

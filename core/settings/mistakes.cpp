@@ -116,10 +116,10 @@ constexpr MistakeRow kRows[] = {
     {"height-plus-one", "M12",
      QT_TRANSLATE_NOOP("Mistake", "+1 on the height of an edge"),
      QT_TRANSLATE_NOOP("Mistake", "The short edges end beside the middle corner: a kink, and an outline that is off by up to a pixel."),
-     QT_TRANSLATE_NOOP("Mistake", "slope = (b.x - a.x) / (b.y - a.y + 1)"),
+     QT_TRANSLATE_NOOP("Mistake", "alpha = (y - a.y) / (b.y - a.y + 1)"),
      QT_TRANSLATE_NOOP("Mistake", "It avoids dividing by zero."),
      "tiny-tiles",
-     Proof::WrongFaces, Change::Rises, at(Walk, Span),
+     Proof::WrongFaces, Change::Rises, at(Halves, Crossing, Span),
      [](Rules& r) {
          r.algorithm = Algorithm::EdgeWalking;
          r.extraEdgeHeight = 1;
@@ -323,7 +323,7 @@ constexpr MistakeRow kRows[] = {
      QT_TRANSLATE_NOOP("Mistake", "pixel = color * inside / 4"),
      QT_TRANSLATE_NOOP("Mistake", "Four samples inside: the full colour; two: half of it."),
      "samples",
-     Proof::MissingLight, Change::Rises, at(End), [](Rules& r) { r.resolve = Resolve::LastFace; }},
+     Proof::MissingLight, Change::Rises, at(Resolve, End), [](Rules& r) { r.resolve = Resolve::LastFace; }},
     {"one-depth-per-pixel", "M33",
      QT_TRANSLATE_NOOP("Mistake", "One depth for all samples of a pixel"),
      QT_TRANSLATE_NOOP("Mistake", "A fringe of background round what was drawn first: what lies behind fails its test there."),

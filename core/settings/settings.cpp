@@ -197,7 +197,9 @@ constexpr SettingsField kFields[] = {
         "samples", Stage::Cover, kSamples, QT_TRANSLATE_NOOP("Settings", "Samples a pixel"),
         QT_TRANSLATE_NOOP(
             "Settings",
-            "Super-sampling: every sample keeps its own colour and depth, and the box filter averages them.")),
+            "Super-sampling: every sample keeps its own colour and depth, and the box filter averages them. This is "
+            "not "
+            "MSAA, which also tests coverage and depth at every sample, but shades a face only once a pixel.")),
     choice<&S::visibility>(
         "visibility", Stage::Depth, kVisibilities, QT_TRANSLATE_NOOP("Settings", "Visibility"),
         QT_TRANSLATE_NOOP(
