@@ -1,12 +1,14 @@
 // The step mode in the window: the lens's numbers, what the canvas shows, and when steps are recorded anew.
 #include "core/observe/step_text.h"
 #include "tests/step_fixture.h"
+#include "ui/base/inks.h"
 #include "ui/face/cards.h"
 #include "ui/pipeline/stage_strip.h"
 #include "ui/steps/code_line.h"
 #include "ui/steps/lens_overlay.h"
 #include "ui/steps/step_listing.h"
 #include "ui/steps/transport_dock.h"
+#include "ui/steps/walk_painter.h"
 
 #include <QLabel>
 #include <QSignalSpy>
@@ -43,6 +45,8 @@ private Q_SLOTS:
     void endIsTheFinishedPicture();
     void listingPutsNumbersIn();
     void walkingShowsSpans();
+    void walkingGoesThroughItsStages();
+    void flatTrianglesHaveOneHalf();
     void bresenhamShowsItsLine();
     void changesRecordAnew();
     void numbersSayTheirMoment();
@@ -242,6 +246,79 @@ void TestLens::walkingShowsSpans()
     }
     QVERIFY(mode().listing().explanation().formula.contains(QStringLiteral("ceil(")));
     QVERIFY(!viewport().figure(48).isNull());
+}
+
+/// C (7, 1), B (15, 7), A (2, 10): 1, 2 and 3 by height; the long edge is CA.
+void TestLens::walkingGoesThroughItsStages()
+{
+    QVERIFY(
+        openText("size 16 12\ntri -0.75 -0.666666667 0 1 1 1 1  0.875 -0.166666667 0 1 1 1 1  -0.125 0.833333333 0 1 "
+                 "1 1 1\n"));
+    setAlgorithm(Algorithm::EdgeWalking);
+    QVERIFY(settle());
+    QVERIFY(record());
+    const auto goTo = [&](StepKind kind, std::size_t nth = 0) {
+        session().moveTo(std::size_t(log().eventsOf(kind)[nth]) + 1);
+        return mode().listing().explanation();
+    };
+    const auto has = [&](QRgb color) {
+        const QImage figure = viewport().figure(32);
+        for (int y = 0; y < figure.height(); ++y)
+            for (int x = 0; x < figure.width(); ++x)
+                if (figure.pixel(x, y) == color)
+                    return true;
+        return false;
+    };
+    const auto cornerNames = [&] {
+        QStringList names;
+        for (std::size_t i = 0; i < 3; ++i)
+            names << walkedCornerName(*mode().lens().model(), i);
+        return names.join(QLatin1Char(' '));
+    };
+
+    const StepExplanation outline = goTo(StepKind::Outline);
+    QVERIFY(outline.formula.contains(QStringLiteral("AB 3, BC 6, CA 9")));
+    QCOMPARE(cornerNames(), QStringLiteral("A B C"));
+    goTo(StepKind::Walk);
+    QCOMPARE(cornerNames(), QStringLiteral("A = 3 B = 2 C = 1"));
+    QVERIFY(!has(kCanvasLongEdge) && !has(kCanvasBrokenEdge));
+
+    const StepExplanation sides = goTo(StepKind::Sides);
+    QVERIFY(sides.formula.contains(QStringLiteral("long edge CA, from 1 to 3")));
+    QVERIFY(sides.formula.contains(QStringLiteral("BC and AB")));
+    QVERIFY(has(kCanvasLongEdge) && has(kCanvasBrokenEdge));
+
+    const StepExplanation halves = goTo(StepKind::Halves);
+    QVERIFY(halves.listing[std::size_t(halves.line)].code.contains(QStringLiteral("up = y < y2 || y2 == y3")));
+    QVERIFY2(halves.formula.contains(QStringLiteral("alpha = 0.666667, x = 3.66667")), qPrintable(halves.formula));
+    QVERIFY(halves.formula.contains(QStringLiteral("rows of the upper half 1..6, of the lower half 7..9")));
+
+    // Row 3: 2.5 rows of 9 down the long edge, of 6 down the short one.
+    const StepExplanation crossing = goTo(StepKind::Crossing, 2);
+    const QString minus(QChar(0x2212));
+    QCOMPARE(crossing.formula,
+             QStringLiteral("alpha = (3.5 - 1) / (10 - 1) = 0.277778   xa = 7 + 0.277778\u00b7(2 - 7) = 5.61111111\n"
+                            "beta = (3.5 - 1) / (7 - 1) = 0.416667   xb = 7 + 0.416667\u00b7(15 - 7) = 10.3333333")
+                 .replace(QLatin1Char('-'), minus));
+    QVERIFY(crossing.listing[std::size_t(crossing.line)].code.contains(QStringLiteral("alpha = (y - y1) / (y3 - y1)")));
+    QVERIFY(mode().lens().model()->crossings()->upperHalf);
+    const StepExplanation span = goTo(StepKind::Span, 2);
+    QVERIFY(span.formula.contains(QStringLiteral("x = 6 \u2026 9")));
+    QVERIFY(!viewport().figure(32).isNull());
+}
+
+void TestLens::flatTrianglesHaveOneHalf()
+{
+    QVERIFY(openText("size 16 16\ntri -0.5 0.5 0 1 1 1 1  -0.25 -0.5 0 1 1 1 1  0.75 0.5 0 1 1 1 1\n"));
+    setAlgorithm(Algorithm::EdgeWalking);
+    QVERIFY(settle());
+    QVERIFY(record());
+    session().moveTo(std::size_t(log().eventsOf(StepKind::Halves)[0]) + 1);
+    const QString formula = mode().listing().explanation().formula;
+    QVERIFY2(formula.contains(QStringLiteral("there is no upper half")), qPrintable(formula));
+    QVERIFY(!viewport().figure(32).isNull());
+    for (const std::uint32_t i : log().eventsOf(StepKind::Crossing))
+        QVERIFY(!log().payload<CrossingStep>(log().event(i)).row.upperHalf);
 }
 
 void TestLens::bresenhamShowsItsLine()

@@ -2983,6 +2983,38 @@
         <source>no edge: the list of y is empty</source>
         <translation>没有边：y 的列表为空</translation>
     </message>
+    <message>
+        <source>pixel (%1, %2): %3 samples and their mean</source>
+        <translation>像素 (%1, %2)：%3 个采样点和它们的平均</translation>
+    </message>
+    <message>
+        <source>pixel (%1, %2): what its samples store now</source>
+        <translation>像素 (%1, %2)：各采样点现在存的值</translation>
+    </message>
+    <message>
+        <source>upper half</source>
+        <translation>上半部分</translation>
+    </message>
+    <message>
+        <source>lower half</source>
+        <translation>下半部分</translation>
+    </message>
+    <message>
+        <source>upper half: short edge %1</source>
+        <translation>上半部分：短边 %1</translation>
+    </message>
+    <message>
+        <source>lower half: short edge %1</source>
+        <translation>下半部分：短边 %1</translation>
+    </message>
+    <message>
+        <source>long edge 1-3: %1</source>
+        <translation>长边 1-3：%1</translation>
+    </message>
+    <message>
+        <source>broken edge 1-2-3: %1, %2</source>
+        <translation>折边 1-2-3：%1、%2</translation>
+    </message>
 </context>
 <context>
     <name>LocateModel</name>
@@ -3190,8 +3222,8 @@
         <translation>短边没有到达中间顶点：出现折角，轮廓最多偏差一个像素。</translation>
     </message>
     <message>
-        <source>slope = (b.x - a.x) / (b.y - a.y + 1)</source>
-        <translation>slope = (b.x - a.x) / (b.y - a.y + 1)</translation>
+        <source>alpha = (y - a.y) / (b.y - a.y + 1)</source>
+        <translation>alpha = (y - a.y) / (b.y - a.y + 1)</translation>
     </message>
     <message>
         <source>It avoids dividing by zero.</source>
@@ -4177,10 +4209,6 @@
         <translation>每像素采样数</translation>
     </message>
     <message>
-        <source>Super-sampling: every sample keeps its own colour and depth, and the box filter averages them.</source>
-        <translation>超采样：每个采样点保存自己的颜色和深度，再用盒式滤波求平均。</translation>
-    </message>
-    <message>
         <source>Visibility</source>
         <translation>可见性</translation>
     </message>
@@ -4279,6 +4307,10 @@
     <message>
         <source>Where a texture with transparency is less than half opaque, the face has a hole: nothing is drawn there, and no depth is written. Textures without transparency have none.</source>
         <translation>带透明度的纹理在不透明度不到一半处，面上就有孔：那里什么都不画，也不写入深度。没有透明度的纹理没有孔。</translation>
+    </message>
+    <message>
+        <source>Super-sampling: every sample keeps its own colour and depth, and the box filter averages them. This is not MSAA, which also tests coverage and depth at every sample, but shades a face only once a pixel.</source>
+        <translation>超采样：每个采样点保存自己的颜色和深度，再用盒式滤波求平均。这不是 MSAA：MSAA 也在每个采样点测试覆盖和深度，但一个面在每个像素里只着色一次。</translation>
     </message>
 </context>
 <context>
@@ -4525,6 +4557,34 @@
     <message>
         <source>no sample</source>
         <translation>没有采样点</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples count as black</source>
+        <translation>%2 个采样点中有 %1 个算作黑色</translation>
+    </message>
+    <message>
+        <source>pixel (%1, %2)</source>
+        <translation>像素 (%1, %2)</translation>
+    </message>
+    <message>
+        <source>outline</source>
+        <translation>轮廓</translation>
+    </message>
+    <message>
+        <source>long and broken edge</source>
+        <translation>长边与折边</translation>
+    </message>
+    <message>
+        <source>cut at the middle corner</source>
+        <translation>在中间顶点处切开</translation>
+    </message>
+    <message>
+        <source>crossings</source>
+        <translation>交点</translation>
+    </message>
+    <message>
+        <source>mean of the samples</source>
+        <translation>采样点的平均</translation>
     </message>
 </context>
 <context>
@@ -4796,6 +4856,74 @@
     <message>
         <source>filled from min %1 to max %2</source>
         <translation>从最小值 %1 填充到最大值 %2</translation>
+    </message>
+    <message>
+        <source>counts as black</source>
+        <translation>算作黑色</translation>
+    </message>
+    <message>
+        <source>long edge %1, from 1 to 3</source>
+        <translation>长边 %1，从 1 到 3</translation>
+    </message>
+    <message>
+        <source>broken edge %1 and %2, from 1 over 2 to 3, on the %3</source>
+        <translation>折边 %1 和 %2，从 1 经过 2 到 3，在%3</translation>
+    </message>
+    <message>
+        <source>2 and 3 are of one height: there is no lower half</source>
+        <translation>2 和 3 一样高：没有下半部分</translation>
+    </message>
+    <message>
+        <source>rows of the upper half %1</source>
+        <translation>上半部分的行 %1</translation>
+    </message>
+    <message>
+        <source>1 and 2 are of one height: there is no upper half</source>
+        <translation>1 和 2 一样高：没有上半部分</translation>
+    </message>
+    <message>
+        <source>rows of the lower half %1</source>
+        <translation>下半部分的行 %1</translation>
+    </message>
+    <message>
+        <source>y2 = %1, cut from x2 = %2 to the long edge at alpha = %3, x = %4</source>
+        <translation>y2 = %1，从 x2 = %2 切到长边的 alpha = %3 处，x = %4</translation>
+    </message>
+    <message>
+        <source>rows of the upper half %1, of the lower half %2</source>
+        <translation>上半部分的行 %1，下半部分的行 %2</translation>
+    </message>
+    <message>
+        <source>%1 half, alpha %2, beta %3</source>
+        <translation>%1半部，alpha %2，beta %3</translation>
+    </message>
+    <message>
+        <source>xa %1 on the long edge, xb %2 on the broken edge</source>
+        <translation>长边上 xa %1，折边上 xb %2</translation>
+    </message>
+    <message>
+        <source>min %1, max %2: nothing of it is on the target</source>
+        <translation>最小值 %1，最大值 %2：没有一个在画面内</translation>
+    </message>
+    <message>
+        <source>min %1, max %2, of which %3 to %4 are on the target</source>
+        <translation>最小值 %1，最大值 %2，其中 %3 到 %4 在画面内</translation>
+    </message>
+    <message>
+        <source>stored %1</source>
+        <translation>存的是 %1</translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation>平均 %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 count as black, mean %3</source>
+        <translation>%2 个中有 %1 个算作黑色，平均 %3</translation>
+    </message>
+    <message>
+        <source>three edges, not yet told apart; heights %1</source>
+        <translation>三条边，还没有区分；高度 %1</translation>
     </message>
 </context>
 <context>
@@ -6396,6 +6524,14 @@
     <message>
         <source>%1, less than %2, outside</source>
         <translation>%1，小于 %2，在外</translation>
+    </message>
+    <message>
+        <source>Its samples and their mean</source>
+        <translation>它的采样点和它们的平均</translation>
+    </message>
+    <message>
+        <source>Without %1</source>
+        <translation>没有 %1 时</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,10 @@ constexpr QRgb kCanvasPlus = 0xff0072b2;
 constexpr QRgb kCanvasMinus = 0xffd55e00; ///< also what is wrong
 constexpr QRgb kCanvasInk = 0xff12151a;   ///< outlines, and behind white letters
 
+// Edge walking: the edge from the highest to the lowest corner, a full line, and the two beside it, dashed.
+constexpr QRgb kCanvasLongEdge = 0xffb3123f;
+constexpr QRgb kCanvasBrokenEdge = 0xff006a8e;
+
 /// Colours that mean something, the same in every panel; never the only sign of it.
 struct Inks {
     QColor plus;  ///< inside, passed, the first of two

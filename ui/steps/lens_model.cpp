@@ -117,6 +117,24 @@ const WalkedTriangle* LensModel::walk() const
     return step ? &step->walk : nullptr;
 }
 
+const WalkedTriangle* LensModel::sides() const
+{
+    const auto* step = lastOf<SidesStep>(*m_log, eventsOfTriangle(StepKind::Sides), m_position);
+    return step ? &step->walk : nullptr;
+}
+
+const WalkedHalves* LensModel::halves() const
+{
+    const auto* step = lastOf<HalvesStep>(*m_log, eventsOfTriangle(StepKind::Halves), m_position);
+    return step ? &step->halves : nullptr;
+}
+
+const RowCrossings* LensModel::crossings() const
+{
+    const auto* step = lastOf<CrossingStep>(*m_log, eventsOfTriangle(StepKind::Crossing), m_position);
+    return step ? &step->row : nullptr;
+}
+
 const SpanStep* LensModel::span() const { return lastOf<SpanStep>(*m_log, m_spans, m_position); }
 
 const FilledColumn* LensModel::column() const

@@ -45,8 +45,16 @@ public:
     [[nodiscard]] bool hasSetup() const { return m_hasSetup; }
     /// The event the position is just after; null at 0.
     [[nodiscard]] const StepEvent* event() const { return m_position ? &m_log->event(m_position - 1) : nullptr; }
-    /// Edge walking: how the triangle is walked, and the present row's span.
+    /// Whether that event belongs to the triangle; it may be another's where a face is selected.
+    [[nodiscard]] bool ownsEvent() const { return event() != nullptr && event()->triangle == m_index; }
+    /// Edge walking: the corners sorted by height; null before that step.
     [[nodiscard]] const WalkedTriangle* walk() const;
+    /// Edge walking: the long edge is told from the broken one; the middle corner's cut; the present row's crossings.
+    /// Null before that step.
+    [[nodiscard]] const WalkedTriangle* sides() const;
+    [[nodiscard]] const WalkedHalves* halves() const;
+    [[nodiscard]] const RowCrossings* crossings() const;
+    /// Edge walking: the present row's span; null before the first one.
     [[nodiscard]] const SpanStep* span() const;
     /// Column fill: the present column; null where another triangle's is the last one.
     [[nodiscard]] const FilledColumn* column() const;

@@ -1,6 +1,7 @@
 #pragma once
 #include "ui/canvas/pixel_overlay.h"
 #include "ui/steps/lens_model.h"
+#include "ui/steps/lens_view.h"
 
 #include <QColor>
 #include <QHash>
@@ -11,9 +12,6 @@
 
 namespace rasterlens
 {
-
-constexpr double kGlyphsFromCell = 16; ///< canvas pixels a sample
-constexpr double kLensNumbersFromCell = 48;
 
 /// The hue and the pen style of the edges AB, BC, CA.
 struct EdgeLook {
@@ -38,22 +36,19 @@ public:
     [[nodiscard]] bool hidesNumbers() const override { return m_model != nullptr; }
 
 private:
-    struct View;
-
-    void paintCells(View& view) const;
-    void paintVeils(View& view) const;
+    void paintCells(LensView& view) const;
+    void paintVeils(LensView& view) const;
     [[nodiscard]] static QColor veilOf(const LensCell& cell, const QColor& fill);
     static void paintCell(QPainter& painter, const QRectF& box, const LensCell& cell);
-    void paintNumbers(View& view) const;
-    void paintBounds(View& view) const;
-    void paintEdges(View& view) const;
-    static void paintTies(View& view);
-    void paintCorners(View& view) const;
-    void paintWalk(View& view) const;
-    void paintLine(View& view) const;
-    void paintColumn(View& view) const;
-    void paintCurrent(View& view) const;
-    void paintHover(View& view) const;
+    void paintNumbers(LensView& view) const;
+    void paintBounds(LensView& view) const;
+    void paintEdges(LensView& view) const;
+    static void paintTies(LensView& view);
+    void paintCorners(LensView& view) const;
+    void paintLine(LensView& view) const;
+    void paintColumn(LensView& view) const;
+    void paintCurrent(LensView& view) const;
+    void paintHover(LensView& view) const;
 
     std::unique_ptr<const LensModel> m_model;
     mutable QHash<quint32, QPixmap> m_tiles; ///< cells by what they show

@@ -42,10 +42,15 @@ PipKind pipKindOf(const StepEvent& event)
     case StepKind::Viewport:
     case StepKind::Triangle:
     case StepKind::Setup:
+    case StepKind::Outline:
     case StepKind::Walk:
+    case StepKind::Sides:
+    case StepKind::Halves:
+    case StepKind::Crossing:
     case StepKind::LineDecision:
     case StepKind::Shade:
     case StepKind::Write:
+    case StepKind::Resolve:
     case StepKind::End: break;
     }
     return PipKind::Other;

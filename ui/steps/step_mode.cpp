@@ -38,6 +38,7 @@ StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& wi
       m_listing(new StepListing(m_session)), m_window(window)
 {
     window.addDockWidget(Qt::BottomDockWidgetArea, m_transport);
+    viewport.addLayer(&m_sampleLens);
     viewport.addLayer(&m_lens);
     connect(&m_session, &StepSession::logChanged, this, &StepMode::syncLens);
     connect(&m_session, &StepSession::positionChanged, this, [this] {
@@ -74,11 +75,16 @@ StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& wi
             [this] { Q_EMIT message(tr("The record ends without another such event.")); });
 }
 
-StepMode::~StepMode() { m_viewport.removeLayer(&m_lens); }
+StepMode::~StepMode()
+{
+    m_viewport.removeLayer(&m_lens);
+    m_viewport.removeLayer(&m_sampleLens);
+}
 
-/// The model reads the log, which it must not outlive.
+/// The model reads the log, and the sample lens the cursor: they must not outlive them.
 void StepMode::syncLens()
 {
+    m_sampleLens.setCursor(m_session.log() && !m_session.isRecording() ? m_session.cursor() : nullptr);
     std::unique_ptr<const LensModel> model;
     if (m_session.triangleEvent() && !m_session.isRecording())
         model = std::make_unique<LensModel>(*m_session.log(), *m_session.triangleEvent(), m_session.position());

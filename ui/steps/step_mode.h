@@ -1,6 +1,7 @@
 #pragma once
 #include "ui/steps/lens_overlay.h"
 #include "ui/steps/run_export.h"
+#include "ui/steps/sample_lens.h"
 #include "ui/steps/step_session.h"
 
 #include <QObject>
@@ -30,6 +31,7 @@ public:
     [[nodiscard]] TransportDock& transport() { return *m_transport; }
     [[nodiscard]] StepListing& listing() { return *m_listing; }
     [[nodiscard]] const LensOverlay& lens() const { return m_lens; }
+    [[nodiscard]] const SampleLens& sampleLens() const { return m_sampleLens; }
 
     /// The picture at the position, with its counters; null when it is the document's own that is to be shown, as while
     /// a change is recorded: motion stays visible.
@@ -68,6 +70,7 @@ private:
 
     StepSession m_session;
     ViewportWidget& m_viewport;
+    SampleLens m_sampleLens;
     LensOverlay m_lens;
     TransportDock* m_transport = nullptr;
     StepListing* m_listing = nullptr;
