@@ -1,6 +1,8 @@
 #pragma once
 #include <QColor>
 
+#include <array>
+
 class QPalette;
 
 namespace rasterlens
@@ -15,6 +17,14 @@ constexpr QRgb kCanvasInk = 0xff12151a;   ///< outlines, and behind white letter
 constexpr QRgb kCanvasLongEdge = 0xffb3123f;
 constexpr QRgb kCanvasBrokenEdge = 0xff006a8e;
 
+/// The hue and the pen style of the edges AB, BC, CA.
+struct EdgeLook {
+    QRgb color;
+    Qt::PenStyle style;
+};
+constexpr std::array<EdgeLook, 3> kEdgeLooks{
+    {{0xff6a3d9a, Qt::SolidLine}, {0xff00796b, Qt::DashLine}, {0xff8c5a00, Qt::DotLine}}};
+
 /// Colours that mean something, the same in every panel; never the only sign of it.
 struct Inks {
     QColor plus;  ///< inside, passed, the first of two
@@ -25,5 +35,7 @@ struct Inks {
 [[nodiscard]] bool isDark(const QPalette& palette);
 /// Readable on the cards of the palette.
 [[nodiscard]] Inks inksFor(const QPalette& palette);
+/// The hues of the edges AB, BC, CA as text on the cards of the palette.
+[[nodiscard]] std::array<QColor, 3> edgeInksFor(const QPalette& palette);
 
 } // namespace rasterlens
