@@ -22,7 +22,7 @@ using Need = JsonFields::Need;
 
 constexpr const char* kPanels[] = {"why",    "vertices", "clip",       "curves",  "race",
                                    "derive", "cases",    "experiment", "mistakes"};
-constexpr const char* kOverlays[] = {"grid", "samples", "numbers", "referee"};
+constexpr const char* kOverlays[] = {"grid", "samples", "numbers", "referee", "none"};
 constexpr const char* kCompareViews[] = {"off", "wipe", "blink", "difference"};
 constexpr const char* kCompareWiths[] = {"right", "scene"};
 

@@ -4933,6 +4933,10 @@
         <source>what</source>
         <translation>作用</translation>
     </message>
+    <message>
+        <source>Lessons</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::Cards</name>
@@ -5490,6 +5494,135 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::LessonMode</name>
+    <message>
+        <source>The lesson was not checked: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Less&amp;ons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Next slide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Previous slide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next, previous slide, also by a presenter&apos;s remote</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Back to the lesson</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Mark the selected pixel as an answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With slides for a &amp;second look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Keep answers in a file (CSV, no names)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Close the lesson</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep answers in a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Answers are kept in %1, without names.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the answers cannot be written: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::LessonPanel</name>
+    <message>
+        <source>Try it yourself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change anything: settings, mistakes, corners, steps. The lesson waits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the lesson</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a lesson in the menu Lessons.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This question has no answer here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The answer: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ Right: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✗ %1 of %2 found, %3 too many</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✗ Not quite. The answer: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lesson ends here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 questions answered right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> (second look)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::LessonPlayer</name>
+    <message>
+        <source>The answer was not computed: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::LifeCycle</name>
     <message>
         <source>Unsaved changes cannot be kept in case the program ends unexpectedly: %1</source>
@@ -5815,10 +5948,6 @@
         <translation>打开</translation>
     </message>
     <message>
-        <source>Scenes, cases and sessions (*.obj *.case *.json)</source>
-        <translation>场景、用例与会话 (*.obj *.case *.json)</translation>
-    </message>
-    <message>
         <source>All files (*)</source>
         <translation>所有文件 (*)</translation>
     </message>
@@ -5937,6 +6066,10 @@
     <message>
         <source>Interpolation, next value</source>
         <translation>插值：下一个值</translation>
+    </message>
+    <message>
+        <source>Scenes, cases, sessions and lessons (*.obj *.case *.json)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6180,6 +6313,10 @@
         <source>Derivations</source>
         <translation>推导</translation>
     </message>
+    <message>
+        <source>Lesson</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::PanelSpin</name>
@@ -6396,6 +6533,31 @@
     <message>
         <source>%1, less than %2, outside</source>
         <translation>%1，小于 %2，在外</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::QuestionBox</name>
+    <message>
+        <source>Click the pixels on the canvas.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pixel(s) marked</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation type="unfinished">清除</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>your answer</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

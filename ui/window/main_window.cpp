@@ -12,6 +12,7 @@
 #include "ui/document/navigation.h"
 #include "ui/face/cards.h"
 #include "ui/face/vertex_panel.h"
+#include "ui/lessons/lesson_mode.h"
 #include "ui/pipeline/mistake_badge.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/pipeline_panel.h"
@@ -28,6 +29,7 @@
 #include "ui/window/locate_model.h"
 #include "ui/window/panel_places.h"
 #include "ui/window/readout_bar.h"
+#include "ui/window/window_moment.h"
 #include "ui/window/window_placement.h"
 
 #include <QApplication>
@@ -123,7 +125,8 @@ void MainWindow::buildLayout()
     for (const auto& docks : {m_cards->docks(), m_truth->docks()})
         for (Dock* dock : docks)
             tabs << dock;
-    const PanelPlaces::Columns columns{m_pipelineDock, m_statisticsDock, tabs.takeFirst(), &m_stepMode->transport()};
+    const PanelPlaces::Columns columns{m_pipelineDock, &m_lessons->dock(), m_statisticsDock, tabs.takeFirst(),
+                                       &m_stepMode->transport()};
     m_panels = new PanelPlaces(*this, *m_viewport, columns, tabs);
     setContentsMargins(kCardGap, 0, kCardGap, 0);
 }
@@ -160,6 +163,7 @@ QWidget* MainWindow::buildCanvas()
     m_truth = std::make_unique<TruthMode>(m_document, *m_viewport, *this, *bars, m_actions);
     m_lifeCycle =
         std::make_unique<LifeCycle>(m_document, *m_stepMode, LifeCycle::Bars{m_recoveryOffer, m_filesOffer}, *this);
+    m_lessons = std::make_unique<LessonMode>(*m_viewport, *this, m_actions);
     column->addWidget(&m_stepMode->listing());
 
     m_caption = new QLabel;
@@ -220,12 +224,15 @@ void MainWindow::connectParts()
     connectPanels();
     connectModes();
     connectCanvas();
+    connectLessons();
     // Errors and remarks of the parts are messages over the canvas.
     const auto says = [this](MessageKind kind) {
         return [this, kind](const QString& text) { m_message->show(kind, text); };
     };
     connect(&m_worker, &RenderWorker::memoryNeeded, m_message, says(MessageKind::Info));
     connect(m_truth.get(), &TruthMode::message, m_message, says(MessageKind::Info));
+    connect(m_lessons.get(), &LessonMode::message, m_message, says(MessageKind::Info));
+    connect(m_lessons.get(), &LessonMode::failed, m_message, says(MessageKind::Error));
     connect(m_stepMode.get(), &StepMode::message, m_message, says(MessageKind::Info));
     connect(m_lifeCycle.get(), &LifeCycle::warned, m_message, says(MessageKind::Warning));
     connect(m_truth.get(), &TruthMode::failed, m_message, says(MessageKind::Error));
@@ -316,6 +323,54 @@ void MainWindow::connectModes()
     connect(m_truth.get(), &TruthMode::faceWanted, m_stepMode.get(), &StepMode::showFace);
     connect(m_truth.get(), &TruthMode::stepWanted, m_stepMode.get(), &StepMode::showStep);
     connect(&m_truth->comparison(), &Comparison::changed, this, [this] { syncSoon(Words::OfPixel); });
+}
+
+void MainWindow::connectLessons()
+{
+    m_moment = new WindowMoment({m_document, *m_viewport, *m_stepMode, *m_truth, *m_cards, *m_pipelinePanel, m_actions,
+                                 [this] { return isSettled(); }, [this] { return m_look.presentation; }},
+                                this);
+    LessonPlayer& player = m_lessons->player();
+    // A lesson that begins asks about unsaved changes; what is tried out in it comes back by Undo.
+    connect(m_lessons.get(), &LessonMode::momentWanted, this, [this, &player](const Moment& moment) {
+        const bool isUnderWay = m_shownPlace.lesson == player.place().lesson;
+        m_moment->show(moment, isUnderWay ? Document::GivingUp::Silent : Document::GivingUp::Asks);
+    });
+    connect(m_lessons.get(), &LessonMode::reported, m_message,
+            [this](const Diagnostics& diagnostics) { m_message->show(diagnostics); });
+    connect(m_lessons.get(), &LessonMode::tryWanted, this, [this] {
+        m_pipelineDock->show();
+        m_pipelineDock->raise();
+    });
+    connect(this, &MainWindow::settled, m_moment, &WindowMoment::finish);
+    connect(m_moment, &WindowMoment::shown, this, [this, &player] {
+        m_shownPlace = player.place();
+        tellIfSettled();
+    });
+    connect(m_moment, &WindowMoment::refused, this, [this, &player] {
+        player.setPlace(m_shownPlace);
+        tellIfSettled();
+    });
+    connect(&m_document, &Document::opened, this, [this] { m_shownPlace = {}; }); // what is open now is no slide
+    connect(m_moment, &WindowMoment::changed, this,
+            [this, &player] { m_lessons->setAway(player.isOpen() && m_moment->isChanged()); });
+    m_document.setViewKeeper([this, &player] {
+        return [this, &player, moment = m_moment->present(), place = m_shownPlace] {
+            m_moment->showView(moment);
+            player.setPlace(place);
+            m_shownPlace = place;
+        };
+    });
+}
+
+void MainWindow::open(const QString& name)
+{
+    if (!isLesson(name)) {
+        m_document.open(name);
+        return;
+    }
+    if (m_lessons->open(name))
+        m_document.rememberRecent(name);
 }
 
 void MainWindow::connectCanvas()
@@ -450,8 +505,8 @@ bool MainWindow::isShown() const
 
 bool MainWindow::isComplete() const
 {
-    return isSettled() && !m_wordsAreOld.any() && !m_cards->isBusy() && !m_mistakeBadge->isCounting() &&
-           !m_truth->isBusy();
+    return isSettled() && !m_moment->isPending() && !m_lessons->isBusy() && !m_wordsAreOld.any() &&
+           !m_cards->isBusy() && !m_mistakeBadge->isCounting() && !m_truth->isBusy();
 }
 
 QString MainWindow::message() const

@@ -5,6 +5,7 @@
 #include "ui/canvas/viewport_widget.h"
 #include "ui/document/document.h"
 #include "ui/document/render_worker.h"
+#include "ui/lessons/lesson_player.h"
 #include "ui/window/empty_remark.h"
 
 #include <QMainWindow>
@@ -26,6 +27,7 @@ class ActionSearch;
 class Cards;
 class Dock;
 class HelpOverlay;
+class LessonMode;
 class LifeCycle;
 class MessageBar;
 class MistakeBadge;
@@ -39,6 +41,7 @@ class StatisticsPanel;
 class StepMode;
 class TruthMode;
 class TypedField;
+class WindowMoment;
 class WindowPlacement;
 
 /// The window: canvas in the middle, pipeline left, statistics right.
@@ -65,11 +68,16 @@ public:
     [[nodiscard]] RenderWorker& worker() { return m_worker; }
     [[nodiscard]] StepMode& stepMode() { return *m_stepMode; }
     [[nodiscard]] TruthMode& truthMode() { return *m_truth; }
+    [[nodiscard]] LessonMode& lessons() { return *m_lessons; }
+    /// What the window shows, as one value.
+    [[nodiscard]] WindowMoment& moment() { return *m_moment; }
     [[nodiscard]] PanelPlaces& panels() { return *m_panels; }
     [[nodiscard]] FocusOrder& focusOrder() { return *m_focusOrder; }
     [[nodiscard]] LifeCycle& lifeCycle() { return *m_lifeCycle; }
 
     void openDefaultScene();
+    /// Opens whatever a file holds: a scene, a session or a lesson.
+    void open(const QString& name);
     void setLanguage(LanguageKind kind);
     [[nodiscard]] LanguageKind language() const { return m_language.kind(); }
     void setLook(const Look& look);
@@ -118,6 +126,7 @@ private:
     void connectWorker();
     void connectPanels();
     void connectModes();
+    void connectLessons();
     void connectCanvas();
     void buildMenus();
     void addHint(const char* id, ActionSection section, const char* keys, const char* what);
@@ -186,6 +195,9 @@ private:
     std::unique_ptr<StepMode> m_stepMode;
     std::unique_ptr<TruthMode> m_truth;
     std::unique_ptr<LifeCycle> m_lifeCycle;
+    std::unique_ptr<LessonMode> m_lessons;
+    WindowMoment* m_moment = nullptr;
+    LessonPlayer::Place m_shownPlace; ///< of the lesson, whose moment the window shows
     StageStrip* m_stageStrip = nullptr;
     PipelinePanel* m_pipelinePanel = nullptr;
     StatisticsPanel* m_statisticsPanel = nullptr;

@@ -5,6 +5,7 @@
 #include "ui/base/message_bar.h"
 #include "ui/document/navigation.h"
 #include "ui/face/cards.h"
+#include "ui/lessons/lesson_mode.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/pipeline_panel.h"
 #include "ui/steps/step_mode.h"
@@ -71,6 +72,7 @@ void MainWindow::buildMenus()
     menuBar()->addMenu(m_stepMode->transport().menu());
     menuBar()->addMenu(m_truth->menu());
     buildMistakesMenu();
+    menuBar()->addMenu(m_lessons->menu());
     buildHelpMenu();
     const QStringList conflicts = m_actions.conflicts();
     Q_ASSERT_X(conflicts.isEmpty(), "ActionTable", qPrintable(conflicts.join(QStringLiteral("; "))));
@@ -348,6 +350,7 @@ void MainWindow::retranslate()
     m_mistakesMenu->retranslate();
     m_cards->retranslate();
     m_truth->retranslate();
+    m_lessons->retranslate();
     m_lifeCycle->retranslate();
     m_pipelineDock->setTitle(tr("Scene"));
     m_statisticsDock->setTitle(tr("Statistics"));
