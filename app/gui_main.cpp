@@ -447,6 +447,8 @@ int main(int argc, char** argv)
     if (!arguments.lesson.isEmpty()) {
         if (const ExitCode code = startLesson(window, arguments); code != kFine)
             return code;
+    } else if (words.size() == 1) {
+        window.openAtStart();
     } else if (arguments.scene.isEmpty()) {
         window.openDefaultScene();
     } else {

@@ -82,6 +82,16 @@ struct Moment {
 /// in  `folder`: the scene is named relative to it
 [[nodiscard]] QJsonObject toJson(const Moment& moment, const QDir& folder);
 
+/// What a session keeps of the window besides scene and settings, as a moment without these.
+struct SessionViewLoad {
+    Moment moment;
+    Diagnostics diagnostics; ///< warnings: what is not understood is left out
+};
+/// in  the values under sessionViewKeys(), and the session's file for messages
+[[nodiscard]] SessionViewLoad sessionView(QJsonObject view, const QString& file);
+/// What sessionView() reads.
+[[nodiscard]] QJsonObject toSessionView(const Moment& moment);
+
 /// A moment that can be drawn.
 struct OpenMoment {
     Scene scene;

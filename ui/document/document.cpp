@@ -294,6 +294,7 @@ Document::Opened Document::load(const QString& name, const QString& sceneInstead
         if (!session.session)
             return opened;
         sceneName = session.session->scene;
+        opened.view = session.session->view;
         opened.isPartial = session.session->isPartial;
         opened.sceneIsMissing = !session.session->sceneFound;
     }
@@ -377,6 +378,8 @@ void Document::take(const Opening& opening, const Opened& opened)
         Q_EMIT momentRefused();
     else if (opened.scene)
         Q_EMIT this->opened(opening.name);
+    if (opened.scene && !opened.view.isEmpty() && !isReload)
+        Q_EMIT viewOpened(opened.view, opening.name);
 }
 
 void Document::takeMoment(const Opened& opened)
@@ -435,7 +438,8 @@ bool Document::isDirty() const { return m_recovered || !(m_settings == m_clean) 
 
 Session Document::session() const
 {
-    return {m_scene->id, toJson(m_settings), movedVertices(m_original->mesh, m_scene->mesh)};
+    return {m_scene->id, toJson(m_settings), movedVertices(m_original->mesh, m_scene->mesh),
+            m_viewReader ? m_viewReader() : QJsonObject()};
 }
 
 void Document::failOpening(Lack lack)

@@ -73,6 +73,10 @@ public:
     using ViewKeeper = std::function<std::function<void()>()>;
     void setViewKeeper(ViewKeeper keeper) { m_viewKeeper = std::move(keeper); }
 
+    /// What a session keeps besides scene and settings is asked for when it is written.
+    using ViewReader = std::function<QJsonObject()>;
+    void setViewReader(ViewReader reader) { m_viewReader = std::move(reader); }
+
     /// Opens the session that an earlier run left behind, as unsaved changes of `sessionPath` (empty: never saved).
     void openRecovered(const QString& file, const QString& sessionPath);
 
@@ -113,6 +117,8 @@ Q_SIGNALS:
     void diagnosticsReported(const rasterlens::Diagnostics& diagnostics);
     void recentFilesChanged();
     void opened(const QString& name);
+    /// Behind opened(): a session tells what the window showed.
+    void viewOpened(const QJsonObject& view, const QString& file);
     void momentOpened();                       ///< behind settingsChanged
     void momentRefused();                      ///< what is open stays
     void sceneMissing(const QString& session); ///< behind diagnosticsReported: the user may say where the model is
@@ -128,6 +134,7 @@ private:
         bool isPartial = false;      ///< a session that says more than was understood, which is not to be saved over
         bool sceneIsMissing = false; ///< the model of a session is at none of its places
         std::vector<InputFile> inputs{};
+        QJsonObject view{}; ///< of a session
     };
 
     /// What an opening is for, and what it finds when it ends.
@@ -190,6 +197,7 @@ private:
     std::vector<InputFile> m_inputs;
     LeaveGuard m_leaveGuard;
     ViewKeeper m_viewKeeper;
+    ViewReader m_viewReader;
     bool m_loading = false;
     quint64 m_openSerial = 0;      ///< counts openings
     Opening m_opening;             ///< the last one

@@ -105,8 +105,10 @@ bool LessonMode::open(const QString& name)
         return false;
     const auto lesson = std::make_shared<const Lesson>(std::move(*load.lesson));
     m_player.open(lesson);
-    m_dock->show();
-    m_dock->raise();
+    if (!m_isBar) {
+        m_dock->show();
+        m_dock->raise();
+    }
     m_check.drop();
     if (!lesson->file.startsWith(QLatin1Char(':')))
         m_check.ask([lesson](const auto&) { return checkSlides(*lesson); }, LatestJob::Running::Interrupt);
@@ -164,9 +166,10 @@ void LessonMode::setAway(bool away) { m_panel->setAway(away); }
 
 void LessonMode::setBar(QLayout* bar)
 {
+    m_isBar = bar != nullptr;
     (bar ? bar : m_dock->widget()->layout())->addWidget(m_panel);
     m_panel->setBar(bar != nullptr);
-    m_panel->setVisible(true);
+    m_panel->setVisible(!bar || m_player.isOpen());
 }
 
 void LessonMode::chooseAnswerFile()

@@ -82,6 +82,7 @@ private:
     QAction* m_level = nullptr;
     QAction* m_keep = nullptr;
     QString m_answerFile;
+    bool m_isBar = false;
     std::size_t m_markedSlide = 0;     ///< of the marks on the canvas
     LatestResult<Diagnostics> m_check; ///< last: its thread uses the members above
 };

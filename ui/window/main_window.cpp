@@ -32,6 +32,7 @@
 #include "ui/window/window_moment.h"
 #include "ui/window/window_placement.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QClipboard>
 #include <QFileInfo>
@@ -105,7 +106,13 @@ void MainWindow::buildLayout()
     auto* stripRow = new QHBoxLayout(stripCard);
     stripRow->setContentsMargins(0, 0, 0, 0);
     m_stageStrip = new StageStrip;
-    stripRow->addWidget(m_stageStrip);
+    m_stageMenu = canvasLink(nullptr);
+    m_stageMenu->setObjectName(QStringLiteral("stageMenu"));
+    m_stageMenu->setText(QStringLiteral("\u2630"));
+    m_stageMenu->setPopupMode(QToolButton::InstantPopup);
+    m_stageMenu->hide();
+    stripRow->addWidget(m_stageStrip, 1);
+    stripRow->addWidget(m_stageMenu);
     column->addWidget(stripCard);
     column->addWidget(buildCanvas(), 1);
     setCentralWidget(central);
@@ -139,13 +146,14 @@ QWidget* MainWindow::buildCanvas()
     column->setContentsMargins(1, 4, 1, 1);
     column->setSpacing(4);
 
-    auto* header = new QHBoxLayout;
+    m_canvasHeader = new QWidget;
+    auto* header = new QHBoxLayout(m_canvasHeader);
     header->setObjectName(QStringLiteral("canvasHeader"));
     header->setContentsMargins(12, 0, 8, 0);
     header->setSpacing(2);
     m_canvasTitle = new ElidedLabel;
     header->addWidget(m_canvasTitle, 1);
-    column->addLayout(header);
+    column->addWidget(m_canvasHeader);
 
     m_viewport = new ViewportWidget;
     m_viewport->setObjectName(QStringLiteral("canvas"));
@@ -158,13 +166,16 @@ QWidget* MainWindow::buildCanvas()
     auto* bars = new QVBoxLayout;
     column->addLayout(bars);
     m_mistakeBadge = new MistakeBadge(m_viewport);
-    column->addWidget(m_viewport, 1);
+    m_picture = new QBoxLayout(QBoxLayout::TopToBottom);
+    m_picture->setSpacing(4);
+    m_picture->addWidget(m_viewport, 1);
+    column->addLayout(m_picture, 1);
     m_stepMode = std::make_unique<StepMode>(m_document, *m_viewport, *this, m_actions);
     m_truth = std::make_unique<TruthMode>(m_document, *m_viewport, *this, *bars, m_actions);
     m_lifeCycle =
         std::make_unique<LifeCycle>(m_document, *m_stepMode, LifeCycle::Bars{m_recoveryOffer, m_filesOffer}, *this);
     m_lessons = std::make_unique<LessonMode>(*m_viewport, *this, m_actions);
-    column->addWidget(&m_stepMode->listing());
+    m_picture->addWidget(&m_stepMode->listing());
 
     m_caption = new QLabel;
     m_caption->setObjectName(QStringLiteral("caption"));
@@ -313,64 +324,22 @@ void MainWindow::connectPanels()
 
 void MainWindow::connectModes()
 {
+    connect(m_actions.action("step.record"), &QAction::triggered, this, &MainWindow::offerSmallRecord);
     connect(m_cards, &Cards::stepRequested, m_stepMode.get(), &StepMode::showFace);
     connect(m_stepMode.get(), &StepMode::frameChanged, this, &MainWindow::showFrame);
     connect(&m_stepMode->session(), &StepSession::positionChanged, this, [this] {
         if (const auto face = m_stepMode->session().face())
             m_cards->followFace(*face);
     });
+    connect(&m_stepMode->session(), &StepSession::positionChanged, this, [this] {
+        if (m_look.presentation)
+            syncSoon(Words::OfDocument); // the caption tells the step
+    });
+    connect(&m_stepMode->session(), &StepSession::openChanged, this, &MainWindow::syncStage);
     connect(&m_stepMode->session(), &StepSession::recordingChanged, this, &MainWindow::tellIfSettled);
     connect(m_truth.get(), &TruthMode::faceWanted, m_stepMode.get(), &StepMode::showFace);
     connect(m_truth.get(), &TruthMode::stepWanted, m_stepMode.get(), &StepMode::showStep);
     connect(&m_truth->comparison(), &Comparison::changed, this, [this] { syncSoon(Words::OfPixel); });
-}
-
-void MainWindow::connectLessons()
-{
-    m_moment = new WindowMoment({m_document, *m_viewport, *m_stepMode, *m_truth, *m_cards, *m_pipelinePanel, m_actions,
-                                 [this] { return isSettled(); }, [this] { return m_look.presentation; }},
-                                this);
-    LessonPlayer& player = m_lessons->player();
-    // A lesson that begins asks about unsaved changes; what is tried out in it comes back by Undo.
-    connect(m_lessons.get(), &LessonMode::momentWanted, this, [this, &player](const Moment& moment) {
-        const bool isUnderWay = m_shownPlace.lesson == player.place().lesson;
-        m_moment->show(moment, isUnderWay ? Document::GivingUp::Silent : Document::GivingUp::Asks);
-    });
-    connect(m_lessons.get(), &LessonMode::reported, m_message,
-            [this](const Diagnostics& diagnostics) { m_message->show(diagnostics); });
-    connect(m_lessons.get(), &LessonMode::tryWanted, this, [this] {
-        m_pipelineDock->show();
-        m_pipelineDock->raise();
-    });
-    connect(this, &MainWindow::settled, m_moment, &WindowMoment::finish);
-    connect(m_moment, &WindowMoment::shown, this, [this, &player] {
-        m_shownPlace = player.place();
-        tellIfSettled();
-    });
-    connect(m_moment, &WindowMoment::refused, this, [this, &player] {
-        player.setPlace(m_shownPlace);
-        tellIfSettled();
-    });
-    connect(&m_document, &Document::opened, this, [this] { m_shownPlace = {}; }); // what is open now is no slide
-    connect(m_moment, &WindowMoment::changed, this,
-            [this, &player] { m_lessons->setAway(player.isOpen() && m_moment->isChanged()); });
-    m_document.setViewKeeper([this, &player] {
-        return [this, &player, moment = m_moment->present(), place = m_shownPlace] {
-            m_moment->showView(moment);
-            player.setPlace(place);
-            m_shownPlace = place;
-        };
-    });
-}
-
-void MainWindow::open(const QString& name)
-{
-    if (!isLesson(name)) {
-        m_document.open(name);
-        return;
-    }
-    if (m_lessons->open(name))
-        m_document.rememberRecent(name);
 }
 
 void MainWindow::connectCanvas()
@@ -582,6 +551,7 @@ void MainWindow::showEvent(QShowEvent* event)
 void MainWindow::resizeEvent(QResizeEvent* event)
 {
     QMainWindow::resizeEvent(event);
+    syncStage();
     if (!m_look.presentation)
         QTimer::singleShot(0, m_panels, &PanelPlaces::follow); // once the docks have followed the window
 }

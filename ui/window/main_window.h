@@ -15,6 +15,7 @@
 #include <memory>
 #include <vector>
 
+class QBoxLayout;
 class QLabel;
 class QLineEdit;
 class QMenu;
@@ -76,6 +77,8 @@ public:
     [[nodiscard]] LifeCycle& lifeCycle() { return *m_lifeCycle; }
 
     void openDefaultScene();
+    /// What a start without arguments opens: the first lesson the first time, else the default scene.
+    void openAtStart();
     /// Opens whatever a file holds: a scene, a session or a lesson.
     void open(const QString& name);
     void setLanguage(LanguageKind kind);
@@ -144,6 +147,7 @@ private:
     void buildSettingsMenu();
     void buildMistakesMenu();
     void buildHelpMenu();
+    void buildStageMenu();
     [[nodiscard]] ActionMenu addMenu(ActionSection section, const char* title);
 
     void retranslate();
@@ -167,6 +171,7 @@ private:
     void showFrame();
     void stepField(const SettingsField& field);
     void changeField(const SettingsField& field, const Settings& settings);
+    void offerSmallRecord();
     void moveCamera(const View& view);
     void toggleHelp();
     void toggleGoToPixel();
@@ -176,6 +181,8 @@ private:
     template <class Field, class Refused, class Mended>
     void connectField(Field* field, Refused refused, Mended mended);
     void leaveInnermost();
+    void syncStage();
+    [[nodiscard]] QString stageText() const;
     void syncCounters();
     void reportSaved(const std::optional<QString>& error, const QString& path);
     void chooseFileToOpen();
@@ -213,11 +220,14 @@ private:
     MessageBar* m_unsupported = nullptr; ///< why the present settings are not drawn
     HelpOverlay* m_help = nullptr;
     ActionSearch* m_search = nullptr;
+    QWidget* m_canvasHeader = nullptr;
+    QBoxLayout* m_picture = nullptr; ///< the canvas, and the listing below or beside it
     QLabel* m_canvasTitle = nullptr;
     QToolButton* m_goToButton = nullptr;
     QLineEdit* m_goToEdit = nullptr;
     TypedField* m_goToField = nullptr;
     QLabel* m_caption = nullptr;
+    QToolButton* m_stageMenu = nullptr; ///< in place of the menu bar
     ReadoutBar* m_readout = nullptr;
     QLabel* m_activity = nullptr;
     QLabel* m_counters = nullptr; ///< the most important ones, where the panel is out of sight

@@ -74,6 +74,7 @@ void MainWindow::buildMenus()
     buildMistakesMenu();
     menuBar()->addMenu(m_lessons->menu());
     buildHelpMenu();
+    buildStageMenu();
     const QStringList conflicts = m_actions.conflicts();
     Q_ASSERT_X(conflicts.isEmpty(), "ActionTable", qPrintable(conflicts.join(QStringLiteral("; "))));
 }
@@ -339,6 +340,15 @@ void MainWindow::buildHelpMenu()
             QT_TR_NOOP("To the next field, back"));
 }
 
+/// All menus once more, for the presentation, which has no menu bar.
+void MainWindow::buildStageMenu()
+{
+    auto* menu = new QMenu(this);
+    for (QAction* one : menuBar()->actions())
+        menu->addAction(one);
+    m_stageMenu->setMenu(menu);
+}
+
 void MainWindow::retranslate()
 {
     m_actions.retranslate();
@@ -355,6 +365,8 @@ void MainWindow::retranslate()
     m_pipelineDock->setTitle(tr("Scene"));
     m_statisticsDock->setTitle(tr("Statistics"));
     m_copyCsv->setToolTip(tr("Copy the counters as CSV"));
+    m_stageMenu->setToolTip(tr("All menus: scenes, mistakes, panels, lessons"));
+    m_stageMenu->setAccessibleName(m_stageMenu->toolTip());
     m_copyJson->setToolTip(tr("Copy the counters as JSON"));
     fillRecentMenu();
     syncActions();
