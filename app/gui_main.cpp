@@ -4,6 +4,7 @@
 #include "ui/base/image_export.h"
 #include "ui/base/settings_file.h"
 #include "ui/face/cards.h"
+#include "ui/lessons/lesson_mode.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/pipeline_panel.h"
 #include "ui/steps/step_mode.h"
@@ -11,6 +12,7 @@
 #include "ui/truth/truth_mode.h"
 #include "ui/window/end_signals.h"
 #include "ui/window/main_window.h"
+#include "ui/window/window_moment.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -51,6 +53,10 @@ struct Arguments {
     std::optional<rasterlens::LanguageKind> language;
     std::optional<rasterlens::ThemeKind> theme;
     bool keys = false;
+    QString lesson;
+    int slide = 1;     ///< counted from 1
+    bool asks = false; ///< the slide's question is open
+    bool presentation = false;
 };
 
 QStringList panelNames()
@@ -104,7 +110,7 @@ struct Options {
                              QStringLiteral("x,y")};
     QCommandLineOption step{
         QStringLiteral("step"),
-        QStringLiteral("Opens the step mode at a position, or at the first tie, sign-change, depth-fail, clip or nan."),
+        QStringLiteral("Opens the step mode at a place of the record: %1.").arg(rasterlens::stepPlaceHelp()),
         QStringLiteral("where")};
     QCommandLineOption referee{QStringLiteral("referee"),
                                QStringLiteral("Checks the picture against the exact reference.")};
@@ -122,14 +128,22 @@ struct Options {
         QStringLiteral("Compares with the picture without mistakes or as the scene asks: wipe, blink or difference."),
         QStringLiteral("view")};
 
+    QCommandLineOption lesson{QStringLiteral("lesson"),
+                              QStringLiteral("Opens a lesson: the id of a built-in one, or a .json file."),
+                              QStringLiteral("name")};
+    QCommandLineOption slide{QStringLiteral("slide"),
+                             QStringLiteral("The slide of the lesson, counted from 1; its question is skipped."),
+                             QStringLiteral("n")};
+    QCommandLineOption ask{QStringLiteral("ask"), QStringLiteral("Leaves the question of the slide open.")};
+    QCommandLineOption presentation{QStringLiteral("presentation"), QStringLiteral("Opens the presentation (F11).")};
     QCommandLineOption keys{
         QStringLiteral("keys"),
         QStringLiteral("Prints the keys as a table in Markdown, in English or in --language, and exits.")};
 
     [[nodiscard]] QList<QCommandLineOption> all() const
     {
-        return {help,  version, screenshot, windowSize, language, theme,   panel,
-                pixel, step,    referee,    reference,  compare,  measure, keys};
+        return {help,    version,   screenshot, windowSize, language, theme, panel, pixel,        step,
+                referee, reference, compare,    measure,    lesson,   slide, ask,   presentation, keys};
     }
 };
 
@@ -191,6 +205,26 @@ std::optional<QString> readTruth(const QCommandLineParser& parser, const Options
     return std::nullopt;
 }
 
+/// Reads the options about a lesson.
+///
+/// out  why one of them is refused
+std::optional<QString> readLesson(const QCommandLineParser& parser, const Options& options, Arguments& arguments)
+{
+    arguments.lesson = parser.value(options.lesson);
+    arguments.asks = parser.isSet(options.ask);
+    arguments.presentation = parser.isSet(options.presentation);
+    if (arguments.lesson.isEmpty() && rasterlens::isLesson(arguments.scene))
+        arguments.lesson = std::exchange(arguments.scene, {});
+    if (!arguments.lesson.isEmpty() && !arguments.scene.isEmpty())
+        return QStringLiteral("--lesson: a lesson brings its own scenes");
+    if ((parser.isSet(options.slide) || arguments.asks) && arguments.lesson.isEmpty())
+        return QStringLiteral("--slide and --ask need --lesson");
+    if (!parser.isSet(options.slide))
+        return std::nullopt;
+    arguments.slide = parser.value(options.slide).toInt();
+    return arguments.slide < 1 ? std::optional(QStringLiteral("--slide takes a number from 1 on")) : std::nullopt;
+}
+
 /// Reads all words but --help and --version.
 ///
 /// out  why one of them is refused
@@ -207,10 +241,12 @@ std::optional<QString> readAll(const QCommandLineParser& parser, const Options& 
         return QStringLiteral("--screenshot %1: %2").arg(arguments.screenshot, rasterlens::textOf(*why));
     arguments.step = parser.value(options.step);
     if (parser.isSet(options.step) && !rasterlens::StepMode::isPlace(arguments.step))
-        return QStringLiteral("--step takes a position, tie, sign-change, depth-fail, clip or nan");
+        return QStringLiteral("--step takes %1").arg(rasterlens::stepPlaceHelp());
     if (const auto why = readLook(parser, options, arguments))
         return why;
     if (const auto why = readTruth(parser, options, arguments))
+        return why;
+    if (const auto why = readLesson(parser, options, arguments))
         return why;
     if (parser.isSet(options.pixel)) {
         arguments.pixel = rasterlens::typedPoint(parser.value(options.pixel));
@@ -302,6 +338,32 @@ void keepAllAtTheEnd(const QApplication& application, const rasterlens::EndSigna
         Qt::DirectConnection);
 }
 
+/// Opens the lesson that the arguments name.
+///
+/// out  fine, or the exit code after an error message
+ExitCode startLesson(rasterlens::MainWindow& window, const Arguments& arguments)
+{
+    using rasterlens::LessonPlayer;
+    rasterlens::LessonMode& lessons = window.lessons();
+    QObject loading;
+    QObject::connect(&lessons, &rasterlens::LessonMode::reported, &loading,
+                     [](const rasterlens::Diagnostics& diagnostics) {
+                         for (const rasterlens::Diagnostic& diagnostic : diagnostics)
+                             printError(diagnostic.text());
+                     });
+    if (!lessons.open(arguments.lesson))
+        return kInvalidInput;
+    const std::size_t count = lessons.player().lesson().slides.size();
+    if (static_cast<std::size_t>(arguments.slide) > count) {
+        printError(QStringLiteral("rasterlens: --slide takes a number from 1 to %1").arg(count));
+        return kBadArguments;
+    }
+    lessons.player().goTo(static_cast<std::size_t>(arguments.slide - 1), arguments.asks || arguments.slide == 1
+                                                                             ? LessonPlayer::Entry::Asks
+                                                                             : LessonPlayer::Entry::Skips);
+    return kFine;
+}
+
 /// Does what the arguments ask for once the first picture is there. A scene named on the command line must open; later
 /// ones only leave a message in the window.
 ///
@@ -317,6 +379,8 @@ void startWith(rasterlens::MainWindow& window, const Arguments& arguments, QObje
                      });
     QObject::connect(&window, &rasterlens::MainWindow::settled, &starting,
                      [&window, &starting, arguments, step = arguments.step]() mutable {
+                         if (window.moment().isPending())
+                             return;
                          if (!step.isEmpty()) {
                              window.stepMode().showStep(std::exchange(step, {}));
                              return;
@@ -380,11 +444,19 @@ int main(int argc, char** argv)
 
     QObject starting;
     startWith(window, arguments, starting);
-    if (arguments.scene.isEmpty())
+    if (!arguments.lesson.isEmpty()) {
+        if (const ExitCode code = startLesson(window, arguments); code != kFine)
+            return code;
+    } else if (words.size() == 1) {
+        window.openAtStart();
+    } else if (arguments.scene.isEmpty()) {
         window.openDefaultScene();
-    else
+    } else {
         window.document().open(arguments.scene);
+    }
     window.show();
+    if (arguments.presentation)
+        window.setPresentation(true);
     const int exitCode = QApplication::exec();
     if (const QString problem = rasterlens::settingsProblem(); !forScreenshot && !problem.isEmpty())
         printError(QStringLiteral("what the window remembers could not be kept: %1").arg(problem));

@@ -217,7 +217,7 @@ void TestTransport::exportsDrawingsAndRuns()
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray text = file.readAll();
     QVERIFY(text.contains("<svg"));
-    QVERIFY(text.contains("#0072b2")); // the signs, as shapes
+    QVERIFY(text.contains("#005a8c")); // the signs, as shapes
     QVERIFY(!text.contains("<image"));
 
     const std::size_t before = session().position();

@@ -135,8 +135,11 @@ private:
     void keys()
     {
         const QStringList known{QStringLiteral("rasterlens"), kSceneKey, kAbsoluteKey, kSettingsKey, kVerticesKey};
+        const QStringList view = sessionViewKeys();
         for (const QString& key : m_json.keys())
-            if (!known.contains(key))
+            if (view.contains(key))
+                m_session.view[key] = m_json[key];
+            else if (!known.contains(key))
                 leftOut(
                     {QT_TRANSLATE_NOOP("Diagnostic",
                                        "there is no key \"%1\"; rasterlens, scene, settings and vertices are expected"),
@@ -270,6 +273,12 @@ void nameScene(const QString& scene, const QDir& folder, QJsonObject& json)
 
 } // namespace
 
+QStringList sessionViewKeys()
+{
+    return {QStringLiteral("step"),   QStringLiteral("pixel"),   QStringLiteral("zoom"),   QStringLiteral("centre"),
+            QStringLiteral("panels"), QStringLiteral("overlay"), QStringLiteral("compare")};
+}
+
 bool isSession(const QString& name)
 {
     if (!isPath(name))
@@ -341,6 +350,8 @@ std::optional<Reason> saveSession(const Session& session, const QString& path)
 {
     QJsonObject json{{"rasterlens", kFormatVersion}, {kSettingsKey, session.settings}};
     nameScene(session.scene, QFileInfo(path).absoluteDir(), json);
+    for (auto it = session.view.begin(); it != session.view.end(); ++it)
+        json[it.key()] = it.value();
     if (!session.vertices.empty())
         json[kVerticesKey] = toJson(session.vertices);
     const QByteArray text = QJsonDocument(json).toJson();

@@ -2,6 +2,7 @@
 #include "core/scene/scene.h"
 
 #include <QJsonObject>
+#include <QStringList>
 
 #include <map>
 
@@ -13,9 +14,13 @@ struct Session {
     QString scene;                                ///< as loadScene takes it; a path is absolute
     QJsonObject settings;                         ///< those that differ from the scene's, or all
     std::map<std::uint32_t, glm::dvec4> vertices; ///< index -> position, as the scene's file would have it
+    QJsonObject view{};                           ///< what else the window showed, under the keys of sessionViewKeys()
     bool isPartial = false; ///< the file says more than was understood, which saving over it would lose
     bool sceneFound = true; ///< false: the model lies at none of the places where it is looked for
 };
+
+/// The keys of a session, and of a moment of a lesson, that tell what the window shows besides scene and settings.
+[[nodiscard]] QStringList sessionViewKeys();
 
 struct SessionLoad {
     std::optional<Session> session;

@@ -4772,6 +4772,89 @@
     </message>
 </context>
 <context>
+    <name>StepSentence</name>
+    <message>
+        <source>Column %1 is filled between its lowest and its highest row.</source>
+        <translation>第 %1 列从最上一行填到最下一行。</translation>
+    </message>
+    <message>
+        <source>%1 belongs to the line.</source>
+        <translation>%1属于这条线。</translation>
+    </message>
+    <message>
+        <source>%1 gets its colour from face %2.</source>
+        <translation>%1由面 %2 着色。</translation>
+    </message>
+    <message>
+        <source>%1 is written: colour and depth are now those of face %2.</source>
+        <translation>写入%1：颜色和深度现在是面 %2 的。</translation>
+    </message>
+    <message>
+        <source>The frame is finished.</source>
+        <translation>这一帧画完了。</translation>
+    </message>
+    <message>
+        <source>Pixel (%1, %2)</source>
+        <translation>像素 (%1, %2) </translation>
+    </message>
+    <message>
+        <source>Sample (%1, %2)</source>
+        <translation>采样点 (%1, %2) </translation>
+    </message>
+    <message>
+        <source>%1 lies inside all three edges of face %2.</source>
+        <translation>%1在面 %2 三条边的内侧。</translation>
+    </message>
+    <message>
+        <source>%1 lies outside edge %3: face %2 does not draw it.</source>
+        <translation>%1在边 %3 的外侧：面 %2 不画它。</translation>
+    </message>
+    <message>
+        <source>%1 lies exactly on %3, a right or bottom edge, and still face %2 draws it.</source>
+        <translation>%1恰在边 %3 上，这是右边或下边，面 %2 却画了它。</translation>
+    </message>
+    <message>
+        <source>%1 lies exactly on %3, a right or bottom edge: face %2 does not draw it.</source>
+        <translation>%1恰在边 %3 上，这是右边或下边：面 %2 不画它。</translation>
+    </message>
+    <message>
+        <source>%1 lies exactly on %3, a %4 edge: face %2 draws it.</source>
+        <translation>%1恰在边 %3 上，这是%4：面 %2 画它。</translation>
+    </message>
+    <message>
+        <source>%1 lies exactly on %3, a %4 edge, and still face %2 does not draw it.</source>
+        <translation>%1恰在边 %3 上，这是%4，面 %2 却不画它。</translation>
+    </message>
+    <message>
+        <source>Row %1 of face %2 is filled from x = %3 to %4.</source>
+        <translation>面 %2 的第 %1 行从 x = %3 填到 %4。</translation>
+    </message>
+    <message>
+        <source>Row %1 of face %2 holds no pixel centre.</source>
+        <translation>面 %2 的第 %1 行没有像素中心。</translation>
+    </message>
+    <message>
+        <source>p = %1 is greater than 0: the line steps aside.</source>
+        <translation>p = %1 大于 0：线横移一步。</translation>
+    </message>
+    <message>
+        <source>p = %1 is not greater than 0: the line goes straight on.</source>
+        <translation>p = %1 不大于 0：线直走。</translation>
+    </message>
+    <message>
+        <source>%1 of face %2 is taken: depth is not tested.</source>
+        <translation>取面 %2 的%1：不做深度测试。</translation>
+    </message>
+    <message>
+        <source>%1: face %2, at depth %3 against %4, passes the depth test.</source>
+        <translation>%1：面 %2 的深度 %3，与 %4 相比，通过深度测试。</translation>
+    </message>
+    <message>
+        <source>%1: face %2, at depth %3 against %4, fails the depth test.</source>
+        <translation>%1：面 %2 的深度 %3，与 %4 相比，没有通过深度测试。</translation>
+    </message>
+</context>
+<context>
     <name>Steps</name>
     <message>
         <source>after step %1</source>
@@ -5244,6 +5327,10 @@
     <message>
         <source>what</source>
         <translation>作用</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>课程</translation>
     </message>
 </context>
 <context>
@@ -5810,6 +5897,135 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::LessonMode</name>
+    <message>
+        <source>The lesson was not checked: %1.</source>
+        <translation>课程没有检查：%1。</translation>
+    </message>
+    <message>
+        <source>Less&amp;ons</source>
+        <translation>课程(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Next slide</source>
+        <translation>下一页(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Previous slide</source>
+        <translation>上一页(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Next, previous slide, also by a presenter&apos;s remote</source>
+        <translation>下一页、上一页，翻页笔也可以</translation>
+    </message>
+    <message>
+        <source>&amp;Back to the lesson</source>
+        <translation>回到课程(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Mark the selected pixel as an answer</source>
+        <translation>把所选像素标为答案(&amp;M)</translation>
+    </message>
+    <message>
+        <source>With slides for a &amp;second look</source>
+        <translation>包括进阶页(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep answers in a file (CSV, no names)…</source>
+        <translation>把答案存入文件（CSV，不含姓名）(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>&amp;Close the lesson</source>
+        <translation>关闭课程(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>课程</translation>
+    </message>
+    <message>
+        <source>Keep answers in a file</source>
+        <translation>把答案存入文件</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Answers are kept in %1, without names.</source>
+        <translation>答案存入 %1，不含姓名。</translation>
+    </message>
+    <message>
+        <source>%1: the answers cannot be written: %2</source>
+        <translation>%1：答案无法写入：%2</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::LessonPanel</name>
+    <message>
+        <source>Try it yourself</source>
+        <translation>自己试试</translation>
+    </message>
+    <message>
+        <source>Change anything: settings, mistakes, corners, steps. The lesson waits.</source>
+        <translation>什么都可以改：设置、错误、顶点、步骤。课程会等着。</translation>
+    </message>
+    <message>
+        <source>Back to the lesson</source>
+        <translation>回到课程</translation>
+    </message>
+    <message>
+        <source>Choose a lesson in the menu Lessons.</source>
+        <translation>请在“课程”菜单里选一课。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>第 %1 页，共 %2 页</translation>
+    </message>
+    <message>
+        <source>%1 of %2 right</source>
+        <translation>答对 %1 / %2</translation>
+    </message>
+    <message>
+        <source>This question has no answer here.</source>
+        <translation>这个问题在这里没有答案。</translation>
+    </message>
+    <message>
+        <source>The answer: %1</source>
+        <translation>答案：%1</translation>
+    </message>
+    <message>
+        <source>✓ Right: %1</source>
+        <translation>✓ 对：%1</translation>
+    </message>
+    <message>
+        <source>✗ %1 of %2 found, %3 too many</source>
+        <translation>✗ %2 个里找到 %1 个，多点了 %3 个</translation>
+    </message>
+    <message>
+        <source>✗ Not quite. The answer: %1</source>
+        <translation>✗ 不对。答案：%1</translation>
+    </message>
+    <message>
+        <source>The lesson ends here.</source>
+        <translation>这一课到此结束。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 questions answered right.</source>
+        <translation>%2 个问题答对 %1 个。</translation>
+    </message>
+    <message>
+        <source> (second look)</source>
+        <translation>（进阶）</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::LessonPlayer</name>
+    <message>
+        <source>The answer was not computed: %1.</source>
+        <translation>答案没有算出：%1。</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::LifeCycle</name>
     <message>
         <source>Unsaved changes cannot be kept in case the program ends unexpectedly: %1</source>
@@ -6135,10 +6351,6 @@
         <translation>打开</translation>
     </message>
     <message>
-        <source>Scenes, cases and sessions (*.obj *.case *.json)</source>
-        <translation>场景、用例与会话 (*.obj *.case *.json)</translation>
-    </message>
-    <message>
         <source>All files (*)</source>
         <translation>所有文件 (*)</translation>
     </message>
@@ -6257,6 +6469,22 @@
     <message>
         <source>Interpolation, next value</source>
         <translation>插值：下一个值</translation>
+    </message>
+    <message>
+        <source>Scenes, cases, sessions and lessons (*.obj *.case *.json)</source>
+        <translation>场景、用例、会话和课程 (*.obj *.case *.json)</translation>
+    </message>
+    <message>
+        <source>All menus: scenes, mistakes, panels, lessons</source>
+        <translation>全部菜单：场景、错误、面板、课程</translation>
+    </message>
+    <message>
+        <source>Every step of %1 x %2 pixels is recorded. In a small picture each step is seen.</source>
+        <translation>%1 x %2 个像素的每一步都记录了。小图里每一步都看得清。</translation>
+    </message>
+    <message>
+        <source>Draw at %1 x %2</source>
+        <translation>改画 %1 x %2</translation>
     </message>
 </context>
 <context>
@@ -6500,6 +6728,10 @@
         <source>Derivations</source>
         <translation>推导</translation>
     </message>
+    <message>
+        <source>Lesson</source>
+        <translation>课程</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::PanelSpin</name>
@@ -6724,6 +6956,31 @@
     <message>
         <source>Without %1</source>
         <translation>没有 %1 时</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::QuestionBox</name>
+    <message>
+        <source>Click the pixels on the canvas.</source>
+        <translation>请在画布上点像素。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pixel(s) marked</source>
+        <translation>
+            <numerusform>已标 %n 个像素</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清除</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>检查</translation>
+    </message>
+    <message>
+        <source>your answer</source>
+        <translation>你的答案</translation>
     </message>
 </context>
 <context>

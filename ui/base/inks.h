@@ -9,8 +9,8 @@ namespace rasterlens
 {
 
 // On the canvas, whose picture may have any colour: signs there have a glyph or an outline as well.
-constexpr QRgb kCanvasPlus = 0xff0072b2;
-constexpr QRgb kCanvasMinus = 0xffd55e00; ///< also what is wrong
+constexpr QRgb kCanvasPlus = 0xff005a8c;
+constexpr QRgb kCanvasMinus = 0xff8f3c00; ///< also what is wrong
 constexpr QRgb kCanvasInk = 0xff12151a;   ///< outlines, and behind white letters
 
 // Edge walking: the edge from the highest to the lowest corner, a full line, and the two beside it, dashed.

@@ -138,7 +138,7 @@ void ViewportWidget::showPixel(QPoint pixel)
     const QRect cell = m_transform.toCanvas(QRectF(pixel, QSizeF(1, 1))).toAlignedRect();
     if (rect().contains(cell))
         return;
-    m_fitted = false;
+    leaveFit();
     setTransform({m_transform.zoom, QRectF(rect()).center() - (QPointF(pixel) + QPointF(0.5, 0.5)) * m_transform.zoom});
 }
 
@@ -173,10 +173,24 @@ void ViewportWidget::applyFit()
     setTransform(transform);
 }
 
+/// From here on the user decides what is in sight.
+void ViewportWidget::leaveFit()
+{
+    m_fitted = false;
+    m_centre.reset();
+}
+
+void ViewportWidget::showAround(QPointF image, double zoom)
+{
+    m_fitted = false;
+    m_centre = image;
+    setTransform({zoom, QRectF(rect()).center() - image * zoom});
+}
+
 void ViewportWidget::zoomAt(QPointF canvas, double zoom)
 {
     const QPointF image = m_transform.toImage(canvas);
-    m_fitted = false;
+    leaveFit();
     CanvasTransform transform;
     transform.zoom = zoom;
     transform.origin = canvas - image * zoom;
@@ -223,7 +237,7 @@ void ViewportWidget::hover(std::optional<QPoint> pixel)
 void ViewportWidget::goToPixel(QPoint pixel)
 {
     constexpr double kComfortable = 32;
-    m_fitted = false;
+    leaveFit();
     CanvasTransform transform;
     transform.zoom = std::max(m_transform.zoom, kComfortable);
     transform.origin = QRectF(rect()).center() - (QPointF(pixel) + QPointF(0.5, 0.5)) * transform.zoom;
@@ -340,6 +354,8 @@ void ViewportWidget::resizeEvent(QResizeEvent*)
 {
     if (m_fitted)
         applyFit();
+    else if (m_centre)
+        showAround(*m_centre, m_transform.zoom);
     else
         setTransform(m_transform);
 }
@@ -404,7 +420,7 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event)
     const double scale = std::min(m_transform.zoom, 1.0);
     switch (m_drag) {
     case Drag::PanCanvas:
-        m_fitted = false;
+        leaveFit();
         setTransform({m_transform.zoom, m_transform.origin + drag});
         setCursor(Qt::ClosedHandCursor);
         break;

@@ -49,6 +49,8 @@ public:
     [[nodiscard]] bool isFitted() const { return m_fitted; }
     /// Frames the image, or the given pixels of it, and keeps doing so when the widget is resized.
     void fit(const std::optional<PixelRect>& pixels = std::nullopt);
+    /// Shows the surroundings of a point of the picture, and keeps it in the middle when the widget is resized.
+    void showAround(QPointF image, double zoom);
     void setZoom(double zoom) { zoomAt(rect().center(), zoom); }
     void zoomStep(int direction) { zoomAt(rect().center(), nextZoomStep(m_transform.zoom, direction)); }
     void zoomAt(QPointF canvas, double zoom);
@@ -110,6 +112,7 @@ private:
     [[nodiscard]] bool looksLikeTheShown(const RenderedFrame& frame) const;
     [[nodiscard]] QSize imageSize() const;
     void applyFit();
+    void leaveFit();
     void setTransform(CanvasTransform transform);
     void hover(std::optional<QPoint> pixel);
     void nudge(QPoint step);
@@ -124,6 +127,7 @@ private:
     Wipe m_wipe;
     std::optional<PixelRect> m_fitPixels;
     bool m_fitted = true;
+    std::optional<QPointF> m_centre; ///< of the picture, kept in the middle; none once the user has moved it
     bool m_stale = false;
     bool m_frameShown = true;
     QColor m_canvasColor;

@@ -42,34 +42,14 @@ QPolygonF halfOf(const QRectF& box, Distance distance)
     return half;
 }
 
-void paintGlyph(QPainter& painter, QPointF centre, double diameter, EdgeSign sign)
-{
-    const double r = diameter / 2;
-    const double stroke = std::max(1.0, diameter / 7);
-    painter.setBrush(sign == EdgeSign::Plus    ? QColor(kCanvasPlus)
-                     : sign == EdgeSign::Minus ? QColor(kCanvasMinus)
-                                               : QColor(Qt::white));
-    painter.setPen(sign == EdgeSign::Zero || sign == EdgeSign::NotANumber ? QPen(Qt::black, stroke) : QPen(Qt::NoPen));
-    const double inset = sign == EdgeSign::Zero || sign == EdgeSign::NotANumber ? stroke / 2 : 0;
-    painter.drawEllipse(centre, r - inset, r - inset);
-    const double arm = r * 0.55;
-    if (sign == EdgeSign::Plus || sign == EdgeSign::Minus) {
-        painter.setPen(QPen(Qt::white, stroke, Qt::SolidLine, Qt::FlatCap));
-        painter.drawLine(centre - QPointF(arm, 0), centre + QPointF(arm, 0));
-        if (sign == EdgeSign::Plus)
-            painter.drawLine(centre - QPointF(0, arm), centre + QPointF(0, arm));
-    } else if (sign == EdgeSign::Zero) {
-        painter.setPen(QPen(Qt::black, std::max(1.0, diameter / 9)));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawEllipse(centre, r * 0.28, r * 0.42);
-    } else {
-        painter.setPen(QPen(Qt::black, stroke));
-        painter.drawLine(centre - QPointF(arm, arm) * 0.7, centre + QPointF(arm, arm) * 0.7);
-        painter.drawLine(centre - QPointF(arm, -arm) * 0.7, centre + QPointF(arm, -arm) * 0.7);
-    }
-}
+double glyphDiameter(double cell) { return std::min(cell * 0.28, 42.0); }
 
-double glyphDiameter(double cell) { return std::min(cell * 0.28, 30.0); }
+/// Numbers grow with the samples, up to the size of the window's type and a little beyond.
+int numberPixels(double cell, bool isLarge)
+{
+    const int most = std::max(18, QFontInfo(QGuiApplication::font()).pixelSize());
+    return std::clamp(int(cell / (isLarge ? 4.2 : 5)), 10, most);
+}
 
 QPointF glyphCentre(const QRectF& box, std::size_t edge)
 {
@@ -113,6 +93,10 @@ void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTran
     paintCurrent(view);
     paintCorners(view);
     paintHover(view);
+    if (m_model->hasSetup() && view.cell >= kGlyphsFromCell)
+        paintLensLegend(painter, canvas,
+                        QRectF(view.at({0, 0}), view.at({m_model->log().columns(), m_model->log().rows()})),
+                        m_model->triangle().setup, view.cell >= kLensNumbersFromCell);
     painter.restore();
 }
 
@@ -148,10 +132,9 @@ void LensOverlay::paintCell(QPainter& painter, const QRectF& box, const LensCell
     if (!cell.hasValues)
         return;
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setOpacity(cell.state == LensCell::State::Waiting ? 0.33 : 1.0);
     for (std::size_t i = 0; i < 3; ++i)
-        paintGlyph(painter, glyphCentre(box, i), glyphDiameter(s), cell.signs[i]);
-    painter.setOpacity(1);
+        paintGlyph(painter, glyphCentre(box, i), glyphDiameter(s), cell.signs[i], i,
+                   cell.state == LensCell::State::Waiting);
 }
 
 /// Samples too small for glyphs: runs of one colour, the picture shining through.
@@ -206,9 +189,9 @@ void LensOverlay::paintNumbers(LensView& view) const
 {
     const StepSetup& setup = m_model->triangle().setup;
     QFont numbers = numberFont();
-    numbers.setPixelSize(std::clamp(int(view.cell / 5), 10, 18));
+    numbers.setPixelSize(numberPixels(view.cell, view.options.thickLines));
     QFont words = textFont(0);
-    words.setPixelSize(std::clamp(int(view.cell / 6), 9, 15));
+    words.setPixelSize(std::max(9, numberPixels(view.cell, view.options.thickLines) * 5 / 6));
     const QFontMetricsF wordMetrics(words);
     const QFontMetricsF numberMetrics(numbers);
     const double digit = numberMetrics.horizontalAdvance(QLatin1Char('0'));
@@ -228,7 +211,7 @@ void LensOverlay::paintNumbers(LensView& view) const
         if (!cell.tie && widthOf() > room)
             text = QString::number(cell.values[std::size_t(cell.deciding)] / setup.unitsPerArea, 'g', 3);
         const double width = widthOf();
-        view.painter.setPen(withAlpha(ink, cell.state == LensCell::State::Waiting ? 150 : 255));
+        view.painter.setPen(withAlpha(ink, cell.state == LensCell::State::Waiting ? 200 : 255));
         view.painter.setFont(cell.tie ? words : numbers);
         const double ascent = cell.tie ? wordMetrics.ascent() : numberMetrics.ascent();
         view.painter.drawText(QPointF(box.center().x() - width / 2, box.top() + 2 + ascent), text);
@@ -282,12 +265,11 @@ void LensOverlay::paintTies(LensView& view)
     for (const auto& [box, cell] : view.cells) {
         if (!cell.tie)
             continue;
-        view.painter.setOpacity(cell.state == LensCell::State::Waiting ? 0.5 : 1);
         for (std::size_t i = 0; i < 3; ++i)
             if (cell.signs[i] == EdgeSign::Zero)
-                paintGlyph(view.painter, glyphCentre(box, i), glyphDiameter(view.cell), EdgeSign::Zero);
+                paintGlyph(view.painter, glyphCentre(box, i), glyphDiameter(view.cell), EdgeSign::Zero, i,
+                           cell.state == LensCell::State::Waiting);
     }
-    view.painter.setOpacity(1);
 }
 
 void LensOverlay::paintCorners(LensView& view) const

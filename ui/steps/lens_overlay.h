@@ -1,5 +1,6 @@
 #pragma once
 #include "ui/canvas/pixel_overlay.h"
+#include "ui/steps/lens_glyphs.h"
 #include "ui/steps/lens_model.h"
 #include "ui/steps/lens_view.h"
 

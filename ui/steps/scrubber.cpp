@@ -67,8 +67,8 @@ QColor pipColor(PipKind kind, const QPalette& palette)
     case PipKind::Sample: return inks.plus;
     case PipKind::Outside: return inks.minus;
     case PipKind::Cull: return readable(0x6a3d9a);
-    case PipKind::Clip: return readable(0x00796b);
-    case PipKind::DepthFail: return readable(0xb07aa1);
+    case PipKind::Clip: return readable(0x005f54);
+    case PipKind::DepthFail: return readable(0x7a4a6e);
     case PipKind::Tie: break;
     }
     return palette.color(QPalette::Text);

@@ -14,24 +14,6 @@
 
 namespace rasterlens
 {
-namespace
-{
-
-constexpr std::pair<const char*, StepStop::Kind> kStops[] = {
-    {"sign-change", StepStop::Kind::SignChange}, {"tie", StepStop::Kind::Tie},
-    {"depth-fail", StepStop::Kind::DepthFail},   {"clip", StepStop::Kind::Clip},
-    {"nan", StepStop::Kind::NonFinite},
-};
-
-const StepStop::Kind* stopNamed(const QString& name)
-{
-    for (const auto& [id, kind] : kStops)
-        if (name == QLatin1String(id))
-            return &kind;
-    return nullptr;
-}
-
-} // namespace
 
 StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& window, ActionTable& actions)
     : m_session(document), m_viewport(viewport), m_transport(new TransportDock(m_session, actions, &window)),
@@ -49,6 +31,8 @@ StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& wi
     connect(&m_session, &StepSession::openChanged, this, [this](bool open) {
         if (open)
             m_transport->show();
+        else
+            m_wanted.reset();
         syncLens();
         Q_EMIT frameChanged();
     });
@@ -56,8 +40,8 @@ StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& wi
     connect(&m_session, &StepSession::recordingChanged, this, [this](bool recording) {
         syncLens();
         Q_EMIT frameChanged();
-        if (!recording && !m_wanted.isEmpty())
-            showStep(std::exchange(m_wanted, {}));
+        if (!recording && m_wanted && m_session.isOpen())
+            showPlace(*std::exchange(m_wanted, std::nullopt));
         if (!recording && m_wantedFace) {
             const auto [face, pixel] = *std::exchange(m_wantedFace, std::nullopt);
             showFace(face, pixel);
@@ -133,28 +117,27 @@ std::optional<std::size_t> StepMode::moment() const
     return isShown ? std::optional(m_session.position()) : std::nullopt;
 }
 
-bool StepMode::isPlace(const QString& where)
-{
-    bool isNumber = false;
-    (void)where.toULongLong(&isNumber);
-    return isNumber || stopNamed(where);
-}
+bool StepMode::isPlace(const QString& where) { return stepPlaceFromText(where).has_value(); }
 
-void StepMode::showStep(const QString& where)
+void StepMode::showStep(const QString& where) { showPlace(*stepPlaceFromText(where)); }
+
+void StepMode::showPlace(const StepPlace& place)
 {
-    const StepStop::Kind* stop = stopNamed(where);
     m_session.open();
-    if (m_session.isRecording())
-        m_wanted = where;
-    else if (stop)
-        m_session.runUntil({*stop});
-    else
-        m_session.moveTo(std::size_t(where.toULongLong()));
+    m_wanted.reset();
+    m_wantedFace.reset();
+    if (m_session.isRecording()) {
+        m_wanted = place;
+        return;
+    }
+    if (m_session.log())
+        m_session.moveTo(positionOf(place, *m_session.log()).value_or(m_session.size()));
 }
 
 void StepMode::showFace(quint32 face, QPoint pixel)
 {
     m_session.open();
+    m_wanted.reset();
     if (m_session.isRecording()) {
         m_wantedFace = {face, pixel};
         return;

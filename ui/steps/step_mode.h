@@ -1,4 +1,5 @@
 #pragma once
+#include "core/lessons/step_place.h"
 #include "ui/steps/lens_overlay.h"
 #include "ui/steps/run_export.h"
 #include "ui/steps/sample_lens.h"
@@ -39,13 +40,15 @@ public:
     /// The step after which that frame is; nothing: the finished frame is shown.
     [[nodiscard]] std::optional<std::size_t> moment() const;
 
-    /// Opens the step mode and goes there as soon as the record is there: a position, or the name of a stop.
+    /// Opens the step mode and goes there as soon as the record is there; to its end where it has no such place.
+    void showPlace(const StepPlace& place);
+    /// showPlace() of the place that a text tells.
     ///
     /// in  isPlace()
     void showStep(const QString& where);
     /// Opens the step mode and goes to the first event of a face at a pixel as soon as the record is there.
     void showFace(quint32 face, QPoint pixel);
-    /// A number, `tie`, `sign-change`, `depth-fail`, `clip` or `nan`.
+    /// What stepPlaceFromText() reads.
     [[nodiscard]] static bool isPlace(const QString& where);
     /// Nothing is being recorded.
     [[nodiscard]] bool isSettled() const { return !m_session.isRecording(); }
@@ -77,7 +80,7 @@ private:
     QMainWindow& m_window;
     std::shared_ptr<RenderedFrame> m_frame;       ///< last handed out
     std::shared_ptr<RenderedFrame> m_formerFrame; ///< before that
-    QString m_wanted;                             ///< where to go when the record is there
+    std::optional<StepPlace> m_wanted;            ///< where to go when the record is there
     /// The face and pixel to go to when the record is there.
     std::optional<std::pair<quint32, QPoint>> m_wantedFace;
 };

@@ -2,6 +2,7 @@
 
 #include "ui/base/elided_label.h"
 #include "ui/base/parts.h"
+#include "ui/base/style_sheet.h"
 #include "ui/base/theme.h"
 #include "ui/steps/scrubber.h"
 #include "ui/steps/step_listing.h"
@@ -14,6 +15,7 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QFrame>
+#include <QGraphicsOpacityEffect>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -70,6 +72,10 @@ TransportDock::TransportDock(StepSession& session, ActionTable& actions, QWidget
     setObjectName(QStringLiteral("transportDock"));
     buildActions(actions);
     setTitleBarWidget(buildTitleRow());
+    constexpr int kRestMs = 4000;
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(kRestMs);
+    connect(&m_rest, &QTimer::timeout, this, [this] { fade(m_brief); });
     setWidget(buildBody());
     qApp->installEventFilter(this);
     connect(&session, &StepSession::openChanged, this, &TransportDock::syncLog);
@@ -316,7 +322,30 @@ QWidget* TransportDock::buildBody()
 void TransportDock::setBrief(bool on)
 {
     m_brief = on;
+    auto* row = static_cast<QHBoxLayout*>(m_titleRow->layout());
+    auto* column = static_cast<QVBoxLayout*>(m_body->layout());
+    if (on)
+        row->insertWidget(row->indexOf(m_summary), m_scrubber, 1);
+    else
+        column->insertWidget(0, m_scrubber);
+    m_body->setVisible(!on);
+    row->setContentsMargins(12, on ? 3 : 7, 10, on ? 3 : 5);
+    setStyleProperty(*m_titleRow, "brief", on ? QStringLiteral("true") : QStringLiteral("false"));
+    fade(false);
     sync();
+}
+
+/// The room of the bar stays, so that the picture does not jump.
+void TransportDock::fade(bool away)
+{
+    m_rest.stop();
+    if (!away) {
+        m_titleRow->setGraphicsEffect(nullptr);
+        return;
+    }
+    auto* invisible = new QGraphicsOpacityEffect;
+    invisible->setOpacity(0);
+    m_titleRow->setGraphicsEffect(invisible);
 }
 
 void TransportDock::retranslate()
@@ -399,6 +428,7 @@ void TransportDock::sync()
     m_speedLink->setText(tr("speed %1 \u25be").arg(speedText(m_session.speed())));
     for (QToolButton* link : {m_speedLink, m_runLink})
         link->setVisible(open);
+    m_summary->setVisible(!m_brief);
     const bool hasRoom = !m_brief && !m_isLow;
     m_legend->setVisible(!m_isLow);
     m_scopeLink->setVisible(hasRoom);
@@ -427,6 +457,10 @@ bool TransportDock::eventFilter(QObject* watched, QEvent* event)
         const bool isLow = parentWidget()->height() < kLowWindow;
         if (std::exchange(m_isLow, isLow) != isLow)
             sync();
+    }
+    if (m_brief && event->type() == QEvent::MouseMove && watched->isWidgetType()) {
+        fade(false);
+        m_rest.start();
     }
     if (event->type() == QEvent::ShortcutOverride && watched->isWidgetType()) {
         auto* key = static_cast<QKeyEvent*>(event);

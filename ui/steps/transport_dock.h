@@ -32,7 +32,8 @@ public:
     [[nodiscard]] QString stepText() const;
     [[nodiscard]] QString noticeText() const;
 
-    /// Only what a large type has room for: what is recorded is chosen in the menu, keys are in the help.
+    /// A thin bar of buttons, step and scrubber, for a large type: what is recorded is chosen in the menu, keys are in
+    /// the help. Once the mouse was used it fades away while it rests.
     void setBrief(bool on);
 
 Q_SIGNALS:
@@ -57,6 +58,7 @@ private:
     void retranslate();
     void sync();
     void syncLog();
+    void fade(bool away);
     void runUntil(StepStop::Kind kind);
     void selectFaceHere();
 
@@ -87,6 +89,7 @@ private:
     QLabel* m_step = nullptr;
     QLabel* m_summary = nullptr;
     bool m_brief = false;
+    QTimer m_rest;        ///< of the mouse
     bool m_isLow = false; ///< the window
     QLabel* m_notice = nullptr;
     QLabel* m_legend = nullptr;

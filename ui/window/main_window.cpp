@@ -12,6 +12,7 @@
 #include "ui/document/navigation.h"
 #include "ui/face/cards.h"
 #include "ui/face/vertex_panel.h"
+#include "ui/lessons/lesson_mode.h"
 #include "ui/pipeline/mistake_badge.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/pipeline_panel.h"
@@ -28,8 +29,10 @@
 #include "ui/window/locate_model.h"
 #include "ui/window/panel_places.h"
 #include "ui/window/readout_bar.h"
+#include "ui/window/window_moment.h"
 #include "ui/window/window_placement.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QClipboard>
 #include <QFileInfo>
@@ -103,7 +106,13 @@ void MainWindow::buildLayout()
     auto* stripRow = new QHBoxLayout(stripCard);
     stripRow->setContentsMargins(0, 0, 0, 0);
     m_stageStrip = new StageStrip;
-    stripRow->addWidget(m_stageStrip);
+    m_stageMenu = canvasLink(nullptr);
+    m_stageMenu->setObjectName(QStringLiteral("stageMenu"));
+    m_stageMenu->setText(QStringLiteral("\u2630"));
+    m_stageMenu->setPopupMode(QToolButton::InstantPopup);
+    m_stageMenu->hide();
+    stripRow->addWidget(m_stageStrip, 1);
+    stripRow->addWidget(m_stageMenu);
     column->addWidget(stripCard);
     column->addWidget(buildCanvas(), 1);
     setCentralWidget(central);
@@ -123,7 +132,8 @@ void MainWindow::buildLayout()
     for (const auto& docks : {m_cards->docks(), m_truth->docks()})
         for (Dock* dock : docks)
             tabs << dock;
-    const PanelPlaces::Columns columns{m_pipelineDock, m_statisticsDock, tabs.takeFirst(), &m_stepMode->transport()};
+    const PanelPlaces::Columns columns{m_pipelineDock, &m_lessons->dock(), m_statisticsDock, tabs.takeFirst(),
+                                       &m_stepMode->transport()};
     m_panels = new PanelPlaces(*this, *m_viewport, columns, tabs);
     setContentsMargins(kCardGap, 0, kCardGap, 0);
 }
@@ -136,13 +146,14 @@ QWidget* MainWindow::buildCanvas()
     column->setContentsMargins(1, 4, 1, 1);
     column->setSpacing(4);
 
-    auto* header = new QHBoxLayout;
+    m_canvasHeader = new QWidget;
+    auto* header = new QHBoxLayout(m_canvasHeader);
     header->setObjectName(QStringLiteral("canvasHeader"));
     header->setContentsMargins(12, 0, 8, 0);
     header->setSpacing(2);
     m_canvasTitle = new ElidedLabel;
     header->addWidget(m_canvasTitle, 1);
-    column->addLayout(header);
+    column->addWidget(m_canvasHeader);
 
     m_viewport = new ViewportWidget;
     m_viewport->setObjectName(QStringLiteral("canvas"));
@@ -155,12 +166,16 @@ QWidget* MainWindow::buildCanvas()
     auto* bars = new QVBoxLayout;
     column->addLayout(bars);
     m_mistakeBadge = new MistakeBadge(m_viewport);
-    column->addWidget(m_viewport, 1);
+    m_picture = new QBoxLayout(QBoxLayout::TopToBottom);
+    m_picture->setSpacing(4);
+    m_picture->addWidget(m_viewport, 1);
+    column->addLayout(m_picture, 1);
     m_stepMode = std::make_unique<StepMode>(m_document, *m_viewport, *this, m_actions);
     m_truth = std::make_unique<TruthMode>(m_document, *m_viewport, *this, *bars, m_actions);
     m_lifeCycle =
         std::make_unique<LifeCycle>(m_document, *m_stepMode, LifeCycle::Bars{m_recoveryOffer, m_filesOffer}, *this);
-    column->addWidget(&m_stepMode->listing());
+    m_lessons = std::make_unique<LessonMode>(*m_viewport, *this, m_actions);
+    m_picture->addWidget(&m_stepMode->listing());
 
     m_caption = new QLabel;
     m_caption->setObjectName(QStringLiteral("caption"));
@@ -220,12 +235,15 @@ void MainWindow::connectParts()
     connectPanels();
     connectModes();
     connectCanvas();
+    connectLessons();
     // Errors and remarks of the parts are messages over the canvas.
     const auto says = [this](MessageKind kind) {
         return [this, kind](const QString& text) { m_message->show(kind, text); };
     };
     connect(&m_worker, &RenderWorker::memoryNeeded, m_message, says(MessageKind::Info));
     connect(m_truth.get(), &TruthMode::message, m_message, says(MessageKind::Info));
+    connect(m_lessons.get(), &LessonMode::message, m_message, says(MessageKind::Info));
+    connect(m_lessons.get(), &LessonMode::failed, m_message, says(MessageKind::Error));
     connect(m_stepMode.get(), &StepMode::message, m_message, says(MessageKind::Info));
     connect(m_lifeCycle.get(), &LifeCycle::warned, m_message, says(MessageKind::Warning));
     connect(m_truth.get(), &TruthMode::failed, m_message, says(MessageKind::Error));
@@ -306,12 +324,18 @@ void MainWindow::connectPanels()
 
 void MainWindow::connectModes()
 {
+    connect(m_actions.action("step.record"), &QAction::triggered, this, &MainWindow::offerSmallRecord);
     connect(m_cards, &Cards::stepRequested, m_stepMode.get(), &StepMode::showFace);
     connect(m_stepMode.get(), &StepMode::frameChanged, this, &MainWindow::showFrame);
     connect(&m_stepMode->session(), &StepSession::positionChanged, this, [this] {
         if (const auto face = m_stepMode->session().face())
             m_cards->followFace(*face);
     });
+    connect(&m_stepMode->session(), &StepSession::positionChanged, this, [this] {
+        if (m_look.presentation)
+            syncSoon(Words::OfDocument); // the caption tells the step
+    });
+    connect(&m_stepMode->session(), &StepSession::openChanged, this, &MainWindow::syncStage);
     connect(&m_stepMode->session(), &StepSession::recordingChanged, this, &MainWindow::tellIfSettled);
     connect(m_truth.get(), &TruthMode::faceWanted, m_stepMode.get(), &StepMode::showFace);
     connect(m_truth.get(), &TruthMode::stepWanted, m_stepMode.get(), &StepMode::showStep);
@@ -450,8 +474,8 @@ bool MainWindow::isShown() const
 
 bool MainWindow::isComplete() const
 {
-    return isSettled() && !m_wordsAreOld.any() && !m_cards->isBusy() && !m_mistakeBadge->isCounting() &&
-           !m_truth->isBusy();
+    return isSettled() && !m_moment->isPending() && !m_lessons->isBusy() && !m_wordsAreOld.any() &&
+           !m_cards->isBusy() && !m_mistakeBadge->isCounting() && !m_truth->isBusy();
 }
 
 QString MainWindow::message() const
@@ -527,6 +551,7 @@ void MainWindow::showEvent(QShowEvent* event)
 void MainWindow::resizeEvent(QResizeEvent* event)
 {
     QMainWindow::resizeEvent(event);
+    syncStage();
     if (!m_look.presentation)
         QTimer::singleShot(0, m_panels, &PanelPlaces::follow); // once the docks have followed the window
 }

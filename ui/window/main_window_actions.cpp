@@ -5,6 +5,7 @@
 #include "ui/base/message_bar.h"
 #include "ui/document/navigation.h"
 #include "ui/face/cards.h"
+#include "ui/lessons/lesson_mode.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/pipeline_panel.h"
 #include "ui/steps/step_mode.h"
@@ -71,7 +72,9 @@ void MainWindow::buildMenus()
     menuBar()->addMenu(m_stepMode->transport().menu());
     menuBar()->addMenu(m_truth->menu());
     buildMistakesMenu();
+    menuBar()->addMenu(m_lessons->menu());
     buildHelpMenu();
+    buildStageMenu();
     const QStringList conflicts = m_actions.conflicts();
     Q_ASSERT_X(conflicts.isEmpty(), "ActionTable", qPrintable(conflicts.join(QStringLiteral("; "))));
 }
@@ -337,6 +340,15 @@ void MainWindow::buildHelpMenu()
             QT_TR_NOOP("To the next field, back"));
 }
 
+/// All menus once more, for the presentation, which has no menu bar.
+void MainWindow::buildStageMenu()
+{
+    auto* menu = new QMenu(this);
+    for (QAction* one : menuBar()->actions())
+        menu->addAction(one);
+    m_stageMenu->setMenu(menu);
+}
+
 void MainWindow::retranslate()
 {
     m_actions.retranslate();
@@ -348,10 +360,13 @@ void MainWindow::retranslate()
     m_mistakesMenu->retranslate();
     m_cards->retranslate();
     m_truth->retranslate();
+    m_lessons->retranslate();
     m_lifeCycle->retranslate();
     m_pipelineDock->setTitle(tr("Scene"));
     m_statisticsDock->setTitle(tr("Statistics"));
     m_copyCsv->setToolTip(tr("Copy the counters as CSV"));
+    m_stageMenu->setToolTip(tr("All menus: scenes, mistakes, panels, lessons"));
+    m_stageMenu->setAccessibleName(m_stageMenu->toolTip());
     m_copyJson->setToolTip(tr("Copy the counters as JSON"));
     fillRecentMenu();
     syncActions();

@@ -5,6 +5,7 @@
 #include "ui/base/step_words.h"
 #include "ui/pipeline/scene_words.h"
 #include "ui/steps/step_mode.h"
+#include "ui/steps/step_sentence.h"
 #include "ui/truth/truth_mode.h"
 #include "ui/window/main_window.h"
 #include "ui/window/readout_bar.h"
@@ -64,11 +65,18 @@ void MainWindow::syncReadout()
                     at && !moment ? m_truth->comparison().at(*at) : std::nullopt, moment);
 }
 
-/// The caption of the presentation names the scene and what was changed about it, or else what there is to see.
+/// The caption of the presentation: one sentence about the step, or else about the scene and what was changed about it.
 void MainWindow::syncCaption()
 {
-    if (m_caption->isHidden())
-        return;
+    if (!m_caption->isHidden())
+        m_caption->setText(stageText());
+}
+
+QString MainWindow::stageText() const
+{
+    const StepSession& session = m_stepMode->session();
+    if (session.log() && session.position() > 0)
+        return stepSentence(*session.log(), session.position() - 1).toHtmlEscaped();
     QStringList changes;
     for (const SettingsField& field : settingsFields())
         if (field.get(m_document.settings()) != field.get(m_document.defaults()))
@@ -81,7 +89,7 @@ void MainWindow::syncCaption()
         changes << becauseWords(mistakes);
     const QString title = sceneTitle(*m_document.scene()).toHtmlEscaped();
     const QString text = changes.isEmpty() ? sceneNote(*m_document.scene()) : changes.join(QStringLiteral(" \u00b7 "));
-    m_caption->setText(QStringLiteral("<b>%1</b> &nbsp; %2").arg(title, text.toHtmlEscaped()));
+    return QStringLiteral("<b>%1</b> &nbsp; %2").arg(title, text.toHtmlEscaped());
 }
 
 void MainWindow::syncTitle()
