@@ -23,7 +23,7 @@ struct EdgeLook {
     Qt::PenStyle style;
 };
 constexpr std::array<EdgeLook, 3> kEdgeLooks{
-    {{0xff6a3d9a, Qt::SolidLine}, {0xff00796b, Qt::DashLine}, {0xff8c5a00, Qt::DotLine}}};
+    {{0xff6a3d9a, Qt::SolidLine}, {0xff005f54, Qt::DashLine}, {0xff6f4700, Qt::DotLine}}};
 
 /// Colours that mean something, the same in every panel; never the only sign of it.
 struct Inks {
