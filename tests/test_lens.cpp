@@ -14,6 +14,7 @@
 #include <QSignalSpy>
 
 #include <algorithm>
+#include <set>
 #include <vector>
 
 using namespace rasterlens;
@@ -53,6 +54,8 @@ private Q_SLOTS:
     void otherSceneDropsTheRecord();
     void everyFaceOfThePainterHasItsTriangle();
     void scopeLimitsTheRecord();
+    void cellsReachBeyondTheWindow();
+    void geometryShowsThePolygonOfTheMoment();
     void theStripMarksTheStageOfTheStep();
     void mistakesFitSmallWindows_data();
     void mistakesFitSmallWindows();
@@ -455,7 +458,7 @@ void TestLens::everyFaceOfThePainterHasItsTriangle()
     QVERIFY2(!std::ranges::is_sorted(order), "the order of drawing is not that of the numbers");
     for (const std::uint32_t face : order) {
         session().selectFace(face);
-        const StepTriangle* triangle = session().triangle();
+        const StepTriangle* triangle = session().lookedAt().triangle();
         QVERIFY2(triangle, qPrintable(QStringLiteral("face %1").arg(face)));
         QCOMPARE(triangle->screen.face, face);
     }
@@ -475,6 +478,92 @@ void TestLens::scopeLimitsTheRecord()
     for (const StepEvent& event : log().events())
         QVERIFY(event.x < 0 || (event.x >= 2 && event.x < 4 && event.y == 3));
     QCOMPARE(mode().transport().noticeText(), QString());
+    const auto kindsOf = [&](StepScope scope) {
+        session().setScope(scope);
+        std::set<StepKind> kinds;
+        if (settle())
+            for (const StepEvent& event : log().events())
+                kinds.insert(event.kind);
+        return kinds;
+    };
+    QCOMPARE(kindsOf(StepScope::Geometry),
+             (std::set{StepKind::Vertex, StepKind::Viewport, StepKind::Facing, StepKind::Fate, StepKind::End}));
+    QCOMPARE(kindsOf(StepScope::Coverage),
+             (std::set{StepKind::Triangle, StepKind::Setup, StepKind::Sample, StepKind::End}));
+    session().selectPixel(QPoint(5, 6));
+    session().setScope(StepScope::SelectedPixel);
+    QVERIFY(settle());
+    for (const StepEvent& event : log().events())
+        QVERIFY(event.x < 0 || (event.x == 5 && event.y == 6));
+    session().selectPixel(QPoint(1, 2)); // another pixel is another record
+    QVERIFY(settle());
+    QVERIFY(log().findStop(0, StepDirection::Forward, {StepStop::Kind::Pixel, 1, 2}));
+}
+
+/// A triangle of many more events than a window holds: the lens knows of each of its samples what a log of all events
+/// knows.
+void TestLens::cellsReachBeyondTheWindow()
+{
+    QVERIFY(openSmall(QStringLiteral("builtin:triangle"), {300, 240}));
+    for (const Algorithm algorithm : {Algorithm::EdgeEquation, Algorithm::EdgeWalking}) {
+        QVERIFY(change([algorithm](Settings& s) {
+            s.algorithm = algorithm;
+            s.numberType = NumberType::Float32;
+        }));
+        QVERIFY(record());
+        const auto all = renderSteps(*document().scene(), session().settings());
+        QVERIFY(all->size() == session().size() && all->size() > 2 * session().record()->index().memory().windowEvents);
+        const StepEvent& triangle = all->event(all->eventsOf(StepKind::Triangle).front());
+        for (std::size_t position = all->size() / 7; position < all->size(); position += all->size() / 7) {
+            session().moveTo(position);
+            const LensModel expected(*all, triangle, position);
+            const StepSession::LookedAt& here = session().lookedAt();
+            QVERIFY(here.log && here.log->size() < all->size());
+            const LensModel model(*here.log, *here.begin, here.position, session().event());
+            model.setFar(session().coverage(*here.triangle(), {0, 0, 300, 240}));
+            for (int y = 0; y < 240; y += 3)
+                for (int x = 0; x < 300; x += 7) {
+                    const LensCell cell = model.cell(x, y);
+                    const LensCell right = expected.cell(x, y);
+                    QCOMPARE(cell.state, right.state);
+                    if (cell.state == LensCell::State::Covered || cell.state == LensCell::State::Rejected)
+                        QCOMPARE(cell.values, right.values);
+                }
+        }
+    }
+}
+
+/// A face that two of its corners leave the view volume with: its polygon while geometry is stepped.
+void TestLens::geometryShowsThePolygonOfTheMoment()
+{
+    QVERIFY(openText("size 16 16\ntri -0.8 -0.8 -1.5 1 1 0 0   0.8 -0.8 0.5 1 0 1 0   0 0.8 0.5 1 0 0 1\n"));
+    QVERIFY(record());
+    const auto namesAt = [&](std::size_t position) {
+        session().moveTo(position);
+        QStringList names;
+        if (const auto& moment = mode().geometry().moment())
+            for (const MomentCorner& corner : moment->corners)
+                names << corner.name;
+        return names.join(QLatin1Char(' '));
+    };
+    QCOMPARE(namesAt(0), QString());
+    QCOMPARE(namesAt(2), QStringLiteral("A B"));
+    QCOMPARE(namesAt(3), QStringLiteral("A B C"));
+    const auto cut = std::size_t(log().eventsOf(StepKind::ClipPlane).front());
+    QCOMPARE(namesAt(cut + 1), QStringLiteral("I1 B C I2"));
+    const FaceMoment moment = *mode().geometry().moment();
+    const ClipStep& step = log().payload<ClipStep>(log().event(cut));
+    for (std::size_t i = 0; i < moment.corners.size(); ++i)
+        QCOMPARE(moment.corners[i].positionClip, step.after[i].positionClip);
+    QCOMPARE(moment.before.size(), std::size_t(3));
+    QVERIFY(!mode().lens().model());
+    QVERIFY(momentLines(moment, log().rules()).front().contains(QStringLiteral("4 corners are left")));
+    const auto fate = std::size_t(log().eventsOf(StepKind::Fate).front());
+    QCOMPARE(namesAt(fate + 1), QStringLiteral("I1 B C I2"));
+    for (const MomentCorner& corner : mode().geometry().moment()->corners)
+        QVERIFY(corner.snapped);
+    QCOMPARE(namesAt(fate + 2), QString()); // coverage begins
+    QVERIFY(mode().lens().model());
 }
 
 void TestLens::theStripMarksTheStageOfTheStep()

@@ -3,6 +3,7 @@
 #include "core/pipeline/fate_count.h"
 #include "core/pipeline/interpolation.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -32,6 +33,15 @@ CountingObserver::CountingObserver(const Rules& rules)
 {
 }
 
+CountingObserver::CountingObserver(const Rules& rules, const Statistics& before,
+                                   std::span<const std::uint64_t> doubleHits)
+    : CountingObserver(rules)
+{
+    m_statistics = before;
+    const auto next = std::ranges::upper_bound(doubleHits, before.pixels.covered);
+    m_doubleHits = std::span(next, doubleHits.end());
+}
+
 void CountingObserver::onFace(std::uint32_t, FaceFate fate) { countFate(fate, m_statistics.faces); }
 
 void CountingObserver::onClipped(std::uint32_t, int pieces)
@@ -56,6 +66,13 @@ void CountingObserver::onFragment(const Fragment& fragment, float, bool passedDe
     Statistics::Pixels& pixels = m_statistics.pixels;
     ++pixels.covered;
     ++(passedDepth ? pixels.depthPassed : pixels.depthFailed);
+    if (m_doubleHits) {
+        if (!m_doubleHits->empty() && m_doubleHits->front() == pixels.covered) {
+            m_doubleHits = m_doubleHits->subspan(1);
+            ++pixels.coveredTwice;
+        }
+        return;
+    }
     if (!m_isFilled)
         return;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -3,6 +3,8 @@
 #include "core/pipeline/statistics.h"
 #include "core/settings/rules.h"
 
+#include <optional>
+#include <span>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -14,6 +16,10 @@ class CountingObserver : public NullObserver
 {
 public:
     explicit CountingObserver(const Rules& rules);
+    /// Goes on in the middle of a frame that was counted before.
+    ///
+    /// in  the counters there; which fragments, counted from 1, were second hits at an edge, ascending
+    CountingObserver(const Rules& rules, const Statistics& before, std::span<const std::uint64_t> doubleHits);
 
     void onFace(std::uint32_t, FaceFate fate);
     void onClipped(std::uint32_t, int pieces);
@@ -47,6 +53,7 @@ private:
     bool m_isFilled;       ///< false: lines and corners belong to both faces, no tie rule parts them
     double m_nearDistance; ///< samples covered so close to an edge, in samples, are looked at for a second hit
     Statistics m_statistics;
+    std::optional<std::span<const std::uint64_t>> m_doubleHits; ///< those to come, if they are known
     std::array<glm::dvec2, 3> m_positions{};
     bool m_counterClockwise = true;
     Weights m_nearEdge{}; ///< weights below these are close to the edge opposite the vertex

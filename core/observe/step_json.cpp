@@ -282,7 +282,7 @@ QJsonObject stepJson(const StepLog& log, std::size_t i)
         object = outlineJson(*log.triangle(event));
     if (event.kind == StepKind::LineSample)
         object.insert(QStringLiteral("on_target"), event.has(StepEvent::kCovered));
-    object.insert(QStringLiteral("step"), static_cast<qint64>(i));
+    object.insert(QStringLiteral("step"), static_cast<qint64>(log.numberOf(i)));
     object.insert(QStringLiteral("event"), QLatin1String(stepKindId(event.kind)));
     if (event.face != StepEvent::kNone)
         object.insert(QStringLiteral("face"), static_cast<qint64>(event.face));

@@ -7,10 +7,8 @@
 
 namespace rasterlens
 {
-namespace
-{
 
-bool stops(const StepEvent& event, const StepStop& stop, int grid)
+bool stopsAt(const StepEvent& event, const StepStop& stop, int grid)
 {
     switch (stop.kind) {
     case StepStop::Kind::Pixel:
@@ -23,8 +21,6 @@ bool stops(const StepEvent& event, const StepStop& stop, int grid)
     }
     return false;
 }
-
-} // namespace
 
 EdgeValues StepSetup::at(const glm::dvec2& point) const
 {
@@ -71,31 +67,32 @@ DecidingEdge decidingEdge(const StepSetup& setup, const EdgeValues& values, cons
                      : Sign::AtLeast};
 }
 
-bool StepLog::isBoundary(std::size_t position, StepLevel level) const
+bool isStepBoundary(const StepEvent& before, const StepEvent& after, StepLevel level)
 {
-    const StepEvent& before = m_events[position - 1];
-    const StepEvent& after = m_events[position];
     if (level == StepLevel::Event || before.face != after.face)
         return true;
     if (level == StepLevel::Face)
         return false;
     if (before.triangle != after.triangle || infoOf(before.kind).phase != infoOf(after.kind).phase)
         return true;
-    return level == StepLevel::Row && before.y != after.y;
+    if (level == StepLevel::Stage)
+        return false;
+    return before.y != after.y || (level == StepLevel::Sample && before.x != after.x);
 }
 
 std::size_t StepLog::step(std::size_t position, StepLevel level, StepDirection direction) const
 {
     std::size_t p = std::min(position, size());
+    const auto isBoundary = [&](std::size_t at) { return isStepBoundary(m_events[at - 1], m_events[at], level); };
     if (direction == StepDirection::Forward) {
         if (p < size())
             ++p;
-        while (p < size() && p > 0 && !isBoundary(p, level))
+        while (p < size() && p > 0 && !isBoundary(p))
             ++p;
     } else {
         if (p > 0)
             --p;
-        while (p > 0 && p < size() && !isBoundary(p, level))
+        while (p > 0 && p < size() && !isBoundary(p))
             --p;
     }
     return p;
@@ -103,14 +100,15 @@ std::size_t StepLog::step(std::size_t position, StepLevel level, StepDirection d
 
 std::optional<std::size_t> StepLog::findStop(std::size_t from, StepDirection direction, const StepStop& stop) const
 {
-    return find(from, direction, [&](const StepEvent& event) { return stops(event, stop, grid()); });
+    return find(from, direction, [&](const StepEvent& event) { return stopsAt(event, stop, grid()); });
 }
 
 std::optional<std::size_t> StepLog::firstEventOf(std::uint32_t face, int x, int y) const
 {
     const StepStop here{StepStop::Kind::Pixel, x, y};
-    if (const auto at = find(0, StepDirection::Forward,
-                             [&](const StepEvent& event) { return event.face == face && stops(event, here, grid()); }))
+    if (const auto at = find(0, StepDirection::Forward, [&](const StepEvent& event) {
+            return event.face == face && stopsAt(event, here, grid());
+        }))
         return at;
     return find(0, StepDirection::Forward, [&](const StepEvent& event) { return event.face == face; });
 }

@@ -436,7 +436,7 @@ StepParts stepParts(const StepLog& log, std::size_t i)
 QString stepText(const StepLog& log, std::size_t i)
 {
     const StepEvent& event = log.event(i);
-    QString line = QStringLiteral("%1 %2").arg(i).arg(QLatin1String(stepKindId(event.kind)));
+    QString line = QStringLiteral("%1 %2").arg(log.numberOf(i)).arg(QLatin1String(stepKindId(event.kind)));
     if (event.face != StepEvent::kNone)
         line += QLatin1Char(' ') + faceText(event.face, log.lineOf(event.face));
     if (event.kind == StepKind::Column)

@@ -62,7 +62,49 @@ void sizePicture(Frame& frame, const Rules& rules, Outputs outputs)
         throw std::bad_alloc();
 }
 
+/// Where a sample is read from: what is stored elsewhere (rules.strideIsRows) is not found.
+std::size_t readIndex(const SampleBuffer& samples, int x, int y)
+{
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(samples.columns) + static_cast<std::size_t>(x);
+}
+
+/// The samples of a pixel, one bit each, that do not belong to the face drawn last in it: taken as black, they make the
+/// mean the colour of that face times the part of the pixel it covers.
+std::uint32_t samplesOfEarlierFaces(const SampleBuffer& samples, int grid, int x, int y)
+{
+    const auto idOf = [&](int sample) {
+        return samples.ids[readIndex(samples, x * grid + sample % grid, y * grid + sample / grid)];
+    };
+    std::int32_t last = -1;
+    for (int sample = 0; sample < grid * grid; ++sample)
+        last = std::max(last, idOf(sample));
+    std::uint32_t earlier = 0;
+    for (int sample = 0; sample < grid * grid; ++sample)
+        if (idOf(sample) != last)
+            earlier |= 1U << sample;
+    return earlier;
+}
+
 } // namespace
+
+ResolvedPixel resolvedPixel(const SampleBuffer& samples, const Rules& rules, int x, int y)
+{
+    const int grid = rules.sampleGrid;
+    ResolvedPixel pixel;
+    pixel.x = x;
+    pixel.y = y;
+    for (int row = y * grid; row < (y + 1) * grid; ++row)
+        for (int column = x * grid; column < (x + 1) * grid; ++column) {
+            const std::size_t at = readIndex(samples, column, row);
+            const float depth = samples.depth != nullptr ? samples.depth[at] : rules.depthClear;
+            pixel.samples[static_cast<std::size_t>(pixel.count++)] = {samples.color[at], depth};
+        }
+    if (rules.resolve == Resolve::LastFace)
+        pixel.black = samplesOfEarlierFaces(samples, grid, x, y);
+    int sample = 0;
+    pixel.color = meanOfSamples(grid, x, y, [&](int, int) { return pixel.counted(sample++); });
+    return pixel;
+}
 
 Framebuffer::Framebuffer(Frame& frame, const Rules& rules, Outputs outputs, std::uint32_t clearColor,
                          const std::stop_token& stop)
@@ -136,52 +178,13 @@ void Framebuffer::resolveColor()
 void Framebuffer::resolveColorOneByOne(const ResolveListener& listener)
 {
     auto* out = reinterpret_cast<std::uint32_t*>(m_frame->image.bits());
-    const int grid = m_rules.sampleGrid;
     for (int y = 0; y < m_rules.height; ++y)
         for (int x = 0; x < m_rules.width; ++x) {
-            ResolvedPixel pixel = samplesOf(x, y);
-            if (m_rules.resolve == Resolve::LastFace)
-                pixel.black = samplesOfEarlierFaces(x, y);
-            int sample = 0;
-            pixel.color = meanOfSamples(grid, x, y, [&](int, int) { return pixel.counted(sample++); });
+            const ResolvedPixel pixel = resolvedPixel(m_samples, m_rules, x, y);
             *out++ = pixel.color;
             if (listener)
                 listener(pixel);
         }
-}
-
-/// What the samples of a pixel store, row by row.
-ResolvedPixel Framebuffer::samplesOf(int x, int y) const
-{
-    const int grid = m_rules.sampleGrid;
-    ResolvedPixel pixel;
-    pixel.x = x;
-    pixel.y = y;
-    for (int row = y * grid; row < (y + 1) * grid; ++row)
-        for (int column = x * grid; column < (x + 1) * grid; ++column) {
-            const std::size_t at = readIndex(column, row);
-            const float depth = m_samples.depth != nullptr ? m_samples.depth[at] : m_rules.depthClear;
-            pixel.samples[static_cast<std::size_t>(pixel.count++)] = {m_color[at], depth};
-        }
-    return pixel;
-}
-
-/// The samples of a pixel, one bit each, that do not belong to the face drawn last in it: taken as black, they make the
-/// mean the colour of that face times the part of the pixel it covers.
-std::uint32_t Framebuffer::samplesOfEarlierFaces(int x, int y) const
-{
-    const int grid = m_rules.sampleGrid;
-    const auto idOf = [&](int sample) {
-        return m_samples.ids[readIndex(x * grid + sample % grid, y * grid + sample / grid)];
-    };
-    std::int32_t last = -1;
-    for (int sample = 0; sample < grid * grid; ++sample)
-        last = std::max(last, idOf(sample));
-    std::uint32_t earlier = 0;
-    for (int sample = 0; sample < grid * grid; ++sample)
-        if (idOf(sample) != last)
-            earlier |= 1U << sample;
-    return earlier;
 }
 
 } // namespace rasterlens

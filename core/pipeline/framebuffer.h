@@ -47,6 +47,11 @@ template <class ColorAt>
     return 0xff000000U | red / samplesPerPixel << 16 | green / samplesPerPixel << 8 | blue / samplesPerPixel;
 }
 
+/// What the samples of pixel (x, y) store, row by row, and the colour that the picture has of them.
+///
+/// in  samples with colours and, under Resolve::LastFace, ids
+[[nodiscard]] ResolvedPixel resolvedPixel(const SampleBuffer& samples, const Rules& rules, int x, int y);
+
 /// Owns the memory of a frame while it is drawn. With one sample a pixel the samples are the frame's own arrays.
 class Framebuffer
 {
@@ -71,8 +76,6 @@ public:
 private:
     void resolveColor();
     void resolveColorOneByOne(const ResolveListener& listener);
-    [[nodiscard]] ResolvedPixel samplesOf(int x, int y) const;
-    [[nodiscard]] std::uint32_t samplesOfEarlierFaces(int x, int y) const;
     [[nodiscard]] bool isDirect() const;
     [[nodiscard]] std::size_t sampleCount() const;
     /// Where a sample is read from: what is stored elsewhere (rules.strideIsRows) is not found.

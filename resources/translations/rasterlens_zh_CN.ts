@@ -4019,6 +4019,49 @@
     </message>
 </context>
 <context>
+    <name>Moment</name>
+    <message>
+        <source>nothing is left</source>
+        <translation>什么也没有留下</translation>
+    </message>
+    <message>
+        <source>%1 corners are left</source>
+        <translation>剩下 %1 个角</translation>
+    </message>
+    <message>
+        <source>corner %1 comes from the mesh</source>
+        <translation>从网格取角 %1</translation>
+    </message>
+    <message>
+        <source>cut by the plane %1: %2</source>
+        <translation>用平面“%1”裁剪：%2</translation>
+    </message>
+    <message>
+        <source>cut at the sides of the screen: %1</source>
+        <translation>在屏幕四边裁剪：%1</translation>
+    </message>
+    <message>
+        <source>corner %1 goes to pixel position (%2, %3)</source>
+        <translation>角 %1 变换到像素坐标 (%2, %3)</translation>
+    </message>
+    <message>
+        <source>verdict: %1</source>
+        <translation>判定：%1</translation>
+    </message>
+    <message>
+        <source>what is left is drawn as a fan</source>
+        <translation>剩下的部分作为扇形绘制</translation>
+    </message>
+    <message>
+        <source>face %1</source>
+        <translation>面 %1</translation>
+    </message>
+    <message>
+        <source>not in front of the eye: %1</source>
+        <translation>不在眼睛前方：%1</translation>
+    </message>
+</context>
+<context>
     <name>Settings</name>
     <message>
         <source>Edge equation</source>
@@ -7616,6 +7659,94 @@
     <message>
         <source>Slower, faster</source>
         <translation>更慢、更快</translation>
+    </message>
+    <message>
+        <source>Play b&amp;y</source>
+        <translation>播放方式(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Geometry only</source>
+        <translation>只有几何</translation>
+    </message>
+    <message>
+        <source>Coverage only</source>
+        <translation>只有覆盖</translation>
+    </message>
+    <message>
+        <source>The selected pixel</source>
+        <translation>选中的像素</translation>
+    </message>
+    <message>
+        <source>Single step</source>
+        <translation>单步</translation>
+    </message>
+    <message>
+        <source>Sample</source>
+        <translation>采样</translation>
+    </message>
+    <message>
+        <source>Row, span</source>
+        <translation>行、扫描段</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>面</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation>阶段</translation>
+    </message>
+    <message>
+        <source>All of it in 5 seconds</source>
+        <translation>全部在 5 秒内</translation>
+    </message>
+    <message>
+        <source>All of it in 10 seconds</source>
+        <translation>全部在 10 秒内</translation>
+    </message>
+    <message>
+        <source>All of it in 30 seconds</source>
+        <translation>全部在 30 秒内</translation>
+    </message>
+    <message>
+        <source>All of it in 60 seconds</source>
+        <translation>全部在 60 秒内</translation>
+    </message>
+    <message>
+        <source>by step</source>
+        <translation>逐步</translation>
+    </message>
+    <message>
+        <source>by sample</source>
+        <translation>逐采样</translation>
+    </message>
+    <message>
+        <source>by row</source>
+        <translation>逐行</translation>
+    </message>
+    <message>
+        <source>by face</source>
+        <translation>逐面</translation>
+    </message>
+    <message>
+        <source>by stage</source>
+        <translation>逐阶段</translation>
+    </message>
+    <message>
+        <source>all in %1 s</source>
+        <translation>全部 %1 秒</translation>
+    </message>
+    <message>
+        <source>geometry</source>
+        <translation>几何</translation>
+    </message>
+    <message>
+        <source>coverage</source>
+        <translation>覆盖</translation>
+    </message>
+    <message>
+        <source>one pixel</source>
+        <translation>一个像素</translation>
     </message>
 </context>
 <context>

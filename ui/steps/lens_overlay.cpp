@@ -76,6 +76,7 @@ void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTran
     painter.save();
     painter.setClipRect(canvas);
     if (m_model->hasSetup() && view.cell >= kGridFromZoom / 2) {
+        lookFar(view);
         if (view.cell >= kGlyphsFromCell)
             paintCells(view);
         else
@@ -98,6 +99,18 @@ void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTran
                         QRectF(view.at({0, 0}), view.at({m_model->log().columns(), m_model->log().rows()})),
                         m_model->triangle().setup, view.cell >= kLensNumbersFromCell);
     painter.restore();
+}
+
+/// What the record's window no longer holds of the samples in sight is made anew.
+void LensOverlay::lookFar(const LensView& view) const
+{
+    const QRect seen = view.visible(m_model->triangle().setup.bounds);
+    if (!m_coverage || !m_model->wantsFar() || seen.isEmpty())
+        return;
+    const int left = seen.left() / view.grid;
+    const int top = seen.top() / view.grid;
+    m_model->setFar(m_coverage(m_model->triangle(),
+                               {left, top, seen.right() / view.grid - left + 1, seen.bottom() / view.grid - top + 1}));
 }
 
 /// The colour a sample is veiled with: what is inside, and what was looked at.

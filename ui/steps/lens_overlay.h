@@ -8,6 +8,7 @@
 #include <QHash>
 #include <QPixmap>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -22,6 +23,9 @@ class LensOverlay : public CanvasLayer
 public:
     /// in  null: nothing is painted
     void setModel(std::unique_ptr<const LensModel> model) { m_model = std::move(model); }
+    /// Gives the coverage of a triangle in some pixels, for LensModel::setFar().
+    using Coverage = std::function<std::shared_ptr<const StepLog>(const StepTriangle&, const PixelRect&)>;
+    void setCoverage(Coverage coverage) { m_coverage = std::move(coverage); }
     [[nodiscard]] const LensModel* model() const { return m_model.get(); }
 
     void paint(QPainter& painter, const QRect& canvas, const CanvasTransform& transform,
@@ -43,7 +47,10 @@ private:
     void paintCurrent(LensView& view) const;
     void paintHover(LensView& view) const;
 
+    void lookFar(const LensView& view) const;
+
     std::unique_ptr<const LensModel> m_model;
+    Coverage m_coverage;
     mutable QHash<quint32, QPixmap> m_tiles; ///< cells by what they show
     mutable QSize m_tileSize;
     mutable QColor m_tilePaper;

@@ -84,7 +84,7 @@ bool SampleLens::isAtWork() const
     if (m_cursor == nullptr || m_cursor->log().grid() == 1)
         return false;
     const QSize picture = m_cursor->image().size();
-    return m_cursor->log().resolvedPixels(m_cursor->position()) <
+    return m_cursor->log().resolvedPixels(m_cursor->positionInLog()) <
            std::size_t(picture.width()) * std::size_t(picture.height());
 }
 
@@ -115,7 +115,7 @@ void SampleLens::paintSamples(QPainter& painter, const QRect& canvas, const Canv
     const QRect seen = transform.pixelsIn(canvas, m_cursor->image().size());
     painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
     const bool vectors = painter.paintEngine()->type() == QPaintEngine::SVG;
-    for (const QRect& part : unresolved(log.resolvedPixels(m_cursor->position()), m_cursor->image().size())) {
+    for (const QRect& part : unresolved(log.resolvedPixels(m_cursor->positionInLog()), m_cursor->image().size())) {
         const QRect pixels = part.intersected(seen);
         if (pixels.isEmpty())
             continue;

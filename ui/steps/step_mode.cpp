@@ -21,7 +21,10 @@ StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& wi
 {
     window.addDockWidget(Qt::BottomDockWidgetArea, m_transport);
     viewport.addLayer(&m_sampleLens);
+    m_lens.setCoverage(
+        [this](const StepTriangle& triangle, const PixelRect& pixels) { return m_session.coverage(triangle, pixels); });
     viewport.addLayer(&m_lens);
+    viewport.addLayer(&m_geometry);
     connect(&m_session, &StepSession::logChanged, this, &StepMode::syncLens);
     connect(&m_session, &StepSession::positionChanged, this, [this] {
         syncLens();
@@ -63,16 +66,26 @@ StepMode::~StepMode()
 {
     m_viewport.removeLayer(&m_lens);
     m_viewport.removeLayer(&m_sampleLens);
+    m_viewport.removeLayer(&m_geometry);
 }
 
-/// The model reads the log, and the sample lens the cursor: they must not outlive them.
+/// While geometry is stepped the canvas shows the polygon of that moment, else the triangle that is looked at. The lens
+/// reads the log, and the sample lens the cursor: they must not outlive them.
 void StepMode::syncLens()
 {
     m_sampleLens.setCursor(m_session.log() && !m_session.isRecording() ? m_session.cursor() : nullptr);
     std::unique_ptr<const LensModel> model;
-    if (m_session.triangleEvent() && !m_session.isRecording())
-        model = std::make_unique<LensModel>(*m_session.log(), *m_session.triangleEvent(), m_session.position());
+    std::optional<FaceMoment> moment;
+    const std::shared_ptr<const StepLog> log = m_session.log();
+    if (log && !m_session.isRecording())
+        moment = faceMomentAt(*log, m_session.positionInLog());
+    if (moment && m_session.face() != moment->face)
+        moment.reset(); // another face is selected
+    const StepSession::LookedAt& lookedAt = m_session.lookedAt();
+    if (lookedAt.log && !moment && !m_session.isRecording())
+        model = std::make_unique<LensModel>(*lookedAt.log, *lookedAt.begin, lookedAt.position, m_session.event());
     m_lens.setModel(std::move(model));
+    m_geometry.setMoment(std::move(moment), log ? log->rules() : Rules());
     m_viewport.update();
 }
 
@@ -130,8 +143,8 @@ void StepMode::showPlace(const StepPlace& place)
         m_wanted = place;
         return;
     }
-    if (m_session.log())
-        m_session.moveTo(positionOf(place, *m_session.log()).value_or(m_session.size()));
+    if (m_session.record())
+        m_session.moveTo(positionOf(place, m_session.record()).value_or(m_session.size()));
 }
 
 void StepMode::showFace(quint32 face, QPoint pixel)
@@ -142,8 +155,7 @@ void StepMode::showFace(quint32 face, QPoint pixel)
         m_wantedFace = {face, pixel};
         return;
     }
-    const auto event = m_session.log() ? m_session.log()->firstEventOf(face, pixel.x(), pixel.y()) : std::nullopt;
-    if (event)
+    if (const auto event = m_session.firstEventOf(face, pixel))
         m_session.moveTo(*event + 1);
     else
         Q_EMIT message(tr("The record holds no step of face %1.").arg(face));

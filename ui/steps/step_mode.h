@@ -1,6 +1,7 @@
 #pragma once
 #include "core/lessons/step_place.h"
 #include "ui/steps/lens_overlay.h"
+#include "ui/steps/moment_overlay.h"
 #include "ui/steps/run_export.h"
 #include "ui/steps/sample_lens.h"
 #include "ui/steps/step_session.h"
@@ -33,6 +34,7 @@ public:
     [[nodiscard]] StepListing& listing() { return *m_listing; }
     [[nodiscard]] const LensOverlay& lens() const { return m_lens; }
     [[nodiscard]] const SampleLens& sampleLens() const { return m_sampleLens; }
+    [[nodiscard]] const MomentOverlay& geometry() const { return m_geometry; }
 
     /// The picture at the position, with its counters; null when it is the document's own that is to be shown, as while
     /// a change is recorded: motion stays visible.
@@ -75,6 +77,7 @@ private:
     ViewportWidget& m_viewport;
     SampleLens m_sampleLens;
     LensOverlay m_lens;
+    MomentOverlay m_geometry;
     TransportDock* m_transport = nullptr;
     StepListing* m_listing = nullptr;
     QMainWindow& m_window;
