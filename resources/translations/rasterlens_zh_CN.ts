@@ -574,10 +574,6 @@
         <translation>样本 (%1, %2) 处相等：两个候选一样近。按文字规则 p &lt;= 0，直线直行。</translation>
     </message>
     <message>
-        <source>Code that asks p &lt; 0 goes aside at a tie: another sample, equally near.</source>
-        <translation>代码若判断 p &lt; 0，相等时就会侧移：得到另一个同样近的样本。</translation>
-    </message>
-    <message>
         <source>It is right of the screen: the edge is cut there.</source>
         <translation>它在屏幕右侧之外：在右边界处裁切。</translation>
     </message>
@@ -684,10 +680,6 @@
     <message>
         <source>a corner of face %1 is no number</source>
         <translation>面 %1 有一个顶点不是数</translation>
-    </message>
-    <message>
-        <source>The matrix T that makes a box of the view volume: rows (n, 0, 0, 0), (0, n, 0, 0), (0, 0, n + f, -n f) and (0, 0, 1, 0); z is the distance in front of the eye.</source>
-        <translation>把视景体变成长方体的矩阵 T：各行为 (n, 0, 0, 0)、(0, n, 0, 0)、(0, 0, n + f, -n f)、(0, 0, 1, 0)；z 是眼睛前方的距离。</translation>
     </message>
     <message>
         <source>T times end %1 of the edge. w has become the distance.</source>
@@ -1144,6 +1136,194 @@
     <message>
         <source>What corner %1 contributes to the sample after both ways.</source>
         <translation>经过两次插值后，顶点 %1 对样本的贡献。</translation>
+    </message>
+    <message>
+        <source>The least and the greatest x of the three corners.</source>
+        <translation>三个顶点中最小与最大的 x。</translation>
+    </message>
+    <message>
+        <source>The least and the greatest y. Whatever lies inside the triangle lies between these four numbers.</source>
+        <translation>最小与最大的 y。三角形内部的一切都在这四个数之间。</translation>
+    </message>
+    <message>
+        <source>Rounded outwards to whole numbers, as most programs do: floor for the lesser, ceil for the greater. The loop runs from left on, as long as x &lt; right.</source>
+        <translation>像多数程序那样向外取整：较小的用 floor，较大的用 ceil。循环从 left 开始，直到 x &lt; right 不再成立。</translation>
+    </message>
+    <message>
+        <source>The rows, in the same way. This box is never too small.</source>
+        <translation>行也用同样的办法。这样的包围盒绝不会太小。</translation>
+    </message>
+    <message>
+        <source>Only centres are tested, and they lie at x + 0.5: the first one that is not left of x_min, and the last one that is not right of x_max. This box leaves out columns that floor and ceil would test in vain.</source>
+        <translation>只测试中心，中心位于 x + 0.5：第一个不在 x_min 左边的，和最后一个不在 x_max 右边的。这样的包围盒省去了 floor 与 ceil 会白白测试的列。</translation>
+    </message>
+    <message>
+        <source>The first and the last row of centres.</source>
+        <translation>中心的第一行与最后一行。</translation>
+    </message>
+    <message>
+        <source>Held within the picture of W columns and H rows: what lies beyond cannot be drawn.</source>
+        <translation>限制在 W 列 H 行的图像之内：超出的部分画不出来。</translation>
+    </message>
+    <message>
+        <source>Not held within the picture: samples beyond it are tested, and would be written to other rows or other memory.</source>
+        <translation>没有限制在图像之内：图像之外的样本也被测试，并会写到别的行或别的内存。</translation>
+    </message>
+    <message>
+        <source>So many samples are tested for this triangle.</source>
+        <translation>这个三角形要测试这么多样本。</translation>
+    </message>
+    <message>
+        <source>The part of the picture: without a box every sample of it would be tested for every triangle.</source>
+        <translation>占图像的比例：没有包围盒，每个三角形都要测试图像的每个样本。</translation>
+    </message>
+    <message>
+        <source>Code that asks p &lt; 0 goes aside at a tie and plots (%1, %2) in place of (%3, %4), equally near. One sample later both ways are at one place again.</source>
+        <translation>代码若判断 p &lt; 0，相等时就会侧移，画 (%1, %2) 而不是同样近的 (%3, %4)。再过一个样本，两种走法又到同一处。</translation>
+    </message>
+    <message>
+        <source>Corner %1 lies behind the eye. -w &lt;= x and x &lt;= w cannot both hold where w is negative, so it is outside of every view volume. Divided by w first, -1 &lt;= x / w &lt;= 1, the conditions would turn round and let mirrored corners in.</source>
+        <translation>顶点 %1 在眼睛后面。w 为负时 -w &lt;= x 与 x &lt;= w 不能同时成立，所以它在任何视景体之外。若先除以 w，写成 -1 &lt;= x / w &lt;= 1，不等号就会反向，让镜像的顶点混进来。</translation>
+    </message>
+    <message>
+        <source>The matrix T that makes a box of the view volume, row by row; z is the distance in front of the eye. x is to become n x / z: n times x here, and the divide by z after it. With n = 0 all that x and y say would be lost.</source>
+        <translation>把视景体变成长方体的矩阵 T，逐行写出；z 是眼睛前方的距离。x 要变成 n x / z：这里先乘 n，之后再除以 z。若 n = 0，x 与 y 的信息就全丢了。</translation>
+    </message>
+    <message>
+        <source>y becomes n y / z.</source>
+        <translation>y 变成 n y / z。</translation>
+    </message>
+    <message>
+        <source>z has two numbers of its own, so that near and far can stay where they are.</source>
+        <translation>z 有自己的两个数，使近平面与远平面都能留在原处。</translation>
+    </message>
+    <message>
+        <source>w becomes the distance, which everything is divided by. A corner at the eye itself, z = 0, has no place: it must be cut away before the divide.</source>
+        <translation>w 成为距离，一切都要除以它。正好在眼睛处的顶点 z = 0，没有位置：必须在除法之前裁掉。</translation>
+    </message>
+    <message>
+        <source>What lies at near stays at near...</source>
+        <translation>在近平面上的仍在近平面上……</translation>
+    </message>
+    <message>
+        <source>...and what lies at far stays at far.</source>
+        <translation>……在远平面上的仍在远平面上。</translation>
+    </message>
+    <message>
+        <source>z&apos; over z: in front of the eye and behind it</source>
+        <translation>z&apos; 随 z 的变化：眼睛前方与后方</translation>
+    </message>
+    <message>
+        <source>Form 1, strict: the sample is inside if the least of the three edge values is positive. A centre on a shared edge is in neither triangle: holes.</source>
+        <translation>形式 1，严格：三个边值中最小的为正，样本就在内部。共享边上的中心不属于任何一个三角形：出现空洞。</translation>
+    </message>
+    <message>
+        <source>Form 2, inclusive: 0 counts as inside. A centre on a shared edge is in both triangles: drawn twice.</source>
+        <translation>形式 2，包含：0 也算内部。共享边上的中心属于两个三角形：画两次。</translation>
+    </message>
+    <message>
+        <source>The cross products of a text with y down, or of corners in the other order: all three signs turn together.</source>
+        <translation>y 向下时，或顶点顺序相反时课文里的叉积：三个符号一起反转。</translation>
+    </message>
+    <message>
+        <source>Form 2 for these: inside is negative.</source>
+        <translation>对它们用形式 2：负为内部。</translation>
+    </message>
+    <message>
+        <source>Form 3: all &gt;= 0 or all &lt;= 0, whatever the order of the corners. That is so exactly if the least and the greatest have no different signs.</source>
+        <translation>形式 3：全部 &gt;= 0 或全部 &lt;= 0，与顶点顺序无关。这恰好等价于最小值与最大值不异号。</translation>
+    </message>
+    <message>
+        <source>Form 3, strict: all &gt; 0 or all &lt; 0.</source>
+        <translation>形式 3，严格：全部 &gt; 0 或全部 &lt; 0。</translation>
+    </message>
+    <message>
+        <source>Form 4: the weights of A, B and C. Outside one or two of them are negative, and their sum is still 1.</source>
+        <translation>形式 4：A、B、C 的权重。在外部有一个或两个为负，而总和仍为 1。</translation>
+    </message>
+    <message>
+        <source>Inside if no weight is negative: form 2 again, as the sum of the edge values has the sign of the triangle.</source>
+        <translation>没有负的权重就在内部：这又是形式 2，因为边值之和与三角形同号。</translation>
+    </message>
+    <message>
+        <source>Edge %1 is level. It is a top edge if it runs to the left.</source>
+        <translation>边 %1 是水平的。若它向左走，就是上边。</translation>
+    </message>
+    <message>
+        <source>Edge %1: with the corners counter-clockwise it is a left edge if it runs down the screen. Where the corners run clockwise the comparison turns round.</source>
+        <translation>边 %1：顶点逆时针排列时，若它在屏幕上向下走，就是左边。顶点顺时针排列时，比较反过来。</translation>
+    </message>
+    <message>
+        <source>What the program asks of %1. Under the top-left rule t is 0 for left and top edges, and the smallest value above 0 for the others: a bias of one step.</source>
+        <translation>程序对 %1 的判断。按左上规则，左边和上边的 t 为 0，其余的 t 是大于 0 的最小值：偏移一步。</translation>
+    </message>
+    <message>
+        <source>Counted over the whole triangle: samples that form 2 takes and form 1 does not. Their centres lie on an edge exactly.</source>
+        <translation>对整个三角形计数：形式 2 收下而形式 1 不收的样本。它们的中心恰好在边上。</translation>
+    </message>
+    <message>
+        <source>Those of them that the rule in use gives to this triangle; the others belong to its neighbours.</source>
+        <translation>其中按当前规则归这个三角形的；其余的属于它的邻居。</translation>
+    </message>
+    <message>
+        <source>From the side: eye O, screen at distance 1</source>
+        <translation>侧视图：眼睛 O，屏幕在距离 1 处</translation>
+    </message>
+    <message>
+        <source>The bounding box</source>
+        <translation>包围盒</translation>
+    </message>
+    <message>
+        <source>Inside, asked in four forms</source>
+        <translation>内部判断的四种形式</translation>
+    </message>
+    <message>
+        <source>The red that is stored: rounded once, to a whole number up to 255.</source>
+        <translation>存下的红色：只舍入一次，得到不超过 255 的整数。</translation>
+    </message>
+    <message>
+        <source>A colour type of bytes cuts off every product: the sum is up to 3 too dark.</source>
+        <translation>用字节存颜色的类型会截断每个乘积：总和最多偏暗 3。</translation>
+    </message>
+    <message>
+        <source>Suppose every face lets half of what is behind it through: a = 1/2. Face %1 is drawn over what is there, in the order in which faces are sent.</source>
+        <translation>假设每个面都透过后面的一半：a = 1/2。按提交的顺序，面 %1 画在已有的颜色之上。</translation>
+    </message>
+    <message>
+        <source>From far to near, as a painter works, face %1 comes here.</source>
+        <translation>像画家那样由远到近，这里轮到面 %1。</translation>
+    </message>
+    <message>
+        <source>Whether both orders make one colour (its red part). Where they do not, transparent faces have to be sorted.</source>
+        <translation>两种顺序的颜色（红色部分）是否一致。不一致时，透明的面必须排序。</translation>
+    </message>
+    <message>
+        <source>A depth test before shading asks this of face %1 where the depth of face %2 is stored. If it does not hold, the face is dropped, although half of it should shine through. A shader that changes depth has the same trouble: the test cannot know it yet.</source>
+        <translation>着色前的深度测试在存有面 %2 的深度处对面 %1 这样判断。若不成立，这个面就被丢弃，尽管它的一半本该透出来。改写深度的着色器也有同样的麻烦：测试时还不知道新的深度。</translation>
+    </message>
+    <message>
+        <source>no face is drawn at this pixel</source>
+        <translation>这个像素没有画任何面</translation>
+    </message>
+    <message>
+        <source>Some programs spread z / w over near to far again before they store it. That is linear, so comparisons come out as before; it is not the distance.</source>
+        <translation>有些程序在存储之前又把 z / w 展开到近平面与远平面之间。这是线性的，所以比较的结果不变；但它并不是距离。</translation>
+    </message>
+    <message>
+        <source>n(m) for several Z1 / Z2; solid: this edge</source>
+        <translation>不同 Z1 / Z2 的 n(m)；实线：这条边</translation>
+    </message>
+    <message>
+        <source>Transparent faces, and who comes first</source>
+        <translation>透明的面与先后顺序</translation>
+    </message>
+    <message>
+        <source>A slip worth knowing: if (a.y &gt; b.y) swap(points); swap(w); has no braces, so w is exchanged all three times. The corners then have the w of C, B and A, whatever their heights.</source>
+        <translation>值得知道的疏忽：if (a.y &gt; b.y) swap(points); swap(w); 没有花括号，所以三次都会交换 w。于是不论高低，各顶点得到的是 C、B、A 的 w。</translation>
+    </message>
+    <message>
+        <source>A slip worth knowing: a program that exchanges the ends of the span, so that it runs from left to right, and forgets to exchange their w, takes this number in place of n.</source>
+        <translation>值得知道的疏忽：程序为了从左到右而交换扫描段的两端，却忘了交换它们的 w，就会用这个数代替 n。</translation>
     </message>
 </context>
 <context>
@@ -5336,6 +5516,14 @@
     <message>
         <source>Edge CA</source>
         <translation>边 CA</translation>
+    </message>
+    <message>
+        <source>Part of the way along the edge</source>
+        <translation>沿边走过的比例</translation>
+    </message>
+    <message>
+        <source>Part of the way from near to far</source>
+        <translation>从近平面到远平面的比例</translation>
     </message>
 </context>
 <context>
