@@ -73,6 +73,9 @@ Q_SIGNALS:
     /// A panel keeps what it shows, for want of memory or threads.
     void failed(const QString& message);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     /// Panels are added in their order.
     void addDock(Panel which, QWidget* panel);

@@ -15,14 +15,6 @@ namespace rasterlens
 constexpr double kGlyphsFromCell = 16; ///< canvas pixels a sample
 constexpr double kLensNumbersFromCell = 48;
 
-/// The hue and the pen style of the edges AB, BC, CA.
-struct EdgeLook {
-    QRgb color;
-    Qt::PenStyle style;
-};
-constexpr std::array<EdgeLook, 3> kEdgeLooks{
-    {{0xff6a3d9a, Qt::SolidLine}, {0xff00796b, Qt::DashLine}, {0xff8c5a00, Qt::DotLine}}};
-
 /// Paints the edge-sign lens: signs, values, lines and the present step of one triangle.
 ///
 /// cost  a full canvas of 1920 x 1080 at 16x in less than 16 ms
