@@ -271,6 +271,14 @@ void TestDerivationTopics::sideViewIsTrue()
 
 void TestDerivationTopics::curvesOfPerspective()
 {
+    // Two triangles whose corners are 7 and 10 away each: the correction has nothing to correct.
+    const Scene flat = builtin("games101");
+    for (const std::uint32_t face : {0U, 1U}) {
+        const Derivation d = derived(DerivationTopic::Perspective, flat, flat.defaults, {face, {}, 0, 0.25, {}});
+        QVERIFY(isNear(valueOf(d, "w_spread"), 0, 1e-6));
+        QVERIFY(isNear(valueOf(d, "w"), face == 0 ? 7 : 10, 1e-5));
+        QVERIFY(isNear(valueOf(d, "n"), 0.25, 1e-6));
+    }
     const Scene scene = builtin("four-z");
     const Derivation d = derived(DerivationTopic::Perspective, scene, scene.defaults, {0, {}, 0, 0.5, {}});
     const DerivationFigure& figure = d.figures.at(1);

@@ -198,6 +198,13 @@ private:
             m_writer.given(QLatin1String(kNames[i]), m_fragment.screen[i]);
             m_writer.given(QStringLiteral("w_") + cornerLetter(i), 1 / corners[i].invW, corner);
         }
+        m_writer.line(formula("{w_spread}"), formula("max({w_A}, {w_B}, {w_C}) - min({w_A}, {w_B}, {w_C})"),
+                      QT_TRANSLATE_NOOP("Derive",
+                                        "Over a face. How much the distances of its corners differ: if it is 0, the "
+                                        "weights on the screen are those in space, and correction changes nothing."),
+                      {areaPart(QStringLiteral("ABC"),
+                                {m_record.pixels(corners[0].position), m_record.pixels(corners[1].position),
+                                 m_record.pixels(corners[2].position)})});
         m_writer.line(formula("{w}"), formula("1 / ({alpha} / {w_A} + {beta} / {w_B} + {gamma} / {w_C})"),
                       QT_TRANSLATE_NOOP("Derive",
                                         "The same over a face, at the pixel: 1 / w is linear on the screen, so the "

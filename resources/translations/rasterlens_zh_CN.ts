@@ -1325,6 +1325,10 @@
         <source>A slip worth knowing: a program that exchanges the ends of the span, so that it runs from left to right, and forgets to exchange their w, takes this number in place of n.</source>
         <translation>值得知道的疏忽：程序为了从左到右而交换扫描段的两端，却忘了交换它们的 w，就会用这个数代替 n。</translation>
     </message>
+    <message>
+        <source>Over a face. How much the distances of its corners differ: if it is 0, the weights on the screen are those in space, and correction changes nothing.</source>
+        <translation>对整个面。各顶点的距离相差多少：若为 0，屏幕上的权重就是空间中的权重，校正不改变任何东西。</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostic</name>

@@ -74,7 +74,7 @@ public:
     [[nodiscard]] QTextBrowser* view() const { return m_view; }
     [[nodiscard]] QSlider* mSlider() const { return m_m; }
     [[nodiscard]] QSlider* depthSlider() const { return m_depth; }
-    /// Those that are shown are the first ones.
+    /// The views of the figures; a derivation with fewer figures hides the last ones.
     [[nodiscard]] const std::array<FigureView*, 2>& figures() const { return m_figures; }
 
     QSize sizeHint() const override { return {440, 520}; }
