@@ -4,6 +4,7 @@
 #include "ui/base/image_export.h"
 #include "ui/base/settings_file.h"
 #include "ui/face/cards.h"
+#include "ui/face/derivation_panel.h"
 #include "ui/lessons/lesson_mode.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/pipeline_panel.h"
@@ -45,6 +46,7 @@ struct Arguments {
     QString step;
     std::optional<QSize> windowSize;
     QString panel;
+    std::optional<rasterlens::DerivationTopic> topic;
     std::optional<QPoint> pixel;
     bool referee = false;
     rasterlens::ReferenceSpace reference = rasterlens::ReferenceSpace::Clip;
@@ -62,6 +64,14 @@ struct Arguments {
 QStringList panelNames()
 {
     return rasterlens::Cards::names() + rasterlens::TruthMode::panelNames() + QStringList{QStringLiteral("mistakes")};
+}
+
+QStringList topicIds()
+{
+    QStringList ids;
+    for (const rasterlens::DerivationTopicInfo& info : rasterlens::derivationTopics())
+        ids << QLatin1String(info.id);
+    return ids;
 }
 
 struct ParsedArguments {
@@ -106,6 +116,9 @@ struct Options {
                              QStringLiteral("light|dark")};
     QCommandLineOption panel{QStringLiteral("panel"), QStringLiteral("Opens a panel: %1.").arg(panelNames().join(", ")),
                              QStringLiteral("name")};
+    QCommandLineOption topic{QStringLiteral("topic"),
+                             QStringLiteral("Opens the panel derive with a topic: %1.").arg(topicIds().join(", ")),
+                             QStringLiteral("id")};
     QCommandLineOption pixel{QStringLiteral("pixel"), QStringLiteral("Selects a pixel of the picture."),
                              QStringLiteral("x,y")};
     QCommandLineOption step{
@@ -142,7 +155,7 @@ struct Options {
 
     [[nodiscard]] QList<QCommandLineOption> all() const
     {
-        return {help,    version,   screenshot, windowSize, language, theme, panel, pixel,        step,
+        return {help,    version,   screenshot, windowSize, language, theme, panel, topic,        pixel, step,
                 referee, reference, compare,    measure,    lesson,   slide, ask,   presentation, keys};
     }
 };
@@ -172,6 +185,11 @@ std::optional<QString> readLook(const QCommandLineParser& parser, const Options&
         arguments.panel = parser.value(options.panel);
         if (!panelNames().contains(arguments.panel))
             return QStringLiteral("--panel takes %1").arg(panelNames().join(", "));
+    }
+    if (parser.isSet(options.topic)) {
+        arguments.topic = rasterlens::derivationTopic(parser.value(options.topic));
+        if (!arguments.topic)
+            return QStringLiteral("--topic takes %1").arg(topicIds().join(", "));
     }
     return std::nullopt;
 }
@@ -396,6 +414,10 @@ void startWith(rasterlens::MainWindow& window, const Arguments& arguments, QObje
                              window.truthMode().experiment().run(arguments.measuredFrames);
                          if (!arguments.panel.isEmpty())
                              openPanel(window, arguments.panel);
+                         if (arguments.topic) {
+                             window.cards().derivationPanel().setTopic(*arguments.topic);
+                             openPanel(window, QStringLiteral("derive"));
+                         }
                          if (!arguments.screenshot.isEmpty())
                              takeScreenshot(window, arguments.screenshot);
                      });
