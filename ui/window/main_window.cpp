@@ -231,6 +231,7 @@ void MainWindow::connectParts()
     connect(m_truth.get(), &TruthMode::failed, m_message, says(MessageKind::Error));
     connect(m_cards, &Cards::failed, m_message, says(MessageKind::Error));
     connect(m_mistakeBadge, &MistakeBadge::failed, m_message, says(MessageKind::Error));
+    connect(m_pipelinePanel, &PipelinePanel::failed, m_message, says(MessageKind::Error));
     connect(&m_stepMode->session(), &StepSession::failed, m_message, says(MessageKind::Error));
     connectField(m_pipelinePanel, &PipelinePanel::invalidInput, &PipelinePanel::inputMended);
     connectField(&m_cards->vertexPanel(), &VertexPanel::invalidInput, &VertexPanel::inputMended);
@@ -451,7 +452,7 @@ bool MainWindow::isShown() const
 bool MainWindow::isComplete() const
 {
     return isSettled() && !m_wordsAreOld.any() && !m_cards->isBusy() && !m_mistakeBadge->isCounting() &&
-           !m_truth->isBusy();
+           !m_truth->isBusy() && !m_pipelinePanel->isBusy();
 }
 
 QString MainWindow::message() const
