@@ -249,6 +249,7 @@ void MainWindow::connectParts()
     connect(m_truth.get(), &TruthMode::failed, m_message, says(MessageKind::Error));
     connect(m_cards, &Cards::failed, m_message, says(MessageKind::Error));
     connect(m_mistakeBadge, &MistakeBadge::failed, m_message, says(MessageKind::Error));
+    connect(m_pipelinePanel, &PipelinePanel::failed, m_message, says(MessageKind::Error));
     connect(&m_stepMode->session(), &StepSession::failed, m_message, says(MessageKind::Error));
     connectField(m_pipelinePanel, &PipelinePanel::invalidInput, &PipelinePanel::inputMended);
     connectField(&m_cards->vertexPanel(), &VertexPanel::invalidInput, &VertexPanel::inputMended);
@@ -475,7 +476,7 @@ bool MainWindow::isShown() const
 bool MainWindow::isComplete() const
 {
     return isSettled() && !m_moment->isPending() && !m_lessons->isBusy() && !m_wordsAreOld.any() &&
-           !m_cards->isBusy() && !m_mistakeBadge->isCounting() && !m_truth->isBusy();
+           !m_cards->isBusy() && !m_mistakeBadge->isCounting() && !m_truth->isBusy() && !m_pipelinePanel->isBusy();
 }
 
 QString MainWindow::message() const
