@@ -4,6 +4,7 @@
 #include "ui/base/image_export.h"
 #include "ui/base/settings_file.h"
 #include "ui/face/cards.h"
+#include "ui/pipeline/canvas_views.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/pipeline_panel.h"
 #include "ui/steps/step_mode.h"
@@ -43,6 +44,8 @@ struct Arguments {
     QString step;
     std::optional<QSize> windowSize;
     QString panel;
+    QString view;
+    QStringList overlays;
     std::optional<QPoint> pixel;
     bool referee = false;
     rasterlens::ReferenceSpace reference = rasterlens::ReferenceSpace::Clip;
@@ -100,6 +103,14 @@ struct Options {
                              QStringLiteral("light|dark")};
     QCommandLineOption panel{QStringLiteral("panel"), QStringLiteral("Opens a panel: %1.").arg(panelNames().join(", ")),
                              QStringLiteral("name")};
+    QCommandLineOption view{QStringLiteral("view"),
+                            QStringLiteral("What the canvas shows: %1, or difference as with --compare.")
+                                .arg(rasterlens::CanvasViews::viewNames().join(", ")),
+                            QStringLiteral("name")};
+    QCommandLineOption overlay{QStringLiteral("overlay"),
+                               QStringLiteral("Lays something over the picture; may repeat: %1.")
+                                   .arg(rasterlens::CanvasViews::overlayNames().join(", ")),
+                               QStringLiteral("name")};
     QCommandLineOption pixel{QStringLiteral("pixel"), QStringLiteral("Selects a pixel of the picture."),
                              QStringLiteral("x,y")};
     QCommandLineOption step{
@@ -128,8 +139,8 @@ struct Options {
 
     [[nodiscard]] QList<QCommandLineOption> all() const
     {
-        return {help,  version, screenshot, windowSize, language, theme,   panel,
-                pixel, step,    referee,    reference,  compare,  measure, keys};
+        return {help,    version, screenshot, windowSize, language,  theme,   panel,   view,
+                overlay, pixel,   step,       referee,    reference, compare, measure, keys};
     }
 };
 
@@ -158,6 +169,31 @@ std::optional<QString> readLook(const QCommandLineParser& parser, const Options&
         arguments.panel = parser.value(options.panel);
         if (!panelNames().contains(arguments.panel))
             return QStringLiteral("--panel takes %1").arg(panelNames().join(", "));
+    }
+    return std::nullopt;
+}
+
+/// Reads the options about the canvas.
+///
+/// out  why one of them is refused
+std::optional<QString> readCanvas(const QCommandLineParser& parser, const Options& options, Arguments& arguments)
+{
+    using rasterlens::CanvasViews;
+    arguments.view = parser.value(options.view);
+    if (arguments.view == QLatin1String("difference")) {
+        arguments.view.clear();
+        arguments.compare = rasterlens::CompareView::Difference;
+    } else if (parser.isSet(options.view) && !CanvasViews::viewNames().contains(arguments.view)) {
+        return QStringLiteral("--view takes %1, difference").arg(CanvasViews::viewNames().join(", "));
+    }
+    arguments.overlays = parser.values(options.overlay);
+    for (const QString& name : arguments.overlays)
+        if (!CanvasViews::overlayNames().contains(name))
+            return QStringLiteral("--overlay takes %1").arg(CanvasViews::overlayNames().join(", "));
+    if (parser.isSet(options.pixel)) {
+        arguments.pixel = rasterlens::typedPoint(parser.value(options.pixel));
+        if (!arguments.pixel || arguments.pixel->x() < 0 || arguments.pixel->y() < 0)
+            return QStringLiteral("--pixel: \"%1\" is not a pixel; expected: x,y").arg(parser.value(options.pixel));
     }
     return std::nullopt;
 }
@@ -210,14 +246,9 @@ std::optional<QString> readAll(const QCommandLineParser& parser, const Options& 
         return QStringLiteral("--step takes a position, tie, sign-change, depth-fail, clip or nan");
     if (const auto why = readLook(parser, options, arguments))
         return why;
-    if (const auto why = readTruth(parser, options, arguments))
+    if (const auto why = readCanvas(parser, options, arguments))
         return why;
-    if (parser.isSet(options.pixel)) {
-        arguments.pixel = rasterlens::typedPoint(parser.value(options.pixel));
-        if (!arguments.pixel || arguments.pixel->x() < 0 || arguments.pixel->y() < 0)
-            return QStringLiteral("--pixel: \"%1\" is not a pixel; expected: x,y").arg(parser.value(options.pixel));
-    }
-    return std::nullopt;
+    return readTruth(parser, options, arguments);
 }
 
 ParsedArguments parseArguments(const QStringList& words)
@@ -325,6 +356,10 @@ void startWith(rasterlens::MainWindow& window, const Arguments& arguments, QObje
                          window.document().disconnect(&starting);
                          if (arguments.pixel)
                              window.viewport().selectPixel(arguments.pixel);
+                         if (!arguments.view.isEmpty())
+                             window.canvasViews().setViewNamed(arguments.view);
+                         for (const QString& overlay : arguments.overlays)
+                             window.canvasViews().setOverlayNamed(overlay, true);
                          window.truthMode().referee().setSpace(arguments.reference);
                          window.truthMode().referee().setOn(arguments.referee);
                          window.truthMode().comparison().setView(arguments.compare);

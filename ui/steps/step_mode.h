@@ -5,6 +5,9 @@
 
 #include <QObject>
 
+#include <cstdint>
+#include <vector>
+
 class QMainWindow;
 class QMenu;
 
@@ -36,6 +39,9 @@ public:
     [[nodiscard]] FramePtr frame();
     /// The step after which that frame is; nothing: the finished frame is shown.
     [[nodiscard]] std::optional<std::size_t> moment() const;
+
+    /// The face that owns each pixel of that frame, -1 none; empty where the record does not hold all that was written.
+    [[nodiscard]] std::vector<std::int32_t> owners() const;
 
     /// Opens the step mode and goes there as soon as the record is there: a position, or the name of a stop.
     ///

@@ -23,6 +23,7 @@ namespace rasterlens
 {
 
 class ActionSearch;
+class CanvasViews;
 class Cards;
 class Dock;
 class HelpOverlay;
@@ -39,6 +40,7 @@ class StatisticsPanel;
 class StepMode;
 class TruthMode;
 class TypedField;
+class ViewsBar;
 class WindowPlacement;
 
 /// The window: canvas in the middle, pipeline left, statistics right.
@@ -63,6 +65,8 @@ public:
     [[nodiscard]] Cards& cards() { return *m_cards; }
     [[nodiscard]] MistakeBadge& mistakeBadge() { return *m_mistakeBadge; }
     [[nodiscard]] RenderWorker& worker() { return m_worker; }
+    [[nodiscard]] CanvasViews& canvasViews() { return *m_views; }
+    [[nodiscard]] ViewsBar& viewsBar() { return *m_viewsBar; }
     [[nodiscard]] StepMode& stepMode() { return *m_stepMode; }
     [[nodiscard]] TruthMode& truthMode() { return *m_truth; }
     [[nodiscard]] PanelPlaces& panels() { return *m_panels; }
@@ -129,7 +133,6 @@ private:
     void buildEditMenu();
     void buildViewMenu();
     void buildCamera(ActionMenu menu);
-    void buildOverlays(ActionMenu& view);
     void buildDrawing(ActionMenu menu);
     void buildAppearance(ActionMenu menu);
     void buildSettingsMenu();
@@ -183,6 +186,7 @@ private:
     RenderWorker m_worker;
 
     ViewportWidget* m_viewport = nullptr;
+    std::unique_ptr<CanvasViews> m_views;
     std::unique_ptr<StepMode> m_stepMode;
     std::unique_ptr<TruthMode> m_truth;
     std::unique_ptr<LifeCycle> m_lifeCycle;
@@ -202,6 +206,7 @@ private:
     HelpOverlay* m_help = nullptr;
     ActionSearch* m_search = nullptr;
     QLabel* m_canvasTitle = nullptr;
+    ViewsBar* m_viewsBar = nullptr;
     QToolButton* m_goToButton = nullptr;
     QLineEdit* m_goToEdit = nullptr;
     TypedField* m_goToField = nullptr;
