@@ -1162,6 +1162,10 @@
         <translation>经过两次插值后，顶点 %1 对样本的贡献。</translation>
     </message>
     <message>
+        <source>lines and points are drawn in the colours of the model: no light falls on them</source>
+        <translation>线和点以模型自身的颜色绘制：光照不到它们</translation>
+    </message>
+    <message>
         <source>The least and the greatest x of the three corners.</source>
         <translation>三个顶点中最小与最大的 x。</translation>
     </message>
@@ -5465,6 +5469,120 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::BarycentricLayer</name>
+    <message>
+        <source>perspective %1</source>
+        <translation>透视 %1</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::CanvasViews</name>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>Ids</source>
+        <translation>面编号</translation>
+    </message>
+    <message>
+        <source>Overdraw</source>
+        <translation>重绘次数</translation>
+    </message>
+    <message>
+        <source>Facing</source>
+        <translation>朝向</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>法线</translation>
+    </message>
+    <message>
+        <source>UV</source>
+        <translation>UV</translation>
+    </message>
+    <message>
+        <source>Pixel grid (from 8×)</source>
+        <translation>像素网格（8× 起）</translation>
+    </message>
+    <message>
+        <source>Sample positions (from 16×)</source>
+        <translation>采样位置（16× 起）</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>采样点</translation>
+    </message>
+    <message>
+        <source>Pixel values (from 48×)</source>
+        <translation>像素数值（48× 起）</translation>
+    </message>
+    <message>
+        <source>Wireframe over the picture</source>
+        <translation>叠加在画面上的线框</translation>
+    </message>
+    <message>
+        <source>Wireframe</source>
+        <translation>线框</translation>
+    </message>
+    <message>
+        <source>Outline of the face at the selected pixel</source>
+        <translation>所选像素所属面的轮廓</translation>
+    </message>
+    <message>
+        <source>Bounding boxes</source>
+        <translation>包围盒</translation>
+    </message>
+    <message>
+        <source>Boxes</source>
+        <translation>包围盒</translation>
+    </message>
+    <message>
+        <source>Tiles of the tiled algorithm</source>
+        <translation>分块算法的块</translation>
+    </message>
+    <message>
+        <source>Tiles</source>
+        <translation>分块</translation>
+    </message>
+    <message>
+        <source>Barycentric areas and iso-lines</source>
+        <translation>重心坐标的面积与等值线</translation>
+    </message>
+    <message>
+        <source>Barycentric</source>
+        <translation>重心坐标</translation>
+    </message>
+    <message>
+        <source>Mid-line, where α is nearly one half</source>
+        <translation>中线：α 接近一半之处</translation>
+    </message>
+    <message>
+        <source>Depth buffer beside the picture</source>
+        <translation>画面旁的深度缓冲</translation>
+    </message>
+    <message>
+        <source>The overlays were not computed: %1.</source>
+        <translation>未能计算叠加内容：%1。</translation>
+    </message>
+    <message>
+        <source>The view stays: %1</source>
+        <translation>视图保持不变：%1</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Overlays</source>
+        <translation>叠加</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::Cards</name>
     <message>
         <source>Vertices</source>
@@ -5846,6 +5964,17 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::DepthPicture</name>
+    <message>
+        <source>Depth buffer: not known</source>
+        <translation>深度缓冲：尚未知</translation>
+    </message>
+    <message>
+        <source>Depth buffer: black %1, white %2</source>
+        <translation>深度缓冲：黑 %1，白 %2</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::DerivationPanel</name>
     <message>
         <source>Derivation</source>
@@ -6013,6 +6142,17 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::FacingLayer</name>
+    <message>
+        <source>front</source>
+        <translation>正面</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>背面</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::FieldRow</name>
     <message>
         <source>The scene asks for: %1. Click to put it back.</source>
@@ -6025,6 +6165,17 @@
     <message>
         <source>Key %1 steps through the values.</source>
         <translation>按 %1 键切换取值。</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::GeometryLayer</name>
+    <message>
+        <source>perspective</source>
+        <translation>透视</translation>
+    </message>
+    <message>
+        <source>linear on the screen</source>
+        <translation>屏幕上线性</translation>
     </message>
 </context>
 <context>
@@ -6366,18 +6517,6 @@
         <translation>重置摄像机</translation>
     </message>
     <message>
-        <source>Pixel grid (from 8×)</source>
-        <translation>像素网格（8× 起）</translation>
-    </message>
-    <message>
-        <source>Sample positions (from 16×)</source>
-        <translation>采样位置（16× 起）</translation>
-    </message>
-    <message>
-        <source>Pixel values (from 48×)</source>
-        <translation>像素数值（48× 起）</translation>
-    </message>
-    <message>
         <source>Draw continuously (measures FPS)</source>
         <translation>连续绘制（测量 FPS）</translation>
     </message>
@@ -6436,10 +6575,6 @@
     <message>
         <source>Copy the counters as JSON</source>
         <translation>把计数复制为 JSON</translation>
-    </message>
-    <message>
-        <source>Go to pixel (%1)</source>
-        <translation>转到像素 (%1)</translation>
     </message>
     <message>
         <source>Clear</source>
@@ -8093,6 +8228,37 @@
     <message>
         <source>former picture</source>
         <translation>先前的图像</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::ViewsBar</name>
+    <message>
+        <source>Difference</source>
+        <translation>差异</translation>
+    </message>
+    <message>
+        <source>Overlays</source>
+        <translation>叠加</translation>
+    </message>
+    <message>
+        <source>What is laid over the picture</source>
+        <translation>叠加在画面上的内容</translation>
+    </message>
+    <message>
+        <source>What the canvas shows</source>
+        <translation>画布显示的内容</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>What the canvas shows, and what is laid over it</source>
+        <translation>画布显示与叠加的内容</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>更多</translation>
     </message>
 </context>
 </TS>
