@@ -1357,6 +1357,14 @@
         <source>Over a face. How much the distances of its corners differ: if it is 0, the weights on the screen are those in space, and correction changes nothing.</source>
         <translation>对整个面。各顶点的距离相差多少：若为 0，屏幕上的权重就是空间中的权重，校正不改变任何东西。</translation>
     </message>
+    <message>
+        <source>A text that takes AC x AB has -n, and lets light travel along (0, 0, -1), away from the eye. Both signs cancel out: its n . l is the z of the normal.</source>
+        <translation>有的课文取 AC x AB，得到 -n，并让光沿 (0, 0, -1) 远离眼睛传播。两个符号相互抵消：它的 n . l 就是法线的 z。</translation>
+    </message>
+    <message>
+        <source>Its colour is n . l alone, from black to white; where n . l is not positive it draws nothing.</source>
+        <translation>它的颜色只取 n . l，从黑到白；n . l 不为正时什么也不画。</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostic</name>
