@@ -1,25 +1,18 @@
 #pragma once
 #include "core/observe/step_log.h"
+#include "ui/base/inks.h"
 #include "ui/steps/lens_model.h"
 
 #include <QColor>
 #include <QPointF>
 #include <QRect>
 
-#include <array>
+#include <cstddef>
 
 class QPainter;
 
 namespace rasterlens
 {
-
-/// The hue and the pen style of the edges AB, BC, CA.
-struct EdgeLook {
-    QRgb color;
-    Qt::PenStyle style;
-};
-constexpr std::array<EdgeLook, 3> kEdgeLooks{
-    {{0xff6a3d9a, Qt::SolidLine}, {0xff005f54, Qt::DashLine}, {0xff6f4700, Qt::DotLine}}};
 
 /// The colours of a glyph: filled where the sample was looked at, hollow where it still waits.
 struct GlyphColors {

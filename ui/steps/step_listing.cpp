@@ -107,7 +107,7 @@ void StepListing::sync()
 {
     m_explanation = {};
     if (m_session.isOpen() && m_session.log() && m_session.position() > 0)
-        m_explanation = explainStep(*m_session.log(), m_session.position() - 1);
+        m_explanation = explainStep(*m_session.log(), m_session.positionInLog() - 1);
     const bool isCompact = m_place == Place::Below && parentWidget()->height() < kCompactBelow;
     double scale = 1;
     if (m_place == Place::Beside)

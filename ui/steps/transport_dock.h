@@ -50,6 +50,7 @@ private:
     void buildScopeMenu(ActionMenu menu);
     void buildRunMenu(ActionMenu menu);
     void buildSpeedMenu(ActionMenu menu);
+    void buildPlayMenu(ActionMenu menu);
     QWidget* buildTitleRow();
     QWidget* buildBody();
     QToolButton* addButton(QAction* action, TransportSign sign, bool backward);
@@ -59,6 +60,9 @@ private:
     void sync();
     void syncLog();
     void fade(bool away);
+    void syncActions();
+    void syncLinks();
+    [[nodiscard]] QString playText() const;
     void runUntil(StepStop::Kind kind);
     void selectFaceHere();
 
@@ -67,6 +71,7 @@ private:
     QMenu* m_scopeMenu = nullptr;
     QMenu* m_runMenu = nullptr;
     QMenu* m_speedMenu = nullptr;
+    QMenu* m_playMenu = nullptr;
     QAction* m_record = nullptr;
     QAction* m_play = nullptr;
     QAction* m_start = nullptr;
@@ -76,7 +81,9 @@ private:
     QList<QAction*> m_stepActions; ///< back and forth: event, row, face, stage
     QList<QAction*> m_scopeActions;
     QList<QAction*> m_speedActions;
-    QList<QAction*> m_onlyOpen; ///< of use in the step mode only
+    QList<QAction*> m_playActions;   ///< by which step
+    QList<QAction*> m_secondActions; ///< the whole record in so many seconds
+    QList<QAction*> m_onlyOpen;      ///< of use in the step mode only
     struct Button {
         QToolButton* widget;
         TransportSign sign;
@@ -95,6 +102,7 @@ private:
     QLabel* m_legend = nullptr;
     QLabel* m_hint = nullptr; ///< the keys, or who records in place of the chosen algorithm
     QToolButton* m_speedLink = nullptr;
+    QToolButton* m_playLink = nullptr;
     QToolButton* m_runLink = nullptr;
     QToolButton* m_scopeLink = nullptr;
     Scrubber* m_scrubber = nullptr;

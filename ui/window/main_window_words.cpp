@@ -76,7 +76,7 @@ QString MainWindow::stageText() const
 {
     const StepSession& session = m_stepMode->session();
     if (session.log() && session.position() > 0)
-        return stepSentence(*session.log(), session.position() - 1).toHtmlEscaped();
+        return stepSentence(*session.log(), session.positionInLog() - 1).toHtmlEscaped();
     QStringList changes;
     for (const SettingsField& field : settingsFields())
         if (field.get(m_document.settings()) != field.get(m_document.defaults()))
