@@ -4,7 +4,9 @@
 #include "ui/base/image_export.h"
 #include "ui/base/settings_file.h"
 #include "ui/face/cards.h"
+#include "ui/face/derivation_panel.h"
 #include "ui/lessons/lesson_mode.h"
+#include "ui/pipeline/canvas_views.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/pipeline_panel.h"
 #include "ui/steps/step_mode.h"
@@ -45,6 +47,9 @@ struct Arguments {
     QString step;
     std::optional<QSize> windowSize;
     QString panel;
+    std::optional<rasterlens::DerivationTopic> topic;
+    QString view;
+    QStringList overlays;
     std::optional<QPoint> pixel;
     bool referee = false;
     rasterlens::ReferenceSpace reference = rasterlens::ReferenceSpace::Clip;
@@ -62,6 +67,14 @@ struct Arguments {
 QStringList panelNames()
 {
     return rasterlens::Cards::names() + rasterlens::TruthMode::panelNames() + QStringList{QStringLiteral("mistakes")};
+}
+
+QStringList topicIds()
+{
+    QStringList ids;
+    for (const rasterlens::DerivationTopicInfo& info : rasterlens::derivationTopics())
+        ids << QLatin1String(info.id);
+    return ids;
 }
 
 struct ParsedArguments {
@@ -106,6 +119,17 @@ struct Options {
                              QStringLiteral("light|dark")};
     QCommandLineOption panel{QStringLiteral("panel"), QStringLiteral("Opens a panel: %1.").arg(panelNames().join(", ")),
                              QStringLiteral("name")};
+    QCommandLineOption topic{QStringLiteral("topic"),
+                             QStringLiteral("Opens the panel derive with a topic: %1.").arg(topicIds().join(", ")),
+                             QStringLiteral("id")};
+    QCommandLineOption view{QStringLiteral("view"),
+                            QStringLiteral("What the canvas shows: %1, or difference as with --compare.")
+                                .arg(rasterlens::CanvasViews::viewNames().join(", ")),
+                            QStringLiteral("name")};
+    QCommandLineOption overlay{QStringLiteral("overlay"),
+                               QStringLiteral("Lays something over the picture; may repeat: %1.")
+                                   .arg(rasterlens::CanvasViews::overlayNames().join(", ")),
+                               QStringLiteral("name")};
     QCommandLineOption pixel{QStringLiteral("pixel"), QStringLiteral("Selects a pixel of the picture."),
                              QStringLiteral("x,y")};
     QCommandLineOption step{
@@ -142,8 +166,8 @@ struct Options {
 
     [[nodiscard]] QList<QCommandLineOption> all() const
     {
-        return {help,    version,   screenshot, windowSize, language, theme, panel, pixel,        step,
-                referee, reference, compare,    measure,    lesson,   slide, ask,   presentation, keys};
+        return {help, version, screenshot, windowSize, language, theme,  panel, topic, view,         overlay, pixel,
+                step, referee, reference,  compare,    measure,  lesson, slide, ask,   presentation, keys};
     }
 };
 
@@ -172,6 +196,36 @@ std::optional<QString> readLook(const QCommandLineParser& parser, const Options&
         arguments.panel = parser.value(options.panel);
         if (!panelNames().contains(arguments.panel))
             return QStringLiteral("--panel takes %1").arg(panelNames().join(", "));
+    }
+    if (parser.isSet(options.topic)) {
+        arguments.topic = rasterlens::derivationTopic(parser.value(options.topic));
+        if (!arguments.topic)
+            return QStringLiteral("--topic takes %1").arg(topicIds().join(", "));
+    }
+    return std::nullopt;
+}
+
+/// Reads the options about the canvas.
+///
+/// out  why one of them is refused
+std::optional<QString> readCanvas(const QCommandLineParser& parser, const Options& options, Arguments& arguments)
+{
+    using rasterlens::CanvasViews;
+    arguments.view = parser.value(options.view);
+    if (arguments.view == QLatin1String("difference")) {
+        arguments.view.clear();
+        arguments.compare = rasterlens::CompareView::Difference;
+    } else if (parser.isSet(options.view) && !CanvasViews::viewNames().contains(arguments.view)) {
+        return QStringLiteral("--view takes %1, difference").arg(CanvasViews::viewNames().join(", "));
+    }
+    arguments.overlays = parser.values(options.overlay);
+    for (const QString& name : arguments.overlays)
+        if (!CanvasViews::overlayNames().contains(name))
+            return QStringLiteral("--overlay takes %1").arg(CanvasViews::overlayNames().join(", "));
+    if (parser.isSet(options.pixel)) {
+        arguments.pixel = rasterlens::typedPoint(parser.value(options.pixel));
+        if (!arguments.pixel || arguments.pixel->x() < 0 || arguments.pixel->y() < 0)
+            return QStringLiteral("--pixel: \"%1\" is not a pixel; expected: x,y").arg(parser.value(options.pixel));
     }
     return std::nullopt;
 }
@@ -244,16 +298,11 @@ std::optional<QString> readAll(const QCommandLineParser& parser, const Options& 
         return QStringLiteral("--step takes %1").arg(rasterlens::stepPlaceHelp());
     if (const auto why = readLook(parser, options, arguments))
         return why;
-    if (const auto why = readTruth(parser, options, arguments))
+    if (const auto why = readCanvas(parser, options, arguments))
         return why;
     if (const auto why = readLesson(parser, options, arguments))
         return why;
-    if (parser.isSet(options.pixel)) {
-        arguments.pixel = rasterlens::typedPoint(parser.value(options.pixel));
-        if (!arguments.pixel || arguments.pixel->x() < 0 || arguments.pixel->y() < 0)
-            return QStringLiteral("--pixel: \"%1\" is not a pixel; expected: x,y").arg(parser.value(options.pixel));
-    }
-    return std::nullopt;
+    return readTruth(parser, options, arguments);
 }
 
 ParsedArguments parseArguments(const QStringList& words)
@@ -389,6 +438,10 @@ void startWith(rasterlens::MainWindow& window, const Arguments& arguments, QObje
                          window.document().disconnect(&starting);
                          if (arguments.pixel)
                              window.viewport().selectPixel(arguments.pixel);
+                         if (!arguments.view.isEmpty())
+                             window.canvasViews().setViewNamed(arguments.view);
+                         for (const QString& overlay : arguments.overlays)
+                             window.canvasViews().setOverlayNamed(overlay, true);
                          window.truthMode().referee().setSpace(arguments.reference);
                          window.truthMode().referee().setOn(arguments.referee);
                          window.truthMode().comparison().setView(arguments.compare);
@@ -396,6 +449,10 @@ void startWith(rasterlens::MainWindow& window, const Arguments& arguments, QObje
                              window.truthMode().experiment().run(arguments.measuredFrames);
                          if (!arguments.panel.isEmpty())
                              openPanel(window, arguments.panel);
+                         if (arguments.topic) {
+                             window.cards().derivationPanel().setTopic(*arguments.topic);
+                             openPanel(window, QStringLiteral("derive"));
+                         }
                          if (!arguments.screenshot.isEmpty())
                              takeScreenshot(window, arguments.screenshot);
                      });

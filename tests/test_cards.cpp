@@ -249,7 +249,8 @@ void TestCards::vertexModelIsSound()
 {
     FaceSelection selection;
     Document own;
-    VertexTableModel model(own, selection);
+    const VertexEditing editing;
+    VertexTableModel model(own, selection, editing);
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     model.refresh();
     own.setScene(std::make_shared<const Scene>(*makeBuiltinScene(QStringLiteral("cube")).scene));

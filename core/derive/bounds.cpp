@@ -21,6 +21,8 @@ public:
             const CanvasPart corner{CanvasKind::Corner, cornerLetter(i), {record.pixels(position)}};
             m_writer.given(cornerLetter(i) + QStringLiteral("_x"), position.x, corner);
             m_writer.given(cornerLetter(i) + QStringLiteral("_y"), position.y, corner);
+            m_low = i == 0 ? position : glm::min(m_low, position);
+            m_high = i == 0 ? position : glm::max(m_high, position);
         }
         m_writer.given(QStringLiteral("W"), record.rules().columns());
         m_writer.given(QStringLiteral("H"), record.rules().rows());
@@ -65,7 +67,7 @@ private:
                       QT_TRANSLATE_NOOP("Derive",
                                         "The least and the greatest y. Whatever lies inside the triangle lies "
                                         "between these four numbers."),
-                      {box("box", {value("x_min"), value("y_min")}, {value("x_max"), value("y_max")})});
+                      {box("box", m_low, m_high)});
     }
 
     /// The box as texts round it: outwards, to whole samples.
@@ -77,7 +79,7 @@ private:
                                         "ceil for the greater. The loop runs from left on, as long as x < right."));
         m_writer.line(formula("({top}, {bottom})"), formula("(floor({y_min}), ceil({y_max}))"),
                       QT_TRANSLATE_NOOP("Derive", "The rows, in the same way. This box is never too small."),
-                      {box("whole box", {value("left"), value("top")}, {value("right"), value("bottom")})});
+                      {box("whole box", glm::floor(m_low), glm::ceil(m_high))});
     }
 
     /// The box of this program: the first and the last centre between the extremes.
@@ -130,7 +132,9 @@ private:
     }
 
     const FaceRecord& m_record;
-    PixelRect m_bounds; ///< samples
+    PixelRect m_bounds;     ///< samples
+    glm::dvec2 m_low{0, 0}; ///< the least coordinates of the corners, samples
+    glm::dvec2 m_high{0, 0};
     DerivationWriter m_writer;
 };
 

@@ -33,8 +33,7 @@ public:
     {
         const StepEvent& event = m_log.event(i);
         switch (event.kind) {
-        case StepKind::ClipPlane: return m_rules.clipInset != 0 && !m_log.payload<ClipStep>(event).cuts.empty();
-        case StepKind::CohenSutherland: return leavesCornerOut(m_log.payload<CohenSutherlandStep>(event));
+        case StepKind::CohenSutherland: return differs(m_log.payload<CohenSutherlandStep>(event));
         case StepKind::Viewport: return differs(m_log.payload<ViewportStep>(event));
         case StepKind::Facing: return differs(m_log.payload<FacingStep>(event).decision);
         case StepKind::Fate: return differs(m_log.payload<FateStep>(event).fate, i);
@@ -49,6 +48,7 @@ public:
         case StepKind::Resolve: return m_log.payload<ResolveStep>(event).pixel.black != 0;
         case StepKind::End: return m_rules.resolve != m_right.resolve || endsEarly(i);
         case StepKind::Vertex:
+        case StepKind::ClipPlane:
         case StepKind::Clipped:
         case StepKind::Triangle:
         case StepKind::Outline:
@@ -62,6 +62,13 @@ public:
     }
 
 private:
+    /// Whether the cuts are moved, of which there are some where a corner lies outside, or corners are left out.
+    [[nodiscard]] bool differs(const CohenSutherlandStep& step) const
+    {
+        const bool isCut = std::ranges::any_of(step.regions, [](unsigned region) { return region != 0; });
+        return (m_rules.clipInset != 0 && isCut) || leavesCornerOut(step);
+    }
+
     /// Whether a corner of the screen lies inside the projected polygon, and the result is to do without it.
     [[nodiscard]] bool leavesCornerOut(const CohenSutherlandStep& step) const
     {

@@ -374,6 +374,30 @@
         <source>Six squares and a wall, sent from front to back. Around each leaf the texture is transparent: without the alpha test the corners of a square hide what lies behind, because they write depth although nothing is to be seen there.</source>
         <translation>六个方片和一面墙，由前到后送出。每片叶子周围的纹理是透明的：不做 alpha 测试时，方片的四角会挡住后面的东西，因为那里虽然什么也看不见，却写入了深度。</translation>
     </message>
+    <message>
+        <source>GAMES101: the same pixels, tilted</source>
+        <translation>GAMES101：同样的像素，倾斜的三角形</translation>
+    </message>
+    <message>
+        <source>The two triangles of GAMES101 with every corner moved along its ray to the eye: they cover the same pixels, but the w of a face are 3.5, 7, 14 and 10, 20, 5. Affine interpolation, a lost w and a corrected depth show here.</source>
+        <translation>GAMES101 的两个三角形，每个顶点沿着通向眼睛的射线移动：覆盖的像素完全相同，但两个面的 w 是 3.5、7、14 和 10、20、5。仿射插值、丢失的 w、被校正的深度在这里都看得出来。</translation>
+    </message>
+    <message>
+        <source>A flat edge</source>
+        <translation>一条平缓的边</translation>
+    </message>
+    <message>
+        <source>The upper edge falls by 4 rows on 56 columns. What is off by a part of a row there is off by many columns.</source>
+        <translation>上面的边在 56 列里只下降 4 行。那里差不到一行，就会差很多列。</translation>
+    </message>
+    <message>
+        <source>A cut edge through pixel centres</source>
+        <translation>穿过像素中心、又被裁剪的边</translation>
+    </message>
+    <message>
+        <source>The common edge y = x + 8 runs through the centres of 40 pixels. It is cut at the left border for the orange triangle; the blue one has a corner there. The corner outside has code 1001: cut on the left it is still 1000, above.</source>
+        <translation>公共边 y = x + 8 穿过 40 个像素的中心。橙色三角形的这条边在左边界被裁剪；蓝色三角形在那里正好有一个顶点。外面的顶点编码是 1001：在左边裁剪之后还是 1000，在上方。</translation>
+    </message>
 </context>
 <context>
     <name>Derive</name>
@@ -1138,6 +1162,10 @@
         <translation>经过两次插值后，顶点 %1 对样本的贡献。</translation>
     </message>
     <message>
+        <source>lines and points are drawn in the colours of the model: no light falls on them</source>
+        <translation>线和点以模型自身的颜色绘制：光照不到它们</translation>
+    </message>
+    <message>
         <source>The least and the greatest x of the three corners.</source>
         <translation>三个顶点中最小与最大的 x。</translation>
     </message>
@@ -1505,10 +1533,6 @@
         <translation>&quot;vertices&quot; 应为索引和位置：&quot;0&quot;: [x, y, z, w]，而不是 &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>there is no key &quot;%1&quot;; rasterlens, scene, settings and vertices are expected</source>
-        <translation>没有 &quot;%1&quot; 这个键；应为 rasterlens、scene、settings 和 vertices</translation>
-    </message>
-    <message>
         <source>this is not a session of this program; &quot;rasterlens&quot;: %1 is expected</source>
         <translation>这不是本程序的会话；应有 &quot;rasterlens&quot;: %1</translation>
     </message>
@@ -1655,10 +1679,6 @@
     <message>
         <source>the file now has %1 vertices instead of %2: moved vertices are back where the file has them</source>
         <translation>文件现在有 %1 个顶点（原有 %2 个）：移动过的顶点已回到文件中的位置</translation>
-    </message>
-    <message>
-        <source>&quot;near&quot; (%1) must be smaller than &quot;far&quot; (%2)</source>
-        <translation>&quot;near&quot;（%1）必须小于 &quot;far&quot;（%2）</translation>
     </message>
     <message>
         <source>%1; left out</source>
@@ -2071,6 +2091,78 @@
     <message>
         <source>there is no such lesson; expected a .json file or one of: %1</source>
         <translation>没有这一课；应为 .json 文件，或其中之一：%1</translation>
+    </message>
+    <message>
+        <source>there is no key &quot;%1&quot;; rasterlens, scene, settings, vertices and colors are expected</source>
+        <translation>没有键 &quot;%1&quot;；可用的是 rasterlens、scene、settings、vertices 和 colors</translation>
+    </message>
+    <message>
+        <source>&quot;colors&quot; takes an object</source>
+        <translation>&quot;colors&quot; 需要一个对象</translation>
+    </message>
+    <message>
+        <source>&quot;colors&quot; takes an index and a colour: &quot;0&quot;: [r, g, b], each from 0 to 1, not &quot;%1&quot;</source>
+        <translation>&quot;colors&quot; 需要序号和颜色：&quot;0&quot;: [r, g, b]，每个从 0 到 1，不能是 &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;colors&quot; names vertex %1; the scene has %2, counted from 0</source>
+        <translation>&quot;colors&quot; 提到顶点 %1；场景有 %2 个，从 0 数起</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 和 %2</translation>
+    </message>
+    <message>
+        <source>all w of these faces are equal: %1</source>
+        <translation>这些面的所有 w 都相等：%1</translation>
+    </message>
+    <message>
+        <source>the three w of each face are equal: %1</source>
+        <translation>每个面的三个 w 都相等：%1</translation>
+    </message>
+    <message>
+        <source>no face is cut, and none is rejected: all corners lie inside the view volume</source>
+        <translation>没有面被裁剪，也没有面被丢弃：所有顶点都在视景体内</translation>
+    </message>
+    <message>
+        <source>every face is a front face</source>
+        <translation>每个面都是正面</translation>
+    </message>
+    <message>
+        <source>every face is a back face</source>
+        <translation>每个面都是背面</translation>
+    </message>
+    <message>
+        <source>no lines are drawn</source>
+        <translation>没有画线</translation>
+    </message>
+    <message>
+        <source>there is one sample a pixel</source>
+        <translation>每个像素只有一个采样点</translation>
+    </message>
+    <message>
+        <source>the picture is as wide as it is high</source>
+        <translation>画面的宽和高相等</translation>
+    </message>
+    <message>
+        <source>nothing is culled</source>
+        <translation>没有剔除任何面</translation>
+    </message>
+    <message>
+        <source>no material has a mask</source>
+        <translation>没有材质带蒙版</translation>
+    </message>
+    <message>
+        <source>the near plane is at %1, but must lie before the eye, at more than 0: with n = 0, z&apos; = n + f - nf/z is f for every z, and x&apos; = nx/z is 0 for every x</source>
+        <translation>近平面在 %1，但它必须在眼睛前面，大于 0：n = 0 时，z&apos; = n + f - nf/z 对所有的 z 都是 f，x&apos; = nx/z 对所有的 x 都是 0</translation>
+    </message>
+    <message>
+        <source>the far plane is at %1, but must lie before the eye, at more than 0</source>
+        <translation>远平面在 %1，但它必须在眼睛前面，大于 0</translation>
+    </message>
+    <message>
+        <source>the far plane is at %2, but must lie beyond the near plane at %1: z&apos; = n + f - nf/z runs from n to f, which leaves no depth between</source>
+        <translation>远平面在 %2，但它必须在近平面 %1 之外：z&apos; = n + f - nf/z 从 n 到 f，这样中间就没有深度了</translation>
     </message>
 </context>
 <context>
@@ -3402,10 +3494,6 @@
         <translation>边的高度加 1</translation>
     </message>
     <message>
-        <source>The short edges end beside the middle corner: a kink, and an outline that is off by up to a pixel.</source>
-        <translation>短边没有到达中间顶点：出现折角，轮廓最多偏差一个像素。</translation>
-    </message>
-    <message>
         <source>alpha = (y - a.y) / (b.y - a.y + 1)</source>
         <translation>alpha = (y - a.y) / (b.y - a.y + 1)</translation>
     </message>
@@ -3668,22 +3756,6 @@
     <message>
         <source>The body of the loop was a function once.</source>
         <translation>循环体以前是一个函数。</translation>
-    </message>
-    <message>
-        <source>Cut vertices are nudged inward by 0.001</source>
-        <translation>裁剪点向内推 0.001</translation>
-    </message>
-    <message>
-        <source>A gap at the border of the screen and in front of the camera.</source>
-        <translation>屏幕边缘和相机前方出现缝隙。</translation>
-    </message>
-    <message>
-        <source>t = t + 0.001</source>
-        <translation>t = t + 0.001</translation>
-    </message>
-    <message>
-        <source>So that the vertex lies inside for certain.</source>
-        <translation>好让顶点一定落在里面。</translation>
     </message>
     <message>
         <source>Culling with the wrong sign</source>
@@ -4016,6 +4088,26 @@
     <message>
         <source>One of two flips was taken out.</source>
         <translation>两次翻转去掉了一次。</translation>
+    </message>
+    <message>
+        <source>The short edges end beside the middle corner: a spike stands out there, the longer the flatter the edge.</source>
+        <translation>短边到不了中间的顶点：那里突出一根尖刺，边越平缓就越长。</translation>
+    </message>
+    <message>
+        <source>Cut vertices are nudged inward by 0.001 pixels</source>
+        <translation>裁剪出的顶点向内挪 0.001 像素</translation>
+    </message>
+    <message>
+        <source>A cut edge tilts by a hair: pixels whose centres lie exactly on it are lost, a row of holes to the neighbour that is not cut.</source>
+        <translation>被裁剪的边倾斜了一点点：中心正好在边上的像素丢了，与没有被裁剪的相邻面之间出现一排洞。</translation>
+    </message>
+    <message>
+        <source>v1.x += 0.001f</source>
+        <translation>v1.x += 0.001f</translation>
+    </message>
+    <message>
+        <source>So that the vertex lies inside for certain, and its code is 0.</source>
+        <translation>为了让顶点一定在里面，编码是 0。</translation>
     </message>
 </context>
 <context>
@@ -5377,6 +5469,120 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::BarycentricLayer</name>
+    <message>
+        <source>perspective %1</source>
+        <translation>透视 %1</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::CanvasViews</name>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>Ids</source>
+        <translation>面编号</translation>
+    </message>
+    <message>
+        <source>Overdraw</source>
+        <translation>重绘次数</translation>
+    </message>
+    <message>
+        <source>Facing</source>
+        <translation>朝向</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>法线</translation>
+    </message>
+    <message>
+        <source>UV</source>
+        <translation>UV</translation>
+    </message>
+    <message>
+        <source>Pixel grid (from 8×)</source>
+        <translation>像素网格（8× 起）</translation>
+    </message>
+    <message>
+        <source>Sample positions (from 16×)</source>
+        <translation>采样位置（16× 起）</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>采样点</translation>
+    </message>
+    <message>
+        <source>Pixel values (from 48×)</source>
+        <translation>像素数值（48× 起）</translation>
+    </message>
+    <message>
+        <source>Wireframe over the picture</source>
+        <translation>叠加在画面上的线框</translation>
+    </message>
+    <message>
+        <source>Wireframe</source>
+        <translation>线框</translation>
+    </message>
+    <message>
+        <source>Outline of the face at the selected pixel</source>
+        <translation>所选像素所属面的轮廓</translation>
+    </message>
+    <message>
+        <source>Bounding boxes</source>
+        <translation>包围盒</translation>
+    </message>
+    <message>
+        <source>Boxes</source>
+        <translation>包围盒</translation>
+    </message>
+    <message>
+        <source>Tiles of the tiled algorithm</source>
+        <translation>分块算法的块</translation>
+    </message>
+    <message>
+        <source>Tiles</source>
+        <translation>分块</translation>
+    </message>
+    <message>
+        <source>Barycentric areas and iso-lines</source>
+        <translation>重心坐标的面积与等值线</translation>
+    </message>
+    <message>
+        <source>Barycentric</source>
+        <translation>重心坐标</translation>
+    </message>
+    <message>
+        <source>Mid-line, where α is nearly one half</source>
+        <translation>中线：α 接近一半之处</translation>
+    </message>
+    <message>
+        <source>Depth buffer beside the picture</source>
+        <translation>画面旁的深度缓冲</translation>
+    </message>
+    <message>
+        <source>The overlays were not computed: %1.</source>
+        <translation>未能计算叠加内容：%1。</translation>
+    </message>
+    <message>
+        <source>The view stays: %1</source>
+        <translation>视图保持不变：%1</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Overlays</source>
+        <translation>叠加</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::Cards</name>
     <message>
         <source>Vertices</source>
@@ -5758,6 +5964,17 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::DepthPicture</name>
+    <message>
+        <source>Depth buffer: not known</source>
+        <translation>深度缓冲：尚未知</translation>
+    </message>
+    <message>
+        <source>Depth buffer: black %1, white %2</source>
+        <translation>深度缓冲：黑 %1，白 %2</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::DerivationPanel</name>
     <message>
         <source>Derivation</source>
@@ -5925,6 +6142,17 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::FacingLayer</name>
+    <message>
+        <source>front</source>
+        <translation>正面</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>背面</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::FieldRow</name>
     <message>
         <source>The scene asks for: %1. Click to put it back.</source>
@@ -5937,6 +6165,17 @@
     <message>
         <source>Key %1 steps through the values.</source>
         <translation>按 %1 键切换取值。</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::GeometryLayer</name>
+    <message>
+        <source>perspective</source>
+        <translation>透视</translation>
+    </message>
+    <message>
+        <source>linear on the screen</source>
+        <translation>屏幕上线性</translation>
     </message>
 </context>
 <context>
@@ -6278,18 +6517,6 @@
         <translation>重置摄像机</translation>
     </message>
     <message>
-        <source>Pixel grid (from 8×)</source>
-        <translation>像素网格（8× 起）</translation>
-    </message>
-    <message>
-        <source>Sample positions (from 16×)</source>
-        <translation>采样位置（16× 起）</translation>
-    </message>
-    <message>
-        <source>Pixel values (from 48×)</source>
-        <translation>像素数值（48× 起）</translation>
-    </message>
-    <message>
         <source>Draw continuously (measures FPS)</source>
         <translation>连续绘制（测量 FPS）</translation>
     </message>
@@ -6348,10 +6575,6 @@
     <message>
         <source>Copy the counters as JSON</source>
         <translation>把计数复制为 JSON</translation>
-    </message>
-    <message>
-        <source>Go to pixel (%1)</source>
-        <translation>转到像素 (%1)</translation>
     </message>
     <message>
         <source>Clear</source>
@@ -7024,6 +7247,33 @@
     <message>
         <source>your answer</source>
         <translation>你的答案</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::PlaneFields</name>
+    <message>
+        <source>&quot;%1&quot; is not a distance. Write a number greater than 0, or nothing.</source>
+        <translation>&quot;%1&quot; 不是距离。请写一个大于 0 的数，或者留空。</translation>
+    </message>
+    <message>
+        <source>auto (%1)</source>
+        <translation>自动 (%1)</translation>
+    </message>
+    <message>
+        <source>Near plane</source>
+        <translation>近平面</translation>
+    </message>
+    <message>
+        <source>Far plane</source>
+        <translation>远平面</translation>
+    </message>
+    <message>
+        <source>Distance from the eye. Leave it empty and the camera puts the plane round the scene.</source>
+        <translation>到眼睛的距离。留空时相机按场景的大小放置平面。</translation>
+    </message>
+    <message>
+        <source>Put back what the scene asks for</source>
+        <translation>恢复场景要求的值</translation>
     </message>
 </context>
 <context>
@@ -7801,6 +8051,17 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::UnchangedNotes</name>
+    <message>
+        <source>changes nothing here: %1</source>
+        <translation>在这里不起作用：%1</translation>
+    </message>
+    <message>
+        <source>Whether a switch changes anything was not computed: %1.</source>
+        <translation>没有算出开关是否起作用：%1。</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::VertexPanel</name>
     <message>
         <source>Type over the blue numbers, or drag the corners on the canvas. Undo takes it back; the scene&apos;s file stays as it is.</source>
@@ -7813,6 +8074,66 @@
     <message>
         <source>The corners of the face in every space</source>
         <translation>面的顶点在各个空间中的坐标</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>像素</translation>
+    </message>
+    <message>
+        <source>clip coordinates</source>
+        <translation>裁剪坐标</translation>
+    </message>
+    <message>
+        <source>object coordinates</source>
+        <translation>物体坐标</translation>
+    </message>
+    <message>
+        <source>world coordinates</source>
+        <translation>世界坐标</translation>
+    </message>
+    <message>
+        <source>pixel grid</source>
+        <translation>像素网格</translation>
+    </message>
+    <message>
+        <source>pixel centre</source>
+        <translation>像素中心</translation>
+    </message>
+    <message>
+        <source>1/%1 pixel</source>
+        <translation>1/%1 像素</translation>
+    </message>
+    <message>
+        <source>A corner with w ≤ 0 lies behind the eye and has no place on the screen: type the coordinates that the scene gives.</source>
+        <translation>w ≤ 0 的顶点在眼睛后面，在屏幕上没有位置：请输入场景给出的坐标。</translation>
+    </message>
+    <message>
+        <source>Typed or dragged in pixels, a corner keeps its distance from the camera: depth and w stay.</source>
+        <translation>按像素输入或拖动时，顶点到相机的距离不变：深度和 w 保持原样。</translation>
+    </message>
+    <message>
+        <source>type in</source>
+        <translation>输入</translation>
+    </message>
+    <message>
+        <source>drag to</source>
+        <translation>拖到</translation>
+    </message>
+    <message>
+        <source>shared corners move together</source>
+        <translation>公共顶点一起移动</translation>
+    </message>
+    <message>
+        <source>What the numbers of a corner are that you type</source>
+        <translation>输入的数是顶点的哪种坐标</translation>
+    </message>
+    <message>
+        <source>The places that a dragged corner goes to</source>
+        <translation>拖动的顶点落到哪里</translation>
+    </message>
+    <message>
+        <source>Vertices of other faces that lie at the same place go with a corner</source>
+        <translation>其他面在同一位置的顶点跟着一起移动</translation>
     </message>
 </context>
 <context>
@@ -7885,12 +8206,59 @@
         <source>world  x, y, z</source>
         <translation>世界  x, y, z</translation>
     </message>
+    <message>
+        <source>Behind the eye a corner has no place on the screen.</source>
+        <translation>在眼睛后面的顶点在屏幕上没有位置。</translation>
+    </message>
+    <message>
+        <source>colour  r, g, b</source>
+        <translation>颜色  r, g, b</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a place on the screen. Write x, y in pixels.</source>
+        <translation>&quot;%1&quot; 不是屏幕上的位置。请写以像素为单位的 x, y。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a colour. Write r, g, b from 0 to 1, or #rrggbb.</source>
+        <translation>&quot;%1&quot; 不是颜色。请写 0 到 1 的 r, g, b，或者 #rrggbb。</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::ViewportWidget</name>
     <message>
         <source>former picture</source>
         <translation>先前的图像</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::ViewsBar</name>
+    <message>
+        <source>Difference</source>
+        <translation>差异</translation>
+    </message>
+    <message>
+        <source>Overlays</source>
+        <translation>叠加</translation>
+    </message>
+    <message>
+        <source>What is laid over the picture</source>
+        <translation>叠加在画面上的内容</translation>
+    </message>
+    <message>
+        <source>What the canvas shows</source>
+        <translation>画布显示的内容</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>What the canvas shows, and what is laid over it</source>
+        <translation>画布显示与叠加的内容</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>更多</translation>
     </message>
 </context>
 </TS>

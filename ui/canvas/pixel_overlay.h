@@ -1,5 +1,6 @@
 #pragma once
 #include "ui/canvas/canvas_transform.h"
+#include "ui/canvas/pixel_numbers.h"
 #include "ui/canvas/wipe.h"
 
 #include <QPoint>
@@ -36,13 +37,30 @@ struct OverlayOptions {
     bool grid = true;
     bool sampleDots = true;
     bool numbers = true;
-    bool thickLines = false; ///< presentation
+    bool wireframe = false;   ///< outlines of all faces that are drawn
+    bool boxes = false;       ///< the boxes in which coverage looks for samples
+    bool tiles = false;       ///< of the tiled algorithm
+    bool outline = true;      ///< of the face that owns the selected pixel
+    bool barycentric = false; ///< areas and iso-lines at the selected pixel
+    bool midLine = false;     ///< where alpha is nearly one half
+    bool depthBeside = false; ///< the depth buffer in the right half of the canvas
+    bool thickLines = false;  ///< presentation
     std::optional<QPoint> selectedPixel;
     std::optional<QPoint> hoveredPixel;
     std::optional<Wipe> wipe;
     QString tag;                            ///< the name of the picture, where there are several
     std::vector<const CanvasLayer*> layers; ///< from the lowest to the highest; not owned
 };
+
+/// Paints a picture with its grid, sample positions and pixel values, without other layers.
+///
+/// in  `linesAt`: what stands in a pixel; empty: what the frame's shading shows
+void paintPicture(QPainter& painter, const QRect& canvas, const CanvasTransform& transform, const RenderedFrame& frame,
+                  const OverlayOptions& options, const PixelLines& linesAt = {});
+
+/// Paints the frames around the hovered and the selected pixel.
+void paintPixelFrames(QPainter& painter, const CanvasTransform& transform, QSize picture,
+                      const OverlayOptions& options);
 
 /// Paints the picture, nearest-neighbour from zoom 1 on, and its overlays.
 ///

@@ -314,9 +314,9 @@ Document::Opened Document::load(const QString& name, const QString& sceneInstead
             opened.scene = nullptr;
         opened.settings = parse.settings;
     }
-    if (opened.scene && session.session && !session.session->vertices.empty()) {
+    if (opened.scene && session.session && !(session.session->vertices.empty() && session.session->colors.empty())) {
         auto edited = std::make_shared<Scene>(*opened.original);
-        const Diagnostics errors = moveVertices(*edited, *session.session, name);
+        const Diagnostics errors = editVertices(*edited, *session.session, name);
         opened.diagnostics.insert(opened.diagnostics.end(), errors.begin(), errors.end());
         opened.scene = errors.empty() ? std::move(edited) : nullptr;
     }
@@ -439,7 +439,7 @@ bool Document::isDirty() const { return m_recovered || !(m_settings == m_clean) 
 Session Document::session() const
 {
     return {m_scene->id, toJson(m_settings), movedVertices(m_original->mesh, m_scene->mesh),
-            m_viewReader ? m_viewReader() : QJsonObject()};
+            recoloredVertices(m_original->mesh, m_scene->mesh), m_viewReader ? m_viewReader() : QJsonObject()};
 }
 
 void Document::failOpening(Lack lack)

@@ -78,9 +78,9 @@ struct FaceFindings {
 
 Cards::Cards(Document& document, ViewportWidget& viewport, QMainWindow& window)
     : m_document(document), m_viewport(viewport), m_window(window), m_pixelCard(new PixelCard),
-      m_vertexPanel(new VertexPanel(document, m_selection)), m_clipTheatre(new ClipTheatre(m_selection)),
+      m_vertexPanel(new VertexPanel(document, m_selection, m_editing)), m_clipTheatre(new ClipTheatre(m_selection)),
       m_curvesPanel(new CurvesPanel(m_selection)), m_racePanel(new RacePanel(m_selection)),
-      m_derivationPanel(new DerivationPanel(m_selection)), m_handles(new VertexHandles(document, viewport)),
+      m_derivationPanel(new DerivationPanel(m_selection)), m_handles(new VertexHandles(document, viewport, m_editing)),
       m_why([this](const std::shared_ptr<const WhyReport>& report) { showReport(report); },
             [this](Lack lack) { Q_EMIT failed(tr("The pixel card was not computed: %1.").arg(lackText(lack))); }),
       m_face([this](const std::shared_ptr<const FaceFindings>& found) { showFace(*found); },

@@ -101,7 +101,7 @@ std::array<QString, 4> lineCode(const Rules& rules)
 
 std::array<QString, 4> columnCode(const Rules& rules)
 {
-    return {QStringLiteral("for (x = xmin; x <= xmax; ++x) {  ys = table[x];"),
+    return {QStringLiteral("for (x = xmin; x <= xmax; ++x) {  ys = table[x];  if (empty(ys)) say(x);"),
             QStringLiteral("  for (y = min(ys); y <= max(ys); ++y) {"), weightedDepth(rules), shadeLine(rules)};
 }
 

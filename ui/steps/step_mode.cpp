@@ -14,6 +14,29 @@
 
 namespace rasterlens
 {
+namespace
+{
+
+/// The depth of each pixel: that of the sample nearest its centre.
+void copyDepths(const StepCursor& cursor, DepthBuffer& out)
+{
+    const std::span<const float> depths = cursor.sampleDepths();
+    const int grid = cursor.log().grid();
+    const auto width = std::size_t(cursor.image().width());
+    const auto height = std::size_t(cursor.image().height());
+    if (depths.size() < width * height * std::size_t(grid) * std::size_t(grid)) { // a mistake in their addresses
+        out.clear();
+        return;
+    }
+    float* to = out.write(width * height);
+    const auto columns = std::size_t(cursor.log().columns());
+    const auto middle = std::size_t(grid / 2);
+    for (std::size_t y = 0; y < height; ++y)
+        for (std::size_t x = 0; x < width; ++x)
+            *to++ = depths[(y * std::size_t(grid) + middle) * columns + x * std::size_t(grid) + middle];
+}
+
+} // namespace
 
 StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& window, ActionTable& actions)
     : m_session(document), m_viewport(viewport), m_transport(new TransportDock(m_session, actions, &window)),
@@ -55,7 +78,7 @@ StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& wi
     connect(m_transport, &TransportDock::rectangleWanted, this, [this] {
         if (!m_viewport.frame())
             return;
-        const QRect seen = m_viewport.transform().pixelsIn(m_viewport.rect(), m_viewport.frame()->frame.image.size());
+        const QRect seen = m_viewport.transform().pixelsIn(m_viewport.pane(), m_viewport.frame()->frame.image.size());
         m_session.setRectangle(PixelRect{seen.x(), seen.y(), seen.width(), seen.height()});
     });
     connect(m_transport, &TransportDock::stopMissed, this,
@@ -115,13 +138,32 @@ FramePtr StepMode::frame()
     if (frame.frame.image.size() != image.size())
         frame.frame.image = QImage(image.size(), image.format());
     std::copy_n(image.constBits(), image.sizeInBytes(), frame.frame.image.bits());
-    if (cursor->log().grid() == 1)
-        std::ranges::copy(cursor->sampleDepths(), frame.frame.depth.write(cursor->sampleDepths().size()));
-    else
-        frame.frame.depth.clear();
+    copyDepths(*cursor, frame.frame.depth);
     frame.statistics = cursor->counters();
     frame.counted = true;
     return m_frame;
+}
+
+std::vector<std::int32_t> StepMode::owners() const
+{
+    const StepCursor* cursor = m_session.cursor();
+    if (!cursor || cursor->log().filter().face || cursor->log().filter().pixels ||
+        (cursor->log().filter().kinds & kindBit(StepKind::Write)) == 0)
+        return {};
+    const StepLog& log = cursor->log();
+    const QSize size = cursor->image().size();
+    const int grid = log.grid();
+    std::vector<std::int32_t> owners(std::size_t(size.width()) * std::size_t(size.height()), -1);
+    for (const std::uint32_t i : log.eventsOf(StepKind::Write)) {
+        if (i >= cursor->position())
+            break;
+        const StepEvent& event = log.event(i);
+        const bool isMiddle = event.x % grid == grid / 2 && event.y % grid == grid / 2;
+        if (isMiddle && QRect(QPoint(0, 0), size * grid).contains(event.x, event.y))
+            owners[std::size_t(event.y / grid) * std::size_t(size.width()) + std::size_t(event.x / grid)] =
+                static_cast<std::int32_t>(event.face);
+    }
+    return owners;
 }
 
 std::optional<std::size_t> StepMode::moment() const

@@ -8,6 +8,9 @@
 
 #include <QObject>
 
+#include <cstdint>
+#include <vector>
+
 class QMainWindow;
 class QMenu;
 
@@ -41,6 +44,9 @@ public:
     [[nodiscard]] FramePtr frame();
     /// The step after which that frame is; nothing: the finished frame is shown.
     [[nodiscard]] std::optional<std::size_t> moment() const;
+
+    /// The face that owns each pixel of that frame, -1 none; empty where the record does not hold all that was written.
+    [[nodiscard]] std::vector<std::int32_t> owners() const;
 
     /// Opens the step mode and goes there as soon as the record is there; to its end where it has no such place.
     void showPlace(const StepPlace& place);

@@ -13,11 +13,13 @@
 #include "ui/face/cards.h"
 #include "ui/face/vertex_panel.h"
 #include "ui/lessons/lesson_mode.h"
+#include "ui/pipeline/canvas_views.h"
 #include "ui/pipeline/mistake_badge.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/pipeline_panel.h"
 #include "ui/pipeline/stage_strip.h"
 #include "ui/pipeline/statistics_panel.h"
+#include "ui/pipeline/views_bar.h"
 #include "ui/steps/step_listing.h"
 #include "ui/steps/step_mode.h"
 #include "ui/steps/transport_dock.h"
@@ -55,6 +57,9 @@ namespace
 
 constexpr int kCardGap = 7;
 constexpr int kActivityDelayMs = 150;
+constexpr int kTitleShare = 1; ///< of the line above the canvas, behind what the links need
+constexpr int kBarShare = 3;
+constexpr int kLeastTitle = 48;
 
 QToolButton* canvasLink(QAction* action)
 {
@@ -152,11 +157,13 @@ QWidget* MainWindow::buildCanvas()
     header->setContentsMargins(12, 0, 8, 0);
     header->setSpacing(2);
     m_canvasTitle = new ElidedLabel;
-    header->addWidget(m_canvasTitle, 1);
+    m_canvasTitle->setMinimumWidth(kLeastTitle);
+    header->addWidget(m_canvasTitle, kTitleShare);
     column->addWidget(m_canvasHeader);
 
     m_viewport = new ViewportWidget;
     m_viewport->setObjectName(QStringLiteral("canvas"));
+    m_views = std::make_unique<CanvasViews>(m_document, *m_viewport); // its layers lie below the others
     auto* messages = new MessageColumn(m_viewport);
     m_unsupported = messages->addBar();
     m_unsupported->setClosable(false);
@@ -203,6 +210,8 @@ void MainWindow::buildStatusBar()
     m_activityDelay.setInterval(kActivityDelayMs);
 
     auto* header = centralWidget()->findChild<QHBoxLayout*>(QStringLiteral("canvasHeader"));
+    m_viewsBar = new ViewsBar(*m_views, m_actions.action("compare.difference"));
+    header->addWidget(m_viewsBar, kBarShare);
     for (QAction* action : {m_fit, m_oneToOne, m_zoomOut, m_zoomIn})
         header->addWidget(canvasLink(action));
     m_goToButton = canvasLink(nullptr);
@@ -244,11 +253,14 @@ void MainWindow::connectParts()
     connect(m_truth.get(), &TruthMode::message, m_message, says(MessageKind::Info));
     connect(m_lessons.get(), &LessonMode::message, m_message, says(MessageKind::Info));
     connect(m_lessons.get(), &LessonMode::failed, m_message, says(MessageKind::Error));
+    connect(m_views.get(), &CanvasViews::message, m_message, says(MessageKind::Info));
+    connect(m_views.get(), &CanvasViews::failed, m_message, says(MessageKind::Error));
     connect(m_stepMode.get(), &StepMode::message, m_message, says(MessageKind::Info));
     connect(m_lifeCycle.get(), &LifeCycle::warned, m_message, says(MessageKind::Warning));
     connect(m_truth.get(), &TruthMode::failed, m_message, says(MessageKind::Error));
     connect(m_cards, &Cards::failed, m_message, says(MessageKind::Error));
     connect(m_mistakeBadge, &MistakeBadge::failed, m_message, says(MessageKind::Error));
+    connect(m_pipelinePanel, &PipelinePanel::failed, m_message, says(MessageKind::Error));
     connect(&m_stepMode->session(), &StepSession::failed, m_message, says(MessageKind::Error));
     connectField(m_pipelinePanel, &PipelinePanel::invalidInput, &PipelinePanel::inputMended);
     connectField(&m_cards->vertexPanel(), &VertexPanel::invalidInput, &VertexPanel::inputMended);
@@ -308,6 +320,7 @@ void MainWindow::connectPanels()
     connect(m_stageStrip, &StageStrip::stageClicked, this, [this](Stage stage) {
         m_pipelineDock->show();
         m_pipelinePanel->scrollTo(stage);
+        m_views->showStage(stage);
     });
     connect(m_mistakeBadge, &MistakeBadge::clicked, this, [this] {
         m_pipelineDock->show();
@@ -339,7 +352,10 @@ void MainWindow::connectModes()
     connect(&m_stepMode->session(), &StepSession::recordingChanged, this, &MainWindow::tellIfSettled);
     connect(m_truth.get(), &TruthMode::faceWanted, m_stepMode.get(), &StepMode::showFace);
     connect(m_truth.get(), &TruthMode::stepWanted, m_stepMode.get(), &StepMode::showStep);
-    connect(&m_truth->comparison(), &Comparison::changed, this, [this] { syncSoon(Words::OfPixel); });
+    connect(&m_truth->comparison(), &Comparison::changed, this, [this] {
+        m_views->setCompared(m_truth->comparison().view() != CompareView::Off);
+        syncSoon(Words::OfPixel);
+    });
 }
 
 void MainWindow::connectCanvas()
@@ -447,6 +463,7 @@ void MainWindow::showFrame()
     if (!frame)
         return;
     m_truth->showOnCanvas(frame, step != nullptr);
+    m_views->setFrame(frame, step ? [this] { return m_stepMode->owners(); } : CanvasViews::Owners());
     m_stageStrip->setFrame(frame);
     const StepEvent* event = step ? m_stepMode->session().event() : nullptr;
     m_stageStrip->setCurrent(event ? std::optional(stageOf(event->kind)) : std::nullopt);
@@ -475,7 +492,8 @@ bool MainWindow::isShown() const
 bool MainWindow::isComplete() const
 {
     return isSettled() && !m_moment->isPending() && !m_lessons->isBusy() && !m_wordsAreOld.any() &&
-           !m_cards->isBusy() && !m_mistakeBadge->isCounting() && !m_truth->isBusy();
+           !m_cards->isBusy() && !m_views->isBusy() && !m_mistakeBadge->isCounting() && !m_truth->isBusy() &&
+           !m_pipelinePanel->isBusy();
 }
 
 QString MainWindow::message() const

@@ -25,6 +25,7 @@ namespace rasterlens
 {
 
 class ActionSearch;
+class CanvasViews;
 class Cards;
 class Dock;
 class HelpOverlay;
@@ -42,6 +43,7 @@ class StatisticsPanel;
 class StepMode;
 class TruthMode;
 class TypedField;
+class ViewsBar;
 class WindowMoment;
 class WindowPlacement;
 
@@ -67,6 +69,8 @@ public:
     [[nodiscard]] Cards& cards() { return *m_cards; }
     [[nodiscard]] MistakeBadge& mistakeBadge() { return *m_mistakeBadge; }
     [[nodiscard]] RenderWorker& worker() { return m_worker; }
+    [[nodiscard]] CanvasViews& canvasViews() { return *m_views; }
+    [[nodiscard]] ViewsBar& viewsBar() { return *m_viewsBar; }
     [[nodiscard]] StepMode& stepMode() { return *m_stepMode; }
     [[nodiscard]] TruthMode& truthMode() { return *m_truth; }
     [[nodiscard]] LessonMode& lessons() { return *m_lessons; }
@@ -141,7 +145,6 @@ private:
     void buildEditMenu();
     void buildViewMenu();
     void buildCamera(ActionMenu menu);
-    void buildOverlays(ActionMenu& view);
     void buildDrawing(ActionMenu menu);
     void buildAppearance(ActionMenu menu);
     void buildSettingsMenu();
@@ -199,6 +202,7 @@ private:
     RenderWorker m_worker;
 
     ViewportWidget* m_viewport = nullptr;
+    std::unique_ptr<CanvasViews> m_views;
     std::unique_ptr<StepMode> m_stepMode;
     std::unique_ptr<TruthMode> m_truth;
     std::unique_ptr<LifeCycle> m_lifeCycle;
@@ -223,6 +227,7 @@ private:
     QWidget* m_canvasHeader = nullptr;
     QBoxLayout* m_picture = nullptr; ///< the canvas, and the listing below or beside it
     QLabel* m_canvasTitle = nullptr;
+    ViewsBar* m_viewsBar = nullptr;
     QToolButton* m_goToButton = nullptr;
     QLineEdit* m_goToEdit = nullptr;
     TypedField* m_goToField = nullptr;

@@ -6,8 +6,10 @@
 #include "ui/document/navigation.h"
 #include "ui/face/cards.h"
 #include "ui/lessons/lesson_mode.h"
+#include "ui/pipeline/canvas_views.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/pipeline_panel.h"
+#include "ui/pipeline/views_bar.h"
 #include "ui/steps/step_mode.h"
 #include "ui/steps/transport_dock.h"
 #include "ui/truth/truth_mode.h"
@@ -207,7 +209,8 @@ void MainWindow::buildViewMenu()
     view.addSeparator();
     buildCamera(view.in(ActionSection::Camera));
     view.addSeparator();
-    buildOverlays(view);
+    m_views->buildMenu(view);
+    view.addSeparator();
     buildDrawing(view.in(ActionSection::Window));
     view.addSeparator();
     buildAppearance(view.in(ActionSection::Window));
@@ -231,20 +234,6 @@ void MainWindow::buildCamera(ActionMenu menu)
     QAction* above = addCamera("camera.above", QT_TR_NOOP("From above"), Qt::Key_7, axis(AxisView::Top));
     m_actions.listTogether(menu.words(QT_TR_NOOP("From the front, the right, above")), {front, right, above});
     addCamera("camera.reset", QT_TR_NOOP("Reset camera"), Qt::Key_Home, [this] { return m_document.defaults().view; });
-}
-
-void MainWindow::buildOverlays(ActionMenu& view)
-{
-    const auto addOverlay = [&](const char* id, const char* text, bool OverlayOptions::*member) {
-        view.addToggle(id, text, {}, true, [this, member](bool on) {
-            OverlayOptions options = m_viewport->overlays();
-            options.*member = on;
-            m_viewport->setOverlays(options);
-        });
-    };
-    addOverlay("view.grid", QT_TR_NOOP("Pixel grid (from 8\u00d7)"), &OverlayOptions::grid);
-    addOverlay("view.samples", QT_TR_NOOP("Sample positions (from 16\u00d7)"), &OverlayOptions::sampleDots);
-    addOverlay("view.values", QT_TR_NOOP("Pixel values (from 48\u00d7)"), &OverlayOptions::numbers);
 }
 
 /// When the worker draws.
@@ -356,7 +345,11 @@ void MainWindow::retranslate()
     m_fit->setIconText(tr("Fit"));
     m_zoomIn->setIconText(QStringLiteral("+"));
     m_zoomOut->setIconText(QStringLiteral("\u2212"));
-    m_goToButton->setText(tr("Go to pixel (%1)").arg(m_goTo->shortcut().toString(QKeySequence::NativeText)));
+    m_goToButton->setText(withoutMnemonic(m_goTo->text()));
+    m_goToButton->setToolTip(
+        QStringLiteral("%1 (%2)").arg(m_goToButton->text(), m_goTo->shortcut().toString(QKeySequence::NativeText)));
+    m_views->retranslate();
+    m_viewsBar->retranslate();
     m_mistakesMenu->retranslate();
     m_cards->retranslate();
     m_truth->retranslate();
