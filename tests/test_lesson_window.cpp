@@ -335,7 +335,7 @@ void TestLessonWindow::textsFollowTheLanguage()
     const Lesson lesson = *loadLesson(QStringLiteral("top-left")).lesson;
     QCOMPARE(panel().text(), lesson.slides[4].question->text.zh);
     QCOMPARE(lessons().dock().windowTitle(), lesson.title.zh);
-    QCOMPARE(m_window->actionTable().action("lesson.open-top-left")->text(), QStringLiteral("6  ") + lesson.title.zh);
+    QCOMPARE(m_window->actionTable().action("lesson.open-top-left")->text(), QStringLiteral("7  ") + lesson.title.zh);
 }
 
 QTEST_MAIN(TestLessonWindow)

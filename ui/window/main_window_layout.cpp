@@ -54,6 +54,7 @@ void MainWindow::setPresentation(bool on)
         m_viewport->setFocus();
     } else {
         m_panels->quietly([this] { restoreState(m_stateBeforePresentation, kLayoutVersion); });
+        m_lessons->showDock();
         if (!m_fullScreen->isChecked())
             m_placement->setFullScreen(false);
     }
