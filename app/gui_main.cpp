@@ -514,6 +514,10 @@ int main(int argc, char** argv)
     window.show();
     if (arguments.presentation)
         window.setPresentation(true);
+    if (arguments.presentation && forScreenshot) { // of the size that is asked for, not that of a screen
+        window.showNormal();
+        window.resize(arguments.windowSize.value_or(kPictureSize));
+    }
     const int exitCode = QApplication::exec();
     if (const QString problem = rasterlens::settingsProblem(); !forScreenshot && !problem.isEmpty())
         printError(QStringLiteral("what the window remembers could not be kept: %1").arg(problem));

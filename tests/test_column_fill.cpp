@@ -171,7 +171,7 @@ private Q_SLOTS:
     }
 
     /// Both halves of a square draw the samples of their diagonal, and the counter says so: as many as the records of
-    /// the faces, each by itself, have in common. The same by the counter of the record.
+    /// the faces, each by itself, have in common. The counter of the record says the same.
     void sharedEdgesAreHitTwice()
     {
         for (const char* name : {"square-diagonal", "two-windings"}) {

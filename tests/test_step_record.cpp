@@ -104,8 +104,9 @@ class Snapshot : public CountingObserver
 public:
     static constexpr int kFacesPerBatch = 1;
 
-    Snapshot(const Rules& rules, const Frame& frame, std::size_t position)
-        : CountingObserver(rules), m_frame(&frame), m_position(position)
+    /// in  what a cleared sample stores: pixels of nothing else have no event
+    Snapshot(const Rules& rules, const Frame& frame, const Pixel& clear, std::size_t position)
+        : CountingObserver(rules), m_frame(&frame), m_clear(clear), m_position(position)
     {
     }
 
@@ -126,7 +127,11 @@ public:
     {
         tick();
     }
+    void onOutline() { tick(); }
     void onWalk(const WalkedTriangle&) { tick(); }
+    void onSides(const WalkedTriangle&) { tick(); }
+    void onHalves(const WalkedTriangle&, const WalkedHalves&) { tick(); }
+    void onCrossing(const RowCrossings&) { tick(); }
     void onSpan(int y, int from, int to, const SpanEnds& ends) { CountingObserver::onSpan(y, from, to, ends), tick(); }
     void onSample(int x, int y, const EdgeValues& e, bool c) { CountingObserver::onSample(x, y, e, c), tick(); }
     void onColumn(const FilledColumn&) { tick(); }
@@ -135,6 +140,14 @@ public:
     void onFragment(const Fragment& f, float stored, bool p) { CountingObserver::onFragment(f, stored, p), tick(); }
     void onShade(const Fragment& f, std::uint32_t color) { CountingObserver::onShade(f, color), tick(); }
     void onWrite(int x, int y, Pixel b, Pixel a) { CountingObserver::onWrite(x, y, b, a), tick(); }
+    void onResolve(const ResolvedPixel& pixel)
+    {
+        for (int i = 0; i < pixel.count; ++i)
+            if (pixel.samples[std::size_t(i)] != m_clear) {
+                tick();
+                return;
+            }
+    }
 
 private:
     void tick()
@@ -146,6 +159,7 @@ private:
     }
 
     const Frame* m_frame;
+    Pixel m_clear;
     std::size_t m_position;
 };
 
@@ -154,7 +168,7 @@ Snapshot freshRun(const Scene& scene, const Settings& settings, std::size_t posi
 {
     Frame frame;
     const Resolved resolved = resolve(settings, scene);
-    Snapshot snapshot(resolved.rules, frame, position);
+    Snapshot snapshot(resolved.rules, frame, clearedPixel(scene, resolved.rules), position);
     drawScene(scene, resolved, frame, {}, snapshot, std::stop_token());
     return snapshot;
 }

@@ -188,7 +188,8 @@ private:
         filter.cap = std::numeric_limits<std::size_t>::max();
         std::stop_source ending;
         const std::stop_callback stopToo(m_stop, [&] { ending.request_stop(); });
-        StepRecorder recorder(m_scene, m_resolved, filter, ending);
+        FramePlanes planes = clearedPlanes(m_rules, clearedPixel(m_scene, m_rules), m_rules.depthPerPixel, m_stop);
+        StepRecorder recorder(m_scene, m_resolved, filter, planes, ending);
         Frame frame;
         if (m_resolved.mistakes.empty())
             drawPixel(frame, recorder);

@@ -1365,6 +1365,10 @@
         <source>Its colour is n . l alone, from black to white; where n . l is not positive it draws nothing.</source>
         <translation>它的颜色只取 n . l，从黑到白；n . l 不为正时什么也不画。</translation>
     </message>
+    <message>
+        <source>A mistake is on: the new end is drawn this far off the border.</source>
+        <translation>有错误打开：新端点画在离边界这么远的里面。</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostic</name>
@@ -7233,31 +7237,6 @@
     </message>
 </context>
 <context>
-    <name>rasterlens::QuestionBox</name>
-    <message>
-        <source>Click the pixels on the canvas.</source>
-        <translation>请在画布上点像素。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pixel(s) marked</source>
-        <translation>
-            <numerusform>已标 %n 个像素</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Clear</source>
-        <translation>清除</translation>
-    </message>
-    <message>
-        <source>Check</source>
-        <translation>检查</translation>
-    </message>
-    <message>
-        <source>your answer</source>
-        <translation>你的答案</translation>
-    </message>
-</context>
-<context>
     <name>rasterlens::PlaneFields</name>
     <message>
         <source>&quot;%1&quot; is not a distance. Write a number greater than 0, or nothing.</source>
@@ -7282,6 +7261,31 @@
     <message>
         <source>Put back what the scene asks for</source>
         <translation>恢复场景要求的值</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::QuestionBox</name>
+    <message>
+        <source>Click the pixels on the canvas.</source>
+        <translation>请在画布上点像素。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pixel(s) marked</source>
+        <translation>
+            <numerusform>已标 %n 个像素</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清除</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>检查</translation>
+    </message>
+    <message>
+        <source>your answer</source>
+        <translation>你的答案</translation>
     </message>
 </context>
 <context>

@@ -28,14 +28,4 @@ std::array<QColor, 3> edgeInksFor(const QPalette& palette)
     return inks;
 }
 
-std::array<QColor, 3> edgeInksFor(const QPalette& palette)
-{
-    std::array<QColor, 3> inks;
-    for (std::size_t i = 0; i < inks.size(); ++i)
-        inks[i] = QColor(kEdgeLooks[i].color);
-    if (isDark(palette))
-        inks = {QColor(0xc5a3e8), QColor(0x4fc3b0), QColor(0xd9a441)};
-    return inks;
-}
-
 } // namespace rasterlens

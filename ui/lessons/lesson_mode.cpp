@@ -105,14 +105,19 @@ bool LessonMode::open(const QString& name)
         return false;
     const auto lesson = std::make_shared<const Lesson>(std::move(*load.lesson));
     m_player.open(lesson);
-    if (!m_isBar) {
-        m_dock->show();
-        m_dock->raise();
-    }
+    showDock();
     m_check.drop();
     if (!lesson->file.startsWith(QLatin1Char(':')))
         m_check.ask([lesson](const auto&) { return checkSlides(*lesson); }, LatestJob::Running::Interrupt);
     return true;
+}
+
+void LessonMode::showDock()
+{
+    if (m_isBar || !m_player.isOpen())
+        return;
+    m_dock->show();
+    m_dock->raise();
 }
 
 /// Behind the last slide comes the next lesson of the list.

@@ -38,6 +38,8 @@ public:
     bool open(const QString& name);
     /// The window shows something else than the slide.
     void setAway(bool away);
+    /// Brings the panel to the front where a lesson is open.
+    void showDock();
     /// The panel is a bar below the picture in place of a dock.
     ///
     /// in  the layout that takes it; null: back to the dock

@@ -53,6 +53,9 @@ LessonPanel::LessonPanel(LessonPlayer& player, const Actions& actions, QWidget* 
     column->addWidget(m_verdict);
     column->addWidget(m_text);
     column->addWidget(m_question);
+    m_score = new QLabel;
+    m_score->setObjectName(QStringLiteral("muted"));
+    column->addWidget(m_score);
     m_contents = new QListWidget;
     m_contents->setObjectName(QStringLiteral("lessonContents"));
     m_contents->setFrameShape(NoFrame);
@@ -71,7 +74,7 @@ LessonPanel::LessonPanel(LessonPlayer& player, const Actions& actions, QWidget* 
 QWidget* LessonPanel::buildButtons(const Actions& actions)
 {
     auto* buttons = new QWidget;
-    auto* row = new QHBoxLayout(buttons);
+    auto* row = m_row = new QHBoxLayout(buttons);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
     for (QAction* action : {actions.previous, actions.next}) {
@@ -90,9 +93,6 @@ QWidget* LessonPanel::buildButtons(const Actions& actions)
     m_number = new QLabel;
     m_number->setObjectName(QStringLiteral("heading"));
     row->addWidget(m_number);
-    m_score = new QLabel;
-    m_score->setObjectName(QStringLiteral("muted"));
-    row->addWidget(m_score);
     row->addStretch(1);
     m_try = makeLink();
     m_try->setFocusPolicy(Qt::TabFocus);
@@ -117,6 +117,10 @@ void LessonPanel::setAway(bool away)
 void LessonPanel::setBar(bool bar)
 {
     m_bar = bar;
+    if (bar) // beside the number: the picture has the height
+        m_row->insertWidget(m_row->indexOf(m_number) + 1, m_score);
+    else
+        static_cast<QVBoxLayout*>(layout())->insertWidget(layout()->indexOf(m_contents), m_score);
     m_question->setWide(bar);
     sync();
 }
@@ -152,6 +156,7 @@ void LessonPanel::sync()
     m_number->setText(tr("%1 of %2").arg(place.slide + 1).arg(m_player.lesson().slides.size()));
     const LessonPlayer::Score score = m_player.score();
     m_score->setText(score.answered > 0 ? tr("%1 of %2 right").arg(score.right).arg(score.answered) : QString());
+    m_score->setVisible(score.answered > 0);
     const Slide& slide = m_player.slide();
     m_text->setText(m_player.isAsking() ? textInUse(slide.question->text)
                     : place.phase == LessonPlayer::Phase::Ended

@@ -3,6 +3,7 @@
 
 #include <QFrame>
 
+class QHBoxLayout;
 class QLabel;
 class QListWidget;
 class QToolButton;
@@ -50,6 +51,7 @@ private:
     [[nodiscard]] QString endText() const;
 
     LessonPlayer& m_player;
+    QHBoxLayout* m_row = nullptr;
     QLabel* m_number = nullptr;
     QLabel* m_score = nullptr;
     QLabel* m_verdict = nullptr;

@@ -208,6 +208,7 @@ private:
     std::unique_ptr<LifeCycle> m_lifeCycle;
     std::unique_ptr<LessonMode> m_lessons;
     WindowMoment* m_moment = nullptr;
+    Diagnostics m_lessonRemarks;      ///< to be said when the slide is shown
     LessonPlayer::Place m_shownPlace; ///< of the lesson, whose moment the window shows
     StageStrip* m_stageStrip = nullptr;
     PipelinePanel* m_pipelinePanel = nullptr;

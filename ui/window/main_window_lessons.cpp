@@ -9,6 +9,8 @@
 
 #include <QSettings>
 
+#include <utility>
+
 namespace rasterlens
 {
 
@@ -54,8 +56,12 @@ void MainWindow::connectLessons()
         const bool isUnderWay = m_shownPlace.lesson == player.place().lesson;
         m_moment->show(moment, isUnderWay ? Document::GivingUp::Silent : Document::GivingUp::Asks);
     });
-    connect(m_lessons.get(), &LessonMode::reported, m_message,
-            [this](const Diagnostics& diagnostics) { m_message->show(diagnostics); });
+    connect(m_lessons.get(), &LessonMode::reported, m_message, [this](const Diagnostics& diagnostics) {
+        if (m_moment->isPending()) // a new scene takes former messages away
+            m_lessonRemarks = diagnostics;
+        else
+            m_message->show(diagnostics);
+    });
     connect(m_lessons.get(), &LessonMode::tryWanted, this, [this] {
         m_pipelineDock->show();
         m_pipelineDock->raise();
@@ -63,6 +69,8 @@ void MainWindow::connectLessons()
     connect(this, &MainWindow::settled, m_moment, &WindowMoment::finish);
     connect(m_moment, &WindowMoment::shown, this, [this, &player] {
         m_shownPlace = player.place();
+        if (const Diagnostics remarks = std::exchange(m_lessonRemarks, {}); !remarks.empty())
+            m_message->show(remarks);
         tellIfSettled();
     });
     connect(m_moment, &WindowMoment::refused, this, [this, &player] {
