@@ -1294,8 +1294,8 @@
         <translation>其中按当前规则归这个三角形的；其余的属于它的邻居。</translation>
     </message>
     <message>
-        <source>From the side: eye O, screen at distance 1</source>
-        <translation>侧视图：眼睛 O，屏幕在距离 1 处</translation>
+        <source>From the side: eye O, screen at 1</source>
+        <translation>侧视图：眼睛 O，屏幕在 1 处</translation>
     </message>
     <message>
         <source>The bounding box</source>
@@ -1338,7 +1338,7 @@
         <translation>有些程序在存储之前又把 z / w 展开到近平面与远平面之间。这是线性的，所以比较的结果不变；但它并不是距离。</translation>
     </message>
     <message>
-        <source>n(m) for several Z1 / Z2; solid: this edge</source>
+        <source>n(m) for Z1 / Z2; solid: this edge</source>
         <translation>不同 Z1 / Z2 的 n(m)；实线：这条边</translation>
     </message>
     <message>
