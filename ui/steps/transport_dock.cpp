@@ -360,6 +360,9 @@ void TransportDock::setBrief(bool on)
         row->insertWidget(row->indexOf(m_summary), m_scrubber, 1);
     else
         column->insertWidget(0, m_scrubber);
+    column->setSizeConstraint(on ? QLayout::SetDefaultConstraint : QLayout::SetMinAndMaxSize);
+    m_body->setMinimumSize(0, 0);
+    m_body->setMaximumSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX);
     m_body->setVisible(!on);
     row->setContentsMargins(12, on ? 3 : 7, 10, on ? 3 : 5);
     setStyleProperty(*m_titleRow, "brief", on ? QStringLiteral("true") : QStringLiteral("false"));
