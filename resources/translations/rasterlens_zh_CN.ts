@@ -3295,6 +3295,22 @@
         <source>broken edge 1-2-3: %1, %2</source>
         <translation>折边 1-2-3：%1、%2</translation>
     </message>
+    <message>
+        <source>inside this edge</source>
+        <translation>在这条边内侧</translation>
+    </message>
+    <message>
+        <source>outside it</source>
+        <translation>在外侧</translation>
+    </message>
+    <message>
+        <source>exactly on it</source>
+        <translation>恰在边上</translation>
+    </message>
+    <message>
+        <source>number: E that decides, px²</source>
+        <translation>数字：起决定作用的 E，px²</translation>
+    </message>
 </context>
 <context>
     <name>LocateModel</name>
