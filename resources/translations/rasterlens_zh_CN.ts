@@ -4177,6 +4177,10 @@
         <translation>面 %1</translation>
     </message>
     <message>
+        <source>face %1: %2</source>
+        <translation>面 %1：%2</translation>
+    </message>
+    <message>
         <source>not in front of the eye: %1</source>
         <translation>不在眼睛前方：%1</translation>
     </message>
