@@ -1,6 +1,7 @@
 #include "core/base/typed_numbers.h"
 #include "core/io/file_writer.h"
 #include "core/io/picture_file.h"
+#include "core/lessons/moment.h"
 #include "ui/base/image_export.h"
 #include "ui/base/settings_file.h"
 #include "ui/face/cards.h"
@@ -10,6 +11,7 @@
 #include "ui/truth/experiment_panel.h"
 #include "ui/truth/truth_mode.h"
 #include "ui/window/end_signals.h"
+#include "ui/window/figure_export.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
@@ -37,10 +39,22 @@ void choosePlatform()
         qputenv("QT_QPA_PLATFORM", "offscreen");
 }
 
+/// A figure that is written in place of a screenshot.
+struct FigureArguments {
+    QString path;
+    std::optional<int> scale;
+    std::optional<QString> caption;      ///< nothing: what the window says
+    std::optional<QRect> region;         ///< pixels; nothing: all of the picture
+    std::optional<QStringList> overlays; ///< ids; nothing: those that the window starts with
+    bool beforeAfter = false;
+};
+
 struct Arguments {
     QString scene;
     QString screenshot;
     QString step;
+    QString identify;
+    FigureArguments figure;
     std::optional<QSize> windowSize;
     QString panel;
     std::optional<QPoint> pixel;
@@ -106,6 +120,9 @@ struct Options {
         QStringLiteral("step"),
         QStringLiteral("Opens the step mode at a position, or at the first tie, sign-change, depth-fail, clip or nan."),
         QStringLiteral("where")};
+    QCommandLineOption identify{QStringLiteral("identify"),
+                                QStringLiteral("Says which mistake made the picture <file> of this scene."),
+                                QStringLiteral("file")};
     QCommandLineOption referee{QStringLiteral("referee"),
                                QStringLiteral("Checks the picture against the exact reference.")};
     QCommandLineOption reference{
@@ -122,14 +139,38 @@ struct Options {
         QStringLiteral("Compares with the picture without mistakes or as the scene asks: wipe, blink or difference."),
         QStringLiteral("view")};
 
+    QCommandLineOption figure{
+        QStringLiteral("figure"),
+        QStringLiteral("Writes what the canvas shows as a figure with caption, formula and legend to <file> and exits: "
+                       "%1.")
+            .arg(rasterlens::FigureExport::formats().join(QStringLiteral(", "))),
+        QStringLiteral("file")};
+    QCommandLineOption figureScale{QStringLiteral("figure-scale"),
+                                   QStringLiteral("Side of a pixel in the figure, 1 to %1; default: as on the canvas.")
+                                       .arg(rasterlens::FigureExport::kLargestZoom),
+                                   QStringLiteral("n")};
+    QCommandLineOption caption{QStringLiteral("caption"), QStringLiteral("Caption of the figure."),
+                               QStringLiteral("text")};
+    QCommandLineOption region{QStringLiteral("region"),
+                              QStringLiteral("The pixels that the figure shows, from x, y on; default: all."),
+                              QStringLiteral("x,y,w,h")};
+    QCommandLineOption overlay{
+        QStringLiteral("overlay"),
+        QStringLiteral("What lies over the picture of the figure: grid, samples, numbers, referee, "
+                       "with commas between them, or none."),
+        QStringLiteral("ids")};
+    QCommandLineOption beforeAfter{QStringLiteral("before-after"),
+                                   QStringLiteral("The figure shows the picture without mistakes beside it.")};
+
     QCommandLineOption keys{
         QStringLiteral("keys"),
         QStringLiteral("Prints the keys as a table in Markdown, in English or in --language, and exits.")};
 
     [[nodiscard]] QList<QCommandLineOption> all() const
     {
-        return {help,  version, screenshot, windowSize, language, theme,   panel,
-                pixel, step,    referee,    reference,  compare,  measure, keys};
+        return {help,  version, screenshot,  windowSize, language,  theme,   panel,
+                pixel, step,    identify,    referee,    reference, compare, measure,
+                keys,  figure,  figureScale, caption,    region,    overlay, beforeAfter};
     }
 };
 
@@ -191,6 +232,43 @@ std::optional<QString> readTruth(const QCommandLineParser& parser, const Options
     return std::nullopt;
 }
 
+/// Reads the options about a figure.
+///
+/// out  why one of them is refused
+std::optional<QString> readFigure(const QCommandLineParser& parser, const Options& options, FigureArguments& figure)
+{
+    figure.path = parser.value(options.figure);
+    if (parser.isSet(options.figure) && figure.path.isEmpty())
+        return QStringLiteral("--figure needs a file");
+    if (const auto why = rasterlens::whyNotFormat(figure.path, rasterlens::FigureExport::formats()))
+        return QStringLiteral("--figure %1: %2").arg(figure.path, rasterlens::textOf(*why));
+    if (parser.isSet(options.caption))
+        figure.caption = parser.value(options.caption);
+    figure.beforeAfter = parser.isSet(options.beforeAfter);
+    if (parser.isSet(options.figureScale)) {
+        figure.scale = parser.value(options.figureScale).toInt();
+        if (*figure.scale < 1 || *figure.scale > rasterlens::FigureExport::kLargestZoom)
+            return QStringLiteral("--figure-scale takes 1 to %1").arg(rasterlens::FigureExport::kLargestZoom);
+    }
+    if (parser.isSet(options.region)) {
+        const auto numbers = rasterlens::typedNumbers(parser.value(options.region));
+        if (!numbers || numbers->size() != 4)
+            return QStringLiteral("--region takes x,y,w,h");
+        figure.region = QRectF((*numbers)[0], (*numbers)[1], (*numbers)[2], (*numbers)[3]).toRect();
+    }
+    if (!parser.isSet(options.overlay))
+        return std::nullopt;
+    figure.overlays = parser.value(options.overlay).split(QLatin1Char(','), Qt::SkipEmptyParts);
+    figure.overlays->removeAll(QStringLiteral("none"));
+    QStringList known;
+    for (const char* id : rasterlens::overlayIds())
+        known << QLatin1String(id);
+    for (const QString& id : *figure.overlays)
+        if (!known.contains(id))
+            return QStringLiteral("--overlay: \"%1\" is none of %2, none").arg(id, known.join(QStringLiteral(", ")));
+    return std::nullopt;
+}
+
 /// Reads all words but --help and --version.
 ///
 /// out  why one of them is refused
@@ -200,6 +278,7 @@ std::optional<QString> readAll(const QCommandLineParser& parser, const Options& 
         return QStringLiteral("more than one scene given");
     arguments.scene = parser.positionalArguments().value(0);
     arguments.keys = parser.isSet(options.keys);
+    arguments.identify = parser.value(options.identify);
     arguments.screenshot = parser.value(options.screenshot);
     if (parser.isSet(options.screenshot) && arguments.screenshot.isEmpty())
         return QStringLiteral("--screenshot needs a file");
@@ -211,6 +290,8 @@ std::optional<QString> readAll(const QCommandLineParser& parser, const Options& 
     if (const auto why = readLook(parser, options, arguments))
         return why;
     if (const auto why = readTruth(parser, options, arguments))
+        return why;
+    if (const auto why = readFigure(parser, options, arguments.figure))
         return why;
     if (parser.isSet(options.pixel)) {
         arguments.pixel = rasterlens::typedPoint(parser.value(options.pixel));
@@ -268,6 +349,48 @@ void takeScreenshot(rasterlens::MainWindow& window, const QString& path)
         if (error)
             printError(*error);
         QApplication::exit(overInput ? kBadArguments : error ? kInvalidInput : kFine);
+    });
+}
+
+/// Lays over the picture what the figure is to show.
+void prepareFigure(rasterlens::MainWindow& window, const FigureArguments& figure)
+{
+    window.figures().setZoom(figure.scale);
+    window.figures().setCaption(figure.caption);
+    window.figures().setRegion(figure.region);
+    if (!figure.overlays)
+        return;
+    rasterlens::OverlayOptions overlays = window.viewport().overlays();
+    overlays.grid = figure.overlays->contains(QStringLiteral("grid"));
+    overlays.sampleDots = figure.overlays->contains(QStringLiteral("samples"));
+    overlays.numbers = figure.overlays->contains(QStringLiteral("numbers"));
+    window.viewport().setOverlays(overlays);
+    window.truthMode().referee().setOn(figure.overlays->contains(QStringLiteral("referee")));
+}
+
+/// Writes the figure as soon as all in it is computed.
+void writeFigure(rasterlens::MainWindow& window, const FigureArguments& figure)
+{
+    constexpr int kWaitMs = 20;
+    QTimer::singleShot(kWaitMs, &window, [&window, figure] {
+        if (!window.isComplete()) {
+            writeFigure(window, figure);
+            return;
+        }
+        const QStringList inputs = window.document().inputFiles();
+        const bool overInput = rasterlens::whyNotOver(figure.path, inputs).has_value();
+        const auto end = [overInput](const QString& error) {
+            if (!error.isEmpty())
+                printError(error);
+            QApplication::exit(overInput ? kBadArguments : error.isEmpty() ? kFine : kInvalidInput);
+        };
+        if (!figure.beforeAfter) {
+            end(window.figures().exportTo(figure.path).value_or(QString()));
+            return;
+        }
+        QObject::connect(&window.figures(), &rasterlens::FigureExport::finished, &window,
+                         [end](const QString&, const QString& error) { end(error); });
+        window.figures().exportBeforeAfter(figure.path);
     });
 }
 
@@ -332,8 +455,14 @@ void startWith(rasterlens::MainWindow& window, const Arguments& arguments, QObje
                              window.truthMode().experiment().run(arguments.measuredFrames);
                          if (!arguments.panel.isEmpty())
                              openPanel(window, arguments.panel);
+                         if (!arguments.identify.isEmpty())
+                             window.identifyPicture(arguments.identify);
                          if (!arguments.screenshot.isEmpty())
                              takeScreenshot(window, arguments.screenshot);
+                         if (!arguments.figure.path.isEmpty()) {
+                             prepareFigure(window, arguments.figure);
+                             writeFigure(window, arguments.figure);
+                         }
                      });
 }
 
@@ -352,10 +481,11 @@ int main(int argc, char** argv)
         return parsed.exitCode;
     const Arguments& arguments = *parsed.arguments;
 
-    if (const auto why = rasterlens::whyNotWritable(arguments.screenshot); why && !arguments.screenshot.isEmpty()) {
-        printError(QStringLiteral("%1: cannot be written: %2").arg(arguments.screenshot, rasterlens::textOf(*why)));
-        return kInvalidInput;
-    }
+    for (const QString& path : {arguments.screenshot, arguments.figure.path})
+        if (const auto why = rasterlens::whyNotWritable(path); why && !path.isEmpty()) {
+            printError(QStringLiteral("%1: cannot be written: %2").arg(path, rasterlens::textOf(*why)));
+            return kInvalidInput;
+        }
 #ifdef Q_OS_UNIX
     std::signal(SIGPIPE, SIG_IGN); // a pipe whose reader has gone is an error message, not the end of the window
 #endif
@@ -366,7 +496,7 @@ int main(int argc, char** argv)
     QApplication application(argc, argv);
     rasterlens::useSettingsFormat();
     const rasterlens::EndSignals endSignals;
-    const bool forScreenshot = !arguments.screenshot.isEmpty();
+    const bool forScreenshot = !arguments.screenshot.isEmpty() || !arguments.figure.path.isEmpty();
     using rasterlens::MainWindow;
     MainWindow window(forScreenshot ? MainWindow::Memory::Forget : MainWindow::Memory::Remember);
     keepAllAtTheEnd(application, endSignals, window);

@@ -44,6 +44,9 @@ struct OverlayOptions {
     std::vector<const CanvasLayer*> layers; ///< from the lowest to the highest; not owned
 };
 
+/// Whether the painter makes a drawing of lines and areas (SVG, PDF) and not of pixels.
+[[nodiscard]] bool isDrawing(const QPainter& painter);
+
 /// Paints the picture, nearest-neighbour from zoom 1 on, and its overlays.
 ///
 /// in    `canvas`: the part of the paint device to fill, in canvas pixels

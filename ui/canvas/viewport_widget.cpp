@@ -286,12 +286,33 @@ std::optional<ViewportWidget::FigurePart> ViewportWidget::figurePart(std::option
     return FigurePart{transform, canvas.size() + closing};
 }
 
-void ViewportWidget::paintFigure(QPainter& painter, const FigurePart& part) const
+std::optional<ViewportWidget::FigurePart> ViewportWidget::partInSight(std::optional<int> zoom,
+                                                                      const std::optional<QRect>& pixels) const
+{
+    if (!zoom && !pixels)
+        return figurePart(zoom);
+    const double scale = zoom ? double(*zoom) : m_transform.zoom;
+    const QRect whole(QPoint(0, 0), imageSize());
+    const QRect shown = pixels ? *pixels & whole : m_transform.pixelsIn(rect(), imageSize());
+    const QSizeF size = QSizeF(shown.size()) * scale;
+    if (shown.isEmpty() || size.width() >= kMaxFigureSide || size.height() >= kMaxFigureSide)
+        return std::nullopt;
+    const QSize closing = scale >= kGridFromZoom ? QSize(1, 1) : QSize(0, 0);
+    const CanvasTransform transform{scale, -QPointF(shown.topLeft()) * scale};
+    return FigurePart{transform, size.toSize() + closing};
+}
+
+void ViewportWidget::paintFigure(QPainter& painter, const FigurePart& part, const RenderedFrame* instead) const
 {
     OverlayOptions options = m_options;
     options.hoveredPixel.reset();
+    if (instead) {
+        options.layers.clear();
+        options.wipe.reset();
+        options.tag.clear();
+    }
     painter.fillRect(QRect(QPoint(0, 0), part.size), m_canvasColor);
-    paintCanvas(painter, QRect(QPoint(0, 0), part.size), part.transform, *m_frame, options);
+    paintCanvas(painter, QRect(QPoint(0, 0), part.size), part.transform, instead ? *instead : *m_frame, options);
 }
 
 void ViewportWidget::paintEvent(QPaintEvent*)

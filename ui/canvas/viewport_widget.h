@@ -63,6 +63,25 @@ public:
     [[nodiscard]] const OverlayOptions& overlays() const { return m_options; }
     void setOverlays(const OverlayOptions& options);
 
+    /// A part of the picture and how it is painted.
+    struct FigurePart {
+        CanvasTransform transform;
+        QSize size; ///< canvas pixels
+    };
+    /// The visible part as it is shown, or the whole image at a zoom.
+    ///
+    /// errors  nothing without a picture, and where the figure would be too large
+    [[nodiscard]] std::optional<FigurePart> figurePart(std::optional<int> zoom) const;
+    /// The part of the picture that is in sight, as it is shown or at another zoom; or some pixels of it.
+    ///
+    /// errors  nothing without a picture, and where the figure would be too large
+    [[nodiscard]] std::optional<FigurePart> partInSight(std::optional<int> zoom,
+                                                        const std::optional<QRect>& pixels = std::nullopt) const;
+    /// Paints a part with its overlays.
+    ///
+    /// in  `instead`: another picture of the same size, without the layers that belong to the one shown; null: that one
+    void paintFigure(QPainter& painter, const FigurePart& part, const RenderedFrame* instead = nullptr) const;
+
     /// The picture with its overlays: the visible part as it is shown, or the whole image at a zoom.
     ///
     /// errors  a null image where the figure would be too large
@@ -99,13 +118,6 @@ protected:
 private:
     enum class Drag { None, PanCanvas, Orbit, PanCamera, Dolly, Wipe };
 
-    /// Where a figure is painted to.
-    struct FigurePart {
-        CanvasTransform transform;
-        QSize size;
-    };
-    [[nodiscard]] std::optional<FigurePart> figurePart(std::optional<int> zoom) const;
-    void paintFigure(QPainter& painter, const FigurePart& part) const;
     [[nodiscard]] Drag dragFor(const QMouseEvent& event) const;
     [[nodiscard]] bool looksLikeTheShown(const RenderedFrame& frame) const;
     [[nodiscard]] QSize imageSize() const;

@@ -8,7 +8,6 @@
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QGuiApplication>
-#include <QPaintEngine>
 #include <QPainter>
 #include <QPalette>
 
@@ -81,33 +80,6 @@ QPolygonF halfOf(const QRectF& box, Distance distance)
     return half;
 }
 
-void paintGlyph(QPainter& painter, QPointF centre, double diameter, EdgeSign sign)
-{
-    const double r = diameter / 2;
-    const double stroke = std::max(1.0, diameter / 7);
-    painter.setBrush(sign == EdgeSign::Plus    ? QColor(kCanvasPlus)
-                     : sign == EdgeSign::Minus ? QColor(kCanvasMinus)
-                                               : QColor(Qt::white));
-    painter.setPen(sign == EdgeSign::Zero || sign == EdgeSign::NotANumber ? QPen(Qt::black, stroke) : QPen(Qt::NoPen));
-    const double inset = sign == EdgeSign::Zero || sign == EdgeSign::NotANumber ? stroke / 2 : 0;
-    painter.drawEllipse(centre, r - inset, r - inset);
-    const double arm = r * 0.55;
-    if (sign == EdgeSign::Plus || sign == EdgeSign::Minus) {
-        painter.setPen(QPen(Qt::white, stroke, Qt::SolidLine, Qt::FlatCap));
-        painter.drawLine(centre - QPointF(arm, 0), centre + QPointF(arm, 0));
-        if (sign == EdgeSign::Plus)
-            painter.drawLine(centre - QPointF(0, arm), centre + QPointF(0, arm));
-    } else if (sign == EdgeSign::Zero) {
-        painter.setPen(QPen(Qt::black, std::max(1.0, diameter / 9)));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawEllipse(centre, r * 0.28, r * 0.42);
-    } else {
-        painter.setPen(QPen(Qt::black, stroke));
-        painter.drawLine(centre - QPointF(arm, arm) * 0.7, centre + QPointF(arm, arm) * 0.7);
-        painter.drawLine(centre - QPointF(arm, -arm) * 0.7, centre + QPointF(arm, -arm) * 0.7);
-    }
-}
-
 double glyphDiameter(double cell) { return std::min(cell * 0.28, 30.0); }
 
 QPointF glyphCentre(const QRectF& box, std::size_t edge)
@@ -147,6 +119,33 @@ void paintPlate(QPainter& painter, const QRectF& within, QPointF at, const QStri
 }
 
 } // namespace
+
+void paintEdgeGlyph(QPainter& painter, QPointF centre, double diameter, EdgeSign sign)
+{
+    const double r = diameter / 2;
+    const double stroke = std::max(1.0, diameter / 7);
+    painter.setBrush(sign == EdgeSign::Plus    ? QColor(kCanvasPlus)
+                     : sign == EdgeSign::Minus ? QColor(kCanvasMinus)
+                                               : QColor(Qt::white));
+    painter.setPen(sign == EdgeSign::Zero || sign == EdgeSign::NotANumber ? QPen(Qt::black, stroke) : QPen(Qt::NoPen));
+    const double inset = sign == EdgeSign::Zero || sign == EdgeSign::NotANumber ? stroke / 2 : 0;
+    painter.drawEllipse(centre, r - inset, r - inset);
+    const double arm = r * 0.55;
+    if (sign == EdgeSign::Plus || sign == EdgeSign::Minus) {
+        painter.setPen(QPen(Qt::white, stroke, Qt::SolidLine, Qt::FlatCap));
+        painter.drawLine(centre - QPointF(arm, 0), centre + QPointF(arm, 0));
+        if (sign == EdgeSign::Plus)
+            painter.drawLine(centre - QPointF(0, arm), centre + QPointF(0, arm));
+    } else if (sign == EdgeSign::Zero) {
+        painter.setPen(QPen(Qt::black, std::max(1.0, diameter / 9)));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(centre, r * 0.28, r * 0.42);
+    } else {
+        painter.setPen(QPen(Qt::black, stroke));
+        painter.drawLine(centre - QPointF(arm, arm) * 0.7, centre + QPointF(arm, arm) * 0.7);
+        painter.drawLine(centre - QPointF(arm, -arm) * 0.7, centre + QPointF(arm, -arm) * 0.7);
+    }
+}
 
 /// What one paint works with.
 struct LensOverlay::View {
@@ -250,7 +249,7 @@ void LensOverlay::paintCell(QPainter& painter, const QRectF& box, const LensCell
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setOpacity(cell.state == LensCell::State::Waiting ? 0.33 : 1.0);
     for (std::size_t i = 0; i < 3; ++i)
-        paintGlyph(painter, glyphCentre(box, i), glyphDiameter(s), cell.signs[i]);
+        paintEdgeGlyph(painter, glyphCentre(box, i), glyphDiameter(s), cell.signs[i]);
     painter.setOpacity(1);
 }
 
@@ -273,7 +272,7 @@ void LensOverlay::paintCells(View& view) const
 {
     const QRect shown = view.visible(m_model->triangle().setup.bounds);
     const bool wholePixels = view.cell == std::floor(view.cell);
-    const bool vectors = view.painter.paintEngine()->type() == QPaintEngine::SVG || !wholePixels;
+    const bool vectors = isDrawing(view.painter) || !wholePixels;
     const QSize size(int(view.cell), int(view.cell));
     const QColor fill = paper().fill;
     if (m_tileSize != size || m_tilePaper != fill)
@@ -383,7 +382,7 @@ void LensOverlay::paintTies(View& view)
         view.painter.setOpacity(cell.state == LensCell::State::Waiting ? 0.5 : 1);
         for (std::size_t i = 0; i < 3; ++i)
             if (cell.signs[i] == EdgeSign::Zero)
-                paintGlyph(view.painter, glyphCentre(box, i), glyphDiameter(view.cell), EdgeSign::Zero);
+                paintEdgeGlyph(view.painter, glyphCentre(box, i), glyphDiameter(view.cell), EdgeSign::Zero);
     }
     view.painter.setOpacity(1);
 }

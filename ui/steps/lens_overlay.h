@@ -23,6 +23,9 @@ struct EdgeLook {
 constexpr std::array<EdgeLook, 3> kEdgeLooks{
     {{0xff6a3d9a, Qt::SolidLine}, {0xff00796b, Qt::DashLine}, {0xff8c5a00, Qt::DotLine}}};
 
+/// The circle that stands for the sign of an edge value: plus, minus, zero or not a number.
+void paintEdgeGlyph(QPainter& painter, QPointF centre, double diameter, EdgeSign sign);
+
 /// Paints the edge-sign lens: signs, values, lines and the present step of one triangle.
 ///
 /// cost  a full canvas of 1920 x 1080 at 16x in less than 16 ms

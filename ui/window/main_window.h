@@ -31,6 +31,7 @@ class MessageBar;
 class MistakeBadge;
 class MistakesMenu;
 class PipelinePanel;
+class FigureExport;
 class FocusOrder;
 class PanelPlaces;
 class ReadoutBar;
@@ -67,6 +68,7 @@ public:
     [[nodiscard]] TruthMode& truthMode() { return *m_truth; }
     [[nodiscard]] PanelPlaces& panels() { return *m_panels; }
     [[nodiscard]] FocusOrder& focusOrder() { return *m_focusOrder; }
+    [[nodiscard]] FigureExport& figures() { return *m_figures; }
     [[nodiscard]] LifeCycle& lifeCycle() { return *m_lifeCycle; }
 
     void openDefaultScene();
@@ -88,8 +90,11 @@ public:
     /// The window with the panels that float above it.
     [[nodiscard]] QImage picture();
 
+    /// Compares a picture with the present scene, with and without each mistake, in the panel for it.
+    void identifyPicture(const QString& path);
+
     /// errors  a message over the canvas; false
-    bool exportFigure(const QString& path); ///< in the format that the suffix names, also SVG
+    bool exportFigure(const QString& path); ///< in the format that the suffix names, also SVG and PDF
     bool exportFramebuffer(const QString& path);
     bool exportWindow(const QString& path);
 
@@ -150,6 +155,7 @@ private:
     void syncReadout();
     void syncTitle();
     void syncCaption();
+    [[nodiscard]] QString sceneWords() const;
 
     void updatePicture();
     [[nodiscard]] bool isShown() const;
@@ -170,6 +176,7 @@ private:
     void syncCounters();
     void reportSaved(const std::optional<QString>& error, const QString& path);
     void chooseFileToOpen();
+    void chooseFileToIdentify();
     void chooseFileToExport(const QString& title, const QString& suggestion, bool asDrawing,
                             std::function<void(const QString&)> save);
     void restoreMemory();
@@ -186,6 +193,7 @@ private:
     std::unique_ptr<StepMode> m_stepMode;
     std::unique_ptr<TruthMode> m_truth;
     std::unique_ptr<LifeCycle> m_lifeCycle;
+    std::unique_ptr<FigureExport> m_figures;
     StageStrip* m_stageStrip = nullptr;
     PipelinePanel* m_pipelinePanel = nullptr;
     StatisticsPanel* m_statisticsPanel = nullptr;
@@ -233,7 +241,6 @@ private:
     QAction* m_chinese = nullptr;
     QAction* m_english = nullptr;
     std::vector<QAction*> m_cameraActions;
-    std::optional<int> m_figureZoom; ///< empty: as on the screen
 
     FramePtr m_lastFrame;
     bool m_refused = false;

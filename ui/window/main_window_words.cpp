@@ -64,11 +64,9 @@ void MainWindow::syncReadout()
                     at && !moment ? m_truth->comparison().at(*at) : std::nullopt, moment);
 }
 
-/// The caption of the presentation names the scene and what was changed about it, or else what there is to see.
-void MainWindow::syncCaption()
+/// What was changed about the scene, or else what there is to see.
+QString MainWindow::sceneWords() const
 {
-    if (m_caption->isHidden())
-        return;
     QStringList changes;
     for (const SettingsField& field : settingsFields())
         if (field.get(m_document.settings()) != field.get(m_document.defaults()))
@@ -79,9 +77,16 @@ void MainWindow::syncCaption()
         mistakes.push_back(findMistake(id));
     if (!mistakes.empty())
         changes << becauseWords(mistakes);
-    const QString title = sceneTitle(*m_document.scene()).toHtmlEscaped();
-    const QString text = changes.isEmpty() ? sceneNote(*m_document.scene()) : changes.join(QStringLiteral(" \u00b7 "));
-    m_caption->setText(QStringLiteral("<b>%1</b> &nbsp; %2").arg(title, text.toHtmlEscaped()));
+    return changes.isEmpty() ? sceneNote(*m_document.scene()) : changes.join(QStringLiteral(" \u00b7 "));
+}
+
+/// The caption of the presentation names the scene as well.
+void MainWindow::syncCaption()
+{
+    if (m_caption->isHidden())
+        return;
+    m_caption->setText(QStringLiteral("<b>%1</b> &nbsp; %2")
+                           .arg(sceneTitle(*m_document.scene()).toHtmlEscaped(), sceneWords().toHtmlEscaped()));
 }
 
 void MainWindow::syncTitle()
