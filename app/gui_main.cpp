@@ -1,18 +1,21 @@
+#include "app/gui_figure.h"
 #include "core/base/typed_numbers.h"
 #include "core/io/file_writer.h"
 #include "core/io/picture_file.h"
-#include "core/lessons/moment.h"
 #include "ui/base/image_export.h"
 #include "ui/base/settings_file.h"
 #include "ui/face/cards.h"
+#include "ui/face/derivation_panel.h"
+#include "ui/lessons/lesson_mode.h"
+#include "ui/pipeline/canvas_views.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/pipeline_panel.h"
 #include "ui/steps/step_mode.h"
 #include "ui/truth/experiment_panel.h"
 #include "ui/truth/truth_mode.h"
 #include "ui/window/end_signals.h"
-#include "ui/window/figure_export.h"
 #include "ui/window/main_window.h"
+#include "ui/window/window_moment.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -39,24 +42,17 @@ void choosePlatform()
         qputenv("QT_QPA_PLATFORM", "offscreen");
 }
 
-/// A figure that is written in place of a screenshot.
-struct FigureArguments {
-    QString path;
-    std::optional<int> scale;
-    std::optional<QString> caption;      ///< nothing: what the window says
-    std::optional<QRect> region;         ///< pixels; nothing: all of the picture
-    std::optional<QStringList> overlays; ///< ids; nothing: those that the window starts with
-    bool beforeAfter = false;
-};
-
 struct Arguments {
     QString scene;
     QString screenshot;
     QString step;
     QString identify;
-    FigureArguments figure;
+    rasterlens::FigureArguments figure;
     std::optional<QSize> windowSize;
     QString panel;
+    std::optional<rasterlens::DerivationTopic> topic;
+    QString view;
+    QStringList overlays;
     std::optional<QPoint> pixel;
     bool referee = false;
     rasterlens::ReferenceSpace reference = rasterlens::ReferenceSpace::Clip;
@@ -65,11 +61,23 @@ struct Arguments {
     std::optional<rasterlens::LanguageKind> language;
     std::optional<rasterlens::ThemeKind> theme;
     bool keys = false;
+    QString lesson;
+    int slide = 1;     ///< counted from 1
+    bool asks = false; ///< the slide's question is open
+    bool presentation = false;
 };
 
 QStringList panelNames()
 {
     return rasterlens::Cards::names() + rasterlens::TruthMode::panelNames() + QStringList{QStringLiteral("mistakes")};
+}
+
+QStringList topicIds()
+{
+    QStringList ids;
+    for (const rasterlens::DerivationTopicInfo& info : rasterlens::derivationTopics())
+        ids << QLatin1String(info.id);
+    return ids;
 }
 
 struct ParsedArguments {
@@ -114,11 +122,22 @@ struct Options {
                              QStringLiteral("light|dark")};
     QCommandLineOption panel{QStringLiteral("panel"), QStringLiteral("Opens a panel: %1.").arg(panelNames().join(", ")),
                              QStringLiteral("name")};
+    QCommandLineOption topic{QStringLiteral("topic"),
+                             QStringLiteral("Opens the panel derive with a topic: %1.").arg(topicIds().join(", ")),
+                             QStringLiteral("id")};
+    QCommandLineOption view{QStringLiteral("view"),
+                            QStringLiteral("What the canvas shows: %1, or difference as with --compare.")
+                                .arg(rasterlens::CanvasViews::viewNames().join(", ")),
+                            QStringLiteral("name")};
+    QCommandLineOption overlay{QStringLiteral("overlay"),
+                               QStringLiteral("Lays something over the picture; may repeat: %1.")
+                                   .arg(rasterlens::CanvasViews::overlayNames().join(", ")),
+                               QStringLiteral("name")};
     QCommandLineOption pixel{QStringLiteral("pixel"), QStringLiteral("Selects a pixel of the picture."),
                              QStringLiteral("x,y")};
     QCommandLineOption step{
         QStringLiteral("step"),
-        QStringLiteral("Opens the step mode at a position, or at the first tie, sign-change, depth-fail, clip or nan."),
+        QStringLiteral("Opens the step mode at a place of the record: %1.").arg(rasterlens::stepPlaceHelp()),
         QStringLiteral("where")};
     QCommandLineOption identify{QStringLiteral("identify"),
                                 QStringLiteral("Says which mistake made the picture <file> of this scene."),
@@ -139,38 +158,25 @@ struct Options {
         QStringLiteral("Compares with the picture without mistakes or as the scene asks: wipe, blink or difference."),
         QStringLiteral("view")};
 
-    QCommandLineOption figure{
-        QStringLiteral("figure"),
-        QStringLiteral("Writes what the canvas shows as a figure with caption, formula and legend to <file> and exits: "
-                       "%1.")
-            .arg(rasterlens::FigureExport::formats().join(QStringLiteral(", "))),
-        QStringLiteral("file")};
-    QCommandLineOption figureScale{QStringLiteral("figure-scale"),
-                                   QStringLiteral("Side of a pixel in the figure, 1 to %1; default: as on the canvas.")
-                                       .arg(rasterlens::FigureExport::kLargestZoom),
-                                   QStringLiteral("n")};
-    QCommandLineOption caption{QStringLiteral("caption"), QStringLiteral("Caption of the figure."),
-                               QStringLiteral("text")};
-    QCommandLineOption region{QStringLiteral("region"),
-                              QStringLiteral("The pixels that the figure shows, from x, y on; default: all."),
-                              QStringLiteral("x,y,w,h")};
-    QCommandLineOption overlay{
-        QStringLiteral("overlay"),
-        QStringLiteral("What lies over the picture of the figure: grid, samples, numbers, referee, "
-                       "with commas between them, or none."),
-        QStringLiteral("ids")};
-    QCommandLineOption beforeAfter{QStringLiteral("before-after"),
-                                   QStringLiteral("The figure shows the picture without mistakes beside it.")};
-
+    rasterlens::FigureOptions figure;
+    QCommandLineOption lesson{QStringLiteral("lesson"),
+                              QStringLiteral("Opens a lesson: the id of a built-in one, or a .json file."),
+                              QStringLiteral("name")};
+    QCommandLineOption slide{QStringLiteral("slide"),
+                             QStringLiteral("The slide of the lesson, counted from 1; its question is skipped."),
+                             QStringLiteral("n")};
+    QCommandLineOption ask{QStringLiteral("ask"), QStringLiteral("Leaves the question of the slide open.")};
+    QCommandLineOption presentation{QStringLiteral("presentation"), QStringLiteral("Opens the presentation (F11).")};
     QCommandLineOption keys{
         QStringLiteral("keys"),
         QStringLiteral("Prints the keys as a table in Markdown, in English or in --language, and exits.")};
 
     [[nodiscard]] QList<QCommandLineOption> all() const
     {
-        return {help,  version, screenshot,  windowSize, language,  theme,   panel,
-                pixel, step,    identify,    referee,    reference, compare, measure,
-                keys,  figure,  figureScale, caption,    region,    overlay, beforeAfter};
+        return QList<QCommandLineOption>{
+                   help, version,  screenshot, windowSize, language, theme,   panel,  topic, view, overlay,      pixel,
+                   step, identify, referee,    reference,  compare,  measure, lesson, slide, ask,  presentation, keys} +
+               figure.all();
     }
 };
 
@@ -199,6 +205,36 @@ std::optional<QString> readLook(const QCommandLineParser& parser, const Options&
         arguments.panel = parser.value(options.panel);
         if (!panelNames().contains(arguments.panel))
             return QStringLiteral("--panel takes %1").arg(panelNames().join(", "));
+    }
+    if (parser.isSet(options.topic)) {
+        arguments.topic = rasterlens::derivationTopic(parser.value(options.topic));
+        if (!arguments.topic)
+            return QStringLiteral("--topic takes %1").arg(topicIds().join(", "));
+    }
+    return std::nullopt;
+}
+
+/// Reads the options about the canvas.
+///
+/// out  why one of them is refused
+std::optional<QString> readCanvas(const QCommandLineParser& parser, const Options& options, Arguments& arguments)
+{
+    using rasterlens::CanvasViews;
+    arguments.view = parser.value(options.view);
+    if (arguments.view == QLatin1String("difference")) {
+        arguments.view.clear();
+        arguments.compare = rasterlens::CompareView::Difference;
+    } else if (parser.isSet(options.view) && !CanvasViews::viewNames().contains(arguments.view)) {
+        return QStringLiteral("--view takes %1, difference").arg(CanvasViews::viewNames().join(", "));
+    }
+    arguments.overlays = parser.values(options.overlay);
+    for (const QString& name : arguments.overlays)
+        if (!CanvasViews::overlayNames().contains(name))
+            return QStringLiteral("--overlay takes %1").arg(CanvasViews::overlayNames().join(", "));
+    if (parser.isSet(options.pixel)) {
+        arguments.pixel = rasterlens::typedPoint(parser.value(options.pixel));
+        if (!arguments.pixel || arguments.pixel->x() < 0 || arguments.pixel->y() < 0)
+            return QStringLiteral("--pixel: \"%1\" is not a pixel; expected: x,y").arg(parser.value(options.pixel));
     }
     return std::nullopt;
 }
@@ -232,41 +268,24 @@ std::optional<QString> readTruth(const QCommandLineParser& parser, const Options
     return std::nullopt;
 }
 
-/// Reads the options about a figure.
+/// Reads the options about a lesson.
 ///
 /// out  why one of them is refused
-std::optional<QString> readFigure(const QCommandLineParser& parser, const Options& options, FigureArguments& figure)
+std::optional<QString> readLesson(const QCommandLineParser& parser, const Options& options, Arguments& arguments)
 {
-    figure.path = parser.value(options.figure);
-    if (parser.isSet(options.figure) && figure.path.isEmpty())
-        return QStringLiteral("--figure needs a file");
-    if (const auto why = rasterlens::whyNotFormat(figure.path, rasterlens::FigureExport::formats()))
-        return QStringLiteral("--figure %1: %2").arg(figure.path, rasterlens::textOf(*why));
-    if (parser.isSet(options.caption))
-        figure.caption = parser.value(options.caption);
-    figure.beforeAfter = parser.isSet(options.beforeAfter);
-    if (parser.isSet(options.figureScale)) {
-        figure.scale = parser.value(options.figureScale).toInt();
-        if (*figure.scale < 1 || *figure.scale > rasterlens::FigureExport::kLargestZoom)
-            return QStringLiteral("--figure-scale takes 1 to %1").arg(rasterlens::FigureExport::kLargestZoom);
-    }
-    if (parser.isSet(options.region)) {
-        const auto numbers = rasterlens::typedNumbers(parser.value(options.region));
-        if (!numbers || numbers->size() != 4)
-            return QStringLiteral("--region takes x,y,w,h");
-        figure.region = QRectF((*numbers)[0], (*numbers)[1], (*numbers)[2], (*numbers)[3]).toRect();
-    }
-    if (!parser.isSet(options.overlay))
+    arguments.lesson = parser.value(options.lesson);
+    arguments.asks = parser.isSet(options.ask);
+    arguments.presentation = parser.isSet(options.presentation);
+    if (arguments.lesson.isEmpty() && rasterlens::isLesson(arguments.scene))
+        arguments.lesson = std::exchange(arguments.scene, {});
+    if (!arguments.lesson.isEmpty() && !arguments.scene.isEmpty())
+        return QStringLiteral("--lesson: a lesson brings its own scenes");
+    if ((parser.isSet(options.slide) || arguments.asks) && arguments.lesson.isEmpty())
+        return QStringLiteral("--slide and --ask need --lesson");
+    if (!parser.isSet(options.slide))
         return std::nullopt;
-    figure.overlays = parser.value(options.overlay).split(QLatin1Char(','), Qt::SkipEmptyParts);
-    figure.overlays->removeAll(QStringLiteral("none"));
-    QStringList known;
-    for (const char* id : rasterlens::overlayIds())
-        known << QLatin1String(id);
-    for (const QString& id : *figure.overlays)
-        if (!known.contains(id))
-            return QStringLiteral("--overlay: \"%1\" is none of %2, none").arg(id, known.join(QStringLiteral(", ")));
-    return std::nullopt;
+    arguments.slide = parser.value(options.slide).toInt();
+    return arguments.slide < 1 ? std::optional(QStringLiteral("--slide takes a number from 1 on")) : std::nullopt;
 }
 
 /// Reads all words but --help and --version.
@@ -286,19 +305,16 @@ std::optional<QString> readAll(const QCommandLineParser& parser, const Options& 
         return QStringLiteral("--screenshot %1: %2").arg(arguments.screenshot, rasterlens::textOf(*why));
     arguments.step = parser.value(options.step);
     if (parser.isSet(options.step) && !rasterlens::StepMode::isPlace(arguments.step))
-        return QStringLiteral("--step takes a position, tie, sign-change, depth-fail, clip or nan");
+        return QStringLiteral("--step takes %1").arg(rasterlens::stepPlaceHelp());
     if (const auto why = readLook(parser, options, arguments))
         return why;
-    if (const auto why = readTruth(parser, options, arguments))
+    if (const auto why = readCanvas(parser, options, arguments))
         return why;
-    if (const auto why = readFigure(parser, options, arguments.figure))
+    if (const auto why = rasterlens::readFigure(parser, options.figure, arguments.figure))
         return why;
-    if (parser.isSet(options.pixel)) {
-        arguments.pixel = rasterlens::typedPoint(parser.value(options.pixel));
-        if (!arguments.pixel || arguments.pixel->x() < 0 || arguments.pixel->y() < 0)
-            return QStringLiteral("--pixel: \"%1\" is not a pixel; expected: x,y").arg(parser.value(options.pixel));
-    }
-    return std::nullopt;
+    if (const auto why = readLesson(parser, options, arguments))
+        return why;
+    return readTruth(parser, options, arguments);
 }
 
 ParsedArguments parseArguments(const QStringList& words)
@@ -352,48 +368,6 @@ void takeScreenshot(rasterlens::MainWindow& window, const QString& path)
     });
 }
 
-/// Lays over the picture what the figure is to show.
-void prepareFigure(rasterlens::MainWindow& window, const FigureArguments& figure)
-{
-    window.figures().setZoom(figure.scale);
-    window.figures().setCaption(figure.caption);
-    window.figures().setRegion(figure.region);
-    if (!figure.overlays)
-        return;
-    rasterlens::OverlayOptions overlays = window.viewport().overlays();
-    overlays.grid = figure.overlays->contains(QStringLiteral("grid"));
-    overlays.sampleDots = figure.overlays->contains(QStringLiteral("samples"));
-    overlays.numbers = figure.overlays->contains(QStringLiteral("numbers"));
-    window.viewport().setOverlays(overlays);
-    window.truthMode().referee().setOn(figure.overlays->contains(QStringLiteral("referee")));
-}
-
-/// Writes the figure as soon as all in it is computed.
-void writeFigure(rasterlens::MainWindow& window, const FigureArguments& figure)
-{
-    constexpr int kWaitMs = 20;
-    QTimer::singleShot(kWaitMs, &window, [&window, figure] {
-        if (!window.isComplete()) {
-            writeFigure(window, figure);
-            return;
-        }
-        const QStringList inputs = window.document().inputFiles();
-        const bool overInput = rasterlens::whyNotOver(figure.path, inputs).has_value();
-        const auto end = [overInput](const QString& error) {
-            if (!error.isEmpty())
-                printError(error);
-            QApplication::exit(overInput ? kBadArguments : error.isEmpty() ? kFine : kInvalidInput);
-        };
-        if (!figure.beforeAfter) {
-            end(window.figures().exportTo(figure.path).value_or(QString()));
-            return;
-        }
-        QObject::connect(&window.figures(), &rasterlens::FigureExport::finished, &window,
-                         [end](const QString&, const QString& error) { end(error); });
-        window.figures().exportBeforeAfter(figure.path);
-    });
-}
-
 /// Prints the list of keys, which a window in memory knows.
 ExitCode printKeys(int& argc, char** argv, const Arguments& arguments)
 {
@@ -425,6 +399,32 @@ void keepAllAtTheEnd(const QApplication& application, const rasterlens::EndSigna
         Qt::DirectConnection);
 }
 
+/// Opens the lesson that the arguments name.
+///
+/// out  fine, or the exit code after an error message
+ExitCode startLesson(rasterlens::MainWindow& window, const Arguments& arguments)
+{
+    using rasterlens::LessonPlayer;
+    rasterlens::LessonMode& lessons = window.lessons();
+    QObject loading;
+    QObject::connect(&lessons, &rasterlens::LessonMode::reported, &loading,
+                     [](const rasterlens::Diagnostics& diagnostics) {
+                         for (const rasterlens::Diagnostic& diagnostic : diagnostics)
+                             printError(diagnostic.text());
+                     });
+    if (!lessons.open(arguments.lesson))
+        return kInvalidInput;
+    const std::size_t count = lessons.player().lesson().slides.size();
+    if (static_cast<std::size_t>(arguments.slide) > count) {
+        printError(QStringLiteral("rasterlens: --slide takes a number from 1 to %1").arg(count));
+        return kBadArguments;
+    }
+    lessons.player().goTo(static_cast<std::size_t>(arguments.slide - 1), arguments.asks || arguments.slide == 1
+                                                                             ? LessonPlayer::Entry::Asks
+                                                                             : LessonPlayer::Entry::Skips);
+    return kFine;
+}
+
 /// Does what the arguments ask for once the first picture is there. A scene named on the command line must open; later
 /// ones only leave a message in the window.
 ///
@@ -440,6 +440,8 @@ void startWith(rasterlens::MainWindow& window, const Arguments& arguments, QObje
                      });
     QObject::connect(&window, &rasterlens::MainWindow::settled, &starting,
                      [&window, &starting, arguments, step = arguments.step]() mutable {
+                         if (window.moment().isPending())
+                             return;
                          if (!step.isEmpty()) {
                              window.stepMode().showStep(std::exchange(step, {}));
                              return;
@@ -448,6 +450,10 @@ void startWith(rasterlens::MainWindow& window, const Arguments& arguments, QObje
                          window.document().disconnect(&starting);
                          if (arguments.pixel)
                              window.viewport().selectPixel(arguments.pixel);
+                         if (!arguments.view.isEmpty())
+                             window.canvasViews().setViewNamed(arguments.view);
+                         for (const QString& overlay : arguments.overlays)
+                             window.canvasViews().setOverlayNamed(overlay, true);
                          window.truthMode().referee().setSpace(arguments.reference);
                          window.truthMode().referee().setOn(arguments.referee);
                          window.truthMode().comparison().setView(arguments.compare);
@@ -457,11 +463,15 @@ void startWith(rasterlens::MainWindow& window, const Arguments& arguments, QObje
                              openPanel(window, arguments.panel);
                          if (!arguments.identify.isEmpty())
                              window.identifyPicture(arguments.identify);
+                         if (arguments.topic) {
+                             window.cards().derivationPanel().setTopic(*arguments.topic);
+                             openPanel(window, QStringLiteral("derive"));
+                         }
                          if (!arguments.screenshot.isEmpty())
                              takeScreenshot(window, arguments.screenshot);
                          if (!arguments.figure.path.isEmpty()) {
-                             prepareFigure(window, arguments.figure);
-                             writeFigure(window, arguments.figure);
+                             rasterlens::prepareFigure(window, arguments.figure);
+                             rasterlens::writeFigure(window, arguments.figure);
                          }
                      });
 }
@@ -510,11 +520,23 @@ int main(int argc, char** argv)
 
     QObject starting;
     startWith(window, arguments, starting);
-    if (arguments.scene.isEmpty())
+    if (!arguments.lesson.isEmpty()) {
+        if (const ExitCode code = startLesson(window, arguments); code != kFine)
+            return code;
+    } else if (words.size() == 1) {
+        window.openAtStart();
+    } else if (arguments.scene.isEmpty()) {
         window.openDefaultScene();
-    else
+    } else {
         window.document().open(arguments.scene);
+    }
     window.show();
+    if (arguments.presentation)
+        window.setPresentation(true);
+    if (arguments.presentation && forScreenshot) { // of the size that is asked for, not that of a screen
+        window.showNormal();
+        window.resize(arguments.windowSize.value_or(kPictureSize));
+    }
     const int exitCode = QApplication::exec();
     if (const QString problem = rasterlens::settingsProblem(); !forScreenshot && !problem.isEmpty())
         printError(QStringLiteral("what the window remembers could not be kept: %1").arg(problem));

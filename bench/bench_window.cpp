@@ -93,21 +93,29 @@ Times jumps(MainWindow& window, int count)
     return ms;
 }
 
-/// The longest times between two turns of the event loop while the record is made.
-Times pausesWhileRecording(MainWindow& window)
+/// What recording makes the user wait for, in ms.
+struct Recording {
+    double ready;        ///< from R until the first step can be taken
+    double longestPause; ///< between two turns of the event loop in the meantime
+};
+
+Recording recordFrame(MainWindow& window)
 {
     StepSession& session = window.stepMode().session();
-    Times ms;
-    QElapsedTimer clock;
-    clock.start();
+    Recording ms{0, 0};
+    QElapsedTimer whole;
+    QElapsedTimer turn;
+    whole.start();
+    turn.start();
     session.open();
     do {
-        ms.push_back(msOf(clock));
-        clock.start();
+        ms.longestPause = std::max(ms.longestPause, msOf(turn));
+        turn.start();
         QCoreApplication::processEvents();
     } while (session.isRecording());
-    ms.push_back(msOf(clock));
-    return {*std::max_element(ms.begin(), ms.end())};
+    ms.ready = msOf(whole);
+    ms.longestPause = std::max(ms.longestPause, msOf(turn));
+    return ms;
 }
 
 } // namespace
@@ -144,12 +152,17 @@ int main(int argc, char** argv)
     const QByteArray name = scene.section(QLatin1Char('/'), -1).toUtf8();
     report(("orbiting " + name + " at 1920x1080: move to picture").constData(), orbit(window, 60));
     waitFor([&] { return window.isSettled(); });
-    report(("recording " + name + ": longest pause of the window").constData(), pausesWhileRecording(window));
-    window.stepMode().session().close();
+    StepSession& session = window.stepMode().session();
+    const Recording recording = recordFrame(window);
+    report(("recording " + name + ": ready to step").constData(), {recording.ready});
+    report(("recording " + name + ": longest pause of the window").constData(), {recording.longestPause});
+    std::printf("record of %s: %zu events, index of %zu MB\n", name.constData(), session.size(),
+                session.record() ? session.record()->index().bytes() >> 20 : 0);
+    report("jump anywhere in it, with a paint", jumps(window, 100));
+    session.close();
 
     window.document().open(QStringLiteral("builtin:covering"));
     waitFor([&] { return !window.document().isLoading() && window.isSettled(); });
-    StepSession& session = window.stepMode().session();
     session.open();
     waitFor([&] { return !session.isRecording(); });
     ViewportWidget& viewport = window.viewport();

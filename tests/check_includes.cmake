@@ -31,7 +31,8 @@ set(rooms
     "ui/steps: ui/base ui/document ui/canvas"
     "ui/face: ui/base ui/document ui/canvas"
     "ui/truth: ui/base ui/document ui/canvas"
-    "ui/window: ui/base ui/document ui/canvas ui/pipeline ui/steps ui/face ui/truth")
+    "ui/lessons: ui/base ui/document ui/canvas"
+    "ui/window: ui/base ui/document ui/canvas ui/pipeline ui/steps ui/face ui/truth ui/lessons")
 
 # What ui and app may include of core: every room but those of the stages and the rasterizers, and of the stages' room the
 # results.

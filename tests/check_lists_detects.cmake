@@ -33,7 +33,7 @@ endfunction()
 
 # compile(SOURCE): sets `result` and `message`; headers below SCRATCH stand in for those of the tree
 function(compile source)
-    execute_process(COMMAND ${CMAKE_COMMAND} -E env LC_ALL=C ${COMPILER} -std=c++20 -fsyntax-only -fmax-errors=0 -Wall -Wextra -Werror=switch
+    execute_process(COMMAND ${CMAKE_COMMAND} -E env LC_ALL=C ${COMPILER} -std=c++20 -fsyntax-only -fmax-errors=0 -fno-diagnostics-show-caret -Wall -Wextra -Werror=switch
                             -I${SCRATCH} -I${ROOT} ${flags} ${ROOT}/${source}
                     RESULT_VARIABLE result ERROR_VARIABLE message)
     set(result ${result} PARENT_SCOPE)

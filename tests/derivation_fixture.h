@@ -5,6 +5,7 @@
 #include <QString>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <stdexcept>
 
@@ -21,6 +22,21 @@ inline Derivation derived(DerivationTopic topic, const Scene& scene, const Setti
     if (!found.derivation)
         throw std::runtime_error(textOf(found.refusal).toStdString());
     return *found.derivation;
+}
+
+inline double valueOf(const Derivation& derivation, const char* id)
+{
+    const DerivationSymbol* symbol = derivation.find(id);
+    if (symbol == nullptr)
+        throw std::runtime_error(std::string("no symbol ") + id);
+    return symbol->value;
+}
+
+inline bool isNear(double value, double expected, double slack)
+{
+    if (!(std::abs(value - expected) <= slack))
+        qWarning("%.17g is not %.17g", value, expected);
+    return std::abs(value - expected) <= slack;
 }
 
 struct Question {

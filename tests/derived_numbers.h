@@ -213,6 +213,10 @@ private:
             const double slack = error + 1e-6 * size;
             return {std::floor(of[0].value), std::floor(of[0].value + slack) - std::floor(of[0].value - slack), size};
         }
+        if (name == QLatin1String("ceil")) {
+            const double slack = error + 1e-6 * size;
+            return {std::ceil(of[0].value), std::ceil(of[0].value + slack) - std::ceil(of[0].value - slack), size};
+        }
         if (name == QLatin1String("lerp")) {
             const double way = of[1].value - of[0].value;
             return {of[0].value + of[2].value * way, 3 * error + std::abs(way) * of[2].error,

@@ -213,7 +213,7 @@ inline void readClip(const ClipStep& step, const QString& text, Reader& reader)
 /// The least and the greatest row of a column are those of its list.
 inline void readColumn(const FilledColumn& column, const QString& text, Reader& reader)
 {
-    static const QRegularExpression list(QStringLiteral("\\[([^\\]]*)\\].*min (-?\\d+) to max (-?\\d+)"));
+    static const QRegularExpression list(QStringLiteral("\\[([^\\]]*)\\].*min (-?\\d+)(?: to|,) max (-?\\d+)"));
     const auto match = list.match(text);
     reader.expect(match.hasMatch() == (column.count > 0), text, "column");
     if (!match.hasMatch())
@@ -227,6 +227,61 @@ inline void readColumn(const FilledColumn& column, const QString& text, Reader& 
     reader.expect(match.captured(2).toInt() == std::ranges::min(rows) &&
                       match.captured(3).toInt() == std::ranges::max(rows),
                   text, "ends of a column");
+}
+
+/// `alpha = (3.5 - 1) / (10 - 1) = 0.277778   xa = 7 + 0.277778*(2 - 7) = 5.61111`
+inline void readCrossingLine(const QString& line, double fraction, double crossing, Reader& reader)
+{
+    static const QRegularExpression terms(QStringLiteral(
+        "(?:alpha|beta) = \\((\\S+) ([-+]) (\\S+)\\) / \\((\\S+) ([-+]) (\\S+?)(?: \\+ (\\d+))?\\) = (\\S+)"
+        "   x[ab] = (\\S+) \\+ (\\S+)\\*\\((\\S+) ([-+]) (\\S+)\\) = (\\S+)(?:   [^:\n]+: (\\S+))?"));
+    const auto match = terms.match(line);
+    reader.expect(match.hasMatch(), line, "crossing");
+    if (!match.hasMatch())
+        return;
+    const auto n = [&](int i) { return number(match.captured(i)); };
+    const auto sum = [&](int i) {
+        return n(i) + (match.captured(i + 1) == QStringLiteral("-") ? -n(i + 2) : n(i + 2));
+    };
+    reader.expect(isNear(sum(1) / (sum(4) + n(7)), n(8), 1e-5 * std::abs(n(8)) + 1e-12), line, "fraction of an edge");
+    reader.expect(isNear(n(8), fraction, 1e-5 * std::abs(fraction)) && n(8) == n(10), line, "fraction of the step");
+    reader.expect(isNear(n(9) + fraction * sum(11), n(14), 1e-8 * (1 + std::abs(n(9)) + std::abs(sum(11)))), line,
+                  "point of an edge");
+    const double walked = match.captured(15).isEmpty() ? n(14) : n(15);
+    reader.expect(isNear(walked, crossing, 1e-8 * (1 + std::abs(crossing))), line, "crossing of the step");
+}
+
+inline void readCrossing(const RowCrossings& row, const QString& formula, Reader& reader)
+{
+    const QStringList lines = formula.split(QLatin1Char('\n'));
+    reader.expect(lines.size() >= 2, formula, "crossings");
+    readCrossingLine(lines.first(), row.alpha, row.xa, reader);
+    readCrossingLine(lines.last(), row.beta, row.xb, reader);
+}
+
+/// `R = (240 + 164 + 0 + 1) / 4 = 101.25 -> 101`
+inline void readResolve(const ResolvedPixel& pixel, const QString& formula, Reader& reader)
+{
+    static const QRegularExpression sums(QStringLiteral("([RGB]) = \\(([\\d+ ]+)\\) / (\\d+) = (\\S+)(?: -> (\\d+))?"));
+    int channels = 0;
+    for (const auto& match : sums.globalMatch(formula)) {
+        const int shift = match.captured(1) == QStringLiteral("R")   ? 16
+                          : match.captured(1) == QStringLiteral("G") ? 8
+                                                                     : 0;
+        double sum = 0;
+        int terms = 0;
+        for (const QString& term : match.captured(2).split(QStringLiteral(" + "))) {
+            sum += term.toDouble();
+            ++terms;
+        }
+        const double mean = sum / match.captured(3).toInt();
+        reader.expect(terms == pixel.count && isNear(mean, number(match.captured(4)), 1e-5 * mean), formula, "mean");
+        const double rounded = match.captured(5).isEmpty() ? number(match.captured(4)) : number(match.captured(5));
+        reader.expect(rounded == double(pixel.color >> shift & 255U) && std::abs(rounded - mean) <= 0.5, formula,
+                      "rounded mean");
+        ++channels;
+    }
+    reader.expect(channels == 3, formula, "channels of a mean");
 }
 
 /// What the sentences of a whole record tell, counted.
@@ -316,6 +371,8 @@ inline void readEvent(const StepLog& log, std::size_t i, const QString& text, Re
         break;
     case StepKind::Span: readSpan(log.payload<SpanStep>(event), formula, reader); break;
     case StepKind::LineDecision: readLine(formula, reader); break;
+    case StepKind::Crossing: readCrossing(log.payload<CrossingStep>(event).row, formula, reader); break;
+    case StepKind::Resolve: readResolve(log.payload<ResolveStep>(event).pixel, formula, reader); break;
     case StepKind::Column: readColumn(log.payload<ColumnFillStep>(event).column, text, reader); break;
     case StepKind::Viewport: readViewport(log, log.payload<ViewportStep>(event), text, reader); break;
     case StepKind::Facing: readFacing(log, log.payload<FacingStep>(event).decision, text, reader); break;
@@ -332,7 +389,10 @@ inline void readEvent(const StepLog& log, std::size_t i, const QString& text, Re
     case StepKind::Fate:
     case StepKind::Triangle:
     case StepKind::Setup:
+    case StepKind::Outline:
     case StepKind::Walk:
+    case StepKind::Sides:
+    case StepKind::Halves:
     case StepKind::LineSample:
     case StepKind::Shade:
     case StepKind::Write:

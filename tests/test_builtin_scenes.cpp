@@ -129,24 +129,14 @@ private Q_SLOTS:
 
 void TestBuiltinScenes::listIsStable()
 {
-    const QStringList expected{"triangle",     "square-diagonal",
-                               "triangle-600", "games101",
-                               "tile-square",  "head",
-                               "teapot",       "torus-knot",
-                               "floor",        "letter-f",
-                               "leaf",         "fan",
-                               "tunnel",       "cube",
-                               "sphere",       "painter-cycle",
-                               "piercing",     "z-fighting",
-                               "slivers",      "behind-camera",
-                               "covering",     "edge-guardband",
-                               "lines",        "four-z",
-                               "cut-outs",     "square-counted",
-                               "thin-gap",     "three-layers",
-                               "two-windings", "tiny-tiles",
-                               "samples",      "zero-area",
-                               "long-sliver",  "huge-triangle",
-                               "overhang"};
+    const QStringList expected{
+        "triangle",   "square-diagonal", "triangle-600",   "games101",    "games101-tilted", "tile-square",
+        "head",       "teapot",          "torus-knot",     "floor",       "letter-f",        "leaf",
+        "fan",        "tunnel",          "cube",           "sphere",      "painter-cycle",   "piercing",
+        "z-fighting", "slivers",         "behind-camera",  "covering",    "edge-guardband",  "lines",
+        "four-z",     "cut-outs",        "square-counted", "thin-gap",    "three-layers",    "two-windings",
+        "tiny-tiles", "samples",         "zero-area",      "long-sliver", "huge-triangle",   "overhang",
+        "flat-edge",  "cut-on-centres"};
     QStringList names;
     for (const BuiltinScene& entry : builtinScenes())
         names << entry.name;

@@ -10,7 +10,6 @@
 #include "ui/face/clip_theatre.h"
 #include "ui/face/curve_plot.h"
 #include "ui/face/curves_panel.h"
-#include "ui/face/derivation_panel.h"
 #include "ui/face/pixel_card.h"
 #include "ui/face/race_panel.h"
 #include "ui/face/vertex_handles.h"
@@ -27,7 +26,6 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QSpinBox>
-#include <QTextBrowser>
 #include <QToolButton>
 
 #include <set>
@@ -85,8 +83,6 @@ private Q_SLOTS:
     void curvesTakeTheEdge();
     void textsOfMarksStayInThePlots();
     void raceCountsInLockstep();
-    void derivationsAreThoseOfCore();
-    void derivationLinesAndSymbolsLightTheFigure();
     void panelsAreHiddenAtFirstAndInTheMenu();
 };
 
@@ -253,7 +249,8 @@ void TestCards::vertexModelIsSound()
 {
     FaceSelection selection;
     Document own;
-    VertexTableModel model(own, selection);
+    const VertexEditing editing;
+    VertexTableModel model(own, selection, editing);
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     model.refresh();
     own.setScene(std::make_shared<const Scene>(*makeBuiltinScene(QStringLiteral("cube")).scene));
@@ -493,58 +490,6 @@ void TestCards::raceCountsInLockstep()
     QCOMPARE(panel.tick(), std::size_t(0));
     QVERIFY(waitFor([&] { return panel.tick() > 0; }));
     panel.setPlaying(false);
-}
-
-/// Every topic, at the selected pixel: the text of the panel holds what core derives, or says why there is nothing.
-void TestCards::derivationsAreThoseOfCore()
-{
-    QVERIFY(open(QStringLiteral("builtin:triangle-600")));
-    QVERIFY(select({250, 400}));
-    QVERIFY(show("derive"));
-    DerivationPanel& panel = cards().derivationPanel();
-    for (const DerivationTopicInfo& info : derivationTopics()) {
-        panel.setTopic(info.topic);
-        QVERIFY(complete());
-        const Derived expected = derive(info.topic, *document().scene(), settings(), {0, QPoint(250, 400), 0, 0.5, {}});
-        QVERIFY(panel.derived());
-        QCOMPARE(panel.derived()->derivation.has_value(), expected.derivation.has_value());
-        if (!expected.derivation) {
-            QVERIFY(!textOf(expected.refusal).isEmpty());
-            continue;
-        }
-        const QString shown = panel.view()->toPlainText();
-        for (const DerivationLine& line : expected.derivation->lines) {
-            QVERIFY2(shown.contains(textOf(line.numbers)), qPrintable(textOf(line.numbers)));
-            QVERIFY2(shown.contains(textOf(line.words)), qPrintable(textOf(line.words)));
-        }
-    }
-}
-
-/// The arrows go from line to line, whose marks are drawn; a symbol under the mouse changes the picture too.
-void TestCards::derivationLinesAndSymbolsLightTheFigure()
-{
-    QVERIFY(open(QStringLiteral("builtin:triangle-600")));
-    QVERIFY(select({250, 400}));
-    QVERIFY(show("derive"));
-    DerivationPanel& panel = cards().derivationPanel();
-    panel.setTopic(DerivationTopic::EdgeFunction);
-    QVERIFY(complete());
-    QCOMPARE(panel.line(), std::size_t(0));
-    const auto& derivation = *panel.derived()->derivation;
-    QVERIFY(derivation.lines.size() > 2);
-    QTest::keyClick(panel.view(), Qt::Key_Down);
-    QCOMPARE(panel.line(), std::size_t(1));
-    QTest::keyClick(panel.view(), Qt::Key_Up);
-    QTest::keyClick(panel.view(), Qt::Key_Up);
-    QCOMPARE(panel.line(), std::size_t(0));
-    const auto drawnSymbol = std::ranges::find_if(
-        derivation.symbols, [](const DerivationSymbol& symbol) { return symbol.canvas.points.size() == 2; });
-    QVERIFY(drawnSymbol != derivation.symbols.end());
-    const QImage before = viewport().grab().toImage();
-    panel.hoverSymbol(std::size_t(drawnSymbol - derivation.symbols.begin()));
-    QVERIFY(viewport().grab().toImage() != before);
-    panel.hoverSymbol(std::nullopt);
-    QVERIFY(viewport().grab().toImage() == before);
 }
 
 void TestCards::panelsAreHiddenAtFirstAndInTheMenu()

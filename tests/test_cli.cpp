@@ -168,10 +168,17 @@ void TestCli::badCalls_data()
             << QStringLiteral(
                    "--fov: \"%1\" is not a value of fov, which takes: the vertical angle in degrees, 0.001 to 179.9")
                    .arg(QLatin1String(fov));
-    row("render a.obj --near 2 --far 1", 2, "--near: the near plane (2) is not nearer than the far plane (1)");
-    row("render a.obj --near 1 --far 1", 2, "--near: the near plane (1) is not nearer than the far plane (1)");
-    row("render a.obj --near 0", 2, "--near: \"0\" is not a value of near, which takes: a distance greater than 0");
-    row("render a.obj --far -1", 2, "--far: \"-1\" is not a value of far, which takes: a distance greater than 0");
+    row("render a.obj --near 2 --far 1", 2,
+        "--far: the far plane is at 1, but must lie beyond the near plane at 2: z' = n + f - nf/z runs from n to f");
+    row("render a.obj --near 1 --far 1", 2, "--far: the far plane is at 1, but must lie beyond the near plane at 1");
+    row("render a.obj --near 0", 2,
+        "--near: the near plane is at 0, but must lie before the eye, at more than 0: with n = 0, z' = n + f - nf/z is "
+        "f "
+        "for every z");
+    row("render a.obj --near -0.1 --far 5", 2, "--near: the near plane is at -0.1, but must lie before the eye");
+    row("render a.obj --far -1", 2, "--far: the far plane is at -1, but must lie before the eye, at more than 0");
+    row("render a.obj --near wide", 2,
+        "--near: \"wide\" is not a value of near, which takes: a distance greater than 0");
     row("render a.obj --view side", 2, "--view: \"side\" is not a value of view, which takes: fit");
     row("render a.obj --eye (1,2", 2, "--eye: \"(1,2\" is not a value of eye, which takes: three numbers x,y,z");
     row("render a.obj --eye 1,2", 2, "--eye: \"1,2\" is not a value of eye, which takes: three numbers x,y,z");

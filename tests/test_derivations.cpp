@@ -17,14 +17,6 @@ namespace
 using Rational = boost::multiprecision::cpp_rational;
 using Vector = std::array<Rational, 2>;
 
-double valueOf(const Derivation& derivation, const char* id)
-{
-    const DerivationSymbol* symbol = derivation.find(id);
-    if (symbol == nullptr)
-        throw std::runtime_error(std::string("no symbol ") + id);
-    return symbol->value;
-}
-
 /// Whether a symbol has a rational number as its value, to the last three bits of a double, and as its exact text if it
 /// has one.
 bool isRational(const Derivation& derivation, const char* id, const Rational& expected)
@@ -40,13 +32,6 @@ bool isRational(const Derivation& derivation, const char* id, const Rational& ex
     if (Rational(symbol.exact.toStdString()) != expected)
         qWarning("%s is exactly %s, not %s", id, qPrintable(symbol.exact), expected.str().c_str());
     return isClose && Rational(symbol.exact.toStdString()) == expected;
-}
-
-bool isNear(double value, double expected, double slack)
-{
-    if (!(std::abs(value - expected) <= slack))
-        qWarning("%.17g is not %.17g", value, expected);
-    return std::abs(value - expected) <= slack;
 }
 
 /// The weights of a point by elimination: two equations, the unknown of the larger coefficient first.

@@ -1,17 +1,20 @@
 // The step mode in the window: the lens's numbers, what the canvas shows, and when steps are recorded anew.
 #include "core/observe/step_text.h"
 #include "tests/step_fixture.h"
+#include "ui/base/inks.h"
 #include "ui/face/cards.h"
 #include "ui/pipeline/stage_strip.h"
 #include "ui/steps/code_line.h"
 #include "ui/steps/lens_overlay.h"
 #include "ui/steps/step_listing.h"
 #include "ui/steps/transport_dock.h"
+#include "ui/steps/walk_painter.h"
 
 #include <QLabel>
 #include <QSignalSpy>
 
 #include <algorithm>
+#include <set>
 #include <vector>
 
 using namespace rasterlens;
@@ -43,12 +46,16 @@ private Q_SLOTS:
     void endIsTheFinishedPicture();
     void listingPutsNumbersIn();
     void walkingShowsSpans();
+    void walkingGoesThroughItsStages();
+    void flatTrianglesHaveOneHalf();
     void bresenhamShowsItsLine();
     void changesRecordAnew();
     void numbersSayTheirMoment();
     void otherSceneDropsTheRecord();
     void everyFaceOfThePainterHasItsTriangle();
     void scopeLimitsTheRecord();
+    void cellsReachBeyondTheWindow();
+    void geometryShowsThePolygonOfTheMoment();
     void theStripMarksTheStageOfTheStep();
     void mistakesFitSmallWindows_data();
     void mistakesFitSmallWindows();
@@ -244,6 +251,79 @@ void TestLens::walkingShowsSpans()
     QVERIFY(!viewport().figure(48).isNull());
 }
 
+/// C (7, 1), B (15, 7), A (2, 10): 1, 2 and 3 by height; the long edge is CA.
+void TestLens::walkingGoesThroughItsStages()
+{
+    QVERIFY(
+        openText("size 16 12\ntri -0.75 -0.666666667 0 1 1 1 1  0.875 -0.166666667 0 1 1 1 1  -0.125 0.833333333 0 1 "
+                 "1 1 1\n"));
+    setAlgorithm(Algorithm::EdgeWalking);
+    QVERIFY(settle());
+    QVERIFY(record());
+    const auto goTo = [&](StepKind kind, std::size_t nth = 0) {
+        session().moveTo(std::size_t(log().eventsOf(kind)[nth]) + 1);
+        return mode().listing().explanation();
+    };
+    const auto has = [&](QRgb color) {
+        const QImage figure = viewport().figure(32);
+        for (int y = 0; y < figure.height(); ++y)
+            for (int x = 0; x < figure.width(); ++x)
+                if (figure.pixel(x, y) == color)
+                    return true;
+        return false;
+    };
+    const auto cornerNames = [&] {
+        QStringList names;
+        for (std::size_t i = 0; i < 3; ++i)
+            names << walkedCornerName(*mode().lens().model(), i);
+        return names.join(QLatin1Char(' '));
+    };
+
+    const StepExplanation outline = goTo(StepKind::Outline);
+    QVERIFY(outline.formula.contains(QStringLiteral("AB 3, BC 6, CA 9")));
+    QCOMPARE(cornerNames(), QStringLiteral("A B C"));
+    goTo(StepKind::Walk);
+    QCOMPARE(cornerNames(), QStringLiteral("A = 3 B = 2 C = 1"));
+    QVERIFY(!has(kCanvasLongEdge) && !has(kCanvasBrokenEdge));
+
+    const StepExplanation sides = goTo(StepKind::Sides);
+    QVERIFY(sides.formula.contains(QStringLiteral("long edge CA, from 1 to 3")));
+    QVERIFY(sides.formula.contains(QStringLiteral("BC and AB")));
+    QVERIFY(has(kCanvasLongEdge) && has(kCanvasBrokenEdge));
+
+    const StepExplanation halves = goTo(StepKind::Halves);
+    QVERIFY(halves.listing[std::size_t(halves.line)].code.contains(QStringLiteral("up = y < y2 || y2 == y3")));
+    QVERIFY2(halves.formula.contains(QStringLiteral("alpha = 0.666667, x = 3.66667")), qPrintable(halves.formula));
+    QVERIFY(halves.formula.contains(QStringLiteral("rows of the upper half 1..6, of the lower half 7..9")));
+
+    // Row 3: 2.5 rows of 9 down the long edge, of 6 down the short one.
+    const StepExplanation crossing = goTo(StepKind::Crossing, 2);
+    const QString minus(QChar(0x2212));
+    QCOMPARE(crossing.formula,
+             QStringLiteral("alpha = (3.5 - 1) / (10 - 1) = 0.277778   xa = 7 + 0.277778\u00b7(2 - 7) = 5.61111111\n"
+                            "beta = (3.5 - 1) / (7 - 1) = 0.416667   xb = 7 + 0.416667\u00b7(15 - 7) = 10.3333333")
+                 .replace(QLatin1Char('-'), minus));
+    QVERIFY(crossing.listing[std::size_t(crossing.line)].code.contains(QStringLiteral("alpha = (y - y1) / (y3 - y1)")));
+    QVERIFY(mode().lens().model()->crossings()->upperHalf);
+    const StepExplanation span = goTo(StepKind::Span, 2);
+    QVERIFY(span.formula.contains(QStringLiteral("x = 6 \u2026 9")));
+    QVERIFY(!viewport().figure(32).isNull());
+}
+
+void TestLens::flatTrianglesHaveOneHalf()
+{
+    QVERIFY(openText("size 16 16\ntri -0.5 0.5 0 1 1 1 1  -0.25 -0.5 0 1 1 1 1  0.75 0.5 0 1 1 1 1\n"));
+    setAlgorithm(Algorithm::EdgeWalking);
+    QVERIFY(settle());
+    QVERIFY(record());
+    session().moveTo(std::size_t(log().eventsOf(StepKind::Halves)[0]) + 1);
+    const QString formula = mode().listing().explanation().formula;
+    QVERIFY2(formula.contains(QStringLiteral("there is no upper half")), qPrintable(formula));
+    QVERIFY(!viewport().figure(32).isNull());
+    for (const std::uint32_t i : log().eventsOf(StepKind::Crossing))
+        QVERIFY(!log().payload<CrossingStep>(log().event(i)).row.upperHalf);
+}
+
 void TestLens::bresenhamShowsItsLine()
 {
     QVERIFY(openText("size 16 16\ntri -0.8 -0.8 0 1 1 0 0   0.8 -0.3 0 1 0 1 0   0 0.8 0 1 0 0 1\n"));
@@ -378,7 +458,7 @@ void TestLens::everyFaceOfThePainterHasItsTriangle()
     QVERIFY2(!std::ranges::is_sorted(order), "the order of drawing is not that of the numbers");
     for (const std::uint32_t face : order) {
         session().selectFace(face);
-        const StepTriangle* triangle = session().triangle();
+        const StepTriangle* triangle = session().lookedAt().triangle();
         QVERIFY2(triangle, qPrintable(QStringLiteral("face %1").arg(face)));
         QCOMPARE(triangle->screen.face, face);
     }
@@ -398,6 +478,92 @@ void TestLens::scopeLimitsTheRecord()
     for (const StepEvent& event : log().events())
         QVERIFY(event.x < 0 || (event.x >= 2 && event.x < 4 && event.y == 3));
     QCOMPARE(mode().transport().noticeText(), QString());
+    const auto kindsOf = [&](StepScope scope) {
+        session().setScope(scope);
+        std::set<StepKind> kinds;
+        if (settle())
+            for (const StepEvent& event : log().events())
+                kinds.insert(event.kind);
+        return kinds;
+    };
+    QCOMPARE(kindsOf(StepScope::Geometry),
+             (std::set{StepKind::Vertex, StepKind::Viewport, StepKind::Facing, StepKind::Fate, StepKind::End}));
+    QCOMPARE(kindsOf(StepScope::Coverage),
+             (std::set{StepKind::Triangle, StepKind::Setup, StepKind::Sample, StepKind::End}));
+    session().selectPixel(QPoint(5, 6));
+    session().setScope(StepScope::SelectedPixel);
+    QVERIFY(settle());
+    for (const StepEvent& event : log().events())
+        QVERIFY(event.x < 0 || (event.x == 5 && event.y == 6));
+    session().selectPixel(QPoint(1, 2)); // another pixel is another record
+    QVERIFY(settle());
+    QVERIFY(log().findStop(0, StepDirection::Forward, {StepStop::Kind::Pixel, 1, 2}));
+}
+
+/// A triangle of many more events than a window holds: the lens knows of each of its samples what a log of all events
+/// knows.
+void TestLens::cellsReachBeyondTheWindow()
+{
+    QVERIFY(openSmall(QStringLiteral("builtin:triangle"), {300, 240}));
+    for (const Algorithm algorithm : {Algorithm::EdgeEquation, Algorithm::EdgeWalking}) {
+        QVERIFY(change([algorithm](Settings& s) {
+            s.algorithm = algorithm;
+            s.numberType = NumberType::Float32;
+        }));
+        QVERIFY(record());
+        const auto all = renderSteps(*document().scene(), session().settings());
+        QVERIFY(all->size() == session().size() && all->size() > 2 * session().record()->index().memory().windowEvents);
+        const StepEvent& triangle = all->event(all->eventsOf(StepKind::Triangle).front());
+        for (std::size_t position = all->size() / 7; position < all->size(); position += all->size() / 7) {
+            session().moveTo(position);
+            const LensModel expected(*all, triangle, position);
+            const StepSession::LookedAt& here = session().lookedAt();
+            QVERIFY(here.log && here.log->size() < all->size());
+            const LensModel model(*here.log, *here.begin, here.position, session().event());
+            model.setFar(session().coverage(*here.triangle(), {0, 0, 300, 240}));
+            for (int y = 0; y < 240; y += 3)
+                for (int x = 0; x < 300; x += 7) {
+                    const LensCell cell = model.cell(x, y);
+                    const LensCell right = expected.cell(x, y);
+                    QCOMPARE(cell.state, right.state);
+                    if (cell.state == LensCell::State::Covered || cell.state == LensCell::State::Rejected)
+                        QCOMPARE(cell.values, right.values);
+                }
+        }
+    }
+}
+
+/// A face that two of its corners leave the view volume with: its polygon while geometry is stepped.
+void TestLens::geometryShowsThePolygonOfTheMoment()
+{
+    QVERIFY(openText("size 16 16\ntri -0.8 -0.8 -1.5 1 1 0 0   0.8 -0.8 0.5 1 0 1 0   0 0.8 0.5 1 0 0 1\n"));
+    QVERIFY(record());
+    const auto namesAt = [&](std::size_t position) {
+        session().moveTo(position);
+        QStringList names;
+        if (const auto& moment = mode().geometry().moment())
+            for (const MomentCorner& corner : moment->corners)
+                names << corner.name;
+        return names.join(QLatin1Char(' '));
+    };
+    QCOMPARE(namesAt(0), QString());
+    QCOMPARE(namesAt(2), QStringLiteral("A B"));
+    QCOMPARE(namesAt(3), QStringLiteral("A B C"));
+    const auto cut = std::size_t(log().eventsOf(StepKind::ClipPlane).front());
+    QCOMPARE(namesAt(cut + 1), QStringLiteral("I1 B C I2"));
+    const FaceMoment moment = *mode().geometry().moment();
+    const ClipStep& step = log().payload<ClipStep>(log().event(cut));
+    for (std::size_t i = 0; i < moment.corners.size(); ++i)
+        QCOMPARE(moment.corners[i].positionClip, step.after[i].positionClip);
+    QCOMPARE(moment.before.size(), std::size_t(3));
+    QVERIFY(!mode().lens().model());
+    QVERIFY(momentLines(moment, log().rules()).front().contains(QStringLiteral("4 corners are left")));
+    const auto fate = std::size_t(log().eventsOf(StepKind::Fate).front());
+    QCOMPARE(namesAt(fate + 1), QStringLiteral("I1 B C I2"));
+    for (const MomentCorner& corner : mode().geometry().moment()->corners)
+        QVERIFY(corner.snapped);
+    QCOMPARE(namesAt(fate + 2), QString()); // coverage begins
+    QVERIFY(mode().lens().model());
 }
 
 void TestLens::theStripMarksTheStageOfTheStep()

@@ -72,6 +72,8 @@ private Q_SLOTS:
     void depthOfTheBoard();
     void lostWIsAffine();
     void steepLineRunsPastItsEnd();
+    void heightPlusOneStandsOutAtTheMiddleCorner();
+    void nudgedCutLosesTheSharedEdge();
 };
 
 void TestMistakes::tableIsComplete()
@@ -228,6 +230,53 @@ void TestMistakes::steepLineRunsPastItsEnd()
     QCOMPARE(lastRow({0, 0}, {0, 10}), 0);
     QCOMPARE(octantOf({0, 0}, {1, -2}), 1);
     QCOMPARE(octantOf({0, 0}, {-2, 1}), 4);
+}
+
+void TestMistakes::heightPlusOneStandsOutAtTheMiddleCorner()
+{
+    // The upper edge, from (4, 8) to (60, 12), crosses the rows 8 to 11 at 4 + 14 (0.5, 1.5, 2.5, 3.5) = 11, 25, 39,
+    // 53; with a height of 5 at 4 + 11.2 (0.5, 1.5, 2.5, 3.5) = 9.6, 20.8, 32, 43.2. The row below is 59 pixels long
+    // with both.
+    const MistakeDemo demo = mistakeDemo(mistakeOf("height-plus-one"));
+    const CountedPicture right = drawCounted(demo.scene, demo.right);
+    const CountedPicture mistaken = drawCounted(demo.scene, demo.mistaken);
+    const auto endOf = [](const CountedPicture& picture, int row) {
+        int end = 0;
+        for (int x = 0; x < 64; ++x)
+            end = picture.frame.ids[static_cast<std::size_t>(64 * row + x)] >= 0 ? x + 1 : end;
+        return end;
+    };
+    const std::array<int, 5> rightEnds{11, 25, 39, 53, 59};
+    const std::array<int, 5> mistakenEnds{10, 21, 32, 43, 59};
+    for (std::size_t i = 0; i < rightEnds.size(); ++i) {
+        QCOMPARE(endOf(right, 8 + static_cast<int>(i)), rightEnds[i]);
+        QCOMPARE(endOf(mistaken, 8 + static_cast<int>(i)), mistakenEnds[i]);
+    }
+    // Counted in whole numbers, row by row: 22 lost above the corner, 29 too many below it.
+    QCOMPARE(proofValue(Proof::Holes, mistaken, right), 22.0);
+    QCOMPARE(proofValue(Proof::WrongFaces, mistaken, right), 51.0);
+}
+
+void TestMistakes::nudgedCutLosesTheSharedEdge()
+{
+    // The edge y = x + 8 of the orange triangle owns the centres (i + 0.5, i + 8.5), i = 0 .. 39. Cut at (0.001, 8), it
+    // passes them 0.001 (1 - (i + 0.5) / 40) pixels too far right; the blue triangle, not cut, does not own them.
+    const MistakeDemo demo = mistakeDemo(mistakeOf("nudged-cut"));
+    const CountedPicture right = drawCounted(demo.scene, demo.right);
+    const CountedPicture mistaken = drawCounted(demo.scene, demo.mistaken);
+    QCOMPARE(right.statistics.pixels.coveredTwice, 0U);
+    for (int i = 0; i < 40; ++i) {
+        const auto at = static_cast<std::size_t>(64 * (i + 8) + i);
+        QCOMPARE(right.frame.ids[at], 0);
+        QCOMPARE(mistaken.frame.ids[at], -1);
+    }
+    QCOMPARE(proofValue(Proof::Holes, mistaken, right), 40.0);
+    QCOMPARE(proofValue(Proof::WrongFaces, mistaken, right), 40.0);
+    // Without the 0.001 the same clipping in the same numbers loses nothing.
+    Settings even = demo.right;
+    even.clipping = Clipping::CohenSutherland;
+    even.numberType = NumberType::Float64;
+    QVERIFY(drawCounted(demo.scene, even).frame.ids == right.frame.ids);
 }
 
 QTEST_GUILESS_MAIN(TestMistakes)

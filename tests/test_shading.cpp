@@ -88,7 +88,6 @@ void TestShading::gouraudFlatAndDepthAtAPixel()
 void TestShading::lightOnVerticesAndFaces()
 {
     Scene scene = oneTriangle();
-    scene.lit = true;
     const glm::dvec3 light = glm::normalize(glm::dvec3(0.3, 0.5, 1));
     const std::array<glm::vec3, 3> normals{glm::vec3(0, 0, 1), glm::vec3(0, 1, 0), glm::vec3(0, 0, -1)};
     const std::array<double, 3> expected{0.2 + 0.8 * light.z, 0.2 + 0.8 * light.y, 0.2};
@@ -97,12 +96,10 @@ void TestShading::lightOnVerticesAndFaces()
         vertex.normal = normals[i];
         vertex.color = {1, 0.5F, 0};
         Varyings out{};
-        shadeVertex(scene, vertex, Shading::Gouraud, out);
+        shadeVertex(vertex, Shading::Gouraud, true, out);
         QVERIFY(close({out[0], out[1], out[2]}, glm::vec3(1, 0.5F, 0) * float(expected[i])));
-        scene.lit = false;
-        shadeVertex(scene, vertex, Shading::Gouraud, out);
+        shadeVertex(vertex, Shading::Gouraud, false, out);
         QVERIFY(close({out[0], out[1], out[2]}, {1, 0.5F, 0}));
-        scene.lit = true;
     }
     // A flat face takes the normal of its plane, which here is (0, 0, 1) but for the slope of z.
     const glm::vec3 a(scene.mesh.vertices[0].position);
@@ -110,10 +107,10 @@ void TestShading::lightOnVerticesAndFaces()
     const glm::vec3 c(scene.mesh.vertices[2].position);
     const glm::dvec3 n = glm::normalize(glm::dvec3(glm::cross(b - a, c - a)));
     const float shade = float(0.2 + 0.8 * std::max(0.0, glm::dot(n, light)));
-    QCOMPARE(faceUniforms(scene, 0, Shading::Flat).color, packColor({shade, 0, 0}));
+    QCOMPARE(faceUniforms(scene, 0, Shading::Flat, true).color, packColor({shade, 0, 0}));
     // No area, no direction: no NaN either.
     scene.mesh.indices = {0, 0, 0};
-    QCOMPARE(faceUniforms(scene, 0, Shading::Flat).color & 0xff000000U, 0xff000000U);
+    QCOMPARE(faceUniforms(scene, 0, Shading::Flat, true).color & 0xff000000U, 0xff000000U);
 }
 
 void TestShading::normalsAndCoordinates()
@@ -301,11 +298,10 @@ void TestShading::varyingsAreAPrefix()
     QCOMPARE(varyingCount(Shading::Uv), 2);
     for (const Shading s : {Shading::Flat, Shading::RandomFlat, Shading::Depth, Shading::Overdraw, Shading::TriangleId})
         QCOMPARE(varyingCount(s), 0);
-    Scene scene;
     for (int s = 0; s < 10; ++s) {
         Varyings out;
         out.fill(123);
-        shadeVertex(scene, MeshVertex(), Shading(s), out);
+        shadeVertex(MeshVertex(), Shading(s), true, out);
         QVERIFY(varyingCount(Shading(s)) <= kMaxVaryings);
         for (std::size_t k = std::size_t(varyingCount(Shading(s))); k < out.size(); ++k)
             QCOMPARE(out[k], 123.0F);

@@ -89,7 +89,11 @@ public:
     {
         tick();
     }
+    void onOutline() { tick(); }
     void onWalk(const WalkedTriangle&) { tick(); }
+    void onSides(const WalkedTriangle&) { tick(); }
+    void onHalves(const WalkedTriangle&, const WalkedHalves&) { tick(); }
+    void onCrossing(const RowCrossings&) { tick(); }
     void onSpan(int y, int from, int to, const SpanEnds& ends) { CountingObserver::onSpan(y, from, to, ends), tick(); }
     void onSample(int x, int y, const EdgeValues& e, bool c) { CountingObserver::onSample(x, y, e, c), tick(); }
     void onColumn(const FilledColumn&) { tick(); }

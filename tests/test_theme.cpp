@@ -1,9 +1,12 @@
 // The style sheet of the window and the table of its colours agree, and properties choose among its rules.
+#include "ui/base/inks.h"
 #include "ui/base/message_bar.h"
 #include "ui/base/theme.h"
 
 #include <QApplication>
 #include <QtTest>
+
+#include <cmath>
 
 using namespace rasterlens;
 
@@ -18,6 +21,7 @@ private Q_SLOTS:
     void wrongNamesAreFound_data();
     void wrongNamesAreFound();
     void messagesHaveTheColorOfTheirKind();
+    void edgesOfWalkingAreReadable();
 };
 
 void TestTheme::namesAreThoseOfTheSheet_data()
@@ -85,6 +89,22 @@ void TestTheme::messagesHaveTheColorOfTheirKind()
     QCOMPARE(fill(MessageKind::Info), info);
     applyLook(*qApp, {ThemeKind::Dark, false});
     QVERIFY(fill(MessageKind::Error) != error);
+}
+
+/// The two edges of edge walking have a light rim on the canvas, and differ by more than their style.
+void TestTheme::edgesOfWalkingAreReadable()
+{
+    const auto luminance = [](QRgb color) { // WCAG 2, relative luminance
+        const auto linear = [](int value) {
+            const double v = value / 255.0;
+            return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+        };
+        return 0.2126 * linear(qRed(color)) + 0.7152 * linear(qGreen(color)) + 0.0722 * linear(qBlue(color));
+    };
+    for (const QRgb color : {kCanvasLongEdge, kCanvasBrokenEdge})
+        QVERIFY(1.05 / (luminance(color) + 0.05) >= 4.5);
+    QVERIFY(std::abs(qRed(kCanvasLongEdge) - qRed(kCanvasBrokenEdge)) > 100);
+    QVERIFY(std::abs(qBlue(kCanvasLongEdge) - qBlue(kCanvasBrokenEdge)) > 60); // also without red and green
 }
 
 QTEST_MAIN(TestTheme)

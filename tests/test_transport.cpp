@@ -1,8 +1,10 @@
-// The transport of the step mode: every key, playing, stops, the scrubber, the cap, and a run of pictures.
+// The transport of the step mode: every key, playing, stops, the scrubber, large scenes, and a run of pictures.
+#include "core/render/render.h"
 #include "tests/step_fixture.h"
 #include "ui/steps/scrubber.h"
 #include "ui/steps/transport_dock.h"
 
+#include <QElapsedTimer>
 #include <QImageReader>
 #include <QSignalSpy>
 
@@ -34,7 +36,8 @@ private Q_SLOTS:
     void runUntilEachStop();
     void scrubberGoesThereAndBack();
     void pipsMarkTheMostTellingEvent();
-    void capIsNoticed();
+    void largeSceneIsSteppedToItsEnd();
+    void playsByEachLength();
     void recordingNeverBlocks();
     void exportsDrawingsAndRuns();
 };
@@ -163,24 +166,82 @@ void TestTransport::scrubberGoesThereAndBack()
 void TestTransport::pipsMarkTheMostTellingEvent()
 {
     QVERIFY(record());
-    const auto one = binPips(log(), 1);
+    const auto one = session().record()->pips().columns(1);
     QCOMPARE(one.size(), std::size_t(1));
     QCOMPARE(one[0], PipKind::Tie);
-    const auto many = binPips(log(), int(log().size()) + 1);
+    const auto many = session().record()->pips().columns(int(log().size()) + 1);
     QCOMPARE(many[0], PipKind::None); // the cleared frame
     for (std::size_t i = 0; i < log().size(); ++i)
         QCOMPARE(many[i + 1], pipKindOf(log().event(i)));
     QCOMPARE(std::count(many.begin(), many.end(), PipKind::Tie), std::ptrdiff_t(16));
 }
 
-void TestTransport::capIsNoticed()
+/// Steps beyond the first million, back and forth.
+void TestTransport::largeSceneIsSteppedToItsEnd()
 {
     QVERIFY(open(QStringLiteral("builtin:head")));
     QVERIFY(record());
-    QCOMPARE(log().truncated(), !mode().transport().noticeText().isEmpty());
-    QVERIFY(log().truncated());
-    session().moveTo(log().size());
-    QCOMPARE(session().position(), log().size());
+    QVERIFY(!session().record()->truncated());
+    QCOMPARE(mode().transport().noticeText(), QString());
+    QVERIFY(session().size() > 2'000'000);
+    session().moveTo(session().size());
+    QCOMPARE(session().event()->kind, StepKind::End);
+    Frame frame;
+    render(*document().scene(), session().settings(), frame);
+    QCOMPARE(viewport().frame()->frame.image, frame.image);
+
+    constexpr std::size_t kPlace = 1'234'567;
+    mode().showStep(QString::number(kPlace));
+    QCOMPARE(session().position(), kPlace);
+    QVERIFY(session().event());
+    const QImage there = viewport().frame()->frame.image.copy();
+    const StepEvent event = *session().event();
+    QVERIFY(there != frame.image);
+    key(Qt::Key_Right, Qt::ControlModifier);
+    const std::size_t next = session().position();
+    QVERIFY(next > kPlace);
+    QVERIFY(session().event()->face == event.face);
+    for (const std::size_t place : {std::size_t(0), session().size() - 1, kPlace + 100'000, kPlace})
+        session().moveTo(place);
+    QCOMPARE(viewport().frame()->frame.image, there);
+    QCOMPARE(session().event()->kind, event.kind);
+    QCOMPARE(QPoint(session().event()->x, session().event()->y), QPoint(event.x, event.y));
+    QVERIFY(mode().transport().stepText().contains(QStringLiteral("1,234,567")));
+}
+
+void TestTransport::playsByEachLength()
+{
+    QVERIFY(record());
+    session().setSpeed(kFastestSteps);
+    const std::pair<PlayBy, StepLevel> lengths[] = {{PlayBy::Sample, StepLevel::Sample},
+                                                    {PlayBy::Row, StepLevel::Row},
+                                                    {PlayBy::Face, StepLevel::Face},
+                                                    {PlayBy::Stage, StepLevel::Stage}};
+    for (const auto& [by, level] : lengths) {
+        session().moveTo(0);
+        session().setPlayBy(by);
+        std::vector<std::size_t> places;
+        const auto seen =
+            connect(&session(), &StepSession::positionChanged, this, [&] { places.push_back(session().position()); });
+        session().setPlaying(true);
+        QVERIFY(waitFor([&] { return places.size() >= 2 || !session().isPlaying(); }));
+        session().setPlaying(false);
+        disconnect(seen);
+        QVERIFY(!places.empty());
+        for (const std::size_t place : places) // at the end of a step of this length
+            QCOMPARE(log().step(log().step(place, level, StepDirection::Backward), level, StepDirection::Forward),
+                     place);
+    }
+    constexpr double kSeconds = 0.6;
+    session().moveTo(0);
+    session().setPlayBy(PlayBy::Seconds);
+    session().setSeconds(kSeconds);
+    QElapsedTimer time;
+    time.start();
+    session().setPlaying(true);
+    QVERIFY(waitFor([&] { return !session().isPlaying(); }));
+    QVERIFY(double(time.elapsed()) / 1000 > 0.9 * kSeconds);
+    QCOMPARE(session().position(), session().size());
 }
 
 void TestTransport::recordingNeverBlocks()
@@ -217,7 +278,7 @@ void TestTransport::exportsDrawingsAndRuns()
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray text = file.readAll();
     QVERIFY(text.contains("<svg"));
-    QVERIFY(text.contains("#0072b2")); // the signs, as shapes
+    QVERIFY(text.contains("#005a8c")); // the signs, as shapes
     QVERIFY(!text.contains("<image"));
 
     const std::size_t before = session().position();

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace rasterlens::cli
 {
@@ -98,8 +99,8 @@ std::size_t stepOption(const QString& text, const Input& input)
     const auto place = stepPlaceFromText(text);
     if (!place)
         failArguments(QStringLiteral("--step: \"%1\" is not a step; expected: %2").arg(text, stepPlaceHelp()));
-    const auto log = renderSteps(input.scene, input.settings);
-    const auto position = positionOf(*place, *log);
+    const std::shared_ptr<const Scene> scene(std::shared_ptr<const Scene>(), &input.scene); // lent
+    const auto position = positionOf(*place, recordSteps(scene, input.settings));
     if (!position)
         failArguments(QStringLiteral("--step: with these settings the record has no step \"%1\"").arg(text));
     return *position;
@@ -143,7 +144,7 @@ QStringList windowWords(const Arguments& arguments, const Input& input, const QS
     if (const auto pixel = pixelOption(arguments, input.settings.size))
         words << QStringLiteral("--pixel") << QStringLiteral("%1,%2").arg(pixel->x()).arg(pixel->y());
     if (const auto text = arguments.value(QStringLiteral("--overlay")))
-        words << QStringLiteral("--overlay") << overlayOption(*text);
+        words << QStringLiteral("--figure-overlay") << overlayOption(*text);
     if (const auto text = arguments.value(QStringLiteral("--caption")))
         words << QStringLiteral("--caption") << *text;
     const QString language = arguments.value(QStringLiteral("--language")).value_or(QStringLiteral("en"));

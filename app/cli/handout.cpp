@@ -3,7 +3,6 @@
 #include "app/cli/output.h"
 #include "app/cli/window_program.h"
 #include "core/io/picture_file.h"
-#include "core/render/steps.h"
 
 #include <QBuffer>
 #include <QDir>
@@ -26,9 +25,6 @@ namespace rasterlens::cli
 namespace
 {
 
-constexpr int kLargestPicture = 900; ///< pixels of a figure across, about
-constexpr int kLargestScale = 128;
-
 /// A slide as it is printed.
 struct Page {
     QString question; ///< empty: none
@@ -36,80 +32,34 @@ struct Page {
     QByteArray figure; ///< PNG
 };
 
-[[noreturn]] void failDiagnostics(const Diagnostics& diagnostics)
+/// A slide as the window shows it.
+QByteArray figureOf(const QString& lesson, std::size_t number, bool inChinese)
 {
-    QStringList lines;
-    for (const Diagnostic& diagnostic : diagnostics)
-        if (diagnostic.severity == Severity::Error)
-            lines << diagnostic.text();
-    failInput(lines.join(QLatin1Char('\n')));
-}
-
-/// The pixels that a slide shows: all, or those about its centre.
-QRect regionOf(const Moment& moment, QSize size)
-{
-    const QRect whole(QPoint(0, 0), size);
-    if (!moment.centre || !moment.zoom)
-        return whole;
-    const double width = kLargestPicture / *moment.zoom;
-    return QRectF(*moment.centre - QPointF(width, width) / 2, QSizeF(width, width)).toRect() & whole;
-}
-
-int scaleOf(const Moment& moment, QSize size)
-{
-    const int fits = std::clamp(kLargestPicture / std::max(size.width(), size.height()), 1, kLargestScale);
-    return moment.zoom ? std::clamp(int(std::lround(*moment.zoom)), 1, fits) : fits;
-}
-
-/// What the program with the window is told to draw a moment.
-QStringList wordsFor(const Moment& moment, const OpenMoment& open, const QString& file, bool inChinese)
-{
-    const QRect region = regionOf(moment, open.settings.size);
-    QStringList words = regionWords(region);
-    words << QStringLiteral("--figure") << file << QStringLiteral("--caption") << QString()
-          << QStringLiteral("--language") << (inChinese ? QStringLiteral("zh") : QStringLiteral("en"))
-          << QStringLiteral("--figure-scale") << QString::number(scaleOf(moment, region.size()));
-    if (moment.pixel)
-        words << QStringLiteral("--pixel") << QStringLiteral("%1,%2").arg(moment.pixel->x()).arg(moment.pixel->y());
-    if (!moment.overlays.isEmpty())
-        words << QStringLiteral("--overlay") << moment.overlays.join(QLatin1Char(','));
-    if (moment.step) {
-        const auto position = positionOf(*moment.step, *renderSteps(open.scene, open.settings));
-        if (!position)
-            failInput(QStringLiteral("%1: with these settings the record has no step \"%2\"")
-                          .arg(moment.scene, rasterlens::textOf(*moment.step)));
-        words << QStringLiteral("--step") << QString::number(*position);
-    } else if (moment.compare.view != MomentCompare::View::Off && !open.settings.mistakes.isEmpty()) {
-        words << QStringLiteral("--before-after");
-    }
-    return words;
-}
-
-QByteArray figureOf(const Moment& moment, bool inChinese)
-{
-    const OpenMomentLoad load = openMoment(moment);
-    if (!load.moment)
-        failDiagnostics(load.diagnostics);
     const QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("figure.png"));
     const ExitCode code =
-        runWindowProgram(load.moment->scene, load.moment->settings, wordsFor(moment, *load.moment, file, inChinese));
+        runWindowProgram({QStringLiteral("--lesson"), lesson, QStringLiteral("--slide"), QString::number(number),
+                          QStringLiteral("--figure"), file, QStringLiteral("--caption"), QString(),
+                          QStringLiteral("--language"), inChinese ? QStringLiteral("zh") : QStringLiteral("en")});
     QFile figure(file);
     if (code != ExitCode::Fine || !figure.open(QIODevice::ReadOnly))
-        failInput(QStringLiteral("%1: the slide could not be drawn").arg(moment.scene));
+        failInput(QStringLiteral("%1: slide %2 could not be drawn").arg(lesson).arg(number));
     return figure.readAll();
 }
 
 std::vector<Page> pagesOf(const Lesson& lesson, bool inChinese)
 {
     const auto chosen = [inChinese](const TwoTexts& texts) { return inChinese ? texts.zh : texts.en; };
+    // A built-in lesson goes by its id.
+    const QString name =
+        lesson.file.startsWith(QLatin1Char(':')) ? lesson.id : QFileInfo(lesson.file).absoluteFilePath();
     std::vector<Page> pages;
     for (const Slide& slide : lesson.slides) {
         Page& page = pages.emplace_back();
         page.caption = chosen(textWithNumbers(slide.moment.caption, slide));
         if (slide.question)
             page.question = chosen(textWithNumbers(slide.question->text, slide));
-        page.figure = figureOf(slide.moment, inChinese);
+        page.figure = figureOf(name, pages.size(), inChinese);
     }
     return pages;
 }

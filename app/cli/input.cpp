@@ -91,7 +91,7 @@ Input openInput(const QString& name, const Arguments& arguments)
     const Session session = openSession(name);
     options.size = withOptions(settingsOf(session, {}).settings, arguments).size;
     SceneLoad load = openScene(session.scene, options);
-    if (const Diagnostics errors = moveVertices(*load.scene, session, name); !errors.empty())
+    if (const Diagnostics errors = editVertices(*load.scene, session, name); !errors.empty())
         failDiagnostics(errors);
     const Settings settings = withOptions(sessionSettings(session, load.scene->defaults, name), arguments);
     return {std::move(*load.scene), settings, std::move(load.diagnostics), namesOf(log)};

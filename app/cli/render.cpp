@@ -5,6 +5,7 @@
 #include "app/cli/output.h"
 #include "app/cli/settings_options.h"
 #include "app/cli/slide.h"
+#include "app/cli/unchanged_remark.h"
 #include "app/cli/verbs.h"
 #include "core/io/npy.h"
 
@@ -155,6 +156,7 @@ void renderTo(const Scene& scene, const Settings& settings, const OutputNames& n
                   QJsonDocument(toJson(statistics, frame.times, settings, withWorkers(settings))).toJson());
     files.write();
     remarkIfEmpty(scene, settings, frame, outputs);
+    remarkIfUnchanged(scene, settings);
 }
 
 } // namespace

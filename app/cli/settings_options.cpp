@@ -4,6 +4,7 @@
 #include "core/base/typed_numbers.h"
 #include "core/render/render.h"
 #include "core/settings/mistakes.h"
+#include "core/settings/view_planes.h"
 
 #include <glm/glm.hpp>
 
@@ -167,10 +168,10 @@ private:
         }
         readDistance(QStringLiteral("--near"), m_view.near);
         readDistance(QStringLiteral("--far"), m_view.far);
-        if (m_view.near && m_view.far && !(*m_view.near < *m_view.far))
-            failArguments(QStringLiteral("--near: the near plane (%1) is not nearer than the far plane (%2)")
-                              .arg(*m_view.near)
-                              .arg(*m_view.far));
+        if (const auto why = whyNotPlanes(m_view.near, m_view.far)) {
+            const bool isNear = m_view.near && !(*m_view.near > 0);
+            failArguments(QLatin1String(isNear ? "--near: " : "--far: ") + textOf(*why));
+        }
     }
 
     void readDistance(const QString& option, std::optional<double>& out) const
@@ -178,8 +179,6 @@ private:
         if (const auto text = m_arguments.value(option)) {
             const QString takes = QStringLiteral("a distance greater than 0");
             out = numbers(option, *text, 1, takes)[0];
-            if (!(*out > 0))
-                failValue(option, *text, takes);
         }
     }
 };

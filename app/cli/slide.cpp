@@ -7,6 +7,7 @@
 #include "core/render/steps.h"
 
 #include <cstdio>
+#include <memory>
 
 namespace rasterlens::cli
 {
@@ -78,11 +79,13 @@ SlideInput openSlide(const Arguments& arguments)
 
 QImage pictureAt(const Input& input, const StepPlace& step)
 {
-    const auto log = renderSteps(input.scene, input.settings);
-    const auto position = positionOf(step, *log);
+    const std::shared_ptr<const Scene> scene(std::shared_ptr<const Scene>(),
+                                             &input.scene); // lent, the input outlives it
+    const auto record = recordSteps(scene, input.settings);
+    const auto position = positionOf(step, record);
     if (!position)
         failArguments(QStringLiteral("--step: with these settings the record has no step \"%1\"").arg(textOf(step)));
-    StepCursor cursor(log);
+    StepCursor cursor(record);
     cursor.moveTo(*position);
     return cursor.image();
 }

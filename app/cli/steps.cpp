@@ -9,12 +9,16 @@
 
 #include <QJsonDocument>
 
+#include <algorithm>
+#include <memory>
+
 namespace rasterlens::cli
 {
 namespace
 {
 
 constexpr std::int64_t kMaxLimit = 100'000'000;
+constexpr std::int64_t kMaxFrom = 4'000'000'000;
 
 Usage usage()
 {
@@ -30,11 +34,15 @@ Usage usage()
              "names the line of the f statement that its triangle is a part of."),
          value("--pixel", "X,Y",
                "Only what happens at this pixel, counted from the top left, and to the faces that get there."),
-         value("--limit", "N", "Most steps; default 1000000. The drawing ends there, and the last line says so."),
+         value("--from", "N",
+               "Begins with the step after N others, counted among those that are told; default 0. Steps are made anew "
+               "there: any step of a large scene is told in moments."),
+         value("--limit", "N", "Most steps; default 1000000. The telling ends there, and the last line says so."),
          value("--json", "F", "One JSON object a line into this file (- is stdout), instead of text.")}};
     const OptionGroup input{QStringLiteral("Input:"), inputOptions()};
     return {QStringLiteral("steps"),
-            QStringLiteral("rasterlens-cli steps SCENE [--face N] [--pixel x,y] [--limit N] [--json F] [options]"),
+            QStringLiteral(
+                "rasterlens-cli steps SCENE [--face N] [--pixel x,y] [--from N] [--limit N] [--json F] [options]"),
             QStringLiteral("Draws SCENE and tells every step: vertices, clipping, facing, set-up, samples with their "
                            "edge values, depth, colour, writes.\n\n") +
                 sceneHelp(),
@@ -47,30 +55,42 @@ Usage usage()
                            "cannot be read, or output that cannot be written.")};
 }
 
-QString truncation(const StepFilter& filter)
-{
-    return QStringLiteral("truncated after %1 steps; a larger --limit tells more").arg(filter.cap);
-}
+/// Steps as they are written: one after the other, and last that there are more.
+struct Telling {
+    bool isJson;
+    QByteArray text{};
 
-QString textOf(const StepLog& log)
-{
-    QString text;
-    for (std::size_t i = 0; i < log.size(); ++i)
-        text += stepText(log, i) + QLatin1Char('\n');
-    return log.truncated() ? text + truncation(log.filter()) + QLatin1Char('\n') : text;
-}
+    void add(const QJsonObject& object) { text += QJsonDocument(object).toJson(QJsonDocument::Compact) + '\n'; }
+    void add(const StepLog& log, std::size_t i)
+    {
+        if (isJson)
+            add(stepJson(log, i));
+        else
+            text += stepText(log, i).toUtf8() + '\n';
+    }
+    void addTruncation(std::size_t limit)
+    {
+        if (isJson)
+            add({{"event", "truncated"}, {"limit", static_cast<qint64>(limit)}});
+        else
+            text += QStringLiteral("truncated after %1 steps; a larger --limit tells more\n").arg(limit).toUtf8();
+    }
+};
 
-QByteArray jsonLinesOf(const StepLog& log)
+/// The steps [from, from + limit) of a record, window by window.
+void tellRecord(const StepRecord& record, std::size_t from, std::size_t limit, Telling& telling)
 {
-    const auto line = [](const QJsonObject& object) {
-        return QJsonDocument(object).toJson(QJsonDocument::Compact) + '\n';
-    };
-    QByteArray lines;
-    for (std::size_t i = 0; i < log.size(); ++i)
-        lines += line(stepJson(log, i));
-    if (log.truncated())
-        lines += line({{"event", "truncated"}, {"limit", static_cast<qint64>(log.filter().cap)}});
-    return lines;
+    const std::size_t size = record.size();
+    const std::size_t last = size - std::min(from, size) <= limit + 1 ? size : from + limit; // the end is told beside
+    FramePlanes planes;
+    while (from < last) {
+        const auto log = record.window(from, std::min(last - from, record.index().memory().windowEvents), planes);
+        for (std::size_t i = log->lead(); i < log->size(); ++i)
+            telling.add(*log, i);
+        from = log->last();
+    }
+    if (last < size)
+        telling.addTruncation(limit);
 }
 
 } // namespace
@@ -92,19 +112,24 @@ ExitCode runSteps(const QStringList& words)
         filter.pixels = PixelRect{pixel->x(), pixel->y(), 1, 1};
     if (const auto limit = wholeOption(*arguments, QStringLiteral("--limit"), 1, kMaxLimit))
         filter.cap = static_cast<std::size_t>(*limit);
+    const auto from = wholeOption(*arguments, QStringLiteral("--from"), 0, kMaxFrom);
 
     const auto file = arguments->value(QStringLiteral("--json"));
     if (file) {
         checkOutputs({*file});
         checkInputsStay({*file}, input.files);
     }
-    const auto log = renderSteps(input.scene, input.settings, filter);
+    const std::shared_ptr<const Scene> scene(std::shared_ptr<const Scene>(),
+                                             &input.scene); // lent, the input outlives it
+    Telling telling{file.has_value()};
+    tellRecord(*recordSteps(scene, input.settings, filter), static_cast<std::size_t>(from.value_or(0)), filter.cap,
+               telling);
     if (file) {
         OutputFiles files;
-        files.add(*file, jsonLinesOf(*log));
+        files.add(*file, telling.text);
         files.write();
     } else {
-        printText(textOf(*log));
+        printText(QString::fromUtf8(telling.text));
     }
     return ExitCode::Fine;
 }

@@ -31,11 +31,13 @@ Usage usage()
             sceneHelp(),
         {QStringLiteral("SCENE")},
         QList<OptionGroup>{question, input} + settingsOptionGroups(),
-        QStringLiteral("A face is a triangle, counted from 0 as --ids does. Where the scene is an OBJ file, the line "
-                       "of the f statement that it is a part of stands behind it.\n\n"
-                       "With several samples a pixel the faces are judged at the sample nearest its centre.\n\n"
-                       "Exit codes: 0 answered; 2 bad arguments, or settings that cannot be combined; 3 input that "
-                       "cannot be read, or output that cannot be written.")};
+        QStringLiteral(
+            "A face is a triangle, counted from 0 as --ids does. Where the scene is an OBJ file, the line "
+            "of the f statement that it is a part of stands behind it.\n\n"
+            "With several samples a pixel the faces are judged at the sample nearest its centre, and what all samples "
+            "store is told with the sum that makes their mean.\n\n"
+            "Exit codes: 0 answered; 2 bad arguments, or settings that cannot be combined; 3 input that "
+            "cannot be read, or output that cannot be written.")};
 }
 
 QString textOf(const WhyReport& report)
@@ -45,6 +47,8 @@ QString textOf(const WhyReport& report)
                 ? QStringLiteral(", ") + faceText(*report.visibleFace, report.lineOf(*report.visibleFace))
                 : QStringLiteral(", background");
     text += QStringLiteral(", depth %1\n").arg(double(report.depth), 0, 'g', 9);
+    for (const QString& line : whySamples(report))
+        text += line + QLatin1Char('\n');
     for (const WhyFace& face : report.faces)
         text += whyText(report, face) + QLatin1Char('\n');
     return report.faces.empty() ? text + QStringLiteral("no face concerns it\n") : text;

@@ -42,7 +42,7 @@ QStringList regionWords(const QRect& region)
             QStringLiteral("%1,%2,%3,%4").arg(region.x()).arg(region.y()).arg(region.width()).arg(region.height())};
 }
 
-ExitCode runWindowProgram(const Scene& scene, const Settings& settings, const QStringList& words)
+ExitCode runWindowProgram(const QStringList& words)
 {
     char name[] = "rasterlens-cli";
     char* names[] = {name, nullptr};
@@ -54,23 +54,32 @@ ExitCode runWindowProgram(const Scene& scene, const Settings& settings, const QS
             QStringLiteral("%1: cannot be run; the program with the window is expected beside rasterlens-cli, as it "
                            "draws figures")
                 .arg(program));
-    const QTemporaryDir folder;
-    const QString session = folder.filePath(QStringLiteral("figure.json"));
-    if (!folder.isValid())
-        failInput(QStringLiteral("%1: cannot be written: %2").arg(folder.path(), folder.errorString()));
-    if (const auto problem = saveSession({absoluteId(scene), toJson(settings), movedSinceLoading(scene)}, session))
-        failInput(QStringLiteral("%1: cannot be written: %2").arg(session, textOf(*problem)));
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
     process.setProcessEnvironment(environment);
     process.setProcessChannelMode(QProcess::ForwardedOutputChannel); // for a figure that goes to stdout
-    process.start(program, QStringList{session} + words);
+    process.start(program, words);
     if (!process.waitForFinished(-1) || process.exitStatus() != QProcess::NormalExit)
         failInput(QStringLiteral("%1: ended too early: %2").arg(program, process.errorString()));
     const QByteArray said = process.readAllStandardError();
     std::fwrite(said.constData(), 1, std::size_t(said.size()), stderr);
     return static_cast<ExitCode>(process.exitCode());
+}
+
+ExitCode runWindowProgram(const Scene& scene, const Settings& settings, const QStringList& words)
+{
+    const QTemporaryDir folder;
+    const QString session = folder.filePath(QStringLiteral("figure.json"));
+    if (!folder.isValid())
+        failInput(QStringLiteral("%1: cannot be written: %2").arg(folder.path(), folder.errorString()));
+    Session state;
+    state.scene = absoluteId(scene);
+    state.settings = toJson(settings);
+    state.vertices = movedSinceLoading(scene);
+    if (const auto problem = saveSession(state, session))
+        failInput(QStringLiteral("%1: cannot be written: %2").arg(session, textOf(*problem)));
+    return runWindowProgram(QStringList{session} + words);
 }
 
 } // namespace rasterlens::cli

@@ -45,6 +45,19 @@ const ScreenTriangle& triangleAt(const StepLog& log, const ScreenTriangle& wante
     throw std::logic_error("a shading has moved a triangle");
 }
 
+/// Colours as whole numbers: rounded once at the end, or cut off in each product.
+void writeBytes(DerivationWriter& writer, const CanvasPart& point)
+{
+    writer.line(formula("{r_byte}"), formula("floor(255 * {r} + 0.5)"),
+                QT_TRANSLATE_NOOP("Derive", "The red that is stored: rounded once, to a whole number up to 255."),
+                {point});
+    writer.line(
+        formula("{r_cut}"),
+        formula("floor(255 * {alpha_p} * {r_A}) + floor(255 * {beta_p} * {r_B}) + floor(255 * {gamma_p} * {r_C})"),
+        QT_TRANSLATE_NOOP("Derive", "A colour type of bytes cuts off every product: the sum is up to 3 too dark."),
+        {point});
+}
+
 /// Writes the sums of one attribute at the sample.
 void writeAttribute(DerivationWriter& writer, const FaceRecord& record, const SampledTriangle& sample,
                     const AttributeInfo& attribute)
@@ -73,6 +86,8 @@ void writeAttribute(DerivationWriter& writer, const FaceRecord& record, const Sa
                                       "With the weights on the screen instead: what affine interpolation would show."),
                     {point});
     }
+    if (attribute.shading == Shading::Gouraud)
+        writeBytes(writer, point);
 }
 
 } // namespace

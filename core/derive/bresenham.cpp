@@ -158,15 +158,26 @@ private:
         m_writer.given(QStringLiteral("x_i"), d.x, sampleMark(here));
         m_writer.given(QStringLiteral("y_i"), d.y, sampleMark(here));
         m_writer.given(formula("p_%1", QString::number(d.step)), d.decision);
+        // What a line passes through, d_lower and d_upper end to end.
+        const glm::dvec2 begin = m_record.pixels(glm::dvec2(m_line.from) + 0.5);
+        const glm::dvec2 end = m_record.pixels(glm::dvec2(m_line.to) + 0.5);
+        const int along = m_isSteep ? 1 : 0;
+        const glm::dvec2 lower = m_record.pixels(glm::dvec2(straight) + 0.5);
+        const glm::dvec2 upper = m_record.pixels(glm::dvec2(aside) + 0.5);
+        const glm::dvec2 on = begin + (lower[along] - begin[along]) / (end[along] - begin[along]) * (end - begin);
+        m_writer.show(QStringLiteral("ideal"), {CanvasKind::Point, QStringLiteral("ideal"), {on}});
+        m_writer.show(QStringLiteral("d_lower"), vectorPart(QStringLiteral("d_lower"), lower, on));
+        m_writer.show(QStringLiteral("d_upper"), vectorPart(QStringLiteral("d_upper"), on, upper));
         m_writer.line(formula("{ideal}"), text("{m} * ({%1_i} + {s%1}) + {b}"),
                       {QT_TRANSLATE_NOOP("Derive", "Step %1: where the line itself is one step on."), {d.step}},
                       {edgeMark()});
         m_writer.line(formula("{d_lower}"), text("({ideal} - {%2_i}) * {s%2}"),
-                      QT_TRANSLATE_NOOP("Derive", "From the sample straight on to the line."), {sampleMark(straight)});
+                      QT_TRANSLATE_NOOP("Derive", "From the sample straight on to the line."),
+                      {sampleMark(straight), vectorPart(QStringLiteral("d_lower"), lower, on)});
         m_writer.line(
             formula("{d_upper}"), text("({%2_i} + {s%2} - {ideal}) * {s%2}"),
             QT_TRANSLATE_NOOP("Derive", "From the line to the sample that also goes aside; both distances make 1."),
-            {sampleMark(aside)});
+            {sampleMark(aside), vectorPart(QStringLiteral("d_upper"), on, upper)});
         m_writer.line(text("{p_%3}", i), text("{d%1} * ({d_lower} - {d_upper})"),
                       QT_TRANSLATE_NOOP("Derive",
                                         "The sign of the difference decides. Times the length of the line, which is "
@@ -236,10 +247,14 @@ private:
                                          "words, p <= 0, the line goes straight on."),
              {tie->x, tie->y}},
             {sampleMark({tie->x, tie->y})});
+        const glm::ivec2 straight(tie->x + (m_isSteep ? 0 : backOr1(0)), tie->y + (m_isSteep ? backOr1(1) : 0));
+        const glm::ivec2 aside(tie->x + backOr1(0), tie->y + backOr1(1));
         m_writer.compare(
             formula("{%1} < 0", p),
-            QT_TRANSLATE_NOOP("Derive", "Code that asks p < 0 goes aside at a tie: another sample, equally near."),
-            {sampleMark({tie->x, tie->y})});
+            {QT_TRANSLATE_NOOP("Derive", "Code that asks p < 0 goes aside at a tie and plots (%1, %2) in place of (%3, "
+                                         "%4), equally near. One sample later both ways are at one place again."),
+             {aside.x, aside.y, straight.x, straight.y}},
+            {sampleMark(aside), sampleMark(straight)});
     }
 
     /// The loop of the octant the line lies in.

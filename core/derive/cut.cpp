@@ -33,6 +33,7 @@ public:
 
     Derivation write()
     {
+        writeBehindEye();
         writeSevenFormulas();
         std::vector<QString> names{cornerLetter(0), cornerLetter(1), cornerLetter(2)};
         for (const std::uint32_t i : m_record.log().eventsOf(StepKind::ClipPlane))
@@ -84,6 +85,21 @@ private:
             text += formula(" - {e_%1}", sign);
         }
         return text;
+    }
+
+    /// The conditions -w <= x <= w of corners behind the eye: no x fulfils both.
+    void writeBehindEye()
+    {
+        for (std::size_t i = 0; i < 3; ++i)
+            if (const glm::dvec4& clip = m_record.corners()[i].clip; clip.w < 0)
+                m_writer.compare(
+                    formula("-{w_%1} <= {w_%1}", cornerLetter(i)),
+                    {QT_TRANSLATE_NOOP("Derive", "Corner %1 lies behind the eye. -w <= x and x <= w cannot both "
+                                                 "hold where w is negative, so it is outside of every view volume. "
+                                                 "Divided by w first, -1 <= x / w <= 1, the conditions would "
+                                                 "turn round and let mirrored corners in."),
+                     {cornerLetter(i)}},
+                    {partOf(cornerLetter(i), clip)});
     }
 
     /// t of the seven planes along one edge of the face, from its start to its end.

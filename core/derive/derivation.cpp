@@ -33,11 +33,13 @@ constexpr auto kCanvasKinds = std::to_array<CanvasKindInfo>({
 });
 static_assert(isClosedList(kCanvasKinds, &CanvasKindInfo::kind));
 
+QJsonArray toJson(const glm::dvec2& point) { return {point.x, point.y}; }
+
 QJsonObject toJson(const CanvasPart& part)
 {
     QJsonArray points;
     for (const glm::dvec2& point : part.points)
-        points.append(QJsonArray{point.x, point.y});
+        points.append(toJson(point));
     return {{"kind", QLatin1String(canvasKindId(part.kind))}, {"name", part.name}, {"points", points}};
 }
 
@@ -83,6 +85,39 @@ QJsonObject toJson(const DerivationLine& line, const Derivation& derivation)
         object.insert(QStringLiteral("values"), values);
     }
     return object;
+}
+
+/// The id of the symbol that a part of a figure is the picture of.
+void insertSymbol(QJsonObject& object, int symbol, const Derivation& derivation)
+{
+    if (symbol >= 0)
+        object.insert(QStringLiteral("symbol"), derivation.symbols[std::size_t(symbol)].id);
+}
+
+QJsonObject toJson(const DerivationFigure& figure, const Derivation& derivation)
+{
+    QJsonArray strokes;
+    for (const FigureStroke& stroke : figure.strokes) {
+        QJsonArray way;
+        for (const glm::dvec2& point : stroke.points)
+            way.append(toJson(point));
+        QJsonObject object{
+            {"name", stroke.name}, {"points", way}, {"dashed", stroke.look == FigureStroke::Look::Dashed}};
+        insertSymbol(object, stroke.symbol, derivation);
+        strokes.append(object);
+    }
+    QJsonArray points;
+    for (const FigurePoint& point : figure.points) {
+        QJsonObject object{{"name", point.name}, {"at", toJson(point.at)}};
+        insertSymbol(object, point.symbol, derivation);
+        points.append(object);
+    }
+    return {{"title", textOf(figure.title)},
+            {"axes", QJsonArray{figure.xName, figure.yName}},
+            {"low", toJson(figure.low)},
+            {"high", toJson(figure.high)},
+            {"strokes", strokes},
+            {"points", points}};
 }
 
 } // namespace
@@ -144,6 +179,9 @@ QJsonObject toJson(const Derivation& derivation)
     QJsonArray lines;
     for (const DerivationLine& line : derivation.lines)
         lines.append(toJson(line, derivation));
+    QJsonArray figures;
+    for (const DerivationFigure& figure : derivation.figures)
+        figures.append(toJson(figure, derivation));
     QJsonArray listing;
     for (const QString& line : derivation.listing)
         listing.append(line);
@@ -153,6 +191,7 @@ QJsonObject toJson(const Derivation& derivation)
             {"place", textOf(derivation.place)},
             {"symbols", symbols},
             {"lines", lines},
+            {"figures", figures},
             {"listing", listing}};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/base/reason.h"
+#include "core/derive/figure.h"
 #include "core/derive/topics.h"
 
 #include <QJsonObject>
@@ -72,6 +73,7 @@ struct Derivation {
     Reason place{QString()}; ///< what it was made at; of the context "Derive"
     std::vector<DerivationSymbol> symbols;
     std::vector<DerivationLine> lines;
+    std::vector<DerivationFigure> figures;
     std::vector<QString> listing; ///< a few lines of code, where the subject is an algorithm
 
     [[nodiscard]] const DerivationSymbol* find(std::string_view id) const;

@@ -14,6 +14,8 @@ Derive functionOf(DerivationTopic topic)
     switch (topic) {
     case DerivationTopic::Bresenham: return deriveBresenham;
     case DerivationTopic::EdgeFunction: return deriveEdgeFunction;
+    case DerivationTopic::Bounds: return deriveBounds;
+    case DerivationTopic::Inside: return deriveInside;
     case DerivationTopic::Barycentric: return deriveBarycentric;
     case DerivationTopic::Perspective: return derivePerspective;
     case DerivationTopic::DepthCurve: return deriveDepthCurve;
@@ -22,9 +24,10 @@ Derive functionOf(DerivationTopic topic)
     case DerivationTopic::TwoPoint: return deriveTwoPoint;
     case DerivationTopic::FlatLight: return deriveFlatLight;
     case DerivationTopic::Painter: return derivePainter;
-    case DerivationTopic::Attribute: break;
+    case DerivationTopic::Attribute: return deriveAttribute;
+    case DerivationTopic::Blend: break;
     }
-    return deriveAttribute;
+    return deriveBlend;
 }
 
 } // namespace

@@ -61,7 +61,7 @@ void writeLight(DerivationWriter& writer, const Scene& scene, std::uint32_t face
                                   "Some light is everywhere; the rest grows with the cosine, and never takes light "
                                   "away."));
     const MeshVertex& first = scene.mesh.vertices[scene.mesh.indices[3 * std::size_t(face)]];
-    const std::uint32_t color = faceUniforms(scene, face, Shading::Flat).color;
+    const std::uint32_t color = faceUniforms(scene, face, Shading::Flat, true).color;
     constexpr const char* kChannels[] = {"r", "g", "b"};
     for (int i = 0; i < 3; ++i) {
         const QString channel = QLatin1String(kChannels[i]);
@@ -83,6 +83,9 @@ Derivation deriveFlatLight(const Scene& scene, const Settings& settings, const D
 {
     if (!scene.lit)
         throw NoDerivation{QT_TRANSLATE_NOOP("Derive", "this scene has no light: its colours are shown as they are")};
+    if (settings.fill != Fill::Solid)
+        throw NoDerivation{QT_TRANSLATE_NOOP("Derive", "lines and points are drawn in the colours of the model: no "
+                                                       "light falls on them")};
     const FaceRecord record(scene, settings, place, stop);
     DerivationWriter writer(DerivationTopic::FlatLight, faceReason(record));
     const auto& corners = record.corners();

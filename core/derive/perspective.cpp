@@ -1,30 +1,34 @@
+#include "core/derive/place_edge.h"
 #include "core/derive/topic_list.h"
 
 #include <QCoreApplication>
+
+#include <algorithm>
 
 namespace rasterlens
 {
 namespace
 {
 
+/// Z1 / Z2 of the edges that n(m) is compared for.
+constexpr const char* kRatios[] = {"0.25", "0.5", "1", "2", "4", "10"};
+
 /// Writes the way from weights on the screen to weights in space: along an edge seen from the side, and over the face.
 class PerspectiveWriter
 {
 public:
     PerspectiveWriter(const FaceRecord& record, const SampledTriangle& sample, const FragmentStep& fragment)
-        : m_record(record), m_sample(sample), m_fragment(fragment), m_first(std::size_t(record.place().edge)),
-          m_last((m_first + 1) % 3), m_writer(DerivationTopic::Perspective, pixelReason(record, sample))
+        : m_record(record), m_sample(sample), m_fragment(fragment), m_edge(record),
+          m_writer(DerivationTopic::Perspective, pixelReason(record, sample))
     {
-        const VertexRow& a = record.corners()[m_first];
-        const VertexRow& b = record.corners()[m_last];
         // The side view shows the axis along which the ends are further apart on the screen.
-        const glm::dvec2 apart = glm::abs(b.screen - a.screen);
+        const glm::dvec2 apart = glm::abs(m_edge.end().screen - m_edge.start().screen);
         const int axis = apart.x >= apart.y ? 0 : 1;
-        m_writer.given(QStringLiteral("m"), record.place().m, placeAt(record.place().m));
-        m_writer.given(QStringLiteral("Z1"), a.clip.w, corner(m_first));
-        m_writer.given(QStringLiteral("Z2"), b.clip.w, corner(m_last));
-        m_writer.given(QStringLiteral("X1"), a.clip[axis], corner(m_first));
-        m_writer.given(QStringLiteral("X2"), b.clip[axis], corner(m_last));
+        m_writer.given(QStringLiteral("m"), record.place().m, seen());
+        m_writer.given(QStringLiteral("Z1"), m_edge.start().clip.w, m_edge.startPart());
+        m_writer.given(QStringLiteral("Z2"), m_edge.end().clip.w, m_edge.endPart());
+        m_writer.given(QStringLiteral("X1"), m_edge.start().clip[axis], m_edge.startPart());
+        m_writer.given(QStringLiteral("X2"), m_edge.end().clip[axis], m_edge.endPart());
     }
 
     Derivation write()
@@ -33,89 +37,154 @@ public:
         writeFraction();
         writeCurve();
         writeFace();
+        drawSideView();
+        drawCurves();
         return m_writer.take();
     }
 
 private:
-    [[nodiscard]] CanvasPart corner(std::size_t i) const
-    {
-        return {CanvasKind::Corner, cornerLetter(i), {m_record.corners()[i].screen}};
-    }
-    [[nodiscard]] CanvasPart edge() const
-    {
-        return edgePart(cornerLetter(m_first) + cornerLetter(m_last), m_record.corners()[m_first].screen,
-                        m_record.corners()[m_last].screen);
-    }
-    [[nodiscard]] CanvasPart placeAt(double m) const
-    {
-        const glm::dvec2& a = m_record.corners()[m_first].screen;
-        const glm::dvec2& b = m_record.corners()[m_last].screen;
-        return {CanvasKind::Point, QStringLiteral("P'"), {a + m * (b - a)}};
-    }
+    /// The point of the edge at the part m of the way on the screen.
+    [[nodiscard]] CanvasPart seen() const { return m_edge.pointPart(QStringLiteral("P'"), m_record.place().m); }
 
     void writeSideView()
     {
-        m_writer.show(QStringLiteral("A'"), corner(m_first));
-        m_writer.show(QStringLiteral("B'"), corner(m_last));
-        m_writer.show(QStringLiteral("P'"), placeAt(m_record.place().m));
+        m_writer.show(QStringLiteral("A'"), m_edge.startPart());
+        m_writer.show(QStringLiteral("B'"), m_edge.endPart());
+        m_writer.show(QStringLiteral("P'"), seen());
         m_writer.line(formula("({A'}, {B'})"), formula("({X1} / {Z1}, {X2} / {Z2})"),
                       QT_TRANSLATE_NOOP("Derive",
                                         "From the side: the eye at 0, the screen at distance 1, the ends of the "
                                         "edge at height X and distance Z (the w of clip space). A ray to the eye "
                                         "meets the screen at X / Z."),
-                      {corner(m_first), corner(m_last)});
+                      {m_edge.startPart(), m_edge.endPart()});
         m_writer.line(formula("{P'}"), formula("(1 - {m}) * {A'} + {m} * {B'}"),
                       QT_TRANSLATE_NOOP("Derive", "The point at the part m of the way on the screen."),
-                      {placeAt(m_record.place().m), edge()});
+                      {seen(), m_edge.part()});
         m_writer.line(formula("({AG}, {BK})"), formula("(({P'} - {A'}) * {Z1}, ({B'} - {P'}) * {Z2})"),
                       QT_TRANSLATE_NOOP("Derive",
                                         "Parallels to the screen through the ends, up to the ray of P: what is seen "
                                         "as P'A' and P'B' is Z1 and Z2 times as long there."),
-                      {edge()});
+                      {m_edge.part()});
         m_writer.line(formula("{n_ratio}"), formula("{m} * {Z1} / ((1 - {m}) * {Z2})"),
                       QT_TRANSLATE_NOOP("Derive",
                                         "The two triangles along the ray are similar, so n / (1 - n) = AG / BK: P "
                                         "divides the edge in space in this ratio. The size of the screen cancels "
                                         "out."),
-                      {edge()});
+                      {m_edge.part()});
         if (m_writer.valueOf(QStringLiteral("BK")) != 0)
             m_writer.line(formula("{n_ratio}"), formula("{AG} / {BK}"),
-                          QT_TRANSLATE_NOOP("Derive", "The same from the lengths."), {edge()});
+                          QT_TRANSLATE_NOOP("Derive", "The same from the lengths."), {m_edge.part()});
     }
 
     void writeFraction()
     {
         m_writer.line(formula("{n}"), formula("{m} * {Z1} / ((1 - {m}) * {Z2} + {m} * {Z1})"),
-                      QT_TRANSLATE_NOOP("Derive", "Solved for n: the part of the way in space."), {edge()});
+                      QT_TRANSLATE_NOOP("Derive", "Solved for n: the part of the way in space."), {m_edge.part()});
         m_writer.line(formula("{n_ratio}"), formula("{n} / (1 - {n})"), QT_TRANSLATE_NOOP("Derive", "Put in again."),
-                      {edge()});
+                      {m_edge.part()});
         m_writer.line(formula("{n_swapped}"), formula("{m} * {Z2} / ((1 - {m}) * {Z1} + {m} * {Z2})"),
                       QT_TRANSLATE_NOOP("Derive",
                                         "With Z1 and Z2 exchanged, a mistake often seen, the near end weighs too "
                                         "little."),
-                      {edge()});
+                      {m_edge.part()});
         m_writer.line(formula("{Zn}"), formula("(1 - {n}) * {Z1} + {n} * {Z2}"),
-                      QT_TRANSLATE_NOOP("Derive", "The distance of P: linear in n."), {edge()});
+                      QT_TRANSLATE_NOOP("Derive", "The distance of P: linear in n."), {m_edge.part()});
         m_writer.line(formula("{Zn}"), formula("{Z1} * {Z2} / ((1 - {m}) * {Z2} + {m} * {Z1})"),
-                      QT_TRANSLATE_NOOP("Derive", "With n put in."), {edge()});
+                      QT_TRANSLATE_NOOP("Derive", "With n put in."), {m_edge.part()});
         m_writer.line(formula("{Zn}"), formula("1 / ((1 - {m}) / {Z1} + {m} / {Z2})"),
-                      QT_TRANSLATE_NOOP("Derive", "Divided by Z1 Z2: 1 / Z is linear on the screen."), {edge()});
+                      QT_TRANSLATE_NOOP("Derive", "Divided by Z1 Z2: 1 / Z is linear on the screen."), {m_edge.part()});
         m_writer.line(formula("{P'}"), formula("((1 - {n}) * {X1} + {n} * {X2}) / {Zn}"),
-                      QT_TRANSLATE_NOOP("Derive", "The point of the edge at n is seen at P' indeed."),
-                      {placeAt(m_record.place().m)});
+                      QT_TRANSLATE_NOOP("Derive", "The point of the edge at n is seen at P' indeed."), {seen()});
     }
 
     /// n(m) of several edges: the steeper they lead away from the eye, the further from the diagonal.
     void writeCurve()
     {
-        for (const char* ratio : {"0.25", "0.5", "1", "2", "4", "10"}) {
+        for (const char* ratio : kRatios) {
             const QString k = QLatin1String(ratio);
             m_writer.given(QStringLiteral("k_") + k, k.toDouble());
             m_writer.line(
                 formula("{n_%1}", k), formula("{m} * {k_%1} / ((1 - {m}) + {m} * {k_%1})", k),
                 {QT_TRANSLATE_NOOP("Derive", "n at this m where Z1 / Z2 is %1; it is m where both are equal."), {k}},
-                {placeAt(m_record.place().m)});
+                {seen()});
         }
+    }
+
+    /// The edge from the side: the eye, the screen, the ends and what is seen of them, and the parallels to the screen.
+    void drawSideView()
+    {
+        const auto value = [&](const char* id) { return m_writer.valueOf(QLatin1String(id)); };
+        const auto symbol = [&](const char* id) { return m_writer.indexOf(QLatin1String(id)); };
+        using enum FigureStroke::Look;
+        const glm::dvec2 eye(0, 0);
+        const glm::dvec2 a(value("Z1"), value("X1"));
+        const glm::dvec2 b(value("Z2"), value("X2"));
+        const glm::dvec2 p = a + value("n") * (b - a);
+        const glm::dvec2 seenA(1, value("A'"));
+        const glm::dvec2 seenB(1, value("B'"));
+        const glm::dvec2 seenP(1, value("P'"));
+        const glm::dvec2 g(a.x, value("P'") * a.x);
+        const glm::dvec2 k(b.x, value("P'") * b.x);
+        const glm::dvec2 far = eye + std::max({a.x, b.x, 1.0}) * seenP;
+        DerivationFigure figure;
+        figure.title = QT_TRANSLATE_NOOP("Derive", "From the side: eye O, screen at distance 1");
+        figure.xName = QStringLiteral("Z");
+        figure.yName = QStringLiteral("X");
+        figure.low = glm::min(glm::min(eye, glm::min(a, b)), glm::min(glm::min(g, k), glm::min(seenA, seenB)));
+        figure.high =
+            glm::max(glm::max(glm::dvec2(1, 0), glm::max(a, b)), glm::max(glm::max(g, k), glm::max(seenA, seenB)));
+        figure.strokes = {
+            {{{1, figure.low.y}, {1, figure.high.y}}, QString(), Solid, -1},
+            {{eye, a.x < 1 ? seenA : a}, QString(), Dashed, symbol("A'")},
+            {{eye, b.x < 1 ? seenB : b}, QString(), Dashed, symbol("B'")},
+            {{eye, far}, QString(), Dashed, symbol("P'")},
+            {{a, b}, QString(), Solid, -1},
+            {{a, p}, QStringLiteral("n"), Solid, symbol("n")},
+            {{a, g}, QString(), Solid, symbol("AG")},
+            {{b, k}, QString(), Solid, symbol("BK")},
+            {{seenA, seenB}, QString(), Solid, -1},
+            {{seenA, seenP}, QStringLiteral("m"), Solid, symbol("m")},
+        };
+        figure.points = {{eye, QStringLiteral("O"), -1},
+                         {a, m_edge.startName(), symbol("X1")},
+                         {b, m_edge.endName(), symbol("X2")},
+                         {p, QStringLiteral("P"), symbol("Zn")},
+                         {g, QStringLiteral("G"), symbol("AG")},
+                         {k, QStringLiteral("K"), symbol("BK")},
+                         {seenA, QStringLiteral("A'"), symbol("A'")},
+                         {seenB, QStringLiteral("B'"), symbol("B'")},
+                         {seenP, QStringLiteral("P'"), symbol("P'")}};
+        m_writer.figure(std::move(figure));
+    }
+
+    /// n(m) for several Z1 / Z2 at once, and for the edge's own; each curve has its point at m.
+    void drawCurves()
+    {
+        constexpr int kPieces = 48;
+        const double m = m_record.place().m;
+        const auto curve = [](double ratio) {
+            std::vector<glm::dvec2> points;
+            for (int i = 0; i <= kPieces; ++i) {
+                const double x = double(i) / kPieces;
+                points.emplace_back(x, x * ratio / (1 - x + x * ratio));
+            }
+            return points;
+        };
+        DerivationFigure figure;
+        figure.title = QT_TRANSLATE_NOOP("Derive", "n(m) for several Z1 / Z2; solid: this edge");
+        figure.xName = QStringLiteral("m");
+        figure.yName = QStringLiteral("n");
+        for (const char* ratio : kRatios) {
+            const QString k = QLatin1String(ratio);
+            const int symbol = m_writer.indexOf(QStringLiteral("n_") + k);
+            figure.strokes.push_back({curve(k.toDouble()), k, FigureStroke::Look::Dashed, symbol});
+            figure.points.push_back({{m, m_writer.valueOf(QStringLiteral("n_") + k)}, QString(), symbol});
+        }
+        const double own = m_writer.valueOf(QStringLiteral("Z1")) / m_writer.valueOf(QStringLiteral("Z2"));
+        const int n = m_writer.indexOf(QStringLiteral("n"));
+        figure.strokes.push_back({curve(own), QString(), FigureStroke::Look::Solid, n});
+        figure.points.push_back({{m, m_writer.valueOf(QStringLiteral("n"))}, QStringLiteral("n"), n});
+        m_writer.figure(std::move(figure));
     }
 
     /// From weights on the screen to weights in space at the sample, and back.
@@ -129,6 +198,13 @@ private:
             m_writer.given(QLatin1String(kNames[i]), m_fragment.screen[i]);
             m_writer.given(QStringLiteral("w_") + cornerLetter(i), 1 / corners[i].invW, corner);
         }
+        m_writer.line(formula("{w_spread}"), formula("max({w_A}, {w_B}, {w_C}) - min({w_A}, {w_B}, {w_C})"),
+                      QT_TRANSLATE_NOOP("Derive",
+                                        "Over a face. How much the distances of its corners differ: if it is 0, the "
+                                        "weights on the screen are those in space, and correction changes nothing."),
+                      {areaPart(QStringLiteral("ABC"),
+                                {m_record.pixels(corners[0].position), m_record.pixels(corners[1].position),
+                                 m_record.pixels(corners[2].position)})});
         m_writer.line(formula("{w}"), formula("1 / ({alpha} / {w_A} + {beta} / {w_B} + {gamma} / {w_C})"),
                       QT_TRANSLATE_NOOP("Derive",
                                         "The same over a face, at the pixel: 1 / w is linear on the screen, so the "
@@ -157,8 +233,7 @@ private:
     const FaceRecord& m_record;
     const SampledTriangle& m_sample;
     const FragmentStep& m_fragment;
-    std::size_t m_first; ///< corner where the edge begins
-    std::size_t m_last;  ///< corner where it ends
+    PlaceEdge m_edge;
     DerivationWriter m_writer;
 };
 

@@ -10,6 +10,10 @@ namespace rasterlens
                                          const std::stop_token& stop);
 [[nodiscard]] Derivation deriveEdgeFunction(const Scene& scene, const Settings& settings, const DerivationPlace& place,
                                             const std::stop_token& stop);
+[[nodiscard]] Derivation deriveBounds(const Scene& scene, const Settings& settings, const DerivationPlace& place,
+                                      const std::stop_token& stop);
+[[nodiscard]] Derivation deriveInside(const Scene& scene, const Settings& settings, const DerivationPlace& place,
+                                      const std::stop_token& stop);
 [[nodiscard]] Derivation deriveBarycentric(const Scene& scene, const Settings& settings, const DerivationPlace& place,
                                            const std::stop_token& stop);
 [[nodiscard]] Derivation derivePerspective(const Scene& scene, const Settings& settings, const DerivationPlace& place,
@@ -28,5 +32,7 @@ namespace rasterlens
                                        const std::stop_token& stop);
 [[nodiscard]] Derivation deriveAttribute(const Scene& scene, const Settings& settings, const DerivationPlace& place,
                                          const std::stop_token& stop);
+[[nodiscard]] Derivation deriveBlend(const Scene& scene, const Settings& settings, const DerivationPlace& place,
+                                     const std::stop_token& stop);
 
 } // namespace rasterlens

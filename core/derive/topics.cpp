@@ -14,6 +14,8 @@ namespace
 constexpr auto kTopics = std::to_array<DerivationTopicInfo>({
     {DerivationTopic::Bresenham, "bresenham", QT_TRANSLATE_NOOP("Derive", "Bresenham's decision")},
     {DerivationTopic::EdgeFunction, "edge-function", QT_TRANSLATE_NOOP("Derive", "Edge function")},
+    {DerivationTopic::Bounds, "bounds", QT_TRANSLATE_NOOP("Derive", "The bounding box")},
+    {DerivationTopic::Inside, "inside", QT_TRANSLATE_NOOP("Derive", "Inside, asked in four forms")},
     {DerivationTopic::Barycentric, "barycentric", QT_TRANSLATE_NOOP("Derive", "Barycentric weights, five ways")},
     {DerivationTopic::Perspective, "perspective", QT_TRANSLATE_NOOP("Derive", "Perspective-correct weights")},
     {DerivationTopic::DepthCurve, "depth-curve", QT_TRANSLATE_NOOP("Derive", "The curve of depth")},
@@ -24,6 +26,7 @@ constexpr auto kTopics = std::to_array<DerivationTopicInfo>({
     {DerivationTopic::FlatLight, "flat-light", QT_TRANSLATE_NOOP("Derive", "Flat light")},
     {DerivationTopic::Painter, "painter", QT_TRANSLATE_NOOP("Derive", "The painter's order")},
     {DerivationTopic::Attribute, "attribute", QT_TRANSLATE_NOOP("Derive", "An attribute as the sum of three")},
+    {DerivationTopic::Blend, "blend", QT_TRANSLATE_NOOP("Derive", "Transparent faces, and who comes first")},
 });
 static_assert(isClosedList(kTopics, &DerivationTopicInfo::topic));
 

@@ -11,6 +11,8 @@ namespace rasterlens
 enum class DerivationTopic {
     Bresenham,
     EdgeFunction,
+    Bounds,
+    Inside,
     Barycentric,
     Perspective,
     DepthCurve,
@@ -20,6 +22,7 @@ enum class DerivationTopic {
     FlatLight,
     Painter,
     Attribute,
+    Blend,
 };
 
 /// A row of the table of topics.

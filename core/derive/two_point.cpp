@@ -58,6 +58,7 @@ public:
     Derivation write()
     {
         writeOrder();
+        writeUnsortedW();
         writeEdge(
             "long", "1", "3", m_row.ends.longEdgeIsLeft,
             QT_TRANSLATE_NOOP("Derive", "The long edge runs from the first corner to the third: t from y alone."));
@@ -89,6 +90,20 @@ private:
                          QT_TRANSLATE_NOOP("Derive",
                                            "The centre line of the row, and the half it lies in: the second corner is "
                                            "where the triangle is divided."));
+    }
+
+    /// Exchanges of w that are done whether corners are exchanged or not leave the w of C, B, A.
+    void writeUnsortedW()
+    {
+        std::array<QString, 3> numbers; // in the order of height, of corners A, B, C
+        for (std::size_t i = 0; i < 3; ++i)
+            numbers[m_row.walk.source[i]] = QString::number(i + 1);
+        m_writer.line(formula("({w_1'}, {w_2'}, {w_3'})"),
+                      formula("({w_%1}, {w_%2}, {w_%3})", numbers[2], numbers[1], numbers[0]),
+                      QT_TRANSLATE_NOOP("Derive",
+                                        "A slip worth knowing: if (a.y > b.y) swap(points); swap(w); has no braces, so "
+                                        "w is exchanged all three times. The corners then have the w of C, B and A, "
+                                        "whatever their heights."));
     }
 
     /// The way along an edge: t, the point on the screen, n and w there.
@@ -146,6 +161,12 @@ private:
                       {span});
         writeFraction(QStringLiteral("span"), QStringLiteral("m"), QStringLiteral("w_long"), QStringLiteral("w_short"),
                       span);
+        m_writer.line(formula("{n_slip}"), formula("{m} * {w_short} / ((1 - {m}) * {w_long} + {m} * {w_short})"),
+                      QT_TRANSLATE_NOOP("Derive",
+                                        "A slip worth knowing: a program that exchanges the ends of the span, so that "
+                                        "it runs from left to right, and forgets to exchange their w, takes this "
+                                        "number in place of n."),
+                      {span});
     }
 
     /// What the three corners contribute in the end.

@@ -33,7 +33,11 @@ public:
     /// A line of the listing.
     void code(const QString& text) { m_derivation.listing.push_back(text); }
 
+    void figure(DerivationFigure figure) { m_derivation.figures.push_back(std::move(figure)); }
+
     [[nodiscard]] double valueOf(const QString& id) const;
+    /// Where a symbol that has a value stands in Derivation::symbols.
+    [[nodiscard]] int indexOf(const QString& id) const { return m_index.at(id); }
     [[nodiscard]] bool knows(const QString& id) const { return m_index.contains(id); }
     [[nodiscard]] Derivation take() { return std::move(m_derivation); }
 

@@ -56,10 +56,19 @@ QJsonObject toJson(const std::map<std::uint32_t, glm::dvec4>& vertices)
     return json;
 }
 
+QJsonObject toJson(const std::map<std::uint32_t, glm::vec3>& colors)
+{
+    QJsonObject json;
+    for (const auto& [vertex, c] : colors)
+        json[QString::number(vertex)] = QJsonArray{double(c.r), double(c.g), double(c.b)};
+    return json;
+}
+
 const QString kSceneKey = QStringLiteral("scene");
 const QString kAbsoluteKey = QStringLiteral("scene-absolute");
 const QString kSettingsKey = QStringLiteral("settings");
 const QString kVerticesKey = QStringLiteral("vertices");
+const QString kColorsKey = QStringLiteral("colors");
 
 /// Where a model may lie, the likeliest place first.
 ///
@@ -98,6 +107,7 @@ public:
         scene();
         settings();
         vertices();
+        colors();
         return std::move(m_session);
     }
 
@@ -134,12 +144,17 @@ private:
 
     void keys()
     {
-        const QStringList known{QStringLiteral("rasterlens"), kSceneKey, kAbsoluteKey, kSettingsKey, kVerticesKey};
+        const QStringList known{
+            QStringLiteral("rasterlens"), kSceneKey, kAbsoluteKey, kSettingsKey, kVerticesKey, kColorsKey};
+        const QStringList view = sessionViewKeys();
         for (const QString& key : m_json.keys())
-            if (!known.contains(key))
+            if (view.contains(key))
+                m_session.view[key] = m_json[key];
+            else if (!known.contains(key))
                 leftOut(
                     {QT_TRANSLATE_NOOP("Diagnostic",
-                                       "there is no key \"%1\"; rasterlens, scene, settings and vertices are expected"),
+                                       "there is no key \"%1\"; rasterlens, scene, settings, vertices and colors are "
+                                       "expected"),
                      {key}});
     }
 
@@ -242,6 +257,31 @@ private:
             m_session.vertices[vertex][i] = numbers[i].toDouble();
     }
 
+    void colors()
+    {
+        const QJsonValue json = m_json[kColorsKey];
+        if (!json.isObject() && !json.isUndefined())
+            return fault(QT_TRANSLATE_NOOP("Diagnostic", "\"colors\" takes an object"));
+        const QJsonObject object = json.toObject();
+        for (auto it = object.begin(); it != object.end(); ++it)
+            color(it.key(), it.value().toArray());
+    }
+
+    void color(const QString& key, const QJsonArray& numbers)
+    {
+        bool isIndex = false;
+        const std::uint32_t vertex = key.toUInt(&isIndex);
+        const bool isColor = numbers.size() == 3 && std::all_of(numbers.begin(), numbers.end(), [](const auto& n) {
+                                 return n.isDouble() && n.toDouble() >= 0 && n.toDouble() <= 1;
+                             });
+        if (!isIndex || !isColor)
+            return fault({QT_TRANSLATE_NOOP("Diagnostic", "\"colors\" takes an index and a colour: \"0\": [r, g, b], "
+                                                          "each from 0 to 1, not \"%1\""),
+                          {key}});
+        for (int i = 0; i < 3; ++i)
+            m_session.colors[vertex][i] = static_cast<float>(numbers[i].toDouble());
+    }
+
     static bool isSetting(const QString& key)
     {
         return findSettingsField(key) != nullptr || toJson(Settings()).contains(key);
@@ -269,6 +309,12 @@ void nameScene(const QString& scene, const QDir& folder, QJsonObject& json)
 }
 
 } // namespace
+
+QStringList sessionViewKeys()
+{
+    return {QStringLiteral("step"),   QStringLiteral("pixel"),   QStringLiteral("zoom"),   QStringLiteral("centre"),
+            QStringLiteral("panels"), QStringLiteral("overlay"), QStringLiteral("compare")};
+}
 
 bool isSession(const QString& name)
 {
@@ -322,18 +368,35 @@ std::map<std::uint32_t, glm::dvec4> movedVertices(const Mesh& original, const Me
     return moved;
 }
 
-Diagnostics moveVertices(Scene& scene, const Session& session, const QString& sessionPath)
+std::map<std::uint32_t, glm::vec3> recoloredVertices(const Mesh& original, const Mesh& edited)
+{
+    std::map<std::uint32_t, glm::vec3> recolored;
+    for (std::uint32_t i = 0; i < edited.vertices.size(); ++i)
+        if (edited.vertices[i].color != original.vertices[i].color)
+            recolored[i] = edited.vertices[i].color;
+    return recolored;
+}
+
+Diagnostics editVertices(Scene& scene, const Session& session, const QString& sessionPath)
 {
     constexpr int kAll = 1000;
     DiagnosticSink diagnostics(sessionPath, kAll);
     std::vector<MeshVertex>& vertices = scene.mesh.vertices;
+    const auto absent = [&](const char* text, std::uint32_t vertex) {
+        diagnostics.error(0, {text, {vertex, vertices.size()}});
+    };
     for (const auto& [vertex, position] : session.vertices)
         if (vertex < vertices.size())
             vertices[vertex].position = glm::vec4(objectFromWorld(glm::dvec3(position), scene.mesh.origin), position.w);
         else
-            diagnostics.error(
-                0, {QT_TRANSLATE_NOOP("Diagnostic", "\"vertices\" names vertex %1; the scene has %2, counted from 0"),
-                    {vertex, vertices.size()}});
+            absent(QT_TRANSLATE_NOOP("Diagnostic", "\"vertices\" names vertex %1; the scene has %2, counted from 0"),
+                   vertex);
+    for (const auto& [vertex, color] : session.colors)
+        if (vertex < vertices.size())
+            vertices[vertex].color = color;
+        else
+            absent(QT_TRANSLATE_NOOP("Diagnostic", "\"colors\" names vertex %1; the scene has %2, counted from 0"),
+                   vertex);
     return diagnostics.take();
 }
 
@@ -341,8 +404,12 @@ std::optional<Reason> saveSession(const Session& session, const QString& path)
 {
     QJsonObject json{{"rasterlens", kFormatVersion}, {kSettingsKey, session.settings}};
     nameScene(session.scene, QFileInfo(path).absoluteDir(), json);
+    for (auto it = session.view.begin(); it != session.view.end(); ++it)
+        json[it.key()] = it.value();
     if (!session.vertices.empty())
         json[kVerticesKey] = toJson(session.vertices);
+    if (!session.colors.empty())
+        json[kColorsKey] = toJson(session.colors);
     const QByteArray text = QJsonDocument(json).toJson();
     const auto problem = writeFile(path, text, NoReader::Refuse);
     return problem

@@ -330,6 +330,21 @@ Found clipPlane(MomentFacts& facts, const FactName&)
     return clip ? Found(QString::fromLatin1(clipPlaneId(clip->plane))) : std::nullopt;
 }
 
+Found storedColor(MomentFacts& facts, const FactName& name)
+{
+    const ResolveStep* step = payloadAt<ResolveStep>(facts);
+    const auto index = static_cast<int>(name.numbers[0]) - 1;
+    if (!step || index < 0 || index >= step->pixel.count)
+        return std::nullopt;
+    return Found(colorText(step->pixel.samples[static_cast<std::size_t>(index)].color));
+}
+
+Found meanColor(MomentFacts& facts, const FactName&)
+{
+    const ResolveStep* step = payloadAt<ResolveStep>(facts);
+    return step ? Found(colorText(step->pixel.color)) : std::nullopt;
+}
+
 Found eventsSoFar(MomentFacts& facts, const FactName&)
 {
     const auto at = facts.position();
@@ -474,6 +489,23 @@ constexpr FactRow kRows[] = {
      stepNumber<SpanStep, [](const SpanStep& step) { return step.ends.left; }>},
     {"span-right", "", "", "where the right edge crosses the line of a span, in samples",
      stepNumber<SpanStep, [](const SpanStep& step) { return step.ends.right; }>},
+    {"alpha", "", "", "the fraction of the way down the long edge at the crossings of a row",
+     stepNumber<CrossingStep, [](const CrossingStep& step) { return step.row.alpha; }>},
+    {"beta", "", "", "the fraction of the way down the short edge at the crossings of a row",
+     stepNumber<CrossingStep, [](const CrossingStep& step) { return step.row.beta; }>},
+    {"xa", "", "", "where the long edge crosses the line of a row, in samples",
+     stepNumber<CrossingStep, [](const CrossingStep& step) { return step.row.xa; }>},
+    {"xb", "", "", "where the short edge crosses the line of a row, in samples",
+     stepNumber<CrossingStep, [](const CrossingStep& step) { return step.row.xb; }>},
+    {"cut-alpha", "", "", "the fraction of the way down the long edge at the height of the middle corner",
+     stepNumber<HalvesStep, [](const HalvesStep& step) { return step.halves.alpha; }>},
+    {"cut-x", "", "", "where the long edge is at the height of the middle corner, in samples",
+     stepNumber<HalvesStep, [](const HalvesStep& step) { return step.halves.x; }>},
+    {"first-lower-row", "", "", "the first row of the lower half, in samples",
+     stepNumber<HalvesStep, [](const HalvesStep& step) { return step.halves.firstLowerRow; }>},
+    {"sample-color", "N", "N",
+     "the colour that the Nth sample of the pixel of the step stores, counted from 1, #rrggbb", storedColor},
+    {"mean-color", "", "", "the colour that the samples of the pixel of the step become, #rrggbb", meanColor},
     {"plane", "", "", "the plane that the step clips by", clipPlane},
     {"corners-before", "", "", "corners before the plane of the step",
      stepNumber<ClipStep, [](const ClipStep& step) { return step.before.size(); }>},

@@ -6,6 +6,7 @@
 #include "core/settings/mistakes.h"
 
 #include <QCoreApplication>
+#include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -267,6 +268,25 @@ QStringList lessonIds()
     for (const auto& [id, path] : builtinFiles())
         ids << id;
     return ids;
+}
+
+std::vector<LessonTitle> lessonTitles()
+{
+    std::vector<LessonTitle> titles;
+    for (const auto& [id, path] : builtinFiles()) {
+        const QJsonObject title =
+            QJsonDocument::fromJson(readInput(path).bytes).object().value(key("title")).toObject();
+        titles.push_back({id, {title.value(key("en")).toString(), title.value(key("zh")).toString()}});
+    }
+    return titles;
+}
+
+bool isLesson(const QString& path)
+{
+    constexpr qint64 kLooked = 4096;
+    QFile file(path);
+    return path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) && file.open(QIODevice::ReadOnly) &&
+           file.read(kLooked).contains("\"rasterlens-lesson\"");
 }
 
 LessonLoad loadLesson(const QString& name)

@@ -71,6 +71,17 @@ struct LessonLoad {
 /// The built-in lessons (resources/lessons) by id, in their order.
 [[nodiscard]] QStringList lessonIds();
 
+/// What a list of lessons shows of one.
+struct LessonTitle {
+    QString id;
+    TwoTexts title;
+};
+/// The built-in lessons in their order; their slides are not read.
+[[nodiscard]] std::vector<LessonTitle> lessonTitles();
+
+/// Whether a file is meant as a lesson, be it a broken one: its text names the key `rasterlens-lesson`.
+[[nodiscard]] bool isLesson(const QString& path);
+
 /// Opens a built-in lesson by its id, or a file by its path.
 ///
 /// errors  in the diagnostics, with file and line: what is no JSON, unknown keys, wrong types, names that do not exist,

@@ -1,5 +1,6 @@
 #include "core/lessons/moment.h"
 
+#include "core/io/session.h"
 #include "core/render/render.h"
 #include "core/scenes/builtin_scenes.h"
 #include "core/scenes/load_scene.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace rasterlens
 {
@@ -22,7 +24,7 @@ using Need = JsonFields::Need;
 
 constexpr const char* kPanels[] = {"why",    "vertices", "clip",       "curves",  "race",
                                    "derive", "cases",    "experiment", "mistakes"};
-constexpr const char* kOverlays[] = {"grid", "samples", "numbers", "referee"};
+constexpr const char* kOverlays[] = {"grid", "samples", "numbers", "referee", "none"};
 constexpr const char* kCompareViews[] = {"off", "wipe", "blink", "difference"};
 constexpr const char* kCompareWiths[] = {"right", "scene"};
 
@@ -261,9 +263,34 @@ std::span<const char* const> overlayIds() { return kOverlays; }
 
 QStringList momentKeys()
 {
-    return {QStringLiteral("scene"),  QStringLiteral("size"),    QStringLiteral("settings"), QStringLiteral("view"),
-            QStringLiteral("step"),   QStringLiteral("pixel"),   QStringLiteral("zoom"),     QStringLiteral("centre"),
-            QStringLiteral("panels"), QStringLiteral("overlay"), QStringLiteral("compare"),  QStringLiteral("caption")};
+    return QStringList{QStringLiteral("scene"), QStringLiteral("size"), QStringLiteral("settings"),
+                       QStringLiteral("view")} +
+           sessionViewKeys() + QStringList{QStringLiteral("caption")};
+}
+
+SessionViewLoad sessionView(QJsonObject view, const QString& file)
+{
+    view[QLatin1String("caption")] = toJson(TwoTexts()); // which only lessons have
+    const JsonLines lines{QByteArray()};
+    DiagnosticSink sink(file);
+    const Moment scene; // is open already
+    Moment moment = Reader(JsonFields(view, {}, lines, sink), QDir(), &scene).read();
+    Diagnostics found = sink.take();
+    for (Diagnostic& diagnostic : found) {
+        diagnostic.severity = Severity::Warning; // the scene opens all the same
+        diagnostic.line = 0;
+    }
+    return {std::move(moment), std::move(found)};
+}
+
+QJsonObject toSessionView(const Moment& moment)
+{
+    QJsonObject json = toJson(moment, QDir());
+    const QStringList keys = sessionViewKeys();
+    for (const QString& key : json.keys())
+        if (!keys.contains(key))
+            json.remove(key);
+    return json;
 }
 
 Moment readMoment(const JsonFields& fields, const QDir& folder, const Moment* before)

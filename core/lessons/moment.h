@@ -49,7 +49,7 @@ struct Moment {
     std::optional<double> zoom;    ///< canvas pixels for a pixel; none: the whole picture fits
     std::optional<QPointF> centre; ///< the point of the picture in the middle of the canvas, in pixels
     QStringList panels;            ///< ids of panelIds()
-    QStringList overlays;          ///< ids of overlayIds()
+    QStringList overlays;          ///< ids of overlayIds(); empty: the usual ones
     MomentCompare compare;
     TwoTexts caption; ///< `{name}` in it stands for a number that the slide expects
 
@@ -59,8 +59,8 @@ struct Moment {
 /// The panels that a moment may open; `rasterlens --panel` takes these names.
 [[nodiscard]] std::span<const char* const> panelIds();
 
-/// What a moment may lay over the picture: `grid`, `samples`, `numbers`, and `referee`, the marks of the exact
-/// reference.
+/// What a moment may lay over the picture: `grid`, `samples`, `numbers`, which are the usual ones; `referee`, the marks
+/// of the exact reference; and `none`, where nothing else is named.
 [[nodiscard]] std::span<const char* const> overlayIds();
 
 /// The keys of a moment in a JSON object.
@@ -81,6 +81,16 @@ struct Moment {
 ///
 /// in  `folder`: the scene is named relative to it
 [[nodiscard]] QJsonObject toJson(const Moment& moment, const QDir& folder);
+
+/// What a session keeps of the window besides scene and settings, as a moment without these.
+struct SessionViewLoad {
+    Moment moment;
+    Diagnostics diagnostics; ///< warnings: what is not understood is left out
+};
+/// in  the values under sessionViewKeys(), and the session's file for messages
+[[nodiscard]] SessionViewLoad sessionView(QJsonObject view, const QString& file);
+/// What sessionView() reads.
+[[nodiscard]] QJsonObject toSessionView(const Moment& moment);
 
 /// A moment that can be drawn.
 struct OpenMoment {

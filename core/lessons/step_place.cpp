@@ -4,7 +4,9 @@
 
 #include <QStringList>
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 namespace rasterlens
 {
@@ -100,19 +102,59 @@ private:
     }
 };
 
-/// Asks one event after the other whether a run stops at it; the log is searched once.
-struct NextStop {
+/// A log as searchFor() reads it.
+struct LogEvents {
     const StepLog& log;
-    StepStop stop;
-    std::optional<std::size_t> next = log.findStop(0, StepDirection::Forward, stop);
 
-    bool isAt(std::size_t event)
+    [[nodiscard]] std::size_t size() const { return log.size(); }
+    [[nodiscard]] StepEvent event(std::size_t i) const { return log.event(i); }
+    [[nodiscard]] int grid() const { return log.grid(); }
+    [[nodiscard]] std::optional<std::size_t> next(std::size_t from, const StepStop& stop) const
     {
-        if (next && *next < event)
-            next = log.findStop(event, StepDirection::Forward, stop);
-        return next == event;
+        return log.findStop(from, StepDirection::Forward, stop);
     }
 };
+
+/// A record as searchFor() reads it.
+struct RecordEvents {
+    const StepRecord& record;
+    StepFinder& finder;
+
+    [[nodiscard]] std::size_t size() const { return record.size(); }
+    [[nodiscard]] StepEvent event(std::size_t i) const { return finder.event(i); }
+    [[nodiscard]] int grid() const { return record.emptyWindow()->grid(); }
+    [[nodiscard]] std::optional<std::size_t> next(std::size_t from, const StepStop& stop) const
+    {
+        return finder.findStop(from, StepDirection::Forward, stop);
+    }
+};
+
+/// The position after the event that a place of conditions names.
+template <class Events>
+std::optional<std::size_t> searchFor(const StepPlace& place, const Events& events)
+{
+    std::vector<StepStop> stops;
+    if (place.pixel)
+        stops.push_back({StepStop::Kind::Pixel, place.pixel->x(), place.pixel->y()});
+    if (place.stop)
+        stops.push_back({*place.stop});
+    int left = place.nth;
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        if (!stops.empty()) {
+            const auto next = events.next(i, stops.front());
+            if (!next)
+                return std::nullopt;
+            i = *next;
+        }
+        const StepEvent event = events.event(i);
+        const bool fits =
+            (!place.face || event.face == *place.face) && (!place.kind || event.kind == *place.kind) &&
+            std::ranges::all_of(stops, [&](const StepStop& stop) { return stopsAt(event, stop, events.grid()); });
+        if (fits && --left == 0)
+            return i + 1;
+    }
+    return std::nullopt;
+}
 
 } // namespace
 
@@ -151,21 +193,17 @@ std::optional<std::size_t> positionOf(const StepPlace& place, const StepLog& log
         return *place.position <= log.size() ? place.position : std::nullopt;
     if (place.end)
         return log.truncated() ? std::nullopt : std::optional(log.size());
-    std::optional<NextStop> stop;
-    std::optional<NextStop> pixel;
-    if (place.stop)
-        stop.emplace(NextStop{log, {*place.stop}});
-    if (place.pixel)
-        pixel.emplace(NextStop{log, {StepStop::Kind::Pixel, place.pixel->x(), place.pixel->y()}});
-    int left = place.nth;
-    for (std::size_t i = 0; i < log.size(); ++i) {
-        const StepEvent& event = log.event(i);
-        const bool fits = (!place.face || event.face == *place.face) && (!place.kind || event.kind == *place.kind) &&
-                          (!stop || stop->isAt(i)) && (!pixel || pixel->isAt(i));
-        if (fits && --left == 0)
-            return i + 1;
-    }
-    return std::nullopt;
+    return searchFor(place, LogEvents{log});
+}
+
+std::optional<std::size_t> positionOf(const StepPlace& place, const std::shared_ptr<const StepRecord>& record)
+{
+    if (place.position)
+        return *place.position <= record->size() ? place.position : std::nullopt;
+    if (place.end)
+        return record->size();
+    StepFinder finder(record);
+    return searchFor(place, RecordEvents{*record, finder});
 }
 
 QString stepPlaceHelp()

@@ -1,9 +1,11 @@
 #pragma once
 #include "core/observe/step_log.h"
+#include "core/observe/step_record.h"
 
 #include <QPoint>
 #include <QString>
 
+#include <memory>
 #include <optional>
 
 namespace rasterlens
@@ -34,6 +36,8 @@ struct StepPlace {
 
 /// The position just after the event, or nothing where the log has no event like it.
 [[nodiscard]] std::optional<std::size_t> positionOf(const StepPlace& place, const StepLog& log);
+[[nodiscard]] std::optional<std::size_t> positionOf(const StepPlace& place,
+                                                    const std::shared_ptr<const StepRecord>& record);
 
 /// What a step is told by, for error messages: `a number, tie, ..`.
 [[nodiscard]] QString stepPlaceHelp();

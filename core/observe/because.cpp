@@ -33,22 +33,27 @@ public:
     {
         const StepEvent& event = m_log.event(i);
         switch (event.kind) {
-        case StepKind::ClipPlane: return m_rules.clipInset != 0 && !m_log.payload<ClipStep>(event).cuts.empty();
-        case StepKind::CohenSutherland: return leavesCornerOut(m_log.payload<CohenSutherlandStep>(event));
+        case StepKind::CohenSutherland: return differs(m_log.payload<CohenSutherlandStep>(event));
         case StepKind::Viewport: return differs(m_log.payload<ViewportStep>(event));
         case StepKind::Facing: return differs(m_log.payload<FacingStep>(event).decision);
         case StepKind::Fate: return differs(m_log.payload<FateStep>(event).fate, i);
         case StepKind::Setup: return setupDiffers(*m_log.triangle(event));
-        case StepKind::Walk: return m_rules.extraEdgeHeight != 0;
+        case StepKind::Halves:
+        case StepKind::Crossing: return m_rules.extraEdgeHeight != 0;
         case StepKind::Span: return differs(event, m_log.payload<SpanStep>(event));
         case StepKind::Sample: return covers(event, event.x, event.y) != event.has(StepEvent::kCovered);
         case StepKind::Fragment: return differs(event, m_log.payload<FragmentStep>(event));
         case StepKind::Shade: return m_rules.cornerData != CornerData::Own;
         case StepKind::Write: return m_rules.strideIsRows && event.y > 0;
+        case StepKind::Resolve: return m_log.payload<ResolveStep>(event).pixel.black != 0;
         case StepKind::End: return m_rules.resolve != m_right.resolve || endsEarly(i);
         case StepKind::Vertex:
+        case StepKind::ClipPlane:
         case StepKind::Clipped:
         case StepKind::Triangle:
+        case StepKind::Outline:
+        case StepKind::Walk:
+        case StepKind::Sides:
         case StepKind::Column:
         case StepKind::LineDecision:
         case StepKind::LineSample: break; // see becauseOfLines()
@@ -57,6 +62,13 @@ public:
     }
 
 private:
+    /// Whether the cuts are moved, of which there are some where a corner lies outside, or corners are left out.
+    [[nodiscard]] bool differs(const CohenSutherlandStep& step) const
+    {
+        const bool isCut = std::ranges::any_of(step.regions, [](unsigned region) { return region != 0; });
+        return (m_rules.clipInset != 0 && isCut) || leavesCornerOut(step);
+    }
+
     /// Whether a corner of the screen lies inside the projected polygon, and the result is to do without it.
     [[nodiscard]] bool leavesCornerOut(const CohenSutherlandStep& step) const
     {

@@ -3,6 +3,7 @@
 #include "core/pipeline/fate_count.h"
 #include "core/pipeline/interpolation.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -15,12 +16,30 @@ namespace
 /// than this. Floating point may err further, though by far less than this again.
 constexpr double kFixedTie = 1e-9;
 constexpr double kFloatTie = 1.0 / 64;
+/// The outline of column fill joins corners rounded to samples, and runs a column ahead where it is steep.
+constexpr double kColumnFillTie = 3;
+
+double nearDistance(const Rules& rules)
+{
+    if (rules.algorithm == Algorithm::ColumnFill)
+        return kColumnFillTie;
+    return rules.numberType == NumberType::Fixed ? kFixedTie : kFloatTie;
+}
 
 } // namespace
 
 CountingObserver::CountingObserver(const Rules& rules)
-    : m_columns(rules.columns()), m_nearDistance(rules.numberType == NumberType::Fixed ? kFixedTie : kFloatTie)
+    : m_columns(rules.columns()), m_isFilled(rules.fill == Fill::Solid), m_nearDistance(nearDistance(rules))
 {
+}
+
+CountingObserver::CountingObserver(const Rules& rules, const Statistics& before,
+                                   std::span<const std::uint64_t> doubleHits)
+    : CountingObserver(rules)
+{
+    m_statistics = before;
+    const auto next = std::ranges::upper_bound(doubleHits, before.pixels.covered);
+    m_doubleHits = std::span(next, doubleHits.end());
 }
 
 void CountingObserver::onFace(std::uint32_t, FaceFate fate) { countFate(fate, m_statistics.faces); }
@@ -33,7 +52,6 @@ void CountingObserver::onClipped(std::uint32_t, int pieces)
 
 void CountingObserver::onTriangle(const ScreenTriangle& triangle)
 {
-    m_isLine = false;
     for (std::size_t i = 0; i < 3; ++i)
         m_positions[i] = triangle.vertices[i].position;
     const double area2 = twiceArea(m_positions[0], m_positions[1], m_positions[2]);
@@ -48,7 +66,14 @@ void CountingObserver::onFragment(const Fragment& fragment, float, bool passedDe
     Statistics::Pixels& pixels = m_statistics.pixels;
     ++pixels.covered;
     ++(passedDepth ? pixels.depthPassed : pixels.depthFailed);
-    if (m_isLine)
+    if (m_doubleHits) {
+        if (!m_doubleHits->empty() && m_doubleHits->front() == pixels.covered) {
+            m_doubleHits = m_doubleHits->subspan(1);
+            ++pixels.coveredTwice;
+        }
+        return;
+    }
+    if (!m_isFilled)
         return;
     for (std::size_t i = 0; i < 3; ++i) {
         if (fragment.screen[i] > m_nearEdge[i])

@@ -3,6 +3,8 @@
 #include "core/pipeline/statistics.h"
 #include "core/settings/rules.h"
 
+#include <optional>
+#include <span>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -14,6 +16,10 @@ class CountingObserver : public NullObserver
 {
 public:
     explicit CountingObserver(const Rules& rules);
+    /// Goes on in the middle of a frame that was counted before.
+    ///
+    /// in  the counters there; which fragments, counted from 1, were second hits at an edge, ascending
+    CountingObserver(const Rules& rules, const Statistics& before, std::span<const std::uint64_t> doubleHits);
 
     void onFace(std::uint32_t, FaceFate fate);
     void onClipped(std::uint32_t, int pieces);
@@ -23,11 +29,7 @@ public:
         m_statistics.pixels.tested += static_cast<std::uint64_t>(xEnd - xBegin);
     }
     void onSample(int, int, const EdgeValues&, bool) { ++m_statistics.pixels.tested; }
-    void onLineSample(int, int, bool)
-    {
-        ++m_statistics.pixels.tested;
-        m_isLine = true;
-    }
+    void onLineSample(int, int, bool) { ++m_statistics.pixels.tested; }
     void onFragment(const Fragment& fragment, float storedDepth, bool passedDepth);
     void onShade(const Fragment&, std::uint32_t) { ++m_statistics.pixels.shaded; }
     void onWrite(int, int, Pixel, Pixel) { ++m_statistics.pixels.written; }
@@ -48,12 +50,13 @@ private:
     };
 
     int m_columns;
+    bool m_isFilled;       ///< false: lines and corners belong to both faces, no tie rule parts them
     double m_nearDistance; ///< samples covered so close to an edge, in samples, are looked at for a second hit
     Statistics m_statistics;
+    std::optional<std::span<const std::uint64_t>> m_doubleHits; ///< those to come, if they are known
     std::array<glm::dvec2, 3> m_positions{};
     bool m_counterClockwise = true;
-    bool m_isLine = false; ///< lines and corners belong to both faces: no tie rule parts them
-    Weights m_nearEdge{};  ///< weights below these are close to the edge opposite the vertex
+    Weights m_nearEdge{}; ///< weights below these are close to the edge opposite the vertex
     std::unordered_set<EdgeHit, EdgeHitHash> m_hits;
     std::unordered_set<std::uint64_t> m_hitTwice;
 };

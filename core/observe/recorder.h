@@ -1,12 +1,16 @@
 #pragma once
 #include "core/observe/counting_observer.h"
+#include "core/observe/frame_planes.h"
+#include "core/observe/step_index.h"
 #include "core/observe/step_log.h"
 #include "core/pipeline/clipping.h"
 #include "core/pipeline/resolve.h"
 #include "core/pipeline/triangle_setup.h"
 #include "core/scene/scene.h"
 
+#include <limits>
 #include <memory>
+#include <span>
 #include <stop_token>
 
 namespace rasterlens
@@ -39,14 +43,50 @@ template <class T>
     return out;
 }
 
-/// Writes a step log: every callback is one event, and every change of the frame buffer one effect.
+/// What of a frame a recorder stores, and where the drawing begins.
+struct RecordedPart {
+    /// Positions of the first event stored and of the last; the drawing stops there.
+    std::size_t first = 0;
+    std::size_t last = std::numeric_limits<std::size_t>::max();
+    /// Effects after which the last event is taken before it is due.
+    std::size_t mostEffects = std::numeric_limits<std::size_t>::max();
+    ResumePoint from;
+    std::span<const std::uint64_t> doubleHits{}; ///< see CountingObserver; read where `from` is not the beginning
+};
+
+/// Writes a step log: every callback is one event, and every change of the frame buffer one effect. Or the index of a
+/// record, which has neither.
 class StepRecorder : public NullObserver
 {
 public:
     static constexpr int kFacesPerBatch = 1;
 
-    /// in  what the frame is drawn by; `full` is asked to stop the drawing when the cap is reached
-    StepRecorder(const Scene& scene, const Resolved& resolved, const StepFilter& filter, std::stop_source full);
+    /// A log of all that passes the filter, up to its cap.
+    ///
+    /// in  what the frame is drawn by; planes of the cleared frame, which the recorder writes, without depths but with
+    ///     rules.depthPerPixel; `full` is asked to stop the drawing when the cap is reached
+    StepRecorder(const Scene& scene, const Resolved& resolved, const StepFilter& filter, FramePlanes& planes,
+                 std::stop_source full);
+    /// A window of a record. The frame is drawn into the planes, which are those at part.from.
+    StepRecorder(const Scene& scene, const Resolved& resolved, const StepFilter& filter, FramePlanes& planes,
+                 std::stop_source full, const RecordedPart& part);
+    /// The index of a record. The frame is drawn into the planes.
+    StepRecorder(const Scene& scene, const Resolved& resolved, const StepFilter& filter, FramePlanes& planes,
+                 std::stop_source full, StepIndex& index);
+
+    // DrawnRecord, which draws for windows and indices, calls these beside the stages.
+
+    /// The next face is the n-th that is drawn, counted from 0.
+    void beginFace(std::size_t nth);
+    /// The n-th triangle of the present face is next. False: it was drawn before the resume point.
+    [[nodiscard]] bool takeTriangle(std::size_t nth);
+    /// The algorithm calls for a sample. False: not now, for it was drawn before the resume point, or comes after the
+    /// end.
+    [[nodiscard]] bool takeCall();
+    /// All faces are drawn, and the n-th pixel is next, row by row, counted from 0.
+    void beginPixel(std::size_t nth);
+    /// The triangle is finished; the samples of a pixel are about to share their depth where the rules want it.
+    void endTriangle();
 
     void onVertex(std::uint32_t face, int corner, std::uint32_t meshVertex, const ClipVertex& clip);
     void onFace(std::uint32_t face, FaceFate fate);
@@ -61,13 +101,17 @@ public:
     {
         if (!isFaceWanted())
             return;
-        if (setup) {
+        if (setup && !m_log->m_triangles.empty()) {
             m_log->m_triangles.back().hasSetup = true;
             m_log->m_triangles.back().setup = stepSetup(*setup);
         }
         storeFaceEvent(StepKind::Setup);
     }
+    void onOutline();
     void onWalk(const WalkedTriangle& walk);
+    void onSides(const WalkedTriangle& walk);
+    void onHalves(const WalkedTriangle& walk, const WalkedHalves& halves);
+    void onCrossing(const RowCrossings& row);
     void onSpan(int y, int xBegin, int xEnd, const SpanEnds& ends);
     void onSample(int x, int y, const EdgeValues& values, bool covered);
     void onColumn(const FilledColumn& column);
@@ -76,15 +120,20 @@ public:
     void onFragment(const Fragment& fragment, float storedDepth, bool passed);
     void onShade(const Fragment& fragment, std::uint32_t color);
     void onWrite(int x, int y, Pixel before, Pixel after);
+    void onResolve(const ResolvedPixel& pixel);
 
+    /// The end of the window was reached, or the cap.
+    [[nodiscard]] bool isFull() const { return m_full; }
     /// Ends the log.
     ///
-    /// in  whether the drawing was stopped from outside; the picture it made
-    [[nodiscard]] std::shared_ptr<const StepLog> finish(bool stopped, const QImage& picture);
+    /// in   whether the drawing was stopped from outside; the picture it made, if it made one
+    /// out  of a window, its planes are those at its end
+    [[nodiscard]] std::shared_ptr<const StepLog> finish(bool stopped, const QImage& picture = {});
 
 private:
     /// What to go back to when a face or triangle turns out to have nothing in the filter's pixels.
     struct Mark {
+        std::size_t position = 0;
         std::size_t events = 0;
         std::size_t triangles = 0;
         std::array<std::size_t, std::tuple_size_v<StepLog::Payloads>> payloads{};
@@ -96,22 +145,35 @@ private:
     {
         return isFaceWanted() && (!m_filter.pixels || (y >= m_samples.y && y < m_samples.y + m_samples.height));
     }
+    /// Before the window only what the present face and triangle have come to is stored.
+    [[nodiscard]] bool isBeforeWindow() const { return m_isResuming || m_position < m_part.first; }
     [[nodiscard]] Mark mark() const;
+    void shorten(const Mark& mark);
     void rollBack(const Mark& mark);
-    void beginFace(std::uint32_t face);
+    void beginFaceOf(std::uint32_t face);
     void dropPending();
+    /// After this, events belong to no face.
+    void leaveFaces();
     /// Whether something that happens to samples [xBegin, xEnd) of a row is within the filter; the face then is, too.
     [[nodiscard]] bool admit(int y, int xBegin, int xEnd);
     void setFull();
+    void beginWindow();
+    void keepPoint(const ResumePoint& now);
+    void cutAtEnd();
 
-    template <class Payload>
-    void storePayload(StepEvent event, Payload&& payload);
-    void store(StepEvent event);
+    /// Stores an event with what makePayload() returns.
+    template <class MakePayload>
+    void storeWith(StepEvent event, MakePayload&& makePayload);
+    /// out  whether the log has one event more
+    bool store(StepEvent event);
+    bool storeInLog(StepEvent event);
     void storeFaceEvent(StepKind kind, std::uint8_t flags = 0);
     [[nodiscard]] StepEvent sampleEvent(StepKind kind, int x, int y, std::uint8_t flags = 0) const;
     [[nodiscard]] StepEvent faceEvent(StepKind kind, std::uint8_t flags = 0) const;
 
     void addEffect(const StepEffect& effect);
+    void writePixel(int x, int y, Pixel before, Pixel after);
+    void shareDepth(int x, int y);
     [[nodiscard]] std::size_t gapBegin() const { return m_log->m_events.empty() ? 0 : m_log->m_events.back().effects; }
     [[nodiscard]] std::uint32_t sampleIndex(int x, int y) const
     {
@@ -125,27 +187,37 @@ private:
     int m_stride = 0;    ///< samples from one row of the frame buffer to the next
     ClipVolume m_volume;
     std::stop_source m_stopDrawing;
+    FramePlanes* m_planes;
+    StepIndex* m_index = nullptr; ///< null: a log is written
+    bool m_isWindow = false;
+    RecordedPart m_part;
     std::shared_ptr<StepLog> m_log;
     CountingObserver m_counter;
 
+    std::size_t m_position = 0; ///< events stored so far, in the record
     std::uint32_t m_face = StepEvent::kNone;
     std::uint32_t m_triangle = StepEvent::kNone; ///< index into the log's triangles
     std::array<double, 3> m_invW{};
     Mark m_faceMark;
     Mark m_triangleMark;
+    Mark m_geometryMark; ///< before the first triangle of the face
     bool m_faceKept = true;
     bool m_triangleKept = true;
     bool m_full = false;
-    bool m_gap = true; ///< something was counted since the last stored event
+    bool m_gap = true;                ///< something was counted since the last stored event
+    std::vector<StepEvent> m_pending; ///< for the index: what may have to be taken back
+
+    ResumePoint m_now;         ///< how far the drawing is, but for position and counters
+    bool m_isResuming = false; ///< the resume point is not reached
+    std::uint64_t m_work = 0;  ///< samples and faces
 
     std::array<int, 3> m_previousSigns{};
     int m_previousX = -2;
     int m_previousY = -2;
-    std::vector<std::uint32_t> m_lastEffect; ///< of each sample, an index into effects that may be out of date
-    std::vector<std::uint32_t> m_color;      ///< of each sample
-    std::vector<std::uint16_t> m_coverCount; ///< of each sample; overdraw only
-    /// With rules.depthPerPixel: of each sample, the depth that was last written for it alone.
-    std::vector<float> m_ownDepth;
+    bool m_mergesEffects = false;                ///< there may be many between two events
+    std::vector<std::uint32_t> m_lastEffect;     ///< of each sample, an index into effects that may be out of date
+    bool m_isLine = false;                       ///< the triangle is drawn as lines or corners
+    std::vector<std::array<int, 2>> m_newDepths; ///< with rules.depthPerPixel: samples of the triangle
 };
 
 } // namespace rasterlens

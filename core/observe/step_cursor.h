@@ -1,5 +1,5 @@
 #pragma once
-#include "core/observe/step_log.h"
+#include "core/observe/step_record.h"
 
 #include <QImage>
 
@@ -9,37 +9,46 @@
 namespace rasterlens
 {
 
-/// The frame at one position of a step log: pixels, depth and counters.
+/// The frame at one position of a step log or a step record: pixels, depth and counters.
 ///
 /// cost   a move takes time in proportion to the pixel effects between the two positions: a million in some
-///        milliseconds, forth or back
+///        milliseconds, forth or back. The cursor of a record holds a window of it; a move out of the window takes as
+///        long as StepRecord::window()
 /// exact  after any moves, what a run that ends there would have left
 class StepCursor
 {
 public:
     /// At position 0: the cleared frame.
     explicit StepCursor(std::shared_ptr<const StepLog> log);
+    explicit StepCursor(std::shared_ptr<const StepRecord> record);
 
-    /// in  0..log size; more is held to the end
+    /// in      0..size(); more is held to the end
+    /// errors  throws std::bad_alloc
     void moveTo(std::size_t position);
 
+    /// The log; of a record, the window about the position.
     [[nodiscard]] const StepLog& log() const { return *m_log; }
+    [[nodiscard]] const std::shared_ptr<const StepLog>& sharedLog() const { return m_log; }
+    [[nodiscard]] std::size_t size() const { return m_record ? m_record->size() : m_log->size(); }
     [[nodiscard]] std::size_t position() const { return m_position; }
+    /// How many events of log() have happened: the position, counted there.
+    [[nodiscard]] std::size_t positionInLog() const { return inLog(m_position); }
     /// The event that happened last; nothing at position 0.
     [[nodiscard]] const StepEvent* lastEvent() const
     {
-        return m_position == 0 ? nullptr : &m_log->event(m_position - 1);
+        return m_position == 0 ? nullptr : &m_log->event(positionInLog() - 1);
     }
 
-    /// Pixels, Format_RGB32: with several samples their mean.
-    [[nodiscard]] const QImage& image() const { return isFinished() ? m_log->finishedImage() : m_image; }
+    /// Pixels, Format_RGB32: with several samples their mean. Where a mistake makes the picture something else than the
+    /// mean, a pixel is that from its step Resolve on.
+    [[nodiscard]] const QImage& image() const { return m_image; }
     /// The pixels that the last moveTo changed lie within; empty: none.
     [[nodiscard]] PixelRect changedPixels() const { return m_changed; }
     /// 0xffRRGGBB of each sample, row by row.
-    [[nodiscard]] std::span<const std::uint32_t> sampleColors() const { return m_color; }
+    [[nodiscard]] std::span<const std::uint32_t> sampleColors() const { return m_planes.color; }
     /// Depth of each sample, row by row.
-    [[nodiscard]] std::span<const float> sampleDepths() const { return m_depth; }
-    [[nodiscard]] Statistics counters() const { return m_log->countersAt(m_position); }
+    [[nodiscard]] std::span<const float> sampleDepths() const { return m_planes.depth; }
+    [[nodiscard]] Statistics counters() const { return m_log->countersAt(positionInLog()); }
 
 private:
     /// Pixels [left, right] of a row; left > right: none.
@@ -48,17 +57,29 @@ private:
         int right;
     };
 
-    [[nodiscard]] bool isFinished() const { return m_position == m_log->size() && !m_log->finishedImage().isNull(); }
+    [[nodiscard]] std::uint32_t meanAt(int x, int y) const;
+    /// Gives pixels the colours of the finished picture, or takes them away.
+    void resolveUpTo(std::size_t pixels);
+    [[nodiscard]] const QImage& finishedImage() const
+    {
+        return m_record ? m_record->finishedImage() : m_log->finishedImage();
+    }
+    [[nodiscard]] std::size_t inLog(std::size_t position) const { return position - m_log->first() + m_log->lead(); }
+    /// The log holds the event before the position.
+    [[nodiscard]] bool isInLog(std::size_t position) const;
+    void openWindow(std::size_t position);
+    void clear();
     void put(std::uint32_t sample, const Pixel& pixel);
     /// Makes pixels of the samples that were put.
     void show();
 
+    std::shared_ptr<const StepRecord> m_record; ///< null: the log is all there is
     std::shared_ptr<const StepLog> m_log;
     std::size_t m_position = 0;
     QImage m_image;
-    std::vector<std::uint32_t> m_color;
-    std::vector<float> m_depth;
+    FramePlanes m_planes;
     std::vector<RowRange> m_touched; ///< of each row of pixels
+    std::size_t m_resolved = 0;      ///< pixels, row by row, that have the colours of the finished picture
     PixelRect m_changed;
 };
 

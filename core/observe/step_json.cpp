@@ -95,6 +95,11 @@ QJsonObject json(const StepLog&, const StepEvent&, const FateStep& step)
     return {{"fate", QLatin1String(faceFateId(step.fate))}};
 }
 
+QString lettersOf(const WalkedTriangle& walk)
+{
+    return cornerLetter(walk.source[0]) + cornerLetter(walk.source[1]) + cornerLetter(walk.source[2]);
+}
+
 QJsonObject json(const StepLog&, const StepEvent&, const WalkStep& step)
 {
     const WalkedTriangle& w = step.walk;
@@ -102,10 +107,39 @@ QJsonObject json(const StepLog&, const StepEvent&, const WalkStep& step)
     for (const glm::dvec2& vertex : w.vertices)
         vertices << json(vertex);
     return {{"vertices", vertices},
-            {"source", cornerLetter(w.source[0]) + cornerLetter(w.source[1]) + cornerLetter(w.source[2])},
+            {"source", lettersOf(w)},
             {"long_edge", w.longEdgeIsLeft ? "left" : "right"},
             {"first_row", w.firstRow},
             {"last_row", w.lastRow}};
+}
+
+QJsonObject json(const StepLog& log, const StepEvent& event, const SidesStep& step)
+{
+    const StepSetup& setup = log.triangle(event)->setup;
+    return {{"source", lettersOf(step.walk)},
+            {"long", walkedEdgeName(setup, step.walk, 0, 2)},
+            {"broken", QJsonArray{walkedEdgeName(setup, step.walk, 0, 1), walkedEdgeName(setup, step.walk, 1, 2)}},
+            {"long_edge", step.walk.longEdgeIsLeft ? "left" : "right"}};
+}
+
+QJsonObject json(const StepLog&, const StepEvent&, const HalvesStep& step)
+{
+    return {{"middle", json(step.walk.vertices[1])},
+            {"alpha", json(step.halves.alpha)},
+            {"x", json(step.halves.x)},
+            {"first_row", step.walk.firstRow},
+            {"first_lower_row", step.halves.firstLowerRow},
+            {"last_row", step.walk.lastRow}};
+}
+
+QJsonObject json(const StepLog&, const StepEvent&, const CrossingStep& step)
+{
+    const RowCrossings& row = step.row;
+    return {{"half", row.upperHalf ? "upper" : "lower"},
+            {"alpha", json(row.alpha)},
+            {"beta", json(row.beta)},
+            {"xa", json(row.xa)},
+            {"xb", json(row.xb)}};
 }
 
 QJsonObject json(const StepLog&, const StepEvent&, const SpanStep& step)
@@ -180,6 +214,27 @@ QJsonObject json(const StepLog&, const StepEvent&, const WriteStep& step)
     return {{"before", json(step.before)}, {"after", json(step.after)}};
 }
 
+QJsonObject json(const StepLog&, const StepEvent&, const ResolveStep& step)
+{
+    const ResolvedPixel& pixel = step.pixel;
+    QJsonArray samples;
+    for (int i = 0; i < pixel.count; ++i) {
+        QJsonObject sample = json(pixel.samples[std::size_t(i)]);
+        sample.insert(QStringLiteral("counts_as"), colorText(pixel.counted(i)));
+        samples << sample;
+    }
+    return {{"pixel", QJsonArray{pixel.x, pixel.y}}, {"samples", samples}, {"color", colorText(pixel.color)}};
+}
+
+QJsonObject outlineJson(const StepTriangle& triangle)
+{
+    QJsonObject heights;
+    const StepSetup& setup = triangle.setup;
+    for (std::size_t i = 0; i < 3; ++i)
+        heights.insert(edgeName(setup, int(i)), json(std::abs(setup.vertices[(i + 1) % 3].y - setup.vertices[i].y)));
+    return {{"heights", heights}};
+}
+
 QJsonObject triangleJson(const StepTriangle& triangle)
 {
     QJsonArray corners;
@@ -223,9 +278,11 @@ QJsonObject stepJson(const StepLog& log, std::size_t i)
         object = triangleJson(*log.triangle(event));
     if (event.kind == StepKind::Setup)
         object = setupJson(*log.triangle(event));
+    if (event.kind == StepKind::Outline)
+        object = outlineJson(*log.triangle(event));
     if (event.kind == StepKind::LineSample)
         object.insert(QStringLiteral("on_target"), event.has(StepEvent::kCovered));
-    object.insert(QStringLiteral("step"), static_cast<qint64>(i));
+    object.insert(QStringLiteral("step"), static_cast<qint64>(log.numberOf(i)));
     object.insert(QStringLiteral("event"), QLatin1String(stepKindId(event.kind)));
     if (event.face != StepEvent::kNone)
         object.insert(QStringLiteral("face"), static_cast<qint64>(event.face));
@@ -234,7 +291,7 @@ QJsonObject stepJson(const StepLog& log, std::size_t i)
     const bool isSample = event.kind >= StepKind::Sample && event.kind <= StepKind::Write;
     if (isSample)
         object.insert(QStringLiteral("x"), event.x);
-    if (isSample || event.kind == StepKind::Span)
+    if (isSample || event.kind == StepKind::Span || event.kind == StepKind::Crossing)
         object.insert(QStringLiteral("y"), event.y);
     return object;
 }

@@ -7,10 +7,8 @@
 
 namespace rasterlens
 {
-namespace
-{
 
-bool stops(const StepEvent& event, const StepStop& stop, int grid)
+bool stopsAt(const StepEvent& event, const StepStop& stop, int grid)
 {
     switch (stop.kind) {
     case StepStop::Kind::Pixel:
@@ -23,8 +21,6 @@ bool stops(const StepEvent& event, const StepStop& stop, int grid)
     }
     return false;
 }
-
-} // namespace
 
 EdgeValues StepSetup::at(const glm::dvec2& point) const
 {
@@ -71,31 +67,32 @@ DecidingEdge decidingEdge(const StepSetup& setup, const EdgeValues& values, cons
                      : Sign::AtLeast};
 }
 
-bool StepLog::isBoundary(std::size_t position, StepLevel level) const
+bool isStepBoundary(const StepEvent& before, const StepEvent& after, StepLevel level)
 {
-    const StepEvent& before = m_events[position - 1];
-    const StepEvent& after = m_events[position];
     if (level == StepLevel::Event || before.face != after.face)
         return true;
     if (level == StepLevel::Face)
         return false;
     if (before.triangle != after.triangle || infoOf(before.kind).phase != infoOf(after.kind).phase)
         return true;
-    return level == StepLevel::Row && before.y != after.y;
+    if (level == StepLevel::Stage)
+        return false;
+    return before.y != after.y || (level == StepLevel::Sample && before.x != after.x);
 }
 
 std::size_t StepLog::step(std::size_t position, StepLevel level, StepDirection direction) const
 {
     std::size_t p = std::min(position, size());
+    const auto isBoundary = [&](std::size_t at) { return isStepBoundary(m_events[at - 1], m_events[at], level); };
     if (direction == StepDirection::Forward) {
         if (p < size())
             ++p;
-        while (p < size() && p > 0 && !isBoundary(p, level))
+        while (p < size() && p > 0 && !isBoundary(p))
             ++p;
     } else {
         if (p > 0)
             --p;
-        while (p > 0 && p < size() && !isBoundary(p, level))
+        while (p > 0 && p < size() && !isBoundary(p))
             --p;
     }
     return p;
@@ -103,14 +100,15 @@ std::size_t StepLog::step(std::size_t position, StepLevel level, StepDirection d
 
 std::optional<std::size_t> StepLog::findStop(std::size_t from, StepDirection direction, const StepStop& stop) const
 {
-    return find(from, direction, [&](const StepEvent& event) { return stops(event, stop, grid()); });
+    return find(from, direction, [&](const StepEvent& event) { return stopsAt(event, stop, grid()); });
 }
 
 std::optional<std::size_t> StepLog::firstEventOf(std::uint32_t face, int x, int y) const
 {
     const StepStop here{StepStop::Kind::Pixel, x, y};
-    if (const auto at = find(0, StepDirection::Forward,
-                             [&](const StepEvent& event) { return event.face == face && stops(event, here, grid()); }))
+    if (const auto at = find(0, StepDirection::Forward, [&](const StepEvent& event) {
+            return event.face == face && stopsAt(event, here, grid());
+        }))
         return at;
     return find(0, StepDirection::Forward, [&](const StepEvent& event) { return event.face == face; });
 }
@@ -145,11 +143,29 @@ void StepLog::count(const StepEvent& event, Statistics& statistics) const
     case StepKind::Facing:
     case StepKind::Triangle:
     case StepKind::Setup:
+    case StepKind::Outline:
     case StepKind::Walk:
+    case StepKind::Sides:
+    case StepKind::Halves:
+    case StepKind::Crossing:
     case StepKind::Column:
     case StepKind::LineDecision:
+    case StepKind::Resolve:
     case StepKind::End: break;
     }
+}
+
+std::size_t StepLog::resolvedPixels(std::size_t position) const
+{
+    const auto width = static_cast<std::size_t>(columns() / grid());
+    if (position > 0 && m_events[position - 1].kind == StepKind::End)
+        return width * static_cast<std::size_t>(rows() / grid());
+    const auto resolves = eventsOf(StepKind::Resolve);
+    const auto after = std::ranges::lower_bound(resolves, position);
+    if (after == resolves.begin())
+        return 0;
+    const StepEvent& last = m_events[*std::prev(after)];
+    return static_cast<std::size_t>(last.y / grid()) * width + static_cast<std::size_t>(last.x / grid()) + 1;
 }
 
 Statistics StepLog::countersAt(std::size_t position) const

@@ -115,6 +115,22 @@ struct WalkStep {
     WalkedTriangle walk;
 };
 
+struct SidesStep {
+    static constexpr StepKind kKind = StepKind::Sides;
+    WalkedTriangle walk;
+};
+
+struct HalvesStep {
+    static constexpr StepKind kKind = StepKind::Halves;
+    WalkedTriangle walk;
+    WalkedHalves halves;
+};
+
+struct CrossingStep {
+    static constexpr StepKind kKind = StepKind::Crossing;
+    RowCrossings row;
+};
+
 struct SpanStep {
     static constexpr StepKind kKind = StepKind::Span;
     int xBegin; ///< samples [xBegin, xEnd) of the row
@@ -161,6 +177,11 @@ struct WriteStep {
     static constexpr StepKind kKind = StepKind::Write;
     Pixel before;
     Pixel after;
+};
+
+struct ResolveStep {
+    static constexpr StepKind kKind = StepKind::Resolve;
+    ResolvedPixel pixel;
 };
 
 /// E(x, y) = a (x - fromX) + b (y - fromY), positive inside, in the units of the number type.
@@ -218,9 +239,13 @@ struct StepTriangle {
     StepSetup setup;
 };
 
-/// How far a step goes.
-enum class StepLevel { Event, Row, Face, Stage };
+/// How far a step goes. A row of a triangle is what edge walking calls a span.
+enum class StepLevel { Event, Sample, Row, Face, Stage };
 enum class StepDirection { Forward, Backward };
+
+/// Whether a step of this level ends between two events that follow each other. The stages of a face are: vertices;
+/// clipping; screen and facing; set-up; coverage with all that follows for each sample.
+[[nodiscard]] bool isStepBoundary(const StepEvent& before, const StepEvent& after, StepLevel level);
 
 /// Where a run stops.
 struct StepStop {
@@ -229,6 +254,11 @@ struct StepStop {
     int x = 0; ///< Pixel only, pixels: anything that happens to one of its samples
     int y = 0;
 };
+
+/// Whether an event stops a run.
+///
+/// in  samples a pixel along each axis
+[[nodiscard]] bool stopsAt(const StepEvent& event, const StepStop& stop, int grid);
 
 /// A change of one sample of the frame buffer.
 struct StepEffect {
@@ -243,6 +273,9 @@ struct StepEffect {
 /// A *position* k, 0..size(), is the moment after event k - 1; 0 is the cleared frame. Events that were not stored
 /// happen together with the next stored one. Unless the log is truncated its last event is End, and position size() is
 /// the finished picture.
+///
+/// A log may also be a *window* of a StepRecord: its first lead() events are what the face and the triangle at work had
+/// come to before, and those that follow are the events of the record from first() on.
 ///
 /// covers  every algorithm; `tiled` is shown by edge-equation, which draws the same pixels
 class StepLog
@@ -294,10 +327,16 @@ public:
         return m_byKind[static_cast<std::size_t>(kind)];
     }
 
-    /// The position one step further (or back): past (or to the beginning of) the row, face or stage.
-    ///
-    /// The stages of a face are: vertices; clipping; screen and facing; set-up; coverage with all that follows for each
-    /// sample.
+    /// The position of the record at which a window begins; 0 in a log of its own.
+    [[nodiscard]] std::size_t first() const { return m_first; }
+    /// How many events a window holds from before its beginning.
+    [[nodiscard]] std::size_t lead() const { return m_lead; }
+    /// The number in its record of an event from lead() on.
+    [[nodiscard]] std::size_t numberOf(std::size_t i) const { return i - m_lead + m_first; }
+    /// The position of the record at which a window ends.
+    [[nodiscard]] std::size_t last() const { return numberOf(size()); }
+
+    /// The position one step further (or back): past (or to the beginning of) the sample, row, face or stage.
     [[nodiscard]] std::size_t step(std::size_t position, StepLevel level, StepDirection direction) const;
 
     /// The index of the next event at or after `from` (or the last one before `from`) for which test(event) holds.
@@ -326,6 +365,9 @@ public:
     /// cost  at most kCheckpointEvents events
     [[nodiscard]] Statistics countersAt(std::size_t position) const;
 
+    /// How many pixels, row by row, the picture has of their samples at a position. With one sample a pixel none need
+    /// to be made.
+    [[nodiscard]] std::size_t resolvedPixels(std::size_t position) const;
     /// The finished picture where a mistake makes it something else than the mean of the samples; else null.
     [[nodiscard]] const QImage& finishedImage() const { return m_finished; }
 
@@ -352,10 +394,10 @@ private:
     using Payloads =
         std::tuple<std::vector<VertexStep>, std::vector<ClipStep>, std::vector<CohenSutherlandStep>,
                    std::vector<ViewportStep>, std::vector<FacingStep>, std::vector<ClippedStep>, std::vector<FateStep>,
-                   std::vector<WalkStep>, std::vector<SpanStep>, std::vector<ColumnFillStep>, std::vector<SampleStep>,
-                   std::vector<LineStep>, std::vector<FragmentStep>, std::vector<ShadeStep>, std::vector<WriteStep>>;
+                   std::vector<WalkStep>, std::vector<SidesStep>, std::vector<HalvesStep>, std::vector<CrossingStep>,
+                   std::vector<SpanStep>, std::vector<ColumnFillStep>, std::vector<SampleStep>, std::vector<LineStep>,
+                   std::vector<FragmentStep>, std::vector<ShadeStep>, std::vector<WriteStep>, std::vector<ResolveStep>>;
 
-    [[nodiscard]] bool isBoundary(std::size_t position, StepLevel level) const;
     /// What this event alone adds to the counters.
     void count(const StepEvent& event, Statistics& statistics) const;
 
@@ -368,6 +410,8 @@ private:
     Pixel m_clear;
     bool m_truncated = false;
     bool m_stopped = false;
+    std::size_t m_first = 0;
+    std::size_t m_lead = 0;
     std::vector<StepEvent> m_events;
     std::vector<StepTriangle> m_triangles;
     Payloads m_payloads;

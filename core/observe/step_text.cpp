@@ -7,6 +7,9 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 
 namespace rasterlens
@@ -126,10 +129,57 @@ StepParts parts(const StepLog&, const StepEvent&, const WalkStep& step)
     const WalkedTriangle& w = step.walk;
     QStringList corners;
     for (std::size_t i = 0; i < 3; ++i)
-        corners << cornerLetter(w.source[i]) + QLatin1Char(' ') + pointText(w.vertices[i]);
+        corners << QStringLiteral("%1 = %2 ").arg(i + 1).arg(cornerLetter(w.source[i])) + pointText(w.vertices[i]);
     return {QT_TRANSLATE_NOOP("Steps", "by y"),
             {QT_TRANSLATE_NOOP("Steps", "%1; long edge %2, rows %3..%4"),
              {corners.join(QStringLiteral(", ")), leftOrRight(w.longEdgeIsLeft), w.firstRow, w.lastRow}}};
+}
+
+StepParts parts(const StepLog& log, const StepEvent& event, const SidesStep& step)
+{
+    const StepSetup& setup = log.triangle(event)->setup;
+    const auto name = [&](std::size_t i, std::size_t j) { return walkedEdgeName(setup, step.walk, i, j); };
+    return {{QT_TRANSLATE_NOOP("Steps", "long edge %1, from 1 to 3"), {name(0, 2)}},
+            {QT_TRANSLATE_NOOP("Steps", "broken edge %1 and %2, from 1 over 2 to 3, on the %3"),
+             {name(0, 1), name(1, 2), leftOrRight(!step.walk.longEdgeIsLeft)}}};
+}
+
+/// `3..9`; `none`
+Reason rowsWord(int first, int last)
+{
+    if (first > last)
+        return QT_TRANSLATE_NOOP("Steps", "none");
+    return QStringLiteral("%1..%2").arg(first).arg(last);
+}
+
+StepParts parts(const StepLog&, const StepEvent&, const HalvesStep& step)
+{
+    const auto& [top, middle, bottom] = step.walk.vertices;
+    const Reason upper = rowsWord(step.walk.firstRow, step.halves.firstLowerRow - 1);
+    const Reason lower = rowsWord(step.halves.firstLowerRow, step.walk.lastRow);
+    if (bottom.y == middle.y)
+        return {QT_TRANSLATE_NOOP("Steps", "2 and 3 are of one height: there is no lower half"),
+                {QT_TRANSLATE_NOOP("Steps", "rows of the upper half %1"), {upper}}};
+    if (top.y == middle.y)
+        return {QT_TRANSLATE_NOOP("Steps", "1 and 2 are of one height: there is no upper half"),
+                {QT_TRANSLATE_NOOP("Steps", "rows of the lower half %1"), {lower}}};
+    return {{QT_TRANSLATE_NOOP("Steps", "y2 = %1, cut from x2 = %2 to the long edge at alpha = %3, x = %4"),
+             {fullNumber(middle.y), fullNumber(middle.x), shortNumber(step.halves.alpha), shortNumber(step.halves.x)}},
+            {QT_TRANSLATE_NOOP("Steps", "rows of the upper half %1, of the lower half %2"), {upper, lower}}};
+}
+
+Reason upperOrLower(bool isUpper)
+{
+    return isUpper ? QT_TRANSLATE_NOOP("Steps", "upper") : QT_TRANSLATE_NOOP("Steps", "lower");
+}
+
+StepParts parts(const StepLog&, const StepEvent&, const CrossingStep& step)
+{
+    const RowCrossings& row = step.row;
+    return {{QT_TRANSLATE_NOOP("Steps", "%1 half, alpha %2, beta %3"),
+             {upperOrLower(row.upperHalf), shortNumber(row.alpha), shortNumber(row.beta)}},
+            {QT_TRANSLATE_NOOP("Steps", "xa %1 on the long edge, xb %2 on the broken edge"),
+             {fullNumber(row.xa), fullNumber(row.xb)}}};
 }
 
 StepParts parts(const StepLog&, const StepEvent&, const SpanStep& step)
@@ -137,8 +187,7 @@ StepParts parts(const StepLog&, const StepEvent&, const SpanStep& step)
     return {kNothing,
             {QT_TRANSLATE_NOOP("Steps", "x %1..%2 -> [%3, %4), long edge %5, %6 half"),
              {fullNumber(step.ends.left), fullNumber(step.ends.right), step.xBegin, step.xEnd,
-              leftOrRight(step.ends.longEdgeIsLeft),
-              step.ends.upperHalf ? QT_TRANSLATE_NOOP("Steps", "upper") : QT_TRANSLATE_NOOP("Steps", "lower")}}};
+              leftOrRight(step.ends.longEdgeIsLeft), upperOrLower(step.ends.upperHalf)}}};
 }
 
 /// `E_AB = 12.5` or, on the edge itself, `E_AB = 0 (left, ours)`.
@@ -168,7 +217,7 @@ StepParts parts(const StepLog& log, const StepEvent& event, const SampleStep& st
     return {kNothing, {QT_TRANSLATE_NOOP("Steps", "%1  %2  %3  %4"), std::move(arguments)}};
 }
 
-StepParts parts(const StepLog&, const StepEvent&, const ColumnFillStep& step)
+StepParts parts(const StepLog& log, const StepEvent&, const ColumnFillStep& step)
 {
     const FilledColumn& column = step.column;
     if (column.count == 0)
@@ -176,8 +225,18 @@ StepParts parts(const StepLog&, const StepEvent&, const ColumnFillStep& step)
     QStringList rows;
     for (int i = 0; i < column.count; ++i)
         rows << QString::number(column.rows[std::size_t(i)]);
-    return {{QT_TRANSLATE_NOOP("Steps", "y of the edges [%1]"), {rows.join(QStringLiteral(", "))}},
-            {QT_TRANSLATE_NOOP("Steps", "filled from min %1 to max %2"), {column.first(), column.last()}}};
+    const Reason what{QT_TRANSLATE_NOOP("Steps", "y of the edges [%1]"), {rows.join(QStringLiteral(", "))}};
+    const int first = std::max(column.first(), 0);
+    const int last = std::min(column.last(), log.rows() - 1);
+    if (first > last)
+        return {what,
+                {QT_TRANSLATE_NOOP("Steps", "min %1, max %2: nothing of it is on the target"),
+                 {column.first(), column.last()}}};
+    if (first != column.first() || last != column.last())
+        return {what,
+                {QT_TRANSLATE_NOOP("Steps", "min %1, max %2, of which %3 to %4 are on the target"),
+                 {column.first(), column.last(), first, last}}};
+    return {what, {QT_TRANSLATE_NOOP("Steps", "filled from min %1 to max %2"), {first, last}}};
 }
 
 StepParts parts(const StepLog&, const StepEvent&, const LineStep& step)
@@ -220,6 +279,23 @@ StepParts parts(const StepLog&, const StepEvent&, const WriteStep& step)
               depthNumber(step.after.depth)}}};
 }
 
+StepParts parts(const StepLog& log, const StepEvent&, const ResolveStep& step)
+{
+    const ResolvedPixel& pixel = step.pixel;
+    QStringList stored;
+    for (int i = 0; i < pixel.count; ++i) {
+        const Pixel& sample = pixel.samples[std::size_t(i)];
+        stored << QStringLiteral("%1 z %2").arg(colorText(sample.color), depthNumber(sample.depth));
+    }
+    const Reason what{QT_TRANSLATE_NOOP("Steps", "stored %1"), {stored.join(QStringLiteral(", "))}};
+    const Reason sums = meanSums(pixel).join(QStringLiteral(", "));
+    if (log.rules().resolve == Resolve::AllSamples)
+        return {what, {QT_TRANSLATE_NOOP("Steps", "mean %1"), {sums}}};
+    return {what,
+            {QT_TRANSLATE_NOOP("Steps", "%1 of %2 count as black, mean %3"),
+             {std::popcount(pixel.black), pixel.count, sums}}};
+}
+
 QString triangleText(const StepTriangle& triangle)
 {
     QStringList corners;
@@ -235,6 +311,17 @@ QString signedAreas(double units, double unitsPerArea)
 {
     const QString text = edgeValueText(units, unitsPerArea);
     return text.startsWith(QLatin1Char('-')) ? text : QLatin1Char('+') + text;
+}
+
+/// The three edges of an outline and how high they are, in samples.
+Reason outlineText(const StepSetup& setup)
+{
+    QStringList edges;
+    for (std::size_t i = 0; i < 3; ++i)
+        edges << edgeName(setup, int(i)) + QLatin1Char(' ') +
+                     shortNumber(std::abs(setup.vertices[(i + 1) % 3].y - setup.vertices[i].y));
+    return {QT_TRANSLATE_NOOP("Steps", "three edges, not yet told apart; heights %1"),
+            {edges.join(QStringLiteral(", "))}};
 }
 
 StepParts setupParts(const StepTriangle& triangle)
@@ -277,6 +364,49 @@ QString edgeName(const StepSetup& setup, int edge)
     return cornerLetter(setup.source[std::size_t(edge)]) + cornerLetter(setup.source[std::size_t((edge + 1) % 3)]);
 }
 
+QString walkedEdgeName(const StepSetup& setup, const WalkedTriangle& walk, std::size_t from, std::size_t to)
+{
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::array ends{setup.source[i], setup.source[(i + 1) % 3]};
+        if (std::ranges::is_permutation(ends, std::array{walk.source[from], walk.source[to]}))
+            return edgeName(setup, int(i));
+    }
+    return {};
+}
+
+const WalkedTriangle* walkOf(const StepLog& log, const StepEvent& event)
+{
+    const auto walks = log.eventsOf(StepKind::Walk);
+    const auto at =
+        std::ranges::lower_bound(walks, event.triangle, {}, [&](std::uint32_t i) { return log.event(i).triangle; });
+    const bool isThere = at != walks.end() && log.event(*at).triangle == event.triangle;
+    return isThere ? &log.payload<WalkStep>(log.event(*at)).walk : nullptr;
+}
+
+QStringList meanSums(const ResolvedPixel& pixel)
+{
+    constexpr std::array<std::pair<char, int>, 3> kChannels{{{'R', 16}, {'G', 8}, {'B', 0}}};
+    QStringList sums;
+    for (const auto& [name, shift] : kChannels) {
+        QStringList terms;
+        std::uint32_t sum = 0;
+        for (int i = 0; i < pixel.count; ++i) {
+            const std::uint32_t value = pixel.counted(i) >> shift & 255U;
+            terms << QString::number(value);
+            sum += value;
+        }
+        QString text = QStringLiteral("%1 = (%2) / %3 = %4")
+                           .arg(QLatin1Char(name))
+                           .arg(terms.join(QStringLiteral(" + ")))
+                           .arg(pixel.count)
+                           .arg(shortNumber(double(sum) / pixel.count));
+        if (sum % std::uint32_t(pixel.count) != 0)
+            text += QStringLiteral(" -> %1").arg(pixel.color >> shift & 255U);
+        sums << text;
+    }
+    return sums;
+}
+
 QString edgeValueName(const StepSetup& setup, int edge) { return QStringLiteral("E_") + edgeName(setup, edge); }
 
 QString thresholdName(const StepSetup& setup, int edge) { return QStringLiteral("t_") + edgeName(setup, edge); }
@@ -296,6 +426,8 @@ StepParts stepParts(const StepLog& log, std::size_t i)
         said.numbers = triangleText(*log.triangle(event));
     if (event.kind == StepKind::Setup)
         said = setupParts(*log.triangle(event));
+    if (event.kind == StepKind::Outline)
+        said.numbers = outlineText(log.triangle(event)->setup);
     if (event.kind == StepKind::LineSample && !event.has(StepEvent::kCovered))
         said.numbers = QT_TRANSLATE_NOOP("Steps", "off the target");
     return said;
@@ -304,14 +436,16 @@ StepParts stepParts(const StepLog& log, std::size_t i)
 QString stepText(const StepLog& log, std::size_t i)
 {
     const StepEvent& event = log.event(i);
-    QString line = QStringLiteral("%1 %2").arg(i).arg(QLatin1String(stepKindId(event.kind)));
+    QString line = QStringLiteral("%1 %2").arg(log.numberOf(i)).arg(QLatin1String(stepKindId(event.kind)));
     if (event.face != StepEvent::kNone)
         line += QLatin1Char(' ') + faceText(event.face, log.lineOf(event.face));
     if (event.kind == StepKind::Column)
         line += QStringLiteral(" x %1").arg(event.x);
+    else if (event.kind == StepKind::Resolve)
+        line += QStringLiteral(" pixel (%1, %2)").arg(event.x / log.grid()).arg(event.y / log.grid());
     else if (event.x >= 0 || event.kind == StepKind::LineSample || event.kind == StepKind::LineDecision)
         line += QStringLiteral(" (%1, %2)").arg(event.x).arg(event.y);
-    else if (event.kind == StepKind::Span)
+    else if (event.kind == StepKind::Span || event.kind == StepKind::Crossing)
         line += QStringLiteral(" row %1").arg(event.y);
     const StepParts parts = stepParts(log, i);
     for (const Reason* part : {&parts.what, &parts.numbers})

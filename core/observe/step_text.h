@@ -4,6 +4,7 @@
 
 #include <QJsonObject>
 #include <QString>
+#include <QStringList>
 
 namespace rasterlens
 {
@@ -16,6 +17,16 @@ namespace rasterlens
 /// `AB`, `BC`, `CA`: the edge of the setup by the vertices of the screen triangle. A triangle that was turned round has
 /// A, C and B as its vertices.
 [[nodiscard]] QString edgeName(const StepSetup& setup, int edge);
+
+/// `CA`: the edge of the setup between two corners of edge walking, counted from 0 at the top.
+[[nodiscard]] QString walkedEdgeName(const StepSetup& setup, const WalkedTriangle& walk, std::size_t from,
+                                     std::size_t to);
+
+/// How edge walking sorted the triangle of an event; null where the record does not hold it.
+[[nodiscard]] const WalkedTriangle* walkOf(const StepLog& log, const StepEvent& event);
+
+/// The mean of a pixel's samples written out, a text for each channel: `R = (240 + 240 + 0 + 1) / 4 = 120.25 -> 120`.
+[[nodiscard]] QStringList meanSums(const ResolvedPixel& pixel);
 
 /// `E_AB`, its value; `t_AB`, the smallest value that counts as inside.
 [[nodiscard]] QString edgeValueName(const StepSetup& setup, int edge);

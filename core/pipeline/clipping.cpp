@@ -31,8 +31,6 @@ PlaneTable planeTable(double gx, double gy, const Rules& rules)
     plane(ClipPlane::Bottom) = {{0, 1, 0, gy}};
     plane(ClipPlane::Near) = {{0, 0, 1, rules.clipZ == ClipZ::Gl ? 1.0 : 0.0}};
     plane(ClipPlane::Far) = {{0, 0, -1, 1}};
-    for (PlaneEquation& equation : table)
-        equation.offset += rules.clipInset;
     return table;
 }
 

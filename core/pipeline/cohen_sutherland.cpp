@@ -31,6 +31,16 @@ double parameterAt(unsigned side, const glm::dvec2& a, const glm::dvec2& b)
     return (border - a[axis]) / (b[axis] - a[axis]);
 }
 
+/// A point on a side of the viewport, so many pixels further inside as the rules say.
+glm::dvec4 movedInward(glm::dvec4 positionClip, unsigned side, const Rules& rules)
+{
+    const int axis = side < 2 ? 0 : 1;
+    const double border = side % 2 == 0 ? 1 : -1;
+    const double ndcPerPixel = 2.0 / (axis == 0 ? rules.width : rules.height);
+    positionClip[axis] -= border * rules.clipInset * ndcPerPixel * positionClip.w;
+    return positionClip;
+}
+
 /// The point at the screen-linear parameter t between two clip-space points: perspective undone.
 void interpolate(const ClipVertex& a, const ClipVertex& b, double t, int varyingCount, ClipVertex& point)
 {
@@ -131,6 +141,7 @@ void Clipper::appendEnd(const EdgeEnd& end, const ClipVertex& vertex, const Clip
     if (!isWellConditioned(a.positionClip, b.positionClip, std::min(a.positionClip.w, b.positionClip.w)) ||
         !isWellConditioned(a.positionClip, b.positionClip, point.positionClip.w))
         placeExactly(point, end.corner);
+    point.positionClip = movedInward(point.positionClip, *end.side, *m_rules);
 }
 
 void Clipper::placeExactly(ClipVertex& point, ClipCorner corner) const

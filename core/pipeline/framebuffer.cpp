@@ -62,7 +62,49 @@ void sizePicture(Frame& frame, const Rules& rules, Outputs outputs)
         throw std::bad_alloc();
 }
 
+/// Where a sample is read from: what is stored elsewhere (rules.strideIsRows) is not found.
+std::size_t readIndex(const SampleBuffer& samples, int x, int y)
+{
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(samples.columns) + static_cast<std::size_t>(x);
+}
+
+/// The samples of a pixel, one bit each, that do not belong to the face drawn last in it: taken as black, they make the
+/// mean the colour of that face times the part of the pixel it covers.
+std::uint32_t samplesOfEarlierFaces(const SampleBuffer& samples, int grid, int x, int y)
+{
+    const auto idOf = [&](int sample) {
+        return samples.ids[readIndex(samples, x * grid + sample % grid, y * grid + sample / grid)];
+    };
+    std::int32_t last = -1;
+    for (int sample = 0; sample < grid * grid; ++sample)
+        last = std::max(last, idOf(sample));
+    std::uint32_t earlier = 0;
+    for (int sample = 0; sample < grid * grid; ++sample)
+        if (idOf(sample) != last)
+            earlier |= 1U << sample;
+    return earlier;
+}
+
 } // namespace
+
+ResolvedPixel resolvedPixel(const SampleBuffer& samples, const Rules& rules, int x, int y)
+{
+    const int grid = rules.sampleGrid;
+    ResolvedPixel pixel;
+    pixel.x = x;
+    pixel.y = y;
+    for (int row = y * grid; row < (y + 1) * grid; ++row)
+        for (int column = x * grid; column < (x + 1) * grid; ++column) {
+            const std::size_t at = readIndex(samples, column, row);
+            const float depth = samples.depth != nullptr ? samples.depth[at] : rules.depthClear;
+            pixel.samples[static_cast<std::size_t>(pixel.count++)] = {samples.color[at], depth};
+        }
+    if (rules.resolve == Resolve::LastFace)
+        pixel.black = samplesOfEarlierFaces(samples, grid, x, y);
+    int sample = 0;
+    pixel.color = meanOfSamples(grid, x, y, [&](int, int) { return pixel.counted(sample++); });
+    return pixel;
+}
 
 Framebuffer::Framebuffer(Frame& frame, const Rules& rules, Outputs outputs, std::uint32_t clearColor,
                          const std::stop_token& stop)
@@ -98,14 +140,16 @@ std::size_t Framebuffer::sampleCount() const
            static_cast<std::size_t>(std::max(m_samples.columns, m_samples.stride));
 }
 
-void Framebuffer::resolve()
+void Framebuffer::resolve(const ResolveListener& listener)
 {
     if (m_outputs.picture && m_rules.shading == Shading::Overdraw)
         for (std::size_t i = 0, n = sampleCount(); i < n; ++i)
             m_samples.color[i] = overdrawColor(m_samples.coverage[i]);
     const int grid = m_rules.sampleGrid;
     if (!isDirect()) {
-        if (m_outputs.picture)
+        if (m_outputs.picture && (listener || m_rules.resolve != Resolve::AllSamples))
+            resolveColorOneByOne(listener);
+        else if (m_outputs.picture)
             resolveColor();
         if (m_outputs.depth)
             pickCentres(m_depth, m_frame->depth, m_rules.width, m_rules.height, grid);
@@ -125,31 +169,21 @@ void Framebuffer::resolve()
 void Framebuffer::resolveColor()
 {
     auto* out = reinterpret_cast<std::uint32_t*>(m_frame->image.bits());
-    if (m_rules.resolve == Resolve::LastFace)
-        blackenAllButLastFace();
     for (int y = 0; y < m_rules.height; ++y)
         for (int x = 0; x < m_rules.width; ++x)
             *out++ = meanOfSamples(m_rules.sampleGrid, x, y,
                                    [&](int column, int row) { return m_color[readIndex(column, row)]; });
 }
 
-/// Makes the mean the colour of the last face times the part of the pixel it covers.
-void Framebuffer::blackenAllButLastFace()
+void Framebuffer::resolveColorOneByOne(const ResolveListener& listener)
 {
-    const int grid = m_rules.sampleGrid;
-    const auto forEachSample = [&](int x, int y, auto&& visit) {
-        for (int j = 0; j < grid; ++j)
-            for (int i = 0; i < grid; ++i)
-                visit(readIndex(x * grid + i, y * grid + j));
-    };
+    auto* out = reinterpret_cast<std::uint32_t*>(m_frame->image.bits());
     for (int y = 0; y < m_rules.height; ++y)
         for (int x = 0; x < m_rules.width; ++x) {
-            std::int32_t last = -1;
-            forEachSample(x, y, [&](std::size_t at) { last = std::max(last, m_samples.ids[at]); });
-            forEachSample(x, y, [&](std::size_t at) {
-                if (m_samples.ids[at] != last)
-                    m_color[at] = 0xff000000U;
-            });
+            const ResolvedPixel pixel = resolvedPixel(m_samples, m_rules, x, y);
+            *out++ = pixel.color;
+            if (listener)
+                listener(pixel);
         }
 }
 

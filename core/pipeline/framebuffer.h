@@ -5,6 +5,7 @@
 #include "core/settings/rules.h"
 
 #include <cstdint>
+#include <functional>
 #include <stop_token>
 #include <vector>
 
@@ -46,6 +47,11 @@ template <class ColorAt>
     return 0xff000000U | red / samplesPerPixel << 16 | green / samplesPerPixel << 8 | blue / samplesPerPixel;
 }
 
+/// What the samples of pixel (x, y) store, row by row, and the colour that the picture has of them.
+///
+/// in  samples with colours and, under Resolve::LastFace, ids
+[[nodiscard]] ResolvedPixel resolvedPixel(const SampleBuffer& samples, const Rules& rules, int x, int y);
+
 /// Owns the memory of a frame while it is drawn. With one sample a pixel the samples are the frame's own arrays.
 class Framebuffer
 {
@@ -59,12 +65,17 @@ public:
 
     [[nodiscard]] const SampleBuffer& samples() const { return m_samples; }
 
+    /// A function that is told of each pixel what samples it has and what colour the picture has of them.
+    using ResolveListener = std::function<void(const ResolvedPixel&)>;
+
     /// Finishes the picture: overdraw colours, box filter, and the sample nearest the centre for the other outputs.
-    void resolve();
+    ///
+    /// in  a listener, or nothing
+    void resolve(const ResolveListener& listener = {});
 
 private:
     void resolveColor();
-    void blackenAllButLastFace();
+    void resolveColorOneByOne(const ResolveListener& listener);
     [[nodiscard]] bool isDirect() const;
     [[nodiscard]] std::size_t sampleCount() const;
     /// Where a sample is read from: what is stored elsewhere (rules.strideIsRows) is not found.

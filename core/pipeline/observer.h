@@ -38,6 +38,25 @@ struct WalkedTriangle {
     int lastRow = 0; ///< < firstRow: none
 };
 
+/// Edge walking: what the height of the middle corner cuts the triangle into.
+struct WalkedHalves {
+    double alpha = 0;      ///< fraction of the way down the long edge at which the middle corner lies beside it
+    double x = 0;          ///< samples: the long edge there
+    int firstLowerRow = 0; ///< rows from there on belong to the lower half
+};
+
+/// Edge walking: where the centre line of a row crosses the long edge and the short edge of its half.
+struct RowCrossings {
+    int y = 0;              ///< the row, in samples
+    bool upperHalf = false; ///< the short edge goes from top to middle, else from middle to bottom
+    double alpha = 0;       ///< fraction of the way down the long edge
+    double beta = 0;        ///< fraction of the way down the short edge
+    double xa = 0;          ///< samples: on the long edge, as it was stepped there
+    double xb = 0;          ///< samples: on the short edge
+    int xBegin = 0;         ///< the span that follows: samples [xBegin, xEnd)
+    int xEnd = 0;
+};
+
 /// Edge walking: where the two active edges cross the centre line of a row.
 struct SpanEnds {
     double left = 0;  ///< samples
@@ -73,6 +92,26 @@ struct LineDecision {
     bool sideways = false; ///< the shorter axis is stepped along
 };
 
+/// Super-sampling: the samples of a pixel, and the colour that the picture has of them.
+struct ResolvedPixel {
+    static constexpr int kMostSamples = 16;
+
+    int x = 0; ///< pixels
+    int y = 0;
+    int count = 0;                             ///< samples, row by row
+    std::array<Pixel, kMostSamples> samples{}; ///< what is stored
+    std::uint32_t black = 0;                   ///< one bit a sample: it counts as black, whatever it stores
+    std::uint32_t color = 0;                   ///< 0xffRRGGBB
+
+    /// The colour that a sample brings into the mean.
+    [[nodiscard]] std::uint32_t counted(int sample) const
+    {
+        return (black >> sample & 1U) != 0 ? 0xff000000U : samples[static_cast<std::size_t>(sample)].color;
+    }
+
+    friend bool operator==(const ResolvedPixel&, const ResolvedPixel&) = default;
+};
+
 /// The observer that ignores every event. Pass it for full speed: all calls compile away. To listen, derive a class and
 /// *shadow* the functions of the events you need; none is virtual. Arguments are values that the algorithm already has.
 struct NullObserver {
@@ -104,7 +143,12 @@ struct NullObserver {
     constexpr void onSetup(const Setup&)
     {
     }
+    /// Edge walking begins; the edges are those of the last onSetup.
+    constexpr void onOutline() {}
     constexpr void onWalk(const WalkedTriangle&) {}
+    constexpr void onSides(const WalkedTriangle&) {}
+    constexpr void onHalves(const WalkedTriangle&, const WalkedHalves&) {}
+    constexpr void onCrossing(const RowCrossings&) {}
     constexpr void onSpan(int /*y*/, int /*xBegin*/, int /*xEnd*/, const SpanEnds&) {}
     constexpr void onSample(int /*x*/, int /*y*/, const EdgeValues&, bool /*covered*/) {}
     /// Column fill: before the samples of the column.
@@ -116,6 +160,8 @@ struct NullObserver {
     constexpr void onFragment(const Fragment&, float /*storedDepth*/, bool /*passedDepth*/) {}
     constexpr void onShade(const Fragment&, std::uint32_t /*color*/) {}
     constexpr void onWrite(int /*x*/, int /*y*/, Pixel /*before*/, Pixel /*after*/) {}
+    /// After the last face, pixel by pixel in rows from the top; only where a pixel has several samples.
+    constexpr void onResolve(const ResolvedPixel&) {}
 };
 
 /// Whether an observer reads fragments: it then gets all their numbers, else only those the picture needs are computed.
@@ -123,5 +169,9 @@ template <class Observer>
 constexpr bool kReadsFragments =
     !std::is_same_v<decltype(&Observer::onFragment), decltype(&NullObserver::onFragment)> ||
     !std::is_same_v<decltype(&Observer::onShade), decltype(&NullObserver::onShade)>;
+
+/// Whether an observer is told how samples become pixels.
+template <class Observer>
+constexpr bool kReadsResolve = !std::is_same_v<decltype(&Observer::onResolve), decltype(&NullObserver::onResolve)>;
 
 } // namespace rasterlens

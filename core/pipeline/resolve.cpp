@@ -73,7 +73,7 @@ Rules rightRules(const Settings& settings, const Scene& scene)
     Rules rules;
     rules.shading = settings.shading;
     rules.textureFilter = settings.textureFilter;
-    rules.lit = scene.lit;
+    rules.lit = scene.lit && settings.fill == Fill::Solid; // lines in the shade would be lost on black
     rules.varyingCount = varyingCount(settings.shading);
     if (settings.alphaTest == AlphaTest::On && hasMasks(scene))
         carryMaskUv(rules);

@@ -143,7 +143,7 @@ int varyingCount(Shading shading)
     return 0;
 }
 
-void shadeVertex(const Scene& scene, const MeshVertex& vertex, Shading shading, Varyings& out)
+void shadeVertex(const MeshVertex& vertex, Shading shading, bool lit, Varyings& out)
 {
     switch (shading) {
     case Shading::Phong:
@@ -157,9 +157,7 @@ void shadeVertex(const Scene& scene, const MeshVertex& vertex, Shading shading, 
         out[kVaryingUv] = vertex.uv.x;
         out[kVaryingUv + 1] = vertex.uv.y;
         [[fallthrough]];
-    case Shading::Gouraud:
-        put(out, kVaryingColor, scene.lit ? vertex.color * lambert(vertex.normal) : vertex.color);
-        break;
+    case Shading::Gouraud: put(out, kVaryingColor, lit ? vertex.color * lambert(vertex.normal) : vertex.color); break;
     case Shading::Normals: put(out, 0, vertex.normal); break;
     case Shading::Uv:
         out[0] = vertex.uv.x;
@@ -173,14 +171,14 @@ void shadeVertex(const Scene& scene, const MeshVertex& vertex, Shading shading, 
     }
 }
 
-FaceUniforms faceUniforms(const Scene& scene, std::uint32_t face, Shading shading)
+FaceUniforms faceUniforms(const Scene& scene, std::uint32_t face, Shading shading, bool lit)
 {
     FaceUniforms uniforms;
     const Mesh& mesh = scene.mesh;
     switch (shading) {
     case Shading::Flat: {
         const glm::vec3 color = mesh.vertices[mesh.indices[3 * face]].color;
-        uniforms.color = packColor(scene.lit ? color * lambert(faceNormal(mesh, face)) : color);
+        uniforms.color = packColor(lit ? color * lambert(faceNormal(mesh, face)) : color);
         break;
     }
     case Shading::RandomFlat: uniforms.color = colorOfId(face * 2654435761U + 12345U); break;

@@ -25,10 +25,11 @@ constexpr int kVaryingPosition = 8; ///< world space: phong
 constexpr float kAmbient = 0.2F;
 constexpr float kDiffuse = 0.8F;
 
-/// What the vertex stage computes for this shading: lit colour (gouraud, texture), attributes (the others).
+/// What the vertex stage computes for this shading: colour (gouraud, texture), attributes (the others).
 ///
+/// in      `lit`: the colour of gouraud and texture is the vertex's own times the light on it
 /// source  ambient 0.2 and diffuse 0.8 * max(0, n . l), l = normalize(0.3, 0.5, 1) in world space
-void shadeVertex(const Scene& scene, const MeshVertex& vertex, Shading shading, Varyings& out);
+void shadeVertex(const MeshVertex& vertex, Shading shading, bool lit, Varyings& out);
 
 /// What is the same for all fragments of a face.
 struct FaceUniforms {
@@ -37,7 +38,8 @@ struct FaceUniforms {
     const Material* material = nullptr;
 };
 
-[[nodiscard]] FaceUniforms faceUniforms(const Scene& scene, std::uint32_t face, Shading shading);
+/// in  `lit`: the colour of flat is that of the face's first corner times the light on the face
+[[nodiscard]] FaceUniforms faceUniforms(const Scene& scene, std::uint32_t face, Shading shading, bool lit);
 
 /// Whether this face's colours depend on the gradient.
 [[nodiscard]] inline bool needsUvGradient(const Rules& rules, const FaceUniforms& uniforms)

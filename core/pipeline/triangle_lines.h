@@ -16,8 +16,8 @@ using ClipPlanes = std::uint32_t;
 
 [[nodiscard]] constexpr ClipPlanes planeBit(ClipPlane plane) { return 1U << static_cast<unsigned>(plane); }
 
-/// Inside is dot(normal, position) >= offset. Only w >= 1e-5 has an offset (and all planes have with
-/// rules.clipInset); without one a plane does not change under scaling.
+/// Inside is dot(normal, position) >= offset. Only w >= 1e-5 has an offset; without one a plane does not change under
+/// scaling.
 struct PlaneEquation {
     glm::dvec4 normal{0, 0, 0, 0};
     double offset = 0;

@@ -188,7 +188,8 @@ private:
         filter.cap = std::numeric_limits<std::size_t>::max();
         std::stop_source ending;
         const std::stop_callback stopToo(m_stop, [&] { ending.request_stop(); });
-        StepRecorder recorder(m_scene, m_resolved, filter, ending);
+        FramePlanes planes = clearedPlanes(m_rules, clearedPixel(m_scene, m_rules), m_rules.depthPerPixel, m_stop);
+        StepRecorder recorder(m_scene, m_resolved, filter, planes, ending);
         Frame frame;
         if (m_resolved.mistakes.empty())
             drawPixel(frame, recorder);
@@ -200,6 +201,8 @@ private:
         m_report.depth = frame.depth[std::size_t(m_report.y) * std::size_t(m_rules.width) + std::size_t(m_report.x)];
         m_report.background = m_log->clear().color;
         m_report.color = frame.image.pixel(m_report.x, m_report.y);
+        for (const std::uint32_t i : m_log->eventsOf(StepKind::Resolve))
+            m_report.samples = m_log->payload<ResolveStep>(m_log->event(i)).pixel;
     }
 
     /// Draws what may touch the pixel, and of that only the fragments of the pixel.
@@ -222,7 +225,7 @@ private:
                     drawTriangle(triangle, m_rules, cover, pixelStage, recorder);
         }
         if (!m_stop.stop_requested())
-            framebuffer.resolve();
+            resolvePicture(framebuffer, m_rules, recorder);
     }
 
     [[nodiscard]] bool isNear(const ScreenTriangle& triangle) const
@@ -488,6 +491,31 @@ QJsonObject rowToJson(const WhyReport& report, const WhyFace& row)
     return object;
 }
 
+QString samplesText(const ResolvedPixel& pixel)
+{
+    QStringList stored;
+    for (int i = 0; i < pixel.count; ++i) {
+        const Pixel& sample = pixel.samples[std::size_t(i)];
+        stored << QStringLiteral("%1 z %2").arg(colorText(sample.color), depthNumber(sample.depth));
+        if (pixel.counted(i) != sample.color)
+            stored.last() += QStringLiteral(" (counts as black)");
+    }
+    return QStringLiteral("%1; mean %2: %3")
+        .arg(stored.join(QStringLiteral(", ")), colorText(pixel.color), meanSums(pixel).join(QStringLiteral(", ")));
+}
+
+QJsonObject samplesToJson(const ResolvedPixel& pixel)
+{
+    QJsonArray samples;
+    for (int i = 0; i < pixel.count; ++i) {
+        const Pixel& sample = pixel.samples[std::size_t(i)];
+        samples << QJsonObject{{"color", colorText(sample.color)},
+                               {"depth", finiteOrText(double(sample.depth))},
+                               {"counts_as", colorText(pixel.counted(i))}};
+    }
+    return {{"samples", samples}, {"color", colorText(pixel.color)}};
+}
+
 /// A mistake is the reason for a face's verdict if without it another sentence were true.
 void nameMistakes(WhyReport& report, const Scene& scene, const Settings& settings, const std::stop_token& stop)
 {
@@ -500,6 +528,8 @@ void nameMistakes(WhyReport& report, const Scene& scene, const Settings& setting
         const WhyReport other = known ? Inquiry(scene, resolved, report.x, report.y, stop).answer() : WhyReport();
         if (stop.stop_requested())
             return;
+        if (report.samples && other.samples && *report.samples != *other.samples)
+            report.without.push_back({mistake, *other.samples});
         for (WhyFace& row : report.faces) {
             const WhyFace* const same = other.find(row.face);
             if (same == nullptr || verdictText(other, *same) != verdictText(report, row))
@@ -558,20 +588,43 @@ QString whyText(const WhyReport& report, const WhyFace& face)
     return QStringLiteral("%1: %2").arg(faceText(face.face, face.line), verdictText(report, face));
 }
 
+QStringList whySamples(const WhyReport& report)
+{
+    if (!report.samples)
+        return {};
+    QStringList lines{QStringLiteral("samples ") + samplesText(*report.samples)};
+    for (const WhyReport::Without& other : report.without)
+        lines << QStringLiteral("without %1: samples %2")
+                     .arg(QLatin1String(other.mistake->number), samplesText(other.samples));
+    return lines;
+}
+
 QJsonObject toJson(const WhyReport& report)
 {
     QJsonArray rows;
     for (const WhyFace& row : report.faces)
         rows << rowToJson(report, row);
-    return {{"x", report.x},
-            {"y", report.y},
-            {"sample_x", report.sampleX},
-            {"sample_y", report.sampleY},
-            {"background", colorText(report.background)},
-            {"color", colorText(report.color)},
-            {"depth", double(report.depth)},
-            {"visible_face", report.visibleFace ? QJsonValue(static_cast<qint64>(*report.visibleFace)) : QJsonValue()},
-            {"faces", rows}};
+    QJsonObject object{
+        {"x", report.x},
+        {"y", report.y},
+        {"sample_x", report.sampleX},
+        {"sample_y", report.sampleY},
+        {"background", colorText(report.background)},
+        {"color", colorText(report.color)},
+        {"depth", double(report.depth)},
+        {"visible_face", report.visibleFace ? QJsonValue(static_cast<qint64>(*report.visibleFace)) : QJsonValue()},
+        {"faces", rows}};
+    if (report.samples) {
+        QJsonArray without;
+        for (const WhyReport::Without& other : report.without) {
+            QJsonObject row = samplesToJson(other.samples);
+            row.insert(QStringLiteral("mistake"), QLatin1String(other.mistake->id));
+            without << row;
+        }
+        object.insert(QStringLiteral("samples"), samplesToJson(*report.samples).value(QStringLiteral("samples")));
+        object.insert(QStringLiteral("without"), without);
+    }
+    return object;
 }
 
 } // namespace rasterlens

@@ -5,6 +5,7 @@
 
 #include <QJsonObject>
 #include <QString>
+#include <QStringList>
 
 #include <optional>
 #include <stop_token>
@@ -68,6 +69,14 @@ struct WhyReport {
     std::uint32_t color = 0; ///< of the pixel, 0xffRRGGBB; several samples: their mean
     float depth = 1;         ///< of the sample
     std::optional<std::uint32_t> visibleFace;
+    /// With several samples a pixel: what they store when the frame is drawn, and the mean.
+    std::optional<ResolvedPixel> samples;
+    /// What the samples are without one of the mistakes, where that is something else.
+    struct Without {
+        const Mistake* mistake;
+        ResolvedPixel samples;
+    };
+    std::vector<Without> without;
     Rules rules; ///< by which it was drawn
 
     [[nodiscard]] const WhyFace* find(std::uint32_t face) const;
@@ -89,6 +98,9 @@ struct WhyReport {
 
 /// One sentence about a face, as `rasterlens-cli why` prints it. Not translated.
 [[nodiscard]] QString whyText(const WhyReport& report, const WhyFace& face);
+/// The samples of the pixel and their mean in one line, and another for each mistake without which they would differ;
+/// none with one sample a pixel.
+[[nodiscard]] QStringList whySamples(const WhyReport& report);
 [[nodiscard]] QJsonObject toJson(const WhyReport& report);
 
 } // namespace rasterlens

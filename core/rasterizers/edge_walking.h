@@ -190,11 +190,15 @@ struct EdgeWalking {
     static void cover(const TriangleSetup<T>& setup, const ScreenTriangle& triangle, const Rules& rules, Emit& emit,
                       Observer& observer)
     {
+        observer.onOutline();
         const Sorted<T> s = sortByY(setup);
         if (s.vertices[0].y == s.vertices[2].y)
             return; // no edge to follow
         const Rows rows = rowsOf(s, setup.bounds, rules);
-        observer.onWalk(observed(s, rows));
+        const WalkedTriangle walk = observed(s, rows);
+        observer.onWalk(walk);
+        observer.onSides(walk);
+        observer.onHalves(walk, observedHalves(walk, rules));
         int y = rows.first;
         const auto endOf = [&](std::size_t i) {
             const T extra = static_cast<T>(rules.extraEdgeHeight) * Grid<T>::kUnit;
@@ -288,6 +292,28 @@ private:
                 rows.last};
     }
 
+    static WalkedHalves observedHalves(const WalkedTriangle& walk, const Rules& rules)
+    {
+        const auto& [top, middle, bottom] = walk.vertices;
+        const double alpha = (middle.y - top.y) / (bottom.y - top.y + rules.extraEdgeHeight);
+        const double firstLower = bottom.y == middle.y ? walk.lastRow + 1 : std::ceil(middle.y - 0.5);
+        const double held =
+            std::clamp(firstLower, double(walk.firstRow), double(std::max(walk.firstRow, walk.lastRow + 1)));
+        return {alpha, top.x + alpha * (bottom.x - top.x), static_cast<int>(held)};
+    }
+
+    template <class T>
+    static RowCrossings observedCrossings(int y, const Sorted<T>& s, double xa, double xb, const Rules& rules)
+    {
+        const auto fraction = [&](std::size_t i, std::size_t j) {
+            const double down = static_cast<double>(TriangleSetup<T>::centre(0, y).y - s.vertices[i].y);
+            const double height = static_cast<double>(s.vertices[j].y - s.vertices[i].y);
+            return down / (height + double(rules.extraEdgeHeight) * double(Grid<T>::kUnit));
+        };
+        const bool upperHalf = isUpperHalf(y, s);
+        return {y, upperHalf, fraction(0, 2), upperHalf ? fraction(0, 1) : fraction(1, 2), xa, xb, 0, 0};
+    }
+
     template <class T, class Emit, class Observer>
     static void fillSpan(int y, const EdgeWalker<T>& longEdge, const EdgeWalker<T>& shortEdge, const Sorted<T>& s,
                          const TriangleSetup<T>& setup, const ScreenTriangle& triangle, const Rules& rules, Emit& emit,
@@ -303,6 +329,10 @@ private:
         const std::int64_t boundsEnd = std::int64_t(setup.bounds.x) + setup.bounds.width;
         const int xBegin = static_cast<int>(std::clamp<std::int64_t>(begin, setup.bounds.x, boundsEnd));
         const int xEnd = static_cast<int>(std::clamp<std::int64_t>(end, xBegin, boundsEnd));
+        RowCrossings crossings = observedCrossings(y, s, longEdge.position(), shortEdge.position(), rules);
+        crossings.xBegin = xBegin;
+        crossings.xEnd = xEnd;
+        observer.onCrossing(crossings);
         observer.onSpan(y, xBegin, xEnd,
                         {leftEdge.position(), rightEdge.position(), s.longEdgeIsLeft, isUpperHalf(y, s), begin, end,
                          rules.tie.owner <= 0, rules.tie.other <= 0});

@@ -103,6 +103,19 @@ void drawFaces(const Geometry& geometry, std::span<const std::uint32_t> faces, c
     }
 }
 
+/// Samples become pixels. Where a pixel has several, an observer that listens is told of each.
+template <class Observer>
+void resolvePicture(Framebuffer& framebuffer, const Rules& rules, Observer& observer)
+{
+    if constexpr (kReadsResolve<Observer>) {
+        if (rules.sampleGrid > 1) {
+            framebuffer.resolve([&](const ResolvedPixel& pixel) { observer.onResolve(pixel); });
+            return;
+        }
+    }
+    framebuffer.resolve();
+}
+
 /// One frame, all stages in order; the observer is told everything.
 ///
 /// in   what the settings resolve to for this scene
@@ -131,7 +144,7 @@ void drawScene(const Scene& scene, const Resolved& resolved, Frame& frame, Outpu
         drawInto(FragmentStage<Observer>(scene, rules, framebuffer.samples(), eye, observer));
 
     if (!stop.stop_requested())
-        framebuffer.resolve(); // samples become pixels
+        resolvePicture(framebuffer, rules, observer);
     watch.add(&StageTimes::raster);
     frame.times = watch.times();
 }

@@ -30,6 +30,12 @@ constexpr BuiltinScene kScenes[] = {
      QT_TRANSLATE_NOOP("BuiltinScene",
                        "The front triangle is sent first. Without a depth test the back one is painted over it."),
      makeGames101},
+    {"games101-tilted", QT_TRANSLATE_NOOP("BuiltinScene", "GAMES101: the same pixels, tilted"),
+     QT_TRANSLATE_NOOP("BuiltinScene", "The two triangles of GAMES101 with every corner moved along its ray to the "
+                                       "eye: they cover the same pixels, but "
+                                       "the w of a face are 3.5, 7, 14 and 10, 20, 5. Affine interpolation, a lost w "
+                                       "and a corrected depth show here."),
+     makeGames101Tilted},
     {"tile-square", QT_TRANSLATE_NOOP("BuiltinScene", "4 x 4 tiles in perspective"),
      QT_TRANSLATE_NOOP(
          "BuiltinScene",
@@ -183,6 +189,19 @@ constexpr BuiltinScene kScenes[] = {
      QT_TRANSLATE_NOOP("BuiltinScene",
                        "With a guard band the triangle is not clipped; the bounding box alone keeps it on the screen."),
      makeOverhang},
+    {"flat-edge", QT_TRANSLATE_NOOP("BuiltinScene", "A flat edge"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "The upper edge falls by 4 rows on 56 columns. What is off by a part of a row there is off by many columns."),
+     makeFlatEdge},
+    {"cut-on-centres", QT_TRANSLATE_NOOP("BuiltinScene", "A cut edge through pixel centres"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "The common edge y = x + 8 runs through the centres of 40 pixels. It is cut at the left border for the orange "
+         "triangle; the blue one has a corner there. The corner outside has code 1001: cut on the left it is still "
+         "1000, "
+         "above."),
+     makeCutOnCentres},
 };
 
 Scene makeWhole(const BuiltinScene& entry)

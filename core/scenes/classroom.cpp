@@ -42,16 +42,41 @@ Scene makeTriangle600()
     return scene;
 }
 
-Scene makeGames101()
+namespace
+{
+
+const glm::vec3 kLime = glm::vec3(217, 238, 185) / 255.0F;
+const glm::vec3 kSky = glm::vec3(185, 217, 238) / 255.0F;
+constexpr glm::dvec3 kGames101Eye{0, 0, 5};
+
+Scene games101Frame()
 {
     Scene scene = objectScene(false);
     scene.background = {0, 0, 0};
-    const glm::vec3 lime = glm::vec3(217, 238, 185) / 255.0F;
-    const glm::vec3 sky = glm::vec3(185, 217, 238) / 255.0F;
-    addFlatTriangle(scene.mesh, {2, 0, -2}, {0, 2, -2}, {-2, 0, -2}, lime);
-    addFlatTriangle(scene.mesh, {3.5, -1, -5}, {2.5, 1.5, -5}, {-1, 0.5, -5}, sky);
     scene.defaults.size = QSize(700, 700);
-    scene.defaults.view = viewFrom({0, 0, 5}, {0, 0, 0}, 0.1, 50);
+    scene.defaults.view = viewFrom(kGames101Eye, {0, 0, 0}, 0.1, 50);
+    return scene;
+}
+
+} // namespace
+
+Scene makeGames101()
+{
+    Scene scene = games101Frame();
+    addFlatTriangle(scene.mesh, {2, 0, -2}, {0, 2, -2}, {-2, 0, -2}, kLime);
+    addFlatTriangle(scene.mesh, {3.5, -1, -5}, {2.5, 1.5, -5}, {-1, 0.5, -5}, kSky);
+    return scene;
+}
+
+Scene makeGames101Tilted()
+{
+    // A corner that moves along its ray to the eye by a power of two keeps x / w and y / w bit for bit.
+    const auto along = [](double factor, glm::dvec3 corner) { return kGames101Eye + factor * (corner - kGames101Eye); };
+    Scene scene = games101Frame();
+    addFlatTriangle(scene.mesh, along(0.5, {2, 0, -2}), along(1, {0, 2, -2}), along(2, {-2, 0, -2}), kLime);
+    addFlatTriangle(scene.mesh, along(1, {3.5, -1, -5}), along(2, {2.5, 1.5, -5}), along(0.5, {-1, 0.5, -5}), kSky);
+    for (const std::size_t last : {2U, 5U}) // a face of one colour looks alike however it is interpolated
+        scene.mesh.vertices[last].color *= 0.25F;
     return scene;
 }
 

@@ -11,6 +11,7 @@ namespace rasterlens
 [[nodiscard]] Scene makeSquareDiagonal();
 [[nodiscard]] Scene makeTriangle600();
 [[nodiscard]] Scene makeGames101();
+[[nodiscard]] Scene makeGames101Tilted();
 [[nodiscard]] Scene makeTileSquare();
 [[nodiscard]] Scene makeFan();
 [[nodiscard]] Scene makeLines();
@@ -50,5 +51,7 @@ namespace rasterlens
 [[nodiscard]] Scene makeLongSliver();
 [[nodiscard]] Scene makeHugeTriangle();
 [[nodiscard]] Scene makeOverhang();
+[[nodiscard]] Scene makeFlatEdge();
+[[nodiscard]] Scene makeCutOnCentres();
 
 } // namespace rasterlens

@@ -136,6 +136,29 @@ Scene makeHugeTriangle()
     return scene;
 }
 
+Scene makeFlatEdge()
+{
+    const QSize size(64, 64);
+    Scene scene = clipScene(size);
+    addClipTriangle(scene.mesh, cornerAtPixel({4, 8}, size, kYellow), cornerAtPixel({8, 56}, size, kGreen),
+                    cornerAtPixel({60, 12}, size, kRed));
+    return scene;
+}
+
+Scene makeCutOnCentres()
+{
+    const QSize size(64, 64);
+    Scene scene = clipScene(size);
+    // Both have the edge y = x + 8. It is cut at (0, 8) for the orange triangle; the blue one begins there.
+    const glm::vec3 orange{0.95F, 0.55F, 0.15F};
+    const glm::vec3 blue{0.20F, 0.45F, 0.80F};
+    addClipTriangle(scene.mesh, cornerAtPixel({-16, -8}, size, orange), cornerAtPixel({40, 48}, size, orange),
+                    cornerAtPixel({56, 16}, size, orange));
+    addClipTriangle(scene.mesh, cornerAtPixel({0, 8}, size, blue), cornerAtPixel({4, 56}, size, blue),
+                    cornerAtPixel({40, 48}, size, blue));
+    return scene;
+}
+
 Scene makeOverhang()
 {
     const QSize size(160, 120);

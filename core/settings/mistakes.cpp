@@ -115,11 +115,11 @@ constexpr MistakeRow kRows[] = {
      "triangle-600", Proof::WrongPixels, Change::Rises, at(Shade), [](Rules& r) { r.cornerData = CornerData::Unsorted; }},
     {"height-plus-one", "M12",
      QT_TRANSLATE_NOOP("Mistake", "+1 on the height of an edge"),
-     QT_TRANSLATE_NOOP("Mistake", "The short edges end beside the middle corner: a kink, and an outline that is off by up to a pixel."),
-     QT_TRANSLATE_NOOP("Mistake", "slope = (b.x - a.x) / (b.y - a.y + 1)"),
+     QT_TRANSLATE_NOOP("Mistake", "The short edges end beside the middle corner: a spike stands out there, the longer the flatter the edge."),
+     QT_TRANSLATE_NOOP("Mistake", "alpha = (y - a.y) / (b.y - a.y + 1)"),
      QT_TRANSLATE_NOOP("Mistake", "It avoids dividing by zero."),
-     "tiny-tiles",
-     Proof::WrongFaces, Change::Rises, at(Walk, Span),
+     "flat-edge",
+     Proof::WrongFaces, Change::Rises, at(Halves, Crossing, Span),
      [](Rules& r) {
          r.algorithm = Algorithm::EdgeWalking;
          r.extraEdgeHeight = 1;
@@ -235,12 +235,17 @@ constexpr MistakeRow kRows[] = {
      "floor", Proof::Holes, Change::Rises, at(ClipPlane, End),
      [](Rules& r) { r.continuesAfterReject = false; }},
     {"nudged-cut", "M26",
-     QT_TRANSLATE_NOOP("Mistake", "Cut vertices are nudged inward by 0.001"),
-     QT_TRANSLATE_NOOP("Mistake", "A gap at the border of the screen and in front of the camera."),
-     QT_TRANSLATE_NOOP("Mistake", "t = t + 0.001"),
-     QT_TRANSLATE_NOOP("Mistake", "So that the vertex lies inside for certain."),
-     "edge-guardband", Proof::Holes, Change::Rises, at(ClipPlane),
-     [](Rules& r) { r.clipInset = 0.001; }},
+     QT_TRANSLATE_NOOP("Mistake", "Cut vertices are nudged inward by 0.001 pixels"),
+     QT_TRANSLATE_NOOP("Mistake", "A cut edge tilts by a hair: pixels whose centres lie exactly on it are lost, a row of holes to the "
+          "neighbour that is not cut."),
+     QT_TRANSLATE_NOOP("Mistake", "v1.x += 0.001f"),
+     QT_TRANSLATE_NOOP("Mistake", "So that the vertex lies inside for certain, and its code is 0."),
+     "cut-on-centres", Proof::Holes, Change::Rises, at(CohenSutherland),
+     [](Rules& r) {
+         r.clipping = Clipping::CohenSutherland;
+         r.numberType = NumberType::Float64; // 1/256 of a pixel is coarser than what is added
+         r.clipInset = 0.001;
+     }},
     {"cull-reversed", "M27",
      QT_TRANSLATE_NOOP("Mistake", "Culling with the wrong sign"),
      QT_TRANSLATE_NOOP("Mistake", "One looks into closed bodies: only the insides of their backs are drawn."),
@@ -323,7 +328,7 @@ constexpr MistakeRow kRows[] = {
      QT_TRANSLATE_NOOP("Mistake", "pixel = color * inside / 4"),
      QT_TRANSLATE_NOOP("Mistake", "Four samples inside: the full colour; two: half of it."),
      "samples",
-     Proof::MissingLight, Change::Rises, at(End), [](Rules& r) { r.resolve = Resolve::LastFace; }},
+     Proof::MissingLight, Change::Rises, at(Resolve, End), [](Rules& r) { r.resolve = Resolve::LastFace; }},
     {"one-depth-per-pixel", "M33",
      QT_TRANSLATE_NOOP("Mistake", "One depth for all samples of a pixel"),
      QT_TRANSLATE_NOOP("Mistake", "A fringe of background round what was drawn first: what lies behind fails its test there."),

@@ -1,6 +1,7 @@
 #include "core/settings/settings.h"
 
 #include "core/base/closed_list.h"
+#include "core/settings/view_planes.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
@@ -197,7 +198,9 @@ constexpr SettingsField kFields[] = {
         "samples", Stage::Cover, kSamples, QT_TRANSLATE_NOOP("Settings", "Samples a pixel"),
         QT_TRANSLATE_NOOP(
             "Settings",
-            "Super-sampling: every sample keeps its own colour and depth, and the box filter averages them.")),
+            "Super-sampling: every sample keeps its own colour and depth, and the box filter averages them. This is "
+            "not "
+            "MSAA, which also tests coverage and depth at every sample, but shades a face only once a pixel.")),
     choice<&S::visibility>(
         "visibility", Stage::Depth, kVisibilities, QT_TRANSLATE_NOOP("Settings", "Visibility"),
         QT_TRANSLATE_NOOP(
@@ -305,6 +308,8 @@ struct Reader {
     void view(const QJsonObject& json, View& view)
     {
         constexpr double kHuge = 1e30;
+        constexpr double kTiny = 1e-30;
+        const std::size_t errorsBefore = errors.size();
         for (auto it = json.begin(); it != json.end(); ++it) {
             const QString& key = it.key();
             const QJsonValue value = it.value();
@@ -328,17 +333,16 @@ struct Reader {
             else if (key == QLatin1String("up"))
                 vector(key, value, view.up);
             else if (key == QLatin1String("near")) {
-                number(key, value, distance, 1e-30, kHuge);
+                number(key, value, distance, value.toDouble() > 0 ? kTiny : -kHuge, kHuge);
                 view.near = distance;
             } else if (key == QLatin1String("far")) {
-                number(key, value, distance, 1e-30, kHuge);
+                number(key, value, distance, value.toDouble() > 0 ? kTiny : -kHuge, kHuge);
                 view.far = distance;
             } else
                 errors.push_back({QT_TRANSLATE_NOOP("Diagnostic", "\"view\" has no key \"%1\" of this kind"), {key}});
         }
-        if (view.near && view.far && !(*view.near < *view.far))
-            errors.push_back({QT_TRANSLATE_NOOP("Diagnostic", "\"near\" (%1) must be smaller than \"far\" (%2)"),
-                              {QString::number(*view.near), QString::number(*view.far)}});
+        if (auto why = whyNotPlanes(view.near, view.far); why && errors.size() == errorsBefore)
+            errors.push_back(std::move(*why));
     }
 
     void mistakes(const QJsonValue& value, QStringList& out)

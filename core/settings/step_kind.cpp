@@ -24,7 +24,11 @@ constexpr auto kKinds = std::to_array<StepKindInfo>({
     {StepKind::Fate, "fate", QT_TRANSLATE_NOOP("StepListing", "verdict"), Stage::Cull, 2},
     {StepKind::Triangle, "triangle", QT_TRANSLATE_NOOP("StepListing", "triangle"), Stage::Cover, 3},
     {StepKind::Setup, "setup", QT_TRANSLATE_NOOP("StepListing", "setup"), Stage::Cover, 3},
+    {StepKind::Outline, "outline", QT_TRANSLATE_NOOP("StepListing", "outline"), Stage::Cover, 3},
     {StepKind::Walk, "walk", QT_TRANSLATE_NOOP("StepListing", "corners by height"), Stage::Cover, 3},
+    {StepKind::Sides, "sides", QT_TRANSLATE_NOOP("StepListing", "long and broken edge"), Stage::Cover, 3},
+    {StepKind::Halves, "halves", QT_TRANSLATE_NOOP("StepListing", "cut at the middle corner"), Stage::Cover, 3},
+    {StepKind::Crossing, "crossing", QT_TRANSLATE_NOOP("StepListing", "crossings"), Stage::Cover, kCoverPhase},
     {StepKind::Span, "span", QT_TRANSLATE_NOOP("StepListing", "span"), Stage::Cover, kCoverPhase},
     {StepKind::Column, "column", QT_TRANSLATE_NOOP("StepListing", "column"), Stage::Cover, kCoverPhase},
     {StepKind::Sample, "sample", QT_TRANSLATE_NOOP("StepListing", "sample"), Stage::Cover, kCoverPhase},
@@ -34,7 +38,8 @@ constexpr auto kKinds = std::to_array<StepKindInfo>({
     {StepKind::Fragment, "fragment", QT_TRANSLATE_NOOP("StepListing", "depth test"), Stage::Depth, kCoverPhase},
     {StepKind::Shade, "shade", QT_TRANSLATE_NOOP("StepListing", "shade"), Stage::Shade, kCoverPhase},
     {StepKind::Write, "write", QT_TRANSLATE_NOOP("StepListing", "write"), Stage::Image, kCoverPhase},
-    {StepKind::End, "end", QT_TRANSLATE_NOOP("StepListing", "end of the frame"), Stage::Image, 5},
+    {StepKind::Resolve, "resolve", QT_TRANSLATE_NOOP("StepListing", "mean of the samples"), Stage::Image, 5},
+    {StepKind::End, "end", QT_TRANSLATE_NOOP("StepListing", "end of the frame"), Stage::Image, 6},
 });
 static_assert(isClosedList(kKinds, &StepKindInfo::kind));
 

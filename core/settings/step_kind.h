@@ -17,7 +17,11 @@ enum class StepKind : std::uint8_t {
     Fate,            ///< FateStep: what became of the face before coverage
     Triangle,        ///< a screen triangle begins; see StepLog::triangle
     Setup,           ///< its edge functions; see StepLog::triangle
+    Outline,         ///< edge walking begins: three edges, not yet told apart
     Walk,            ///< edge walking sorts the corners: WalkStep
+    Sides,           ///< edge walking tells the long edge from the broken one: SidesStep
+    Halves,          ///< edge walking cuts the triangle at the middle corner: HalvesStep
+    Crossing,        ///< edge walking finds where the edges cross a row: CrossingStep
     Span,            ///< edge walking fills a row: SpanStep
     Column,          ///< column fill fills a column: ColumnFillStep
     Sample,          ///< edge equation tests a sample: SampleStep
@@ -26,6 +30,7 @@ enum class StepKind : std::uint8_t {
     Fragment,        ///< interpolation and depth test: FragmentStep
     Shade,           ///< ShadeStep
     Write,           ///< WriteStep
+    Resolve,         ///< the samples of a pixel become one colour: ResolveStep
     End,             ///< the frame is finished
 };
 constexpr int kStepKinds = static_cast<int>(StepKind::End) + 1;

@@ -374,6 +374,30 @@
         <source>Six squares and a wall, sent from front to back. Around each leaf the texture is transparent: without the alpha test the corners of a square hide what lies behind, because they write depth although nothing is to be seen there.</source>
         <translation>六个方片和一面墙，由前到后送出。每片叶子周围的纹理是透明的：不做 alpha 测试时，方片的四角会挡住后面的东西，因为那里虽然什么也看不见，却写入了深度。</translation>
     </message>
+    <message>
+        <source>GAMES101: the same pixels, tilted</source>
+        <translation>GAMES101：同样的像素，倾斜的三角形</translation>
+    </message>
+    <message>
+        <source>The two triangles of GAMES101 with every corner moved along its ray to the eye: they cover the same pixels, but the w of a face are 3.5, 7, 14 and 10, 20, 5. Affine interpolation, a lost w and a corrected depth show here.</source>
+        <translation>GAMES101 的两个三角形，每个顶点沿着通向眼睛的射线移动：覆盖的像素完全相同，但两个面的 w 是 3.5、7、14 和 10、20、5。仿射插值、丢失的 w、被校正的深度在这里都看得出来。</translation>
+    </message>
+    <message>
+        <source>A flat edge</source>
+        <translation>一条平缓的边</translation>
+    </message>
+    <message>
+        <source>The upper edge falls by 4 rows on 56 columns. What is off by a part of a row there is off by many columns.</source>
+        <translation>上面的边在 56 列里只下降 4 行。那里差不到一行，就会差很多列。</translation>
+    </message>
+    <message>
+        <source>A cut edge through pixel centres</source>
+        <translation>穿过像素中心、又被裁剪的边</translation>
+    </message>
+    <message>
+        <source>The common edge y = x + 8 runs through the centres of 40 pixels. It is cut at the left border for the orange triangle; the blue one has a corner there. The corner outside has code 1001: cut on the left it is still 1000, above.</source>
+        <translation>公共边 y = x + 8 穿过 40 个像素的中心。橙色三角形的这条边在左边界被裁剪；蓝色三角形在那里正好有一个顶点。外面的顶点编码是 1001：在左边裁剪之后还是 1000，在上方。</translation>
+    </message>
 </context>
 <context>
     <name>Derive</name>
@@ -574,10 +598,6 @@
         <translation>样本 (%1, %2) 处相等：两个候选一样近。按文字规则 p &lt;= 0，直线直行。</translation>
     </message>
     <message>
-        <source>Code that asks p &lt; 0 goes aside at a tie: another sample, equally near.</source>
-        <translation>代码若判断 p &lt; 0，相等时就会侧移：得到另一个同样近的样本。</translation>
-    </message>
-    <message>
         <source>It is right of the screen: the edge is cut there.</source>
         <translation>它在屏幕右侧之外：在右边界处裁切。</translation>
     </message>
@@ -684,10 +704,6 @@
     <message>
         <source>a corner of face %1 is no number</source>
         <translation>面 %1 有一个顶点不是数</translation>
-    </message>
-    <message>
-        <source>The matrix T that makes a box of the view volume: rows (n, 0, 0, 0), (0, n, 0, 0), (0, 0, n + f, -n f) and (0, 0, 1, 0); z is the distance in front of the eye.</source>
-        <translation>把视景体变成长方体的矩阵 T：各行为 (n, 0, 0, 0)、(0, n, 0, 0)、(0, 0, n + f, -n f)、(0, 0, 1, 0)；z 是眼睛前方的距离。</translation>
     </message>
     <message>
         <source>T times end %1 of the edge. w has become the distance.</source>
@@ -1145,6 +1161,202 @@
         <source>What corner %1 contributes to the sample after both ways.</source>
         <translation>经过两次插值后，顶点 %1 对样本的贡献。</translation>
     </message>
+    <message>
+        <source>lines and points are drawn in the colours of the model: no light falls on them</source>
+        <translation>线和点以模型自身的颜色绘制：光照不到它们</translation>
+    </message>
+    <message>
+        <source>The least and the greatest x of the three corners.</source>
+        <translation>三个顶点中最小与最大的 x。</translation>
+    </message>
+    <message>
+        <source>The least and the greatest y. Whatever lies inside the triangle lies between these four numbers.</source>
+        <translation>最小与最大的 y。三角形内部的一切都在这四个数之间。</translation>
+    </message>
+    <message>
+        <source>Rounded outwards to whole numbers, as most programs do: floor for the lesser, ceil for the greater. The loop runs from left on, as long as x &lt; right.</source>
+        <translation>像多数程序那样向外取整：较小的用 floor，较大的用 ceil。循环从 left 开始，直到 x &lt; right 不再成立。</translation>
+    </message>
+    <message>
+        <source>The rows, in the same way. This box is never too small.</source>
+        <translation>行也用同样的办法。这样的包围盒绝不会太小。</translation>
+    </message>
+    <message>
+        <source>Only centres are tested, and they lie at x + 0.5: the first one that is not left of x_min, and the last one that is not right of x_max. This box leaves out columns that floor and ceil would test in vain.</source>
+        <translation>只测试中心，中心位于 x + 0.5：第一个不在 x_min 左边的，和最后一个不在 x_max 右边的。这样的包围盒省去了 floor 与 ceil 会白白测试的列。</translation>
+    </message>
+    <message>
+        <source>The first and the last row of centres.</source>
+        <translation>中心的第一行与最后一行。</translation>
+    </message>
+    <message>
+        <source>Held within the picture of W columns and H rows: what lies beyond cannot be drawn.</source>
+        <translation>限制在 W 列 H 行的图像之内：超出的部分画不出来。</translation>
+    </message>
+    <message>
+        <source>Not held within the picture: samples beyond it are tested, and would be written to other rows or other memory.</source>
+        <translation>没有限制在图像之内：图像之外的样本也被测试，并会写到别的行或别的内存。</translation>
+    </message>
+    <message>
+        <source>So many samples are tested for this triangle.</source>
+        <translation>这个三角形要测试这么多样本。</translation>
+    </message>
+    <message>
+        <source>The part of the picture: without a box every sample of it would be tested for every triangle.</source>
+        <translation>占图像的比例：没有包围盒，每个三角形都要测试图像的每个样本。</translation>
+    </message>
+    <message>
+        <source>Code that asks p &lt; 0 goes aside at a tie and plots (%1, %2) in place of (%3, %4), equally near. One sample later both ways are at one place again.</source>
+        <translation>代码若判断 p &lt; 0，相等时就会侧移，画 (%1, %2) 而不是同样近的 (%3, %4)。再过一个样本，两种走法又到同一处。</translation>
+    </message>
+    <message>
+        <source>Corner %1 lies behind the eye. -w &lt;= x and x &lt;= w cannot both hold where w is negative, so it is outside of every view volume. Divided by w first, -1 &lt;= x / w &lt;= 1, the conditions would turn round and let mirrored corners in.</source>
+        <translation>顶点 %1 在眼睛后面。w 为负时 -w &lt;= x 与 x &lt;= w 不能同时成立，所以它在任何视景体之外。若先除以 w，写成 -1 &lt;= x / w &lt;= 1，不等号就会反向，让镜像的顶点混进来。</translation>
+    </message>
+    <message>
+        <source>The matrix T that makes a box of the view volume, row by row; z is the distance in front of the eye. x is to become n x / z: n times x here, and the divide by z after it. With n = 0 all that x and y say would be lost.</source>
+        <translation>把视景体变成长方体的矩阵 T，逐行写出；z 是眼睛前方的距离。x 要变成 n x / z：这里先乘 n，之后再除以 z。若 n = 0，x 与 y 的信息就全丢了。</translation>
+    </message>
+    <message>
+        <source>y becomes n y / z.</source>
+        <translation>y 变成 n y / z。</translation>
+    </message>
+    <message>
+        <source>z has two numbers of its own, so that near and far can stay where they are.</source>
+        <translation>z 有自己的两个数，使近平面与远平面都能留在原处。</translation>
+    </message>
+    <message>
+        <source>w becomes the distance, which everything is divided by. A corner at the eye itself, z = 0, has no place: it must be cut away before the divide.</source>
+        <translation>w 成为距离，一切都要除以它。正好在眼睛处的顶点 z = 0，没有位置：必须在除法之前裁掉。</translation>
+    </message>
+    <message>
+        <source>What lies at near stays at near...</source>
+        <translation>在近平面上的仍在近平面上……</translation>
+    </message>
+    <message>
+        <source>...and what lies at far stays at far.</source>
+        <translation>……在远平面上的仍在远平面上。</translation>
+    </message>
+    <message>
+        <source>z&apos; over z: in front of the eye and behind it</source>
+        <translation>z&apos; 随 z 的变化：眼睛前方与后方</translation>
+    </message>
+    <message>
+        <source>Form 1, strict: the sample is inside if the least of the three edge values is positive. A centre on a shared edge is in neither triangle: holes.</source>
+        <translation>形式 1，严格：三个边值中最小的为正，样本就在内部。共享边上的中心不属于任何一个三角形：出现空洞。</translation>
+    </message>
+    <message>
+        <source>Form 2, inclusive: 0 counts as inside. A centre on a shared edge is in both triangles: drawn twice.</source>
+        <translation>形式 2，包含：0 也算内部。共享边上的中心属于两个三角形：画两次。</translation>
+    </message>
+    <message>
+        <source>The cross products of a text with y down, or of corners in the other order: all three signs turn together.</source>
+        <translation>y 向下时，或顶点顺序相反时课文里的叉积：三个符号一起反转。</translation>
+    </message>
+    <message>
+        <source>Form 2 for these: inside is negative.</source>
+        <translation>对它们用形式 2：负为内部。</translation>
+    </message>
+    <message>
+        <source>Form 3: all &gt;= 0 or all &lt;= 0, whatever the order of the corners. That is so exactly if the least and the greatest have no different signs.</source>
+        <translation>形式 3：全部 &gt;= 0 或全部 &lt;= 0，与顶点顺序无关。这恰好等价于最小值与最大值不异号。</translation>
+    </message>
+    <message>
+        <source>Form 3, strict: all &gt; 0 or all &lt; 0.</source>
+        <translation>形式 3，严格：全部 &gt; 0 或全部 &lt; 0。</translation>
+    </message>
+    <message>
+        <source>Form 4: the weights of A, B and C. Outside one or two of them are negative, and their sum is still 1.</source>
+        <translation>形式 4：A、B、C 的权重。在外部有一个或两个为负，而总和仍为 1。</translation>
+    </message>
+    <message>
+        <source>Inside if no weight is negative: form 2 again, as the sum of the edge values has the sign of the triangle.</source>
+        <translation>没有负的权重就在内部：这又是形式 2，因为边值之和与三角形同号。</translation>
+    </message>
+    <message>
+        <source>Edge %1 is level. It is a top edge if it runs to the left.</source>
+        <translation>边 %1 是水平的。若它向左走，就是上边。</translation>
+    </message>
+    <message>
+        <source>Edge %1: with the corners counter-clockwise it is a left edge if it runs down the screen. Where the corners run clockwise the comparison turns round.</source>
+        <translation>边 %1：顶点逆时针排列时，若它在屏幕上向下走，就是左边。顶点顺时针排列时，比较反过来。</translation>
+    </message>
+    <message>
+        <source>What the program asks of %1. Under the top-left rule t is 0 for left and top edges, and the smallest value above 0 for the others: a bias of one step.</source>
+        <translation>程序对 %1 的判断。按左上规则，左边和上边的 t 为 0，其余的 t 是大于 0 的最小值：偏移一步。</translation>
+    </message>
+    <message>
+        <source>Counted over the whole triangle: samples that form 2 takes and form 1 does not. Their centres lie on an edge exactly.</source>
+        <translation>对整个三角形计数：形式 2 收下而形式 1 不收的样本。它们的中心恰好在边上。</translation>
+    </message>
+    <message>
+        <source>Those of them that the rule in use gives to this triangle; the others belong to its neighbours.</source>
+        <translation>其中按当前规则归这个三角形的；其余的属于它的邻居。</translation>
+    </message>
+    <message>
+        <source>From the side: eye O, screen at distance 1</source>
+        <translation>侧视图：眼睛 O，屏幕在距离 1 处</translation>
+    </message>
+    <message>
+        <source>The bounding box</source>
+        <translation>包围盒</translation>
+    </message>
+    <message>
+        <source>Inside, asked in four forms</source>
+        <translation>内部判断的四种形式</translation>
+    </message>
+    <message>
+        <source>The red that is stored: rounded once, to a whole number up to 255.</source>
+        <translation>存下的红色：只舍入一次，得到不超过 255 的整数。</translation>
+    </message>
+    <message>
+        <source>A colour type of bytes cuts off every product: the sum is up to 3 too dark.</source>
+        <translation>用字节存颜色的类型会截断每个乘积：总和最多偏暗 3。</translation>
+    </message>
+    <message>
+        <source>Suppose every face lets half of what is behind it through: a = 1/2. Face %1 is drawn over what is there, in the order in which faces are sent.</source>
+        <translation>假设每个面都透过后面的一半：a = 1/2。按提交的顺序，面 %1 画在已有的颜色之上。</translation>
+    </message>
+    <message>
+        <source>From far to near, as a painter works, face %1 comes here.</source>
+        <translation>像画家那样由远到近，这里轮到面 %1。</translation>
+    </message>
+    <message>
+        <source>Whether both orders make one colour (its red part). Where they do not, transparent faces have to be sorted.</source>
+        <translation>两种顺序的颜色（红色部分）是否一致。不一致时，透明的面必须排序。</translation>
+    </message>
+    <message>
+        <source>A depth test before shading asks this of face %1 where the depth of face %2 is stored. If it does not hold, the face is dropped, although half of it should shine through. A shader that changes depth has the same trouble: the test cannot know it yet.</source>
+        <translation>着色前的深度测试在存有面 %2 的深度处对面 %1 这样判断。若不成立，这个面就被丢弃，尽管它的一半本该透出来。改写深度的着色器也有同样的麻烦：测试时还不知道新的深度。</translation>
+    </message>
+    <message>
+        <source>no face is drawn at this pixel</source>
+        <translation>这个像素没有画任何面</translation>
+    </message>
+    <message>
+        <source>Some programs spread z / w over near to far again before they store it. That is linear, so comparisons come out as before; it is not the distance.</source>
+        <translation>有些程序在存储之前又把 z / w 展开到近平面与远平面之间。这是线性的，所以比较的结果不变；但它并不是距离。</translation>
+    </message>
+    <message>
+        <source>n(m) for several Z1 / Z2; solid: this edge</source>
+        <translation>不同 Z1 / Z2 的 n(m)；实线：这条边</translation>
+    </message>
+    <message>
+        <source>Transparent faces, and who comes first</source>
+        <translation>透明的面与先后顺序</translation>
+    </message>
+    <message>
+        <source>A slip worth knowing: if (a.y &gt; b.y) swap(points); swap(w); has no braces, so w is exchanged all three times. The corners then have the w of C, B and A, whatever their heights.</source>
+        <translation>值得知道的疏忽：if (a.y &gt; b.y) swap(points); swap(w); 没有花括号，所以三次都会交换 w。于是不论高低，各顶点得到的是 C、B、A 的 w。</translation>
+    </message>
+    <message>
+        <source>A slip worth knowing: a program that exchanges the ends of the span, so that it runs from left to right, and forgets to exchange their w, takes this number in place of n.</source>
+        <translation>值得知道的疏忽：程序为了从左到右而交换扫描段的两端，却忘了交换它们的 w，就会用这个数代替 n。</translation>
+    </message>
+    <message>
+        <source>Over a face. How much the distances of its corners differ: if it is 0, the weights on the screen are those in space, and correction changes nothing.</source>
+        <translation>对整个面。各顶点的距离相差多少：若为 0，屏幕上的权重就是空间中的权重，校正不改变任何东西。</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostic</name>
@@ -1321,10 +1533,6 @@
         <translation>&quot;vertices&quot; 应为索引和位置：&quot;0&quot;: [x, y, z, w]，而不是 &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>there is no key &quot;%1&quot;; rasterlens, scene, settings and vertices are expected</source>
-        <translation>没有 &quot;%1&quot; 这个键；应为 rasterlens、scene、settings 和 vertices</translation>
-    </message>
-    <message>
         <source>this is not a session of this program; &quot;rasterlens&quot;: %1 is expected</source>
         <translation>这不是本程序的会话；应有 &quot;rasterlens&quot;: %1</translation>
     </message>
@@ -1471,10 +1679,6 @@
     <message>
         <source>the file now has %1 vertices instead of %2: moved vertices are back where the file has them</source>
         <translation>文件现在有 %1 个顶点（原有 %2 个）：移动过的顶点已回到文件中的位置</translation>
-    </message>
-    <message>
-        <source>&quot;near&quot; (%1) must be smaller than &quot;far&quot; (%2)</source>
-        <translation>&quot;near&quot;（%1）必须小于 &quot;far&quot;（%2）</translation>
     </message>
     <message>
         <source>%1; left out</source>
@@ -1889,6 +2093,78 @@
         <translation>没有这一课；应为 .json 文件，或其中之一：%1</translation>
     </message>
     <message>
+        <source>there is no key &quot;%1&quot;; rasterlens, scene, settings, vertices and colors are expected</source>
+        <translation>没有键 &quot;%1&quot;；可用的是 rasterlens、scene、settings、vertices 和 colors</translation>
+    </message>
+    <message>
+        <source>&quot;colors&quot; takes an object</source>
+        <translation>&quot;colors&quot; 需要一个对象</translation>
+    </message>
+    <message>
+        <source>&quot;colors&quot; takes an index and a colour: &quot;0&quot;: [r, g, b], each from 0 to 1, not &quot;%1&quot;</source>
+        <translation>&quot;colors&quot; 需要序号和颜色：&quot;0&quot;: [r, g, b]，每个从 0 到 1，不能是 &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;colors&quot; names vertex %1; the scene has %2, counted from 0</source>
+        <translation>&quot;colors&quot; 提到顶点 %1；场景有 %2 个，从 0 数起</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 和 %2</translation>
+    </message>
+    <message>
+        <source>all w of these faces are equal: %1</source>
+        <translation>这些面的所有 w 都相等：%1</translation>
+    </message>
+    <message>
+        <source>the three w of each face are equal: %1</source>
+        <translation>每个面的三个 w 都相等：%1</translation>
+    </message>
+    <message>
+        <source>no face is cut, and none is rejected: all corners lie inside the view volume</source>
+        <translation>没有面被裁剪，也没有面被丢弃：所有顶点都在视景体内</translation>
+    </message>
+    <message>
+        <source>every face is a front face</source>
+        <translation>每个面都是正面</translation>
+    </message>
+    <message>
+        <source>every face is a back face</source>
+        <translation>每个面都是背面</translation>
+    </message>
+    <message>
+        <source>no lines are drawn</source>
+        <translation>没有画线</translation>
+    </message>
+    <message>
+        <source>there is one sample a pixel</source>
+        <translation>每个像素只有一个采样点</translation>
+    </message>
+    <message>
+        <source>the picture is as wide as it is high</source>
+        <translation>画面的宽和高相等</translation>
+    </message>
+    <message>
+        <source>nothing is culled</source>
+        <translation>没有剔除任何面</translation>
+    </message>
+    <message>
+        <source>no material has a mask</source>
+        <translation>没有材质带蒙版</translation>
+    </message>
+    <message>
+        <source>the near plane is at %1, but must lie before the eye, at more than 0: with n = 0, z&apos; = n + f - nf/z is f for every z, and x&apos; = nx/z is 0 for every x</source>
+        <translation>近平面在 %1，但它必须在眼睛前面，大于 0：n = 0 时，z&apos; = n + f - nf/z 对所有的 z 都是 f，x&apos; = nx/z 对所有的 x 都是 0</translation>
+    </message>
+    <message>
+        <source>the far plane is at %1, but must lie before the eye, at more than 0</source>
+        <translation>远平面在 %1，但它必须在眼睛前面，大于 0</translation>
+    </message>
+    <message>
+        <source>the far plane is at %2, but must lie beyond the near plane at %1: z&apos; = n + f - nf/z runs from n to f, which leaves no depth between</source>
+        <translation>远平面在 %2，但它必须在近平面 %1 之外：z&apos; = n + f - nf/z 从 n 到 f，这样中间就没有深度了</translation>
+    </message>
+    <message>
         <source>an array of shape %1 is no picture; (H, W), (H, W, 3) or (H, W, 4) is expected, at most %2 pixels a side</source>
         <translation>形状为 %1 的数组不是图片；应为 (H, W)、(H, W, 3) 或 (H, W, 4)，每边至多 %2 像素</translation>
     </message>
@@ -1926,17 +2202,6 @@
     <message>
         <source>frontier</source>
         <translation>前沿</translation>
-    </message>
-</context>
-<context>
-    <name>HandoutExport</name>
-    <message>
-        <source>Handout of a lesson</source>
-        <translation>课程讲义</translation>
-    </message>
-    <message>
-        <source>Lesson:</source>
-        <translation>课程：</translation>
     </message>
 </context>
 <context>
@@ -3006,6 +3271,38 @@
         <source>no edge: the list of y is empty</source>
         <translation>没有边：y 的列表为空</translation>
     </message>
+    <message>
+        <source>pixel (%1, %2): %3 samples and their mean</source>
+        <translation>像素 (%1, %2)：%3 个采样点和它们的平均</translation>
+    </message>
+    <message>
+        <source>pixel (%1, %2): what its samples store now</source>
+        <translation>像素 (%1, %2)：各采样点现在存的值</translation>
+    </message>
+    <message>
+        <source>upper half</source>
+        <translation>上半部分</translation>
+    </message>
+    <message>
+        <source>lower half</source>
+        <translation>下半部分</translation>
+    </message>
+    <message>
+        <source>upper half: short edge %1</source>
+        <translation>上半部分：短边 %1</translation>
+    </message>
+    <message>
+        <source>lower half: short edge %1</source>
+        <translation>下半部分：短边 %1</translation>
+    </message>
+    <message>
+        <source>long edge 1-3: %1</source>
+        <translation>长边 1-3：%1</translation>
+    </message>
+    <message>
+        <source>broken edge 1-2-3: %1, %2</source>
+        <translation>折边 1-2-3：%1、%2</translation>
+    </message>
 </context>
 <context>
     <name>LocateModel</name>
@@ -3209,12 +3506,8 @@
         <translation>边的高度加 1</translation>
     </message>
     <message>
-        <source>The short edges end beside the middle corner: a kink, and an outline that is off by up to a pixel.</source>
-        <translation>短边没有到达中间顶点：出现折角，轮廓最多偏差一个像素。</translation>
-    </message>
-    <message>
-        <source>slope = (b.x - a.x) / (b.y - a.y + 1)</source>
-        <translation>slope = (b.x - a.x) / (b.y - a.y + 1)</translation>
+        <source>alpha = (y - a.y) / (b.y - a.y + 1)</source>
+        <translation>alpha = (y - a.y) / (b.y - a.y + 1)</translation>
     </message>
     <message>
         <source>It avoids dividing by zero.</source>
@@ -3475,22 +3768,6 @@
     <message>
         <source>The body of the loop was a function once.</source>
         <translation>循环体以前是一个函数。</translation>
-    </message>
-    <message>
-        <source>Cut vertices are nudged inward by 0.001</source>
-        <translation>裁剪点向内推 0.001</translation>
-    </message>
-    <message>
-        <source>A gap at the border of the screen and in front of the camera.</source>
-        <translation>屏幕边缘和相机前方出现缝隙。</translation>
-    </message>
-    <message>
-        <source>t = t + 0.001</source>
-        <translation>t = t + 0.001</translation>
-    </message>
-    <message>
-        <source>So that the vertex lies inside for certain.</source>
-        <translation>好让顶点一定落在里面。</translation>
     </message>
     <message>
         <source>Culling with the wrong sign</source>
@@ -3823,6 +4100,69 @@
     <message>
         <source>One of two flips was taken out.</source>
         <translation>两次翻转去掉了一次。</translation>
+    </message>
+    <message>
+        <source>The short edges end beside the middle corner: a spike stands out there, the longer the flatter the edge.</source>
+        <translation>短边到不了中间的顶点：那里突出一根尖刺，边越平缓就越长。</translation>
+    </message>
+    <message>
+        <source>Cut vertices are nudged inward by 0.001 pixels</source>
+        <translation>裁剪出的顶点向内挪 0.001 像素</translation>
+    </message>
+    <message>
+        <source>A cut edge tilts by a hair: pixels whose centres lie exactly on it are lost, a row of holes to the neighbour that is not cut.</source>
+        <translation>被裁剪的边倾斜了一点点：中心正好在边上的像素丢了，与没有被裁剪的相邻面之间出现一排洞。</translation>
+    </message>
+    <message>
+        <source>v1.x += 0.001f</source>
+        <translation>v1.x += 0.001f</translation>
+    </message>
+    <message>
+        <source>So that the vertex lies inside for certain, and its code is 0.</source>
+        <translation>为了让顶点一定在里面，编码是 0。</translation>
+    </message>
+</context>
+<context>
+    <name>Moment</name>
+    <message>
+        <source>nothing is left</source>
+        <translation>什么也没有留下</translation>
+    </message>
+    <message>
+        <source>%1 corners are left</source>
+        <translation>剩下 %1 个角</translation>
+    </message>
+    <message>
+        <source>corner %1 comes from the mesh</source>
+        <translation>从网格取角 %1</translation>
+    </message>
+    <message>
+        <source>cut by the plane %1: %2</source>
+        <translation>用平面“%1”裁剪：%2</translation>
+    </message>
+    <message>
+        <source>cut at the sides of the screen: %1</source>
+        <translation>在屏幕四边裁剪：%1</translation>
+    </message>
+    <message>
+        <source>corner %1 goes to pixel position (%2, %3)</source>
+        <translation>角 %1 变换到像素坐标 (%2, %3)</translation>
+    </message>
+    <message>
+        <source>verdict: %1</source>
+        <translation>判定：%1</translation>
+    </message>
+    <message>
+        <source>what is left is drawn as a fan</source>
+        <translation>剩下的部分作为扇形绘制</translation>
+    </message>
+    <message>
+        <source>face %1</source>
+        <translation>面 %1</translation>
+    </message>
+    <message>
+        <source>not in front of the eye: %1</source>
+        <translation>不在眼睛前方：%1</translation>
     </message>
 </context>
 <context>
@@ -4200,10 +4540,6 @@
         <translation>每像素采样数</translation>
     </message>
     <message>
-        <source>Super-sampling: every sample keeps its own colour and depth, and the box filter averages them.</source>
-        <translation>超采样：每个采样点保存自己的颜色和深度，再用盒式滤波求平均。</translation>
-    </message>
-    <message>
         <source>Visibility</source>
         <translation>可见性</translation>
     </message>
@@ -4302,6 +4638,10 @@
     <message>
         <source>Where a texture with transparency is less than half opaque, the face has a hole: nothing is drawn there, and no depth is written. Textures without transparency have none.</source>
         <translation>带透明度的纹理在不透明度不到一半处，面上就有孔：那里什么都不画，也不写入深度。没有透明度的纹理没有孔。</translation>
+    </message>
+    <message>
+        <source>Super-sampling: every sample keeps its own colour and depth, and the box filter averages them. This is not MSAA, which also tests coverage and depth at every sample, but shades a face only once a pixel.</source>
+        <translation>超采样：每个采样点保存自己的颜色和深度，再用盒式滤波求平均。这不是 MSAA：MSAA 也在每个采样点测试覆盖和深度，但一个面在每个像素里只着色一次。</translation>
     </message>
 </context>
 <context>
@@ -4548,6 +4888,117 @@
     <message>
         <source>no sample</source>
         <translation>没有采样点</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples count as black</source>
+        <translation>%2 个采样点中有 %1 个算作黑色</translation>
+    </message>
+    <message>
+        <source>pixel (%1, %2)</source>
+        <translation>像素 (%1, %2)</translation>
+    </message>
+    <message>
+        <source>outline</source>
+        <translation>轮廓</translation>
+    </message>
+    <message>
+        <source>long and broken edge</source>
+        <translation>长边与折边</translation>
+    </message>
+    <message>
+        <source>cut at the middle corner</source>
+        <translation>在中间顶点处切开</translation>
+    </message>
+    <message>
+        <source>crossings</source>
+        <translation>交点</translation>
+    </message>
+    <message>
+        <source>mean of the samples</source>
+        <translation>采样点的平均</translation>
+    </message>
+</context>
+<context>
+    <name>StepSentence</name>
+    <message>
+        <source>Column %1 is filled between its lowest and its highest row.</source>
+        <translation>第 %1 列从最上一行填到最下一行。</translation>
+    </message>
+    <message>
+        <source>%1 belongs to the line.</source>
+        <translation>%1属于这条线。</translation>
+    </message>
+    <message>
+        <source>%1 gets its colour from face %2.</source>
+        <translation>%1由面 %2 着色。</translation>
+    </message>
+    <message>
+        <source>%1 is written: colour and depth are now those of face %2.</source>
+        <translation>写入%1：颜色和深度现在是面 %2 的。</translation>
+    </message>
+    <message>
+        <source>The frame is finished.</source>
+        <translation>这一帧画完了。</translation>
+    </message>
+    <message>
+        <source>Pixel (%1, %2)</source>
+        <translation>像素 (%1, %2) </translation>
+    </message>
+    <message>
+        <source>Sample (%1, %2)</source>
+        <translation>采样点 (%1, %2) </translation>
+    </message>
+    <message>
+        <source>%1 lies inside all three edges of face %2.</source>
+        <translation>%1在面 %2 三条边的内侧。</translation>
+    </message>
+    <message>
+        <source>%1 lies outside edge %3: face %2 does not draw it.</source>
+        <translation>%1在边 %3 的外侧：面 %2 不画它。</translation>
+    </message>
+    <message>
+        <source>%1 lies exactly on %3, a right or bottom edge, and still face %2 draws it.</source>
+        <translation>%1恰在边 %3 上，这是右边或下边，面 %2 却画了它。</translation>
+    </message>
+    <message>
+        <source>%1 lies exactly on %3, a right or bottom edge: face %2 does not draw it.</source>
+        <translation>%1恰在边 %3 上，这是右边或下边：面 %2 不画它。</translation>
+    </message>
+    <message>
+        <source>%1 lies exactly on %3, a %4 edge: face %2 draws it.</source>
+        <translation>%1恰在边 %3 上，这是%4：面 %2 画它。</translation>
+    </message>
+    <message>
+        <source>%1 lies exactly on %3, a %4 edge, and still face %2 does not draw it.</source>
+        <translation>%1恰在边 %3 上，这是%4，面 %2 却不画它。</translation>
+    </message>
+    <message>
+        <source>Row %1 of face %2 is filled from x = %3 to %4.</source>
+        <translation>面 %2 的第 %1 行从 x = %3 填到 %4。</translation>
+    </message>
+    <message>
+        <source>Row %1 of face %2 holds no pixel centre.</source>
+        <translation>面 %2 的第 %1 行没有像素中心。</translation>
+    </message>
+    <message>
+        <source>p = %1 is greater than 0: the line steps aside.</source>
+        <translation>p = %1 大于 0：线横移一步。</translation>
+    </message>
+    <message>
+        <source>p = %1 is not greater than 0: the line goes straight on.</source>
+        <translation>p = %1 不大于 0：线直走。</translation>
+    </message>
+    <message>
+        <source>%1 of face %2 is taken: depth is not tested.</source>
+        <translation>取面 %2 的%1：不做深度测试。</translation>
+    </message>
+    <message>
+        <source>%1: face %2, at depth %3 against %4, passes the depth test.</source>
+        <translation>%1：面 %2 的深度 %3，与 %4 相比，通过深度测试。</translation>
+    </message>
+    <message>
+        <source>%1: face %2, at depth %3 against %4, fails the depth test.</source>
+        <translation>%1：面 %2 的深度 %3，与 %4 相比，没有通过深度测试。</translation>
     </message>
 </context>
 <context>
@@ -4820,6 +5271,74 @@
         <source>filled from min %1 to max %2</source>
         <translation>从最小值 %1 填充到最大值 %2</translation>
     </message>
+    <message>
+        <source>counts as black</source>
+        <translation>算作黑色</translation>
+    </message>
+    <message>
+        <source>long edge %1, from 1 to 3</source>
+        <translation>长边 %1，从 1 到 3</translation>
+    </message>
+    <message>
+        <source>broken edge %1 and %2, from 1 over 2 to 3, on the %3</source>
+        <translation>折边 %1 和 %2，从 1 经过 2 到 3，在%3</translation>
+    </message>
+    <message>
+        <source>2 and 3 are of one height: there is no lower half</source>
+        <translation>2 和 3 一样高：没有下半部分</translation>
+    </message>
+    <message>
+        <source>rows of the upper half %1</source>
+        <translation>上半部分的行 %1</translation>
+    </message>
+    <message>
+        <source>1 and 2 are of one height: there is no upper half</source>
+        <translation>1 和 2 一样高：没有上半部分</translation>
+    </message>
+    <message>
+        <source>rows of the lower half %1</source>
+        <translation>下半部分的行 %1</translation>
+    </message>
+    <message>
+        <source>y2 = %1, cut from x2 = %2 to the long edge at alpha = %3, x = %4</source>
+        <translation>y2 = %1，从 x2 = %2 切到长边的 alpha = %3 处，x = %4</translation>
+    </message>
+    <message>
+        <source>rows of the upper half %1, of the lower half %2</source>
+        <translation>上半部分的行 %1，下半部分的行 %2</translation>
+    </message>
+    <message>
+        <source>%1 half, alpha %2, beta %3</source>
+        <translation>%1半部，alpha %2，beta %3</translation>
+    </message>
+    <message>
+        <source>xa %1 on the long edge, xb %2 on the broken edge</source>
+        <translation>长边上 xa %1，折边上 xb %2</translation>
+    </message>
+    <message>
+        <source>min %1, max %2: nothing of it is on the target</source>
+        <translation>最小值 %1，最大值 %2：没有一个在画面内</translation>
+    </message>
+    <message>
+        <source>min %1, max %2, of which %3 to %4 are on the target</source>
+        <translation>最小值 %1，最大值 %2，其中 %3 到 %4 在画面内</translation>
+    </message>
+    <message>
+        <source>stored %1</source>
+        <translation>存的是 %1</translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation>平均 %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 count as black, mean %3</source>
+        <translation>%2 个中有 %1 个算作黑色，平均 %3</translation>
+    </message>
+    <message>
+        <source>three edges, not yet told apart; heights %1</source>
+        <translation>三条边，还没有区分；高度 %1</translation>
+    </message>
 </context>
 <context>
     <name>StressScene</name>
@@ -4955,6 +5474,124 @@
     <message>
         <source>what</source>
         <translation>作用</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>课程</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::BarycentricLayer</name>
+    <message>
+        <source>perspective %1</source>
+        <translation>透视 %1</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::CanvasViews</name>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>Ids</source>
+        <translation>面编号</translation>
+    </message>
+    <message>
+        <source>Overdraw</source>
+        <translation>重绘次数</translation>
+    </message>
+    <message>
+        <source>Facing</source>
+        <translation>朝向</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>法线</translation>
+    </message>
+    <message>
+        <source>UV</source>
+        <translation>UV</translation>
+    </message>
+    <message>
+        <source>Pixel grid (from 8×)</source>
+        <translation>像素网格（8× 起）</translation>
+    </message>
+    <message>
+        <source>Sample positions (from 16×)</source>
+        <translation>采样位置（16× 起）</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>采样点</translation>
+    </message>
+    <message>
+        <source>Pixel values (from 48×)</source>
+        <translation>像素数值（48× 起）</translation>
+    </message>
+    <message>
+        <source>Wireframe over the picture</source>
+        <translation>叠加在画面上的线框</translation>
+    </message>
+    <message>
+        <source>Wireframe</source>
+        <translation>线框</translation>
+    </message>
+    <message>
+        <source>Outline of the face at the selected pixel</source>
+        <translation>所选像素所属面的轮廓</translation>
+    </message>
+    <message>
+        <source>Bounding boxes</source>
+        <translation>包围盒</translation>
+    </message>
+    <message>
+        <source>Boxes</source>
+        <translation>包围盒</translation>
+    </message>
+    <message>
+        <source>Tiles of the tiled algorithm</source>
+        <translation>分块算法的块</translation>
+    </message>
+    <message>
+        <source>Tiles</source>
+        <translation>分块</translation>
+    </message>
+    <message>
+        <source>Barycentric areas and iso-lines</source>
+        <translation>重心坐标的面积与等值线</translation>
+    </message>
+    <message>
+        <source>Barycentric</source>
+        <translation>重心坐标</translation>
+    </message>
+    <message>
+        <source>Mid-line, where α is nearly one half</source>
+        <translation>中线：α 接近一半之处</translation>
+    </message>
+    <message>
+        <source>Depth buffer beside the picture</source>
+        <translation>画面旁的深度缓冲</translation>
+    </message>
+    <message>
+        <source>The overlays were not computed: %1.</source>
+        <translation>未能计算叠加内容：%1。</translation>
+    </message>
+    <message>
+        <source>The view stays: %1</source>
+        <translation>视图保持不变：%1</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Overlays</source>
+        <translation>叠加</translation>
     </message>
 </context>
 <context>
@@ -5339,6 +5976,17 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::DepthPicture</name>
+    <message>
+        <source>Depth buffer: not known</source>
+        <translation>深度缓冲：尚未知</translation>
+    </message>
+    <message>
+        <source>Depth buffer: black %1, white %2</source>
+        <translation>深度缓冲：黑 %1，白 %2</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::DerivationPanel</name>
     <message>
         <source>Derivation</source>
@@ -5359,6 +6007,14 @@
     <message>
         <source>Edge CA</source>
         <translation>边 CA</translation>
+    </message>
+    <message>
+        <source>Part of the way along the edge</source>
+        <translation>沿边走过的比例</translation>
+    </message>
+    <message>
+        <source>Part of the way from near to far</source>
+        <translation>从近平面到远平面的比例</translation>
     </message>
 </context>
 <context>
@@ -5498,6 +6154,17 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::FacingLayer</name>
+    <message>
+        <source>front</source>
+        <translation>正面</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>背面</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::FieldRow</name>
     <message>
         <source>The scene asks for: %1. Click to put it back.</source>
@@ -5513,133 +6180,143 @@
     </message>
 </context>
 <context>
-    <name>rasterlens::FigureExport</name>
+    <name>rasterlens::GeometryLayer</name>
     <message>
-        <source>%1 could not be written: %2</source>
-        <translation>无法写入 %1：%2</translation>
+        <source>perspective</source>
+        <translation>透视</translation>
     </message>
     <message>
-        <source>edge %1</source>
-        <translation>边 %1</translation>
-    </message>
-    <message>
-        <source>inside of the edge</source>
-        <translation>在边的内侧</translation>
-    </message>
-    <message>
-        <source>outside</source>
-        <translation>在外侧</translation>
-    </message>
-    <message>
-        <source>on the edge: a tie</source>
-        <translation>恰在边上</translation>
-    </message>
-    <message>
-        <source>sample</source>
-        <translation>采样点</translation>
-    </message>
-    <message>
-        <source>pixel (%1, %2)</source>
-        <translation>像素 (%1, %2)</translation>
-    </message>
-    <message>
-        <source>Step %1 of %2</source>
-        <translation>第 %1 步，共 %2 步</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>正确</translation>
-    </message>
-    <message>
-        <source>With the mistake</source>
-        <translation>有错误</translation>
+        <source>linear on the screen</source>
+        <translation>屏幕上线性</translation>
     </message>
 </context>
 <context>
-    <name>rasterlens::IdentifyPanel</name>
+    <name>rasterlens::LessonMode</name>
     <message>
-        <source>The right picture</source>
-        <translation>正确的图片</translation>
+        <source>The lesson was not checked: %1.</source>
+        <translation>课程没有检查：%1。</translation>
     </message>
     <message>
-        <source>The picture cannot be compared: %1.</source>
-        <translation>无法比较这张图片：%1。</translation>
+        <source>Less&amp;ons</source>
+        <translation>课程(&amp;O)</translation>
     </message>
     <message>
-        <source>The present settings cannot be drawn, so that there is nothing to compare with.</source>
-        <translation>当前设置无法绘制，因此没有可供比较的图片。</translation>
+        <source>&amp;Next slide</source>
+        <translation>下一页(&amp;N)</translation>
     </message>
     <message>
-        <source>%1, together with %2</source>
-        <translation>%1，以及 %2</translation>
+        <source>&amp;Previous slide</source>
+        <translation>上一页(&amp;P)</translation>
     </message>
     <message>
-        <source>Draws the same picture here:</source>
-        <translation>在这里画出同一张图片的还有：</translation>
+        <source>Next, previous slide, also by a presenter&apos;s remote</source>
+        <translation>下一页、上一页，翻页笔也可以</translation>
     </message>
     <message>
-        <source>Yours</source>
-        <translation>你的图片</translation>
+        <source>&amp;Back to the lesson</source>
+        <translation>回到课程(&amp;B)</translation>
     </message>
     <message>
-        <source>With the mistake</source>
-        <translation>有错误</translation>
+        <source>&amp;Mark the selected pixel as an answer</source>
+        <translation>把所选像素标为答案(&amp;M)</translation>
     </message>
     <message>
-        <source>Where they differ</source>
-        <translation>不同之处</translation>
+        <source>With slides for a &amp;second look</source>
+        <translation>包括进阶页(&amp;S)</translation>
     </message>
     <message>
-        <source>Comparing with each mistake…</source>
-        <translation>正在与每个错误比较…</translation>
+        <source>&amp;Keep answers in a file (CSV, no names)…</source>
+        <translation>把答案存入文件（CSV，不含姓名）(&amp;K)…</translation>
     </message>
     <message>
-        <source>Drop a picture that your own program drew of this scene, or choose it: it is compared with the right picture and with what each mistake draws.</source>
-        <translation>把你自己的程序为这个场景画的图片拖进来，或选择它：它会与正确的图片以及每个错误画出的图片比较。</translation>
+        <source>&amp;Close the lesson</source>
+        <translation>关闭课程(&amp;C)</translation>
     </message>
     <message>
-        <source>%1: none of these. No mistake explains the picture.</source>
-        <translation>%1：都不是。没有一个错误能解释这张图片。</translation>
+        <source>Lesson</source>
+        <translation>课程</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
+        <source>Keep answers in a file</source>
+        <translation>把答案存入文件</translation>
     </message>
     <message>
-        <source>Choose a picture…</source>
-        <translation>选择图片…</translation>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
     </message>
     <message>
-        <source>The scene or its settings have changed since.</source>
-        <translation>此后场景或设置已改变。</translation>
+        <source>Answers are kept in %1, without names.</source>
+        <translation>答案存入 %1，不含姓名。</translation>
     </message>
     <message>
-        <source>Compare again</source>
-        <translation>重新比较</translation>
+        <source>%1: the answers cannot be written: %2</source>
+        <translation>%1：答案无法写入：%2</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::LessonPanel</name>
+    <message>
+        <source>Try it yourself</source>
+        <translation>自己试试</translation>
     </message>
     <message>
-        <source>Show in the window</source>
-        <translation>在窗口中显示</translation>
+        <source>Change anything: settings, mistakes, corners, steps. The lesson waits.</source>
+        <translation>什么都可以改：设置、错误、顶点、步骤。课程会等着。</translation>
     </message>
     <message>
-        <source>Switches this mistake on; a double click does so as well</source>
-        <translation>打开这个错误；双击也可以</translation>
+        <source>Back to the lesson</source>
+        <translation>回到课程</translation>
     </message>
     <message>
-        <source>Fits</source>
-        <translation>符合</translation>
+        <source>Choose a lesson in the menu Lessons.</source>
+        <translation>请在“课程”菜单里选一课。</translation>
     </message>
     <message>
-        <source>Mistake</source>
-        <translation>错误</translation>
+        <source>%1 of %2</source>
+        <translation>第 %1 页，共 %2 页</translation>
     </message>
     <message>
-        <source>Pixels</source>
-        <translation>像素</translation>
+        <source>%1 of %2 right</source>
+        <translation>答对 %1 / %2</translation>
     </message>
     <message>
-        <source>Where</source>
-        <translation>位置</translation>
+        <source>This question has no answer here.</source>
+        <translation>这个问题在这里没有答案。</translation>
+    </message>
+    <message>
+        <source>The answer: %1</source>
+        <translation>答案：%1</translation>
+    </message>
+    <message>
+        <source>✓ Right: %1</source>
+        <translation>✓ 对：%1</translation>
+    </message>
+    <message>
+        <source>✗ %1 of %2 found, %3 too many</source>
+        <translation>✗ %2 个里找到 %1 个，多点了 %3 个</translation>
+    </message>
+    <message>
+        <source>✗ Not quite. The answer: %1</source>
+        <translation>✗ 不对。答案：%1</translation>
+    </message>
+    <message>
+        <source>The lesson ends here.</source>
+        <translation>这一课到此结束。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 questions answered right.</source>
+        <translation>%2 个问题答对 %1 个。</translation>
+    </message>
+    <message>
+        <source> (second look)</source>
+        <translation>（进阶）</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::LessonPlayer</name>
+    <message>
+        <source>The answer was not computed: %1.</source>
+        <translation>答案没有算出：%1。</translation>
     </message>
 </context>
 <context>
@@ -5788,6 +6465,10 @@
         <translation>导出窗口</translation>
     </message>
     <message>
+        <source>Copy &amp;image</source>
+        <translation>复制图像(&amp;I)</translation>
+    </message>
+    <message>
         <source>&amp;Quit</source>
         <translation>退出(&amp;Q)</translation>
     </message>
@@ -5846,18 +6527,6 @@
     <message>
         <source>Reset camera</source>
         <translation>重置摄像机</translation>
-    </message>
-    <message>
-        <source>Pixel grid (from 8×)</source>
-        <translation>像素网格（8× 起）</translation>
-    </message>
-    <message>
-        <source>Sample positions (from 16×)</source>
-        <translation>采样位置（16× 起）</translation>
-    </message>
-    <message>
-        <source>Pixel values (from 48×)</source>
-        <translation>像素数值（48× 起）</translation>
     </message>
     <message>
         <source>Draw continuously (measures FPS)</source>
@@ -5920,10 +6589,6 @@
         <translation>把计数复制为 JSON</translation>
     </message>
     <message>
-        <source>Go to pixel (%1)</source>
-        <translation>转到像素 (%1)</translation>
-    </message>
-    <message>
         <source>Clear</source>
         <translation>清除</translation>
     </message>
@@ -5962,10 +6627,6 @@
     <message>
         <source>Open</source>
         <translation>打开</translation>
-    </message>
-    <message>
-        <source>Scenes, cases and sessions (*.obj *.case *.json)</source>
-        <translation>场景、用例与会话 (*.obj *.case *.json)</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -6086,6 +6747,22 @@
     <message>
         <source>Interpolation, next value</source>
         <translation>插值：下一个值</translation>
+    </message>
+    <message>
+        <source>Scenes, cases, sessions and lessons (*.obj *.case *.json)</source>
+        <translation>场景、用例、会话和课程 (*.obj *.case *.json)</translation>
+    </message>
+    <message>
+        <source>All menus: scenes, mistakes, panels, lessons</source>
+        <translation>全部菜单：场景、错误、面板、课程</translation>
+    </message>
+    <message>
+        <source>Every step of %1 x %2 pixels is recorded. In a small picture each step is seen.</source>
+        <translation>%1 x %2 个像素的每一步都记录了。小图里每一步都看得清。</translation>
+    </message>
+    <message>
+        <source>Draw at %1 x %2</source>
+        <translation>改画 %1 x %2</translation>
     </message>
     <message>
         <source>Which &amp;mistake is mine?…</source>
@@ -6366,6 +7043,10 @@
         <translation>推导</translation>
     </message>
     <message>
+        <source>Lesson</source>
+        <translation>课程</translation>
+    </message>
+    <message>
         <source>Which mistake is mine?</source>
         <translation>我犯的是哪个错误？</translation>
     </message>
@@ -6585,6 +7266,66 @@
     <message>
         <source>%1, less than %2, outside</source>
         <translation>%1，小于 %2，在外</translation>
+    </message>
+    <message>
+        <source>Its samples and their mean</source>
+        <translation>它的采样点和它们的平均</translation>
+    </message>
+    <message>
+        <source>Without %1</source>
+        <translation>没有 %1 时</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::QuestionBox</name>
+    <message>
+        <source>Click the pixels on the canvas.</source>
+        <translation>请在画布上点像素。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pixel(s) marked</source>
+        <translation>
+            <numerusform>已标 %n 个像素</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清除</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>检查</translation>
+    </message>
+    <message>
+        <source>your answer</source>
+        <translation>你的答案</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::PlaneFields</name>
+    <message>
+        <source>&quot;%1&quot; is not a distance. Write a number greater than 0, or nothing.</source>
+        <translation>&quot;%1&quot; 不是距离。请写一个大于 0 的数，或者留空。</translation>
+    </message>
+    <message>
+        <source>auto (%1)</source>
+        <translation>自动 (%1)</translation>
+    </message>
+    <message>
+        <source>Near plane</source>
+        <translation>近平面</translation>
+    </message>
+    <message>
+        <source>Far plane</source>
+        <translation>远平面</translation>
+    </message>
+    <message>
+        <source>Distance from the eye. Leave it empty and the camera puts the plane round the scene.</source>
+        <translation>到眼睛的距离。留空时相机按场景的大小放置平面。</translation>
+    </message>
+    <message>
+        <source>Put back what the scene asks for</source>
+        <translation>恢复场景要求的值</translation>
     </message>
 </context>
 <context>
@@ -7221,6 +7962,94 @@
         <source>Slower, faster</source>
         <translation>更慢、更快</translation>
     </message>
+    <message>
+        <source>Play b&amp;y</source>
+        <translation>播放方式(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Geometry only</source>
+        <translation>只有几何</translation>
+    </message>
+    <message>
+        <source>Coverage only</source>
+        <translation>只有覆盖</translation>
+    </message>
+    <message>
+        <source>The selected pixel</source>
+        <translation>选中的像素</translation>
+    </message>
+    <message>
+        <source>Single step</source>
+        <translation>单步</translation>
+    </message>
+    <message>
+        <source>Sample</source>
+        <translation>采样</translation>
+    </message>
+    <message>
+        <source>Row, span</source>
+        <translation>行、扫描段</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>面</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation>阶段</translation>
+    </message>
+    <message>
+        <source>All of it in 5 seconds</source>
+        <translation>全部在 5 秒内</translation>
+    </message>
+    <message>
+        <source>All of it in 10 seconds</source>
+        <translation>全部在 10 秒内</translation>
+    </message>
+    <message>
+        <source>All of it in 30 seconds</source>
+        <translation>全部在 30 秒内</translation>
+    </message>
+    <message>
+        <source>All of it in 60 seconds</source>
+        <translation>全部在 60 秒内</translation>
+    </message>
+    <message>
+        <source>by step</source>
+        <translation>逐步</translation>
+    </message>
+    <message>
+        <source>by sample</source>
+        <translation>逐采样</translation>
+    </message>
+    <message>
+        <source>by row</source>
+        <translation>逐行</translation>
+    </message>
+    <message>
+        <source>by face</source>
+        <translation>逐面</translation>
+    </message>
+    <message>
+        <source>by stage</source>
+        <translation>逐阶段</translation>
+    </message>
+    <message>
+        <source>all in %1 s</source>
+        <translation>全部 %1 秒</translation>
+    </message>
+    <message>
+        <source>geometry</source>
+        <translation>几何</translation>
+    </message>
+    <message>
+        <source>coverage</source>
+        <translation>覆盖</translation>
+    </message>
+    <message>
+        <source>one pixel</source>
+        <translation>一个像素</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::TruthMode</name>
@@ -7278,6 +8107,17 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::UnchangedNotes</name>
+    <message>
+        <source>changes nothing here: %1</source>
+        <translation>在这里不起作用：%1</translation>
+    </message>
+    <message>
+        <source>Whether a switch changes anything was not computed: %1.</source>
+        <translation>没有算出开关是否起作用：%1。</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::VertexPanel</name>
     <message>
         <source>Type over the blue numbers, or drag the corners on the canvas. Undo takes it back; the scene&apos;s file stays as it is.</source>
@@ -7290,6 +8130,66 @@
     <message>
         <source>The corners of the face in every space</source>
         <translation>面的顶点在各个空间中的坐标</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>像素</translation>
+    </message>
+    <message>
+        <source>clip coordinates</source>
+        <translation>裁剪坐标</translation>
+    </message>
+    <message>
+        <source>object coordinates</source>
+        <translation>物体坐标</translation>
+    </message>
+    <message>
+        <source>world coordinates</source>
+        <translation>世界坐标</translation>
+    </message>
+    <message>
+        <source>pixel grid</source>
+        <translation>像素网格</translation>
+    </message>
+    <message>
+        <source>pixel centre</source>
+        <translation>像素中心</translation>
+    </message>
+    <message>
+        <source>1/%1 pixel</source>
+        <translation>1/%1 像素</translation>
+    </message>
+    <message>
+        <source>A corner with w ≤ 0 lies behind the eye and has no place on the screen: type the coordinates that the scene gives.</source>
+        <translation>w ≤ 0 的顶点在眼睛后面，在屏幕上没有位置：请输入场景给出的坐标。</translation>
+    </message>
+    <message>
+        <source>Typed or dragged in pixels, a corner keeps its distance from the camera: depth and w stay.</source>
+        <translation>按像素输入或拖动时，顶点到相机的距离不变：深度和 w 保持原样。</translation>
+    </message>
+    <message>
+        <source>type in</source>
+        <translation>输入</translation>
+    </message>
+    <message>
+        <source>drag to</source>
+        <translation>拖到</translation>
+    </message>
+    <message>
+        <source>shared corners move together</source>
+        <translation>公共顶点一起移动</translation>
+    </message>
+    <message>
+        <source>What the numbers of a corner are that you type</source>
+        <translation>输入的数是顶点的哪种坐标</translation>
+    </message>
+    <message>
+        <source>The places that a dragged corner goes to</source>
+        <translation>拖动的顶点落到哪里</translation>
+    </message>
+    <message>
+        <source>Vertices of other faces that lie at the same place go with a corner</source>
+        <translation>其他面在同一位置的顶点跟着一起移动</translation>
     </message>
 </context>
 <context>
@@ -7362,12 +8262,200 @@
         <source>world  x, y, z</source>
         <translation>世界  x, y, z</translation>
     </message>
+    <message>
+        <source>Behind the eye a corner has no place on the screen.</source>
+        <translation>在眼睛后面的顶点在屏幕上没有位置。</translation>
+    </message>
+    <message>
+        <source>colour  r, g, b</source>
+        <translation>颜色  r, g, b</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a place on the screen. Write x, y in pixels.</source>
+        <translation>&quot;%1&quot; 不是屏幕上的位置。请写以像素为单位的 x, y。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a colour. Write r, g, b from 0 to 1, or #rrggbb.</source>
+        <translation>&quot;%1&quot; 不是颜色。请写 0 到 1 的 r, g, b，或者 #rrggbb。</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::ViewportWidget</name>
     <message>
         <source>former picture</source>
         <translation>先前的图像</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::ViewsBar</name>
+    <message>
+        <source>Difference</source>
+        <translation>差异</translation>
+    </message>
+    <message>
+        <source>Overlays</source>
+        <translation>叠加</translation>
+    </message>
+    <message>
+        <source>What is laid over the picture</source>
+        <translation>叠加在画面上的内容</translation>
+    </message>
+    <message>
+        <source>What the canvas shows</source>
+        <translation>画布显示的内容</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>What the canvas shows, and what is laid over it</source>
+        <translation>画布显示与叠加的内容</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>更多</translation>
+    </message>
+</context>
+<context>
+    <name>HandoutExport</name>
+    <message>
+        <source>Handout of a lesson</source>
+        <translation>课程讲义</translation>
+    </message>
+    <message>
+        <source>Lesson:</source>
+        <translation>课程：</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::FigureExport</name>
+    <message>
+        <source>%1 could not be written: %2</source>
+        <translation>无法写入 %1：%2</translation>
+    </message>
+    <message>
+        <source>edge %1</source>
+        <translation>边 %1</translation>
+    </message>
+    <message>
+        <source>inside of the edge</source>
+        <translation>在边的内侧</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>在外侧</translation>
+    </message>
+    <message>
+        <source>on the edge: a tie</source>
+        <translation>恰在边上</translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation>采样点</translation>
+    </message>
+    <message>
+        <source>pixel (%1, %2)</source>
+        <translation>像素 (%1, %2)</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>第 %1 步，共 %2 步</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>正确</translation>
+    </message>
+    <message>
+        <source>With the mistake</source>
+        <translation>有错误</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::IdentifyPanel</name>
+    <message>
+        <source>The right picture</source>
+        <translation>正确的图片</translation>
+    </message>
+    <message>
+        <source>The picture cannot be compared: %1.</source>
+        <translation>无法比较这张图片：%1。</translation>
+    </message>
+    <message>
+        <source>The present settings cannot be drawn, so that there is nothing to compare with.</source>
+        <translation>当前设置无法绘制，因此没有可供比较的图片。</translation>
+    </message>
+    <message>
+        <source>%1, together with %2</source>
+        <translation>%1，以及 %2</translation>
+    </message>
+    <message>
+        <source>Draws the same picture here:</source>
+        <translation>在这里画出同一张图片的还有：</translation>
+    </message>
+    <message>
+        <source>Yours</source>
+        <translation>你的图片</translation>
+    </message>
+    <message>
+        <source>With the mistake</source>
+        <translation>有错误</translation>
+    </message>
+    <message>
+        <source>Where they differ</source>
+        <translation>不同之处</translation>
+    </message>
+    <message>
+        <source>Comparing with each mistake…</source>
+        <translation>正在与每个错误比较…</translation>
+    </message>
+    <message>
+        <source>Drop a picture that your own program drew of this scene, or choose it: it is compared with the right picture and with what each mistake draws.</source>
+        <translation>把你自己的程序为这个场景画的图片拖进来，或选择它：它会与正确的图片以及每个错误画出的图片比较。</translation>
+    </message>
+    <message>
+        <source>%1: none of these. No mistake explains the picture.</source>
+        <translation>%1：都不是。没有一个错误能解释这张图片。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Choose a picture…</source>
+        <translation>选择图片…</translation>
+    </message>
+    <message>
+        <source>The scene or its settings have changed since.</source>
+        <translation>此后场景或设置已改变。</translation>
+    </message>
+    <message>
+        <source>Compare again</source>
+        <translation>重新比较</translation>
+    </message>
+    <message>
+        <source>Show in the window</source>
+        <translation>在窗口中显示</translation>
+    </message>
+    <message>
+        <source>Switches this mistake on; a double click does so as well</source>
+        <translation>打开这个错误；双击也可以</translation>
+    </message>
+    <message>
+        <source>Fits</source>
+        <translation>符合</translation>
+    </message>
+    <message>
+        <source>Mistake</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>Pixels</source>
+        <translation>像素</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>位置</translation>
     </message>
 </context>
 </TS>

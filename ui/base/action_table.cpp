@@ -31,6 +31,7 @@ constexpr auto kSections = std::to_array<SectionRow>({
     {ActionSection::Steps, QT_TRANSLATE_NOOP("rasterlens::ActionTable", "Steps")},
     {ActionSection::Compare, QT_TRANSLATE_NOOP("rasterlens::ActionTable", "Compare")},
     {ActionSection::Panels, QT_TRANSLATE_NOOP("rasterlens::ActionTable", "Panels")},
+    {ActionSection::Lessons, QT_TRANSLATE_NOOP("rasterlens::ActionTable", "Lessons")},
 });
 static_assert(isClosedList(kSections, &SectionRow::section));
 
@@ -67,6 +68,12 @@ QString pathText(QStringList parts)
     return parts.join(QStringLiteral(" \u203a "));
 }
 
+/// The name of something that no translation file knows.
+QString nameIn(LanguageKind kind, const ActionWords& words)
+{
+    return kind == LanguageKind::Chinese && !words.chinese.isEmpty() ? words.chinese : words.name;
+}
+
 /// For a cell of a table in Markdown.
 QString escaped(QString text) { return text.replace(QLatin1Char('|'), QLatin1String("\\|")); }
 
@@ -75,7 +82,7 @@ QString escaped(QString text) { return text.replace(QLatin1Char('|'), QLatin1Str
 QString ActionWords::text() const
 {
     if (!context)
-        return name;
+        return nameIn(Language::inUse(), *this);
     const QString translated = QCoreApplication::translate(context, english);
     return name.isEmpty() ? translated : name + QLatin1Char(' ') + translated;
 }
@@ -83,7 +90,7 @@ QString ActionWords::text() const
 QString ActionWords::inOther(const Language& language) const
 {
     if (!context)
-        return name;
+        return nameIn(language.kind() == LanguageKind::Chinese ? LanguageKind::English : LanguageKind::Chinese, *this);
     const QString other = language.inOther(context, english);
     return name.isEmpty() ? other : name + QLatin1Char(' ') + other;
 }

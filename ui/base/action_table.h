@@ -22,13 +22,14 @@ namespace rasterlens
 {
 
 /// The headings of the help and of README's list of keys, in the order in which they stand there.
-enum class ActionSection { File, Edit, Pipeline, Canvas, Camera, Window, Steps, Compare, Panels };
+enum class ActionSection { File, Edit, Pipeline, Canvas, Camera, Window, Steps, Compare, Panels, Lessons };
 
 /// A text in every language of the window.
 struct ActionWords {
     const char* context = nullptr; ///< under which the translation stands; null: there is only a name
     const char* english = nullptr;
-    QString name = {}; ///< what no language changes, as the number of a mistake; it stands first
+    QString name = {};    ///< what no language changes, as the number of a mistake; it stands first
+    QString chinese = {}; ///< the name in Chinese, where it has one and there is no context
 
     [[nodiscard]] bool isEmpty() const { return !context && name.isEmpty(); }
     /// In the language in use.

@@ -17,6 +17,7 @@
 #include <QStandardItemModel>
 #include <QStylePainter>
 #include <QToolTip>
+#include <QVBoxLayout>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -204,9 +205,12 @@ void PanelSpin::wheelEvent(QWheelEvent* event) { event->ignore(); }
 FieldRow::FieldRow(const SettingsField& field, const Language& language, QWidget* parent)
     : QWidget(parent), m_field(field), m_language(language)
 {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(1);
+    auto* row = new QHBoxLayout;
     row->setSpacing(4);
+    column->addLayout(row);
     m_dot = new ChangeDot;
     m_name = new QLabel;
     m_name->setWordWrap(true);
@@ -221,6 +225,13 @@ FieldRow::FieldRow(const SettingsField& field, const Language& language, QWidget
     row->addWidget(m_name, 9);
     row->addWidget(m_editor, 13);
     row->addWidget(m_key);
+    m_note = new QLabel;
+    m_note->setObjectName(QStringLiteral("muted"));
+    m_note->setWordWrap(true);
+    constexpr QMargins kUnderTheName(14, 0, 18, 2);
+    m_note->setContentsMargins(kUnderTheName);
+    m_note->hide();
+    column->addWidget(m_note);
     connect(m_dot, &ChangeDot::clicked, this, &FieldRow::resetRequested);
     retranslate();
 }
@@ -280,6 +291,15 @@ void FieldRow::sync(const Settings& settings, const Settings& defaults, bool ref
     m_name->setEnabled(m_editor->isEnabled());
     updateToolTip();
 }
+
+void FieldRow::setNote(const QString& note)
+{
+    m_note->setText(note);
+    m_note->setVisible(!note.isEmpty());
+    m_editor->setAccessibleDescription(note);
+}
+
+QString FieldRow::note() const { return m_note->text(); }
 
 void FieldRow::setValueReasons(const std::function<QString(int)>& why)
 {

@@ -97,6 +97,9 @@ public:
     void sync(const Settings& settings, const Settings& defaults, bool refused);
     /// Greys out the values that `why` gives a reason against.
     void setValueReasons(const std::function<QString(int)>& why);
+    /// Says something about the value below the switch; an empty text takes it away.
+    void setNote(const QString& note);
+    [[nodiscard]] QString note() const;
     void retranslate();
 
 Q_SIGNALS:
@@ -114,6 +117,7 @@ private:
     QLabel* m_name = nullptr;
     QWidget* m_editor = nullptr;
     QLabel* m_key = nullptr;
+    QLabel* m_note = nullptr;
     QString m_whyInert;
 };
 

@@ -17,7 +17,7 @@ void Language::use(LanguageKind kind)
 {
     if (kind == m_kind)
         return;
-    m_kind = kind;
+    m_kind = s_inUse = kind;
     for (QTranslator* texts : {&m_chinese, &m_chineseOfQt})
         if (kind == LanguageKind::Chinese)
             QCoreApplication::installTranslator(texts);

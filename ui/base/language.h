@@ -17,6 +17,9 @@ public:
     void use(LanguageKind kind);
     [[nodiscard]] LanguageKind kind() const { return m_kind; }
 
+    /// The language whose texts the program shows.
+    [[nodiscard]] static LanguageKind inUse() { return s_inUse; }
+
     /// The term in the language that is *not* in use, for tool-tips that show both.
     [[nodiscard]] QString inOther(const char* context, const char* source) const;
 
@@ -27,6 +30,7 @@ private:
     QTranslator m_chinese;
     QTranslator m_chineseOfQt; ///< file dialogs, and why files cannot be read
     LanguageKind m_kind = LanguageKind::English;
+    static inline LanguageKind s_inUse = LanguageKind::English;
 };
 
 } // namespace rasterlens

@@ -70,14 +70,14 @@ constexpr auto kThemeColors = std::to_array<ThemeColorRow>({
     {ThemeColor::Card, "card", 0xffffff, 0x1e2227},
     {ThemeColor::Border, "border", 0xd5dce6, 0x3a424c},
     {ThemeColor::Text, "text", 0x1b1f24, 0xe8ebef},
-    {ThemeColor::Muted, "muted", 0x57606a, 0x9da7b3},
-    {ThemeColor::Accent, "accent", 0x2b5fdb, 0x7aa5ff},
+    {ThemeColor::Muted, "muted", 0x49515a, 0xbec7d1},
+    {ThemeColor::Accent, "accent", 0x1a46ad, 0xa6c3ff},
     {ThemeColor::OnAccent, "onAccent", 0xffffff, 0x0d1420},
     {ThemeColor::AccentSoft, "accentSoft", 0xeaf0fc, 0x28344c},
     {ThemeColor::InfoFill, "infoFill", 0xeaf0fc, 0x28344c},
     {ThemeColor::WarningFill, "warningFill", 0xfff4df, 0x46391c},
     {ThemeColor::ErrorFill, "errorFill", 0xfdeae7, 0x4a2622},
-    {ThemeColor::ErrorText, "errorText", 0x9a2a1b, 0xffb4a8},
+    {ThemeColor::ErrorText, "errorText", 0x861f14, 0xffb4a8},
 });
 static_assert(isClosedList(kThemeColors, &ThemeColorRow::color));
 

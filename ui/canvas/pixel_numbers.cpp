@@ -61,7 +61,40 @@ public:
                                        : QStringLiteral("%1 %2 %3").arg(c.red()).arg(c.green()).arg(c.blue());
     }
 
+    /// The unit normal that the colour stands for; a channel tells a component to 1/128. Empty where there is no face.
+    [[nodiscard]] QString normal() const
+    {
+        const auto component = [](int channel) {
+            const double value = channel / 127.5 - 1;
+            return (value < 0 ? QChar(0x2212) : QLatin1Char('+')) + QString::number(std::abs(value), 'f', 2);
+        };
+        const QRgb rgb = color();
+        return isBackground() ? QString()
+                              : QStringLiteral("x %1\ny %2\nz %3")
+                                    .arg(component(qRed(rgb)), component(qGreen(rgb)), component(qBlue(rgb)));
+    }
+
+    /// The texture coordinates that the colour stands for, without their whole parts; a channel tells one to 1/255.
+    /// Empty where there is no face.
+    [[nodiscard]] QString uv() const
+    {
+        const QRgb rgb = color();
+        return isBackground()
+                   ? QString()
+                   : QStringLiteral("u %1\nv %2").arg(qRed(rgb) / 255.0, 0, 'f', 2).arg(qGreen(rgb) / 255.0, 0, 'f', 2);
+    }
+
 private:
+    /// Whether no face was written: by the ids where there are any, else by the colour.
+    [[nodiscard]] bool isBackground() const
+    {
+        const auto& ids = m_frame.frame.ids;
+        if (m_frame.counted && m_index < ids.size())
+            return ids[m_index] < 0;
+        const glm::vec3 cleared = m_frame.scene->background * 255.0F + 0.5F;
+        return color() == qRgb(int(cleared.r), int(cleared.g), int(cleared.b));
+    }
+
     const RenderedFrame& m_frame;
     QPoint m_pixel;
     std::size_t m_index;
@@ -103,9 +136,9 @@ QStringList pixelNumbers(const RenderedFrame& frame, QPoint pixel, NumberRoom ro
     case Shading::Flat:
     case Shading::RandomFlat:
     case Shading::Texture:
-    case Shading::Phong:
-    case Shading::Normals:
-    case Shading::Uv: lines = {known.channels(room), known.depth(), known.face()}; break;
+    case Shading::Phong: lines = {known.channels(room), known.depth(), known.face()}; break;
+    case Shading::Normals: lines = {known.normal(), known.depth(), known.face()}; break;
+    case Shading::Uv: lines = {known.uv(), known.depth(), known.face()}; break;
     }
     if (room != NumberRoom::Details)
         return {lines.first()};
@@ -115,7 +148,7 @@ QStringList pixelNumbers(const RenderedFrame& frame, QPoint pixel, NumberRoom ro
 }
 
 void paintPixelNumbers(QPainter& painter, const QRect& pixels, const CanvasTransform& transform, const QImage& picture,
-                       const std::function<QStringList(QPoint, NumberRoom)>& linesAt)
+                       const PixelLines& linesAt)
 {
     constexpr double kDecimalsFromZoom = 64;
     constexpr double kDetailsFromZoom = 96;

@@ -168,9 +168,10 @@ void paintBorder(QPainter& painter, const QRect& picture)
     painter.fillRect(QRect(around.right(), picture.top(), 1, picture.height()), line);
 }
 
-/// One picture with what belongs to its pixels.
+} // namespace
+
 void paintPicture(QPainter& painter, const QRect& canvas, const CanvasTransform& transform, const RenderedFrame& frame,
-                  const OverlayOptions& options)
+                  const OverlayOptions& options, const PixelLines& linesAt)
 {
     const QRect pixels = transform.pixelsIn(canvas, frame.frame.image.size());
     if (pixels.isEmpty())
@@ -181,11 +182,19 @@ void paintPicture(QPainter& painter, const QRect& canvas, const CanvasTransform&
     const bool numbersHidden =
         std::ranges::any_of(options.layers, [](const CanvasLayer* layer) { return layer->hidesNumbers(); });
     if (options.numbers && transform.zoom >= kNumbersFromZoom && !numbersHidden)
-        paintPixelNumbers(painter, pixels, transform, frame.frame.image,
-                          [&](QPoint pixel, NumberRoom room) { return pixelNumbers(frame, pixel, room); });
+        paintPixelNumbers(painter, pixels, transform, frame.frame.image, [&](QPoint pixel, NumberRoom room) {
+            return linesAt ? linesAt(pixel, room) : pixelNumbers(frame, pixel, room);
+        });
 }
 
-} // namespace
+void paintPixelFrames(QPainter& painter, const CanvasTransform& transform, QSize picture, const OverlayOptions& options)
+{
+    const QRect pixels(QPoint(0, 0), picture);
+    if (options.hoveredPixel && transform.zoom >= kGridFromZoom && pixels.contains(*options.hoveredPixel))
+        paintPixelFrame(painter, *options.hoveredPixel, transform, false, options.thickLines);
+    if (options.selectedPixel && transform.zoom >= kGridFromZoom / 2 && pixels.contains(*options.selectedPixel))
+        paintPixelFrame(painter, *options.selectedPixel, transform, true, options.thickLines);
+}
 
 bool isDrawing(const QPainter& painter)
 {
@@ -211,10 +220,7 @@ void paintCanvas(QPainter& painter, const QRect& canvas, const CanvasTransform& 
     }
     for (const CanvasLayer* layer : options.layers)
         layer->paint(painter, canvas, transform, options);
-    if (options.hoveredPixel && transform.zoom >= kGridFromZoom && image.rect().contains(*options.hoveredPixel))
-        paintPixelFrame(painter, *options.hoveredPixel, transform, false, options.thickLines);
-    if (options.selectedPixel && transform.zoom >= kGridFromZoom / 2 && image.rect().contains(*options.selectedPixel))
-        paintPixelFrame(painter, *options.selectedPixel, transform, true, options.thickLines);
+    paintPixelFrames(painter, transform, image.size(), options);
     if (wiped)
         paintWipe(painter, canvas, column, options.thickLines);
     if (!options.tag.isEmpty())

@@ -1,5 +1,6 @@
 #pragma once
 #include "ui/canvas/canvas_transform.h"
+#include "ui/canvas/pixel_numbers.h"
 #include "ui/canvas/wipe.h"
 
 #include <QPoint>
@@ -36,7 +37,14 @@ struct OverlayOptions {
     bool grid = true;
     bool sampleDots = true;
     bool numbers = true;
-    bool thickLines = false; ///< presentation
+    bool wireframe = false;   ///< outlines of all faces that are drawn
+    bool boxes = false;       ///< the boxes in which coverage looks for samples
+    bool tiles = false;       ///< of the tiled algorithm
+    bool outline = true;      ///< of the face that owns the selected pixel
+    bool barycentric = false; ///< areas and iso-lines at the selected pixel
+    bool midLine = false;     ///< where alpha is nearly one half
+    bool depthBeside = false; ///< the depth buffer in the right half of the canvas
+    bool thickLines = false;  ///< presentation
     std::optional<QPoint> selectedPixel;
     std::optional<QPoint> hoveredPixel;
     std::optional<Wipe> wipe;
@@ -46,6 +54,15 @@ struct OverlayOptions {
 
 /// Whether the painter makes a drawing of lines and areas (SVG, PDF) and not of pixels.
 [[nodiscard]] bool isDrawing(const QPainter& painter);
+/// Paints a picture with its grid, sample positions and pixel values, without other layers.
+///
+/// in  `linesAt`: what stands in a pixel; empty: what the frame's shading shows
+void paintPicture(QPainter& painter, const QRect& canvas, const CanvasTransform& transform, const RenderedFrame& frame,
+                  const OverlayOptions& options, const PixelLines& linesAt = {});
+
+/// Paints the frames around the hovered and the selected pixel.
+void paintPixelFrames(QPainter& painter, const CanvasTransform& transform, QSize picture,
+                      const OverlayOptions& options);
 
 /// Paints the picture, nearest-neighbour from zoom 1 on, and its overlays.
 ///

@@ -20,6 +20,7 @@ namespace
 {
 
 constexpr int kFitMargin = 18;
+constexpr int kPaneGap = 2;      ///< between the picture and the depth buffer beside it
 constexpr int kKeptVisible = 40; ///< canvas pixels of the image that panning leaves in sight
 constexpr int kWheelNotch = 120;
 constexpr int kDragThreshold = 3;
@@ -51,6 +52,7 @@ void ViewportWidget::setFrame(const FramePtr& frame)
     const QSize former = imageSize();
     const bool looksTheSame = m_frame == frame || looksLikeTheShown(*frame);
     m_frame = frame;
+    syncDepth();
     if (imageSize() != former) {
         m_fitPixels.reset();
         m_options.selectedPixel.reset();
@@ -69,7 +71,7 @@ void ViewportWidget::setFrame(const FramePtr& frame)
 /// the pixels show depths and faces the counted one looks different.
 bool ViewportWidget::looksLikeTheShown(const RenderedFrame& frame) const
 {
-    const bool showsCounts = m_options.numbers && m_transform.zoom >= kNumbersFromZoom;
+    const bool showsCounts = (m_options.numbers && m_transform.zoom >= kNumbersFromZoom) || m_options.depthBeside;
     if (!m_frame || showsCounts || m_frame->requested != frame.requested)
         return false;
     const QImage& shown = m_frame->frame.image;
@@ -111,7 +113,7 @@ bool ViewportWidget::isOnWipe(QPointF canvas) const
 {
     constexpr double kReach = 8;
     return m_options.wipe &&
-           std::abs(canvas.x() - wipeColumn(m_wipe, rect(), m_transform, imageSize().width())) <= kReach;
+           std::abs(canvas.x() - wipeColumn(m_wipe, pane(), m_transform, imageSize().width())) <= kReach;
 }
 
 void ViewportWidget::moveWipe(double column)
@@ -136,17 +138,41 @@ void ViewportWidget::removeLayer(const CanvasLayer* layer)
 void ViewportWidget::showPixel(QPoint pixel)
 {
     const QRect cell = m_transform.toCanvas(QRectF(pixel, QSizeF(1, 1))).toAlignedRect();
-    if (rect().contains(cell))
+    if (pane().contains(cell))
         return;
-    m_fitted = false;
-    setTransform({m_transform.zoom, QRectF(rect()).center() - (QPointF(pixel) + QPointF(0.5, 0.5)) * m_transform.zoom});
+    leaveFit();
+    setTransform({m_transform.zoom, QRectF(pane()).center() - (QPointF(pixel) + QPointF(0.5, 0.5)) * m_transform.zoom});
 }
 
 void ViewportWidget::setOverlays(const OverlayOptions& options)
 {
+    const bool paneChanges = options.depthBeside != m_options.depthBeside;
     m_options = options;
+    syncDepth();
+    if (paneChanges && m_fitted)
+        applyFit();
+    else if (paneChanges)
+        setTransform(m_transform);
     update();
 }
+
+QRect ViewportWidget::pane() const
+{
+    return m_options.depthBeside ? QRect(0, 0, (width() - kPaneGap) / 2, height()) : rect();
+}
+
+QRect ViewportWidget::depthPane() const
+{
+    return m_options.depthBeside ? pane().translated(pane().width() + kPaneGap, 0) : QRect();
+}
+
+/// The place in the picture's pane that shows the pixel which is shown here, in either pane.
+QPointF ViewportWidget::inPane(QPointF canvas) const
+{
+    return m_options.depthBeside && canvas.x() >= depthPane().left() ? canvas - depthPane().topLeft() : canvas;
+}
+
+void ViewportWidget::syncDepth() { m_depthShown = m_options.depthBeside && m_frame ? depthPicture(*m_frame) : nullptr; }
 
 QSize ViewportWidget::imageSize() const { return m_frame ? m_frame->frame.image.size() : QSize(); }
 
@@ -166,17 +192,31 @@ void ViewportWidget::applyFit()
         shown = QRectF(m_fitPixels->x, m_fitPixels->y, m_fitPixels->width, m_fitPixels->height).intersected(shown);
     if (shown.isEmpty())
         return;
-    const QSizeF room(std::max(1, width() - 2 * kFitMargin), std::max(1, height() - 2 * kFitMargin));
+    const QSizeF room(std::max(1, pane().width() - 2 * kFitMargin), std::max(1, pane().height() - 2 * kFitMargin));
     CanvasTransform transform;
     transform.zoom = fittingZoom(shown.size(), room);
-    transform.origin = QRectF(rect()).center() - shown.center() * transform.zoom;
+    transform.origin = QRectF(pane()).center() - shown.center() * transform.zoom;
     setTransform(transform);
+}
+
+/// From here on the user decides what is in sight.
+void ViewportWidget::leaveFit()
+{
+    m_fitted = false;
+    m_centre.reset();
+}
+
+void ViewportWidget::showAround(QPointF image, double zoom)
+{
+    m_fitted = false;
+    m_centre = image;
+    setTransform({zoom, QRectF(rect()).center() - image * zoom});
 }
 
 void ViewportWidget::zoomAt(QPointF canvas, double zoom)
 {
     const QPointF image = m_transform.toImage(canvas);
-    m_fitted = false;
+    leaveFit();
     CanvasTransform transform;
     transform.zoom = zoom;
     transform.origin = canvas - image * zoom;
@@ -190,7 +230,7 @@ void ViewportWidget::setTransform(CanvasTransform transform)
         const double kept = std::min<double>(kKeptVisible, length);
         return std::clamp(origin, std::min(kept - length, room - kept), std::max(kept - length, room - kept));
     };
-    transform.origin.setX(std::round(keepVisible(transform.origin.x(), size.width(), width())));
+    transform.origin.setX(std::round(keepVisible(transform.origin.x(), size.width(), pane().width())));
     transform.origin.setY(std::round(keepVisible(transform.origin.y(), size.height(), height())));
     if (transform == m_transform)
         return;
@@ -223,10 +263,10 @@ void ViewportWidget::hover(std::optional<QPoint> pixel)
 void ViewportWidget::goToPixel(QPoint pixel)
 {
     constexpr double kComfortable = 32;
-    m_fitted = false;
+    leaveFit();
     CanvasTransform transform;
     transform.zoom = std::max(m_transform.zoom, kComfortable);
-    transform.origin = QRectF(rect()).center() - (QPointF(pixel) + QPointF(0.5, 0.5)) * transform.zoom;
+    transform.origin = QRectF(pane()).center() - (QPointF(pixel) + QPointF(0.5, 0.5)) * transform.zoom;
     setTransform(transform);
     selectPixel(pixel);
 }
@@ -272,7 +312,7 @@ std::optional<ViewportWidget::FigurePart> ViewportWidget::figurePart(std::option
     if (imageSize().isEmpty())
         return std::nullopt;
     CanvasTransform transform = m_transform;
-    QRect canvas = m_transform.toCanvas(QRectF(QPointF(0, 0), imageSize())).toAlignedRect().intersected(rect());
+    QRect canvas = m_transform.toCanvas(QRectF(QPointF(0, 0), imageSize())).toAlignedRect().intersected(pane());
     if (zoom) {
         transform = {static_cast<double>(*zoom), {0, 0}};
         const QSizeF size = QSizeF(imageSize()) * *zoom;
@@ -283,7 +323,11 @@ std::optional<ViewportWidget::FigurePart> ViewportWidget::figurePart(std::option
     transform.origin -= canvas.topLeft();
     // One more column and row hold the grid lines that close the last pixels.
     const QSize closing = transform.zoom >= kGridFromZoom ? QSize(1, 1) : QSize(0, 0);
-    return FigurePart{transform, canvas.size() + closing};
+    const QSize picture = canvas.size() + closing;
+    const QSize size = m_options.depthBeside ? QSize(2 * picture.width() + kPaneGap, picture.height()) : picture;
+    if (size.width() > kMaxFigureSide)
+        return std::nullopt;
+    return FigurePart{transform, picture, size};
 }
 
 std::optional<ViewportWidget::FigurePart> ViewportWidget::partInSight(std::optional<int> zoom,
@@ -293,13 +337,14 @@ std::optional<ViewportWidget::FigurePart> ViewportWidget::partInSight(std::optio
         return figurePart(zoom);
     const double scale = zoom ? double(*zoom) : m_transform.zoom;
     const QRect whole(QPoint(0, 0), imageSize());
-    const QRect shown = pixels ? *pixels & whole : m_transform.pixelsIn(rect(), imageSize());
+    const QRect shown = pixels ? *pixels & whole : m_transform.pixelsIn(pane(), imageSize());
     const QSizeF size = QSizeF(shown.size()) * scale;
     if (shown.isEmpty() || size.width() >= kMaxFigureSide || size.height() >= kMaxFigureSide)
         return std::nullopt;
     const QSize closing = scale >= kGridFromZoom ? QSize(1, 1) : QSize(0, 0);
     const CanvasTransform transform{scale, -QPointF(shown.topLeft()) * scale};
-    return FigurePart{transform, size.toSize() + closing};
+    const QSize picture = size.toSize() + closing;
+    return FigurePart{transform, picture, picture};
 }
 
 void ViewportWidget::paintFigure(QPainter& painter, const FigurePart& part, const RenderedFrame* instead) const
@@ -312,7 +357,38 @@ void ViewportWidget::paintFigure(QPainter& painter, const FigurePart& part, cons
         options.tag.clear();
     }
     painter.fillRect(QRect(QPoint(0, 0), part.size), m_canvasColor);
-    paintCanvas(painter, QRect(QPoint(0, 0), part.size), part.transform, instead ? *instead : *m_frame, options);
+    const QRect picture(QPoint(0, 0), part.picture);
+    const RenderedFrame& frame = instead ? *instead : *m_frame;
+    if (part.size == part.picture) {
+        paintCanvas(painter, picture, part.transform, frame, options);
+        return;
+    }
+    painter.save();
+    painter.setClipRect(picture);
+    paintCanvas(painter, picture, part.transform, frame, options);
+    painter.translate(part.picture.width() + kPaneGap, 0);
+    painter.setClipRect(picture);
+    paintDepthPicture(painter, picture, part.transform, *m_frame, m_depthShown.get(), options);
+    painter.restore();
+}
+
+/// The picture, and beside it the depth buffer from the same place at the same zoom.
+void ViewportWidget::paintPanes(QPainter& painter) const
+{
+    if (!m_options.depthBeside) {
+        paintCanvas(painter, rect(), m_transform, *m_frame, m_options);
+        return;
+    }
+    painter.save();
+    painter.setClipRect(pane());
+    paintCanvas(painter, pane(), m_transform, *m_frame, m_options);
+    painter.restore();
+    painter.save();
+    painter.translate(depthPane().topLeft());
+    painter.setClipRect(pane());
+    paintDepthPicture(painter, pane(), m_transform, *m_frame, m_depthShown.get(), m_options);
+    painter.restore();
+    painter.fillRect(QRect(pane().right() + 1, 0, kPaneGap, height()), palette().color(QPalette::Mid));
 }
 
 void ViewportWidget::paintEvent(QPaintEvent*)
@@ -320,7 +396,7 @@ void ViewportWidget::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.fillRect(rect(), m_canvasColor);
     if (!imageSize().isEmpty())
-        paintCanvas(painter, rect(), m_transform, *m_frame, m_options);
+        paintPanes(painter);
     if (m_stale && !imageSize().isEmpty())
         paintStaleMark(painter);
     if (hasFocus())
@@ -361,6 +437,8 @@ void ViewportWidget::resizeEvent(QResizeEvent*)
 {
     if (m_fitted)
         applyFit();
+    else if (m_centre)
+        showAround(*m_centre, m_transform.zoom);
     else
         setTransform(m_transform);
 }
@@ -381,8 +459,8 @@ void ViewportWidget::wheelEvent(QWheelEvent* event)
     double zoom = m_transform.zoom;
     for (int i = 0; i < std::abs(notches); ++i)
         zoom = nextZoomStep(zoom, notches);
-    zoomAt(event->position(), zoom);
-    hover(m_transform.pixelAt(event->position()));
+    zoomAt(inPane(event->position()), zoom);
+    hover(m_transform.pixelAt(inPane(event->position())));
 }
 
 ViewportWidget::Drag ViewportWidget::dragFor(const QMouseEvent& event) const
@@ -411,7 +489,7 @@ void ViewportWidget::mousePressEvent(QMouseEvent* event)
 void ViewportWidget::mouseMoveEvent(QMouseEvent* event)
 {
     const QPointF at = event->position();
-    hover(m_transform.pixelAt(at));
+    hover(m_transform.pixelAt(inPane(at)));
     if (m_drag == Drag::None) {
         isOnWipe(at) ? setCursor(Qt::SplitHCursor) : unsetCursor();
         return;
@@ -425,7 +503,7 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event)
     const double scale = std::min(m_transform.zoom, 1.0);
     switch (m_drag) {
     case Drag::PanCanvas:
-        m_fitted = false;
+        leaveFit();
         setTransform({m_transform.zoom, m_transform.origin + drag});
         setCursor(Qt::ClosedHandCursor);
         break;
@@ -445,7 +523,7 @@ void ViewportWidget::mouseReleaseEvent(QMouseEvent* event)
     m_drag = Drag::None;
     unsetCursor();
     if (clicked) {
-        const QPoint pixel = m_transform.pixelAt(event->position());
+        const QPoint pixel = m_transform.pixelAt(inPane(event->position()));
         if (QRect(QPoint(0, 0), imageSize()).contains(pixel))
             selectPixel(pixel);
         else
@@ -458,7 +536,7 @@ void ViewportWidget::mouseReleaseEvent(QMouseEvent* event)
 
 void ViewportWidget::mouseDoubleClickEvent(QMouseEvent* event)
 {
-    const QPoint pixel = m_transform.pixelAt(event->position());
+    const QPoint pixel = m_transform.pixelAt(inPane(event->position()));
     if (event->button() == Qt::LeftButton && QRect(QPoint(0, 0), imageSize()).contains(pixel))
         goToPixel(pixel);
 }
@@ -468,7 +546,7 @@ void ViewportWidget::nudge(QPoint step)
     if (imageSize().isEmpty())
         return;
     const QPoint from = m_options.selectedPixel.value_or(
-        m_options.hoveredPixel.value_or(m_transform.pixelAt(QRectF(rect()).center()) - step));
+        m_options.hoveredPixel.value_or(m_transform.pixelAt(QRectF(pane()).center()) - step));
     const QSize size = imageSize();
     const QPoint to(std::clamp(from.x() + step.x(), 0, size.width() - 1),
                     std::clamp(from.y() + step.y(), 0, size.height() - 1));

@@ -1,5 +1,6 @@
 #pragma once
 #include "ui/base/image_export.h"
+#include "ui/canvas/depth_picture.h"
 #include "ui/canvas/pixel_overlay.h"
 
 #include <QTimer>
@@ -49,8 +50,10 @@ public:
     [[nodiscard]] bool isFitted() const { return m_fitted; }
     /// Frames the image, or the given pixels of it, and keeps doing so when the widget is resized.
     void fit(const std::optional<PixelRect>& pixels = std::nullopt);
-    void setZoom(double zoom) { zoomAt(rect().center(), zoom); }
-    void zoomStep(int direction) { zoomAt(rect().center(), nextZoomStep(m_transform.zoom, direction)); }
+    /// Shows the surroundings of a point of the picture, and keeps it in the middle when the widget is resized.
+    void showAround(QPointF image, double zoom);
+    void setZoom(double zoom) { zoomAt(pane().center(), zoom); }
+    void zoomStep(int direction) { zoomAt(pane().center(), nextZoomStep(m_transform.zoom, direction)); }
     void zoomAt(QPointF canvas, double zoom);
 
     [[nodiscard]] std::optional<QPoint> selectedPixel() const { return m_options.selectedPixel; }
@@ -63,10 +66,17 @@ public:
     [[nodiscard]] const OverlayOptions& overlays() const { return m_options; }
     void setOverlays(const OverlayOptions& options);
 
+    /// Where the picture is shown: the whole canvas, or its left half while the depth buffer is shown beside it.
+    [[nodiscard]] QRect pane() const;
+    /// Where the depth buffer is shown; empty while it is not.
+    [[nodiscard]] QRect depthPane() const;
+    /// The depth buffer of the frame as it is shown beside it; null while it is not, or not known.
+    [[nodiscard]] const std::shared_ptr<const DepthPicture>& depthShown() const { return m_depthShown; }
     /// A part of the picture and how it is painted.
     struct FigurePart {
         CanvasTransform transform;
-        QSize size; ///< canvas pixels
+        QSize picture; ///< canvas pixels
+        QSize size;    ///< with the depth buffer beside the picture
     };
     /// The visible part as it is shown, or the whole image at a zoom.
     ///
@@ -122,6 +132,7 @@ private:
     [[nodiscard]] bool looksLikeTheShown(const RenderedFrame& frame) const;
     [[nodiscard]] QSize imageSize() const;
     void applyFit();
+    void leaveFit();
     void setTransform(CanvasTransform transform);
     void hover(std::optional<QPoint> pixel);
     void nudge(QPoint step);
@@ -129,13 +140,18 @@ private:
     void moveWipe(double column);
     void paintStaleMark(QPainter& painter) const;
     void paintFocus(QPainter& painter) const;
+    void paintPanes(QPainter& painter) const;
+    void syncDepth();
+    [[nodiscard]] QPointF inPane(QPointF canvas) const;
 
     FramePtr m_frame;
     CanvasTransform m_transform;
     OverlayOptions m_options;
     Wipe m_wipe;
+    std::shared_ptr<const DepthPicture> m_depthShown;
     std::optional<PixelRect> m_fitPixels;
     bool m_fitted = true;
+    std::optional<QPointF> m_centre; ///< of the picture, kept in the middle; none once the user has moved it
     bool m_stale = false;
     bool m_frameShown = true;
     QColor m_canvasColor;

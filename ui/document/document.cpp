@@ -63,12 +63,31 @@ void Document::rememberStep(Edit edit)
 {
     const bool continues = edit == Edit::Camera && m_inGesture;
     m_inGesture = edit == Edit::Camera;
-    if (!continues) {
-        m_undo.push_back({m_scene, m_settings});
-        if (m_undo.size() > kMaxUndoSteps)
-            m_undo.erase(m_undo.begin());
-    }
+    if (!continues)
+        pushUndo(present(false));
     m_redo.clear();
+}
+
+void Document::pushUndo(State state)
+{
+    m_undo.push_back(std::move(state));
+    if (m_undo.size() > kMaxUndoSteps)
+        m_undo.erase(m_undo.begin());
+}
+
+/// The present state, as a step of undo.
+Document::State Document::present(bool withWhole) const
+{
+    State state{m_scene, m_settings};
+    if (withWhole)
+        state.whole = Whole{m_original,
+                            m_cleanScene,
+                            m_clean,
+                            m_inputs,
+                            m_sessionPath,
+                            m_recovered,
+                            m_viewKeeper ? m_viewKeeper() : std::function<void()>()};
+    return state;
 }
 
 void Document::replace(const State& state)
@@ -113,22 +132,40 @@ void Document::undo()
 {
     if (!canUndo())
         return;
-    m_inGesture = false;
-    m_redo.push_back({m_scene, m_settings});
     const State previous = m_undo.back();
+    m_redo.push_back(present(previous.whole.has_value()));
     m_undo.pop_back();
-    replace(previous);
+    restore(previous);
 }
 
 void Document::redo()
 {
     if (!canRedo())
         return;
-    m_inGesture = false;
-    m_undo.push_back({m_scene, m_settings});
     const State next = m_redo.back();
+    m_undo.push_back(present(next.whole.has_value()));
     m_redo.pop_back();
-    replace(next);
+    restore(next);
+}
+
+void Document::restore(const State& state)
+{
+    m_inGesture = false;
+    if (!state.whole) {
+        replace(state);
+        return;
+    }
+    const Whole& whole = *state.whole;
+    m_original = whole.original;
+    m_cleanScene = whole.cleanScene;
+    m_clean = whole.clean;
+    m_inputs = whole.inputs;
+    m_sessionPath = whole.sessionPath;
+    m_recovered = whole.recovered;
+    replace(state);
+    Q_EMIT inputsChanged();
+    if (whole.showView)
+        whole.showView();
 }
 
 void Document::open(const QString& name)
@@ -161,6 +198,22 @@ void Document::openMistake(const QString& id)
     });
 }
 
+void Document::openMoment(const Moment& moment, GivingUp former)
+{
+    Opening opening{moment.scene, Opening::Kind::Moment};
+    opening.former = former;
+    startOpening(std::move(opening), [moment] {
+        OpenMomentLoad load = rasterlens::openMoment(moment);
+        Opened opened;
+        opened.diagnostics = std::move(load.diagnostics);
+        if (load.moment) {
+            opened.scene = opened.original = std::make_shared<const Scene>(std::move(load.moment->scene));
+            opened.settings = load.moment->settings;
+        }
+        return opened;
+    });
+}
+
 void Document::openRecovered(const QString& file, const QString& sessionPath)
 {
     startOpening({file, Opening::Kind::Recovered, sessionPath}, [file] { return load(file); });
@@ -180,19 +233,27 @@ void Document::reload()
 
 void Document::startOpening(Opening opening, std::function<Opened()> load)
 {
-    if (!m_leaveGuard || !isDirty()) {
+    if (!m_leaveGuard || !isDirty() || opening.former == GivingUp::Silent) {
         beginLoading(std::move(opening), std::move(load));
         return;
     }
     m_leaveGuard([this, opening = std::move(opening), load = std::move(load)](bool mayLeave) mutable {
         if (!mayLeave) {
-            Q_EMIT loadingChanged(m_loading, opening.name);
+            stay(opening);
             return;
         }
         opening.agreedScene = m_scene;
         opening.agreedSettings = m_settings;
         beginLoading(std::move(opening), std::move(load));
     });
+}
+
+/// What is open stays open.
+void Document::stay(const Opening& opening)
+{
+    Q_EMIT loadingChanged(m_loading, opening.name);
+    if (opening.kind == Opening::Kind::Moment)
+        Q_EMIT momentRefused();
 }
 
 void Document::beginLoading(Opening opening, std::function<Opened()> load)
@@ -233,6 +294,7 @@ Document::Opened Document::load(const QString& name, const QString& sceneInstead
         if (!session.session)
             return opened;
         sceneName = session.session->scene;
+        opened.view = session.session->view;
         opened.isPartial = session.session->isPartial;
         opened.sceneIsMissing = !session.session->sceneFound;
     }
@@ -252,9 +314,9 @@ Document::Opened Document::load(const QString& name, const QString& sceneInstead
             opened.scene = nullptr;
         opened.settings = parse.settings;
     }
-    if (opened.scene && session.session && !session.session->vertices.empty()) {
+    if (opened.scene && session.session && !(session.session->vertices.empty() && session.session->colors.empty())) {
         auto edited = std::make_shared<Scene>(*opened.original);
-        const Diagnostics errors = moveVertices(*edited, *session.session, name);
+        const Diagnostics errors = editVertices(*edited, *session.session, name);
         opened.diagnostics.insert(opened.diagnostics.end(), errors.begin(), errors.end());
         opened.scene = errors.empty() ? std::move(edited) : nullptr;
     }
@@ -267,13 +329,14 @@ void Document::finishOpening(const Opened& opened)
     m_loading = false;
     const bool isReload = opening.kind == Opening::Kind::Reload;
     const bool agreed = m_scene == opening.agreedScene && m_settings == opening.agreedSettings;
-    if (opened.scene && !isReload && m_leaveGuard && isDirty() && !agreed) {
+    const bool asks = !isReload && opening.former == GivingUp::Asks;
+    if (opened.scene && asks && m_leaveGuard && isDirty() && !agreed) {
         // The user changed something while the file was being read.
         m_leaveGuard([this, opening, opened, serial = m_openSerial](bool mayLeave) {
             if (mayLeave && serial == m_openSerial)
                 take(opening, opened);
             else
-                Q_EMIT loadingChanged(m_loading, opening.name);
+                stay(opening);
         });
         return;
     }
@@ -283,8 +346,11 @@ void Document::finishOpening(const Opened& opened)
 void Document::take(const Opening& opening, const Opened& opened)
 {
     const bool isReload = opening.kind == Opening::Kind::Reload;
+    const bool isMoment = opening.kind == Opening::Kind::Moment;
     if (opened.scene && isReload) {
         takeReloaded(opening.name, opened);
+    } else if (opened.scene && isMoment) {
+        takeMoment(opened);
     } else if (opened.scene) {
         const bool recovered = opening.kind == Opening::Kind::Recovered;
         const bool isWhole = isSession(opening.name) && !opened.isPartial;
@@ -306,13 +372,38 @@ void Document::take(const Opening& opening, const Opened& opened)
         Q_EMIT diagnosticsReported(remarks);
     if (opened.sceneIsMissing)
         Q_EMIT sceneMissing(opening.name);
-    if (opened.scene)
+    if (isMoment && opened.scene)
+        Q_EMIT momentOpened();
+    else if (isMoment)
+        Q_EMIT momentRefused();
+    else if (opened.scene)
         Q_EMIT this->opened(opening.name);
+    if (opened.scene && !opened.view.isEmpty() && !isReload)
+        Q_EMIT viewOpened(opened.view, opening.name);
+}
+
+void Document::takeMoment(const Opened& opened)
+{
+    pushUndo(present(true));
+    m_redo.clear();
+    m_inGesture = false;
+    m_original = m_cleanScene = opened.original;
+    m_clean = *opened.settings;
+    m_inputs = opened.inputs;
+    m_sessionPath.clear();
+    m_recovered = false;
+    replace({opened.scene, *opened.settings});
 }
 
 void Document::takeReloaded(const QString& name, const Opened& opened)
 {
     const auto formerCount = m_original->mesh.vertices.size();
+    // Steps from and to other scenes go: they were about files that may have changed as well.
+    for (auto* steps : {&m_undo, &m_redo}) {
+        const auto whole =
+            std::find_if(steps->rbegin(), steps->rend(), [](const State& step) { return step.whole.has_value(); });
+        steps->erase(steps->begin(), whole.base());
+    }
     Rebase rebase(m_original, opened.scene);
     for (auto* steps : {&m_undo, &m_redo})
         for (State& step : *steps)
@@ -347,13 +438,14 @@ bool Document::isDirty() const { return m_recovered || !(m_settings == m_clean) 
 
 Session Document::session() const
 {
-    return {m_scene->id, toJson(m_settings), movedVertices(m_original->mesh, m_scene->mesh)};
+    return {m_scene->id, toJson(m_settings), movedVertices(m_original->mesh, m_scene->mesh),
+            recoloredVertices(m_original->mesh, m_scene->mesh), m_viewReader ? m_viewReader() : QJsonObject()};
 }
 
 void Document::failOpening(Lack lack)
 {
     m_loading = false;
-    Q_EMIT loadingChanged(false, m_opening.name);
+    stay(m_opening);
     const char* why =
         lack == Lack::Memory
             ? QT_TRANSLATE_NOOP("Diagnostic", "there is not enough memory to open it")

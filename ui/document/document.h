@@ -2,6 +2,7 @@
 #include "core/base/diagnostics.h"
 #include "core/io/input_log.h"
 #include "core/io/session.h"
+#include "core/lessons/moment.h"
 #include "core/scene/scene.h"
 #include "core/settings/settings.h"
 #include "ui/base/latest_result.h"
@@ -60,6 +61,22 @@ public:
     [[nodiscard]] bool isLoading() const { return m_loading; }
     /// Opens the scene and the settings in which a mistake shows, on a background thread as open() does.
     void openMistake(const QString& id);
+    /// What a moment gives up: asked about, as before another scene is opened, or only kept for undo.
+    enum class GivingUp { Asks, Silent };
+    /// Opens scene and settings of a moment on a background thread, as one undo step, whatever was open before. Scene
+    /// and settings are then all that a session would store: nothing of them is an unsaved change.
+    ///
+    /// errors  diagnosticsReported, and the undo steps stay as they were
+    void openMoment(const Moment& moment, GivingUp former);
+    /// Called before the window changes as a whole. The function that it returns shows again what the window showed
+    /// besides scene and settings.
+    using ViewKeeper = std::function<std::function<void()>()>;
+    void setViewKeeper(ViewKeeper keeper) { m_viewKeeper = std::move(keeper); }
+
+    /// What a session keeps besides scene and settings is asked for when it is written.
+    using ViewReader = std::function<QJsonObject()>;
+    void setViewReader(ViewReader reader) { m_viewReader = std::move(reader); }
+
     /// Opens the session that an earlier run left behind, as unsaved changes of `sessionPath` (empty: never saved).
     void openRecovered(const QString& file, const QString& sessionPath);
 
@@ -89,6 +106,8 @@ public:
     [[nodiscard]] bool isDirty() const;
 
     [[nodiscard]] QStringList recentFiles() const;
+    /// Puts a file on top of the list.
+    void rememberRecent(const QString& path);
     void clearRecentFiles();
 
 Q_SIGNALS:
@@ -98,6 +117,10 @@ Q_SIGNALS:
     void diagnosticsReported(const rasterlens::Diagnostics& diagnostics);
     void recentFilesChanged();
     void opened(const QString& name);
+    /// Behind opened(): a session tells what the window showed.
+    void viewOpened(const QJsonObject& view, const QString& file);
+    void momentOpened();                       ///< behind settingsChanged
+    void momentRefused();                      ///< what is open stays
     void sceneMissing(const QString& session); ///< behind diagnosticsReported: the user may say where the model is
     void inputsChanged();
 
@@ -111,23 +134,37 @@ private:
         bool isPartial = false;      ///< a session that says more than was understood, which is not to be saved over
         bool sceneIsMissing = false; ///< the model of a session is at none of its places
         std::vector<InputFile> inputs{};
+        QJsonObject view{}; ///< of a session
     };
 
     /// What an opening is for, and what it finds when it ends.
     struct Opening {
-        enum class Kind { Scene, Recovered, Reload };
+        enum class Kind { Scene, Recovered, Reload, Moment };
 
         QString name{};
         Kind kind = Kind::Scene;
         QString sessionPath{};                      ///< Recovered: where the changes belong
         std::shared_ptr<const Scene> agreedScene{}; ///< the state that the user gave up for it, if any
         Settings agreedSettings{};
+        GivingUp former = GivingUp::Asks; ///< Moment
+    };
+
+    /// What a change of the whole window gives up besides scene and settings.
+    struct Whole {
+        std::shared_ptr<const Scene> original;
+        std::shared_ptr<const Scene> cleanScene;
+        Settings clean;
+        std::vector<InputFile> inputs;
+        QString sessionPath;
+        bool recovered = false;
+        std::function<void()> showView;
     };
 
     /// One step of undo.
     struct State {
         std::shared_ptr<const Scene> scene;
         Settings settings;
+        std::optional<Whole> whole{}; ///< of a step that changed the whole window
     };
 
     [[nodiscard]] static Opened load(const QString& name, const QString& sceneInstead = {});
@@ -139,8 +176,12 @@ private:
     void takeReloaded(const QString& name, const Opened& opened);
     void install(const Opened& opened, bool recovered);
     void noteInputs(const std::vector<InputFile>& inputs);
-    void rememberRecent(const QString& path);
+    void takeMoment(const Opened& opened);
     void rememberStep(Edit edit);
+    void stay(const Opening& opening);
+    void pushUndo(State state);
+    [[nodiscard]] State present(bool withWhole) const;
+    void restore(const State& state);
     void replace(const State& state);
 
     std::shared_ptr<const Scene> m_scene;
@@ -155,6 +196,8 @@ private:
     bool m_recovered = false; ///< from an earlier run, and not saved since
     std::vector<InputFile> m_inputs;
     LeaveGuard m_leaveGuard;
+    ViewKeeper m_viewKeeper;
+    ViewReader m_viewReader;
     bool m_loading = false;
     quint64 m_openSerial = 0;      ///< counts openings
     Opening m_opening;             ///< the last one

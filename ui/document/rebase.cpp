@@ -25,6 +25,8 @@ std::shared_ptr<const Scene> Rebase::scene(const std::shared_ptr<const Scene>& e
     auto moved = std::make_shared<Scene>(*m_fresh);
     for (const auto& [vertex, position] : movedVertices(m_former->mesh, edited->mesh))
         moved->mesh.vertices[vertex].position = position;
+    for (const auto& [vertex, color] : recoloredVertices(m_former->mesh, edited->mesh))
+        moved->mesh.vertices[vertex].color = color;
     return result = std::move(moved);
 }
 

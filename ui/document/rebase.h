@@ -14,9 +14,9 @@ public:
     /// in      both scenes as they were read, without moved vertices
     Rebase(std::shared_ptr<const Scene> former, std::shared_ptr<const Scene> fresh);
 
-    /// The fresh scene with the vertices moved as in `edited`, which comes from the former one.
+    /// The fresh scene with the vertices moved and coloured as in `edited`, which comes from the former one.
     ///
-    /// covers  a mesh with another number of vertices: nothing is moved, and movesLost() tells
+    /// covers  a mesh with another number of vertices: nothing is edited, and movesLost() tells
     [[nodiscard]] std::shared_ptr<const Scene> scene(const std::shared_ptr<const Scene>& edited);
 
     /// Values that the user had not changed follow the fresh scene's wishes; all others stay.

@@ -19,6 +19,7 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QMainWindow>
+#include <QMouseEvent>
 #include <QToolButton>
 
 #include <algorithm>
@@ -77,9 +78,9 @@ struct FaceFindings {
 
 Cards::Cards(Document& document, ViewportWidget& viewport, QMainWindow& window)
     : m_document(document), m_viewport(viewport), m_window(window), m_pixelCard(new PixelCard),
-      m_vertexPanel(new VertexPanel(document, m_selection)), m_clipTheatre(new ClipTheatre(m_selection)),
+      m_vertexPanel(new VertexPanel(document, m_selection, m_editing)), m_clipTheatre(new ClipTheatre(m_selection)),
       m_curvesPanel(new CurvesPanel(m_selection)), m_racePanel(new RacePanel(m_selection)),
-      m_derivationPanel(new DerivationPanel(m_selection)), m_handles(new VertexHandles(document, viewport)),
+      m_derivationPanel(new DerivationPanel(m_selection)), m_handles(new VertexHandles(document, viewport, m_editing)),
       m_why([this](const std::shared_ptr<const WhyReport>& report) { showReport(report); },
             [this](Lack lack) { Q_EMIT failed(tr("The pixel card was not computed: %1.").arg(lackText(lack))); }),
       m_face([this](const std::shared_ptr<const FaceFindings>& found) { showFace(*found); },
@@ -94,6 +95,7 @@ Cards::Cards(Document& document, ViewportWidget& viewport, QMainWindow& window)
     addDock(Panel::Race, m_racePanel);
     addDock(Panel::Derivation, m_derivationPanel);
     viewport.addLayer(&m_derivationPanel->layer());
+    viewport.installEventFilter(this);
     m_copy = dock(Panel::PixelCard).addLink();
     m_soon.setSingleShot(true);
     m_soon.setInterval(0);
@@ -267,12 +269,31 @@ void Cards::askDerivation()
     place.face = m_selection.face();
     place.pixel = m_pixel;
     place.edge = m_derivationPanel->edge();
+    place.m = m_derivationPanel->m();
+    if (const std::optional<double> part = m_derivationPanel->depthPart()) {
+        const Matrices matrices = cameraMatrices(*m_document.scene(), m_document.settings());
+        place.depth = matrices.near + *part * (matrices.far - matrices.near);
+    }
     m_derived.ask(
         [place, topic = m_derivationPanel->topic(), scene = m_document.scene(),
          settings = m_document.settings()](const auto& turn) {
             return std::make_shared<const Derived>(derive(topic, *scene, settings, place, turn.stop()));
         },
         LatestJob::Running::Interrupt);
+}
+
+/// A part of the picture under the mouse lights its symbol in the derivation.
+bool Cards::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == &m_viewport && event->type() == QEvent::MouseMove && dock(Panel::Derivation).isInSight()) {
+        constexpr double kReach = 7; // canvas pixels
+        const CanvasTransform& transform = m_viewport.transform();
+        const QPointF at = transform.toImage(static_cast<QMouseEvent*>(event)->position());
+        m_derivationPanel->hoverSymbol(m_derivationPanel->symbolAt(at, kReach / transform.zoom));
+    }
+    if (watched == &m_viewport && event->type() == QEvent::Leave)
+        m_derivationPanel->hoverSymbol(std::nullopt);
+    return QObject::eventFilter(watched, event);
 }
 
 void Cards::showFace(const FaceFindings& found)

@@ -3,6 +3,7 @@
 #include "ui/canvas/viewport_widget.h"
 #include "ui/document/document.h"
 #include "ui/face/face_picker.h"
+#include "ui/face/vertex_editing.h"
 
 #include <QObject>
 #include <QPoint>
@@ -73,6 +74,9 @@ Q_SIGNALS:
     /// A panel keeps what it shows, for want of memory or threads.
     void failed(const QString& message);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     /// Panels are added in their order.
     void addDock(Panel which, QWidget* panel);
@@ -91,6 +95,7 @@ private:
     ViewportWidget& m_viewport;
     QMainWindow& m_window;
     FaceSelection m_selection;
+    VertexEditing m_editing;
     std::vector<Dock*> m_docks;
     PixelCard* m_pixelCard;
     VertexPanel* m_vertexPanel;

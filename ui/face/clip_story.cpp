@@ -66,7 +66,11 @@ ClipStory clipStory(const Scene& scene, const Settings& settings, std::uint32_t 
         case StepKind::Facing:
         case StepKind::Triangle:
         case StepKind::Setup:
+        case StepKind::Outline:
         case StepKind::Walk:
+        case StepKind::Sides:
+        case StepKind::Halves:
+        case StepKind::Crossing:
         case StepKind::Span:
         case StepKind::Column:
         case StepKind::Sample:
@@ -75,6 +79,7 @@ ClipStory clipStory(const Scene& scene, const Settings& settings, std::uint32_t 
         case StepKind::Fragment:
         case StepKind::Shade:
         case StepKind::Write:
+        case StepKind::Resolve:
         case StepKind::End: break; // the filter leaves them out
         }
     }

@@ -1,9 +1,12 @@
 #include "ui/face/derivation_panel.h"
 
+#include "core/observe/names.h"
+#include "ui/base/distances.h"
 #include "ui/base/field_row.h"
 #include "ui/base/flow_layout.h"
 #include "ui/base/inks.h"
 #include "ui/base/theme.h"
+#include "ui/face/figure_view.h"
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -12,13 +15,14 @@
 #include <QPainter>
 #include <QScrollBar>
 #include <QSignalBlocker>
+#include <QSlider>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QUrl>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <array>
-#include <span>
+#include <limits>
 
 namespace rasterlens
 {
@@ -30,6 +34,7 @@ QString translated(const char* text) { return QCoreApplication::translate("Deriv
 constexpr int kShownOfTopic = 18; ///< letters
 constexpr QRgb kFigureInk = 0xff56b4e9;
 constexpr QRgb kHoveredInk = 0xfff0e442;
+constexpr int kSliderSteps = 1000;
 constexpr double kSeam = 2; ///< wider on both sides together: keeps strokes in sight on any picture
 
 const QString kSymbol = QStringLiteral("symbol:"); // schemes of links
@@ -45,6 +50,40 @@ std::optional<std::size_t> numberOf(const QUrl& url, const QString& scheme)
     if (!text.startsWith(scheme) || !isNumber)
         return std::nullopt;
     return number;
+}
+
+/// The hue of an edge over the picture, light enough for the dark seam around it.
+QColor figureInk(std::size_t look) { return QColor(kEdgeLooks[look].color).lighter(165); }
+
+/// Which of the looks of edges a part of the picture has: that of the edge between its first two corners.
+std::optional<std::size_t> edgeLookOf(const CanvasPart& part)
+{
+    const bool isOfEdge =
+        part.kind == CanvasKind::Edge || part.kind == CanvasKind::Vector || part.kind == CanvasKind::Area;
+    const QString corners = QStringLiteral("ABC");
+    const qsizetype count = part.name.size();
+    if (!isOfEdge || count < 2 || count > 3 || (count == 3 && part.name[2] != QLatin1Char('P')))
+        return std::nullopt;
+    const qsizetype from = corners.indexOf(part.name[0]);
+    const qsizetype to = corners.indexOf(part.name[1]);
+    if (from < 0 || to < 0 || from == to)
+        return std::nullopt;
+    // Set up clockwise or counter-clockwise, the edge from A on is the first one.
+    return from == 0 ? 0 : to == 0 ? 2 : 1;
+}
+
+/// How far a point of the picture is from a part; 0 inside an area.
+double distanceTo(const CanvasPart& part, QPointF point)
+{
+    QPolygonF points;
+    for (const glm::dvec2& at : part.points)
+        points << QPointF(at.x, at.y);
+    if (part.kind == CanvasKind::Area && points.containsPoint(point, Qt::OddEvenFill))
+        return 0;
+    double distance = std::numeric_limits<double>::infinity();
+    for (qsizetype i = 0; i < points.size(); ++i)
+        distance = std::min(distance, distanceToSegment(point, {points[std::max<qsizetype>(i, 1) - 1], points[i]}));
+    return distance;
 }
 
 void paintArrow(QPainter& painter, QPointF from, QPointF to)
@@ -105,20 +144,24 @@ void DerivationLayer::paint(QPainter& painter, const QRect& canvas, const Canvas
     painter.setClipRect(canvas, Qt::IntersectClip);
     painter.setRenderHint(QPainter::Antialiasing);
     const double width = options.thickLines ? 4 : 2;
-    const auto paintParts = [&](std::span<const CanvasPart> parts, QRgb ink) {
-        for (const QPen& pen : {QPen(QColor(kCanvasInk), width + kSeam), QPen(QColor(ink), width)}) {
-            painter.setPen(pen);
-            for (const CanvasPart& part : parts)
-                paintPart(painter, part, transform);
-        }
+    const auto paintOne = [&](const CanvasPart& part, QColor ink, Qt::PenStyle style) {
+        painter.setPen(QPen(QColor(kCanvasInk), width + kSeam));
+        paintPart(painter, part, transform);
+        painter.setPen(QPen(ink, width, style, Qt::FlatCap));
+        paintPart(painter, part, transform);
     };
-    paintParts(m_marks, kFigureInk);
-    paintParts({&m_hovered, 1}, kHoveredInk);
+    for (const CanvasPart& part : m_marks) {
+        const std::optional<std::size_t> look = edgeLookOf(part);
+        paintOne(part, look ? figureInk(*look) : QColor(kFigureInk), look ? kEdgeLooks[*look].style : Qt::SolidLine);
+    }
+    paintOne(m_hovered, QColor(kHoveredInk), Qt::SolidLine);
     painter.restore();
 }
 
 DerivationPanel::DerivationPanel(FaceSelection& selection, QWidget* parent)
-    : QWidget(parent), m_topic(new PanelCombo), m_edge(new PanelCombo), m_place(new QLabel), m_view(new QTextBrowser)
+    : QWidget(parent), m_topic(new PanelCombo), m_edge(new PanelCombo), m_mName(new QLabel),
+      m_m(new QSlider(Qt::Horizontal)), m_depthName(new QLabel), m_depth(new QSlider(Qt::Horizontal)),
+      m_place(new QLabel), m_figures{new FigureView, new FigureView}, m_view(new QTextBrowser)
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 2, 12, 8);
@@ -132,10 +175,27 @@ DerivationPanel::DerivationPanel(FaceSelection& selection, QWidget* parent)
     head->addWidget(new FacePicker(selection));
     m_edge->addItems({QString(), QString(), QString()});
     head->addWidget(m_edge);
+    constexpr int kSliderWidth = 120;
+    for (const auto& [name, slider] : {std::pair(m_mName, m_m), std::pair(m_depthName, m_depth)}) {
+        slider->setRange(1, kSliderSteps - 1);
+        slider->setValue(kSliderSteps / 2);
+        slider->setPageStep(kSliderSteps / 20);
+        slider->setFixedWidth(kSliderWidth);
+        head->addWidget(name);
+        head->addWidget(slider);
+        connect(slider, &QSlider::valueChanged, this, &DerivationPanel::asked);
+    }
     column->addLayout(head);
     m_place->setObjectName(QStringLiteral("muted"));
     m_place->setWordWrap(true);
     column->addWidget(m_place);
+    auto* figures = new QHBoxLayout;
+    figures->setSpacing(8);
+    for (FigureView* figure : m_figures) {
+        figures->addWidget(figure);
+        connect(figure, &FigureView::symbolHovered, this, &DerivationPanel::hoverSymbol);
+    }
+    column->addLayout(figures);
     m_view->setOpenLinks(false);
     m_view->setMinimumHeight(160);
     m_view->installEventFilter(this);
@@ -154,6 +214,14 @@ DerivationTopic DerivationPanel::topic() const { return static_cast<DerivationTo
 
 int DerivationPanel::edge() const { return m_edge->currentIndex(); }
 
+double DerivationPanel::m() const { return double(m_m->value()) / kSliderSteps; }
+
+std::optional<double> DerivationPanel::depthPart() const
+{
+    const int value = m_depth->value();
+    return value == kSliderSteps / 2 ? std::nullopt : std::optional(double(value) / kSliderSteps);
+}
+
 void DerivationPanel::setTopic(DerivationTopic topic) { m_topic->setCurrentIndex(static_cast<int>(topic)); }
 
 const Derivation* DerivationPanel::derivation() const
@@ -168,6 +236,8 @@ void DerivationPanel::setDerived(std::shared_ptr<const Derived> derived)
     const bool isSameTopic = now != nullptr && before && before->derivation && before->derivation->topic == now->topic;
     if (!isSameTopic || m_line >= now->lines.size())
         m_line = 0;
+    showSliders();
+    showFigures();
     showText();
     showFigure();
 }
@@ -185,9 +255,54 @@ void DerivationPanel::setLine(std::size_t line)
 void DerivationPanel::hoverSymbol(std::optional<std::size_t> symbol)
 {
     const Derivation* shown = derivation();
-    const bool isShown = shown != nullptr && symbol && *symbol < shown->symbols.size();
-    m_layer.setHovered(isShown ? shown->symbols[*symbol].canvas : CanvasPart{});
+    if (shown == nullptr || (symbol && *symbol >= shown->symbols.size()))
+        symbol.reset();
+    if (symbol == m_hovered)
+        return;
+    m_hovered = symbol;
+    m_layer.setHovered(symbol ? shown->symbols[*symbol].canvas : CanvasPart{});
+    for (FigureView* figure : m_figures)
+        figure->setHovered(symbol);
+    lightSymbols();
     Q_EMIT layerChanged();
+}
+
+std::optional<std::size_t> DerivationPanel::symbolAt(QPointF point, double reach) const
+{
+    const Derivation* shown = derivation();
+    if (shown == nullptr)
+        return std::nullopt;
+    const std::vector<int> present = presentSymbols();
+    std::optional<std::size_t> nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < shown->symbols.size(); ++i) {
+        const CanvasPart& part = shown->symbols[i].canvas;
+        const double distance = distanceTo(part, point);
+        if (distance > reach)
+            continue;
+        // Points lie on edges, and edges around areas: the smaller thing is meant.
+        const double order = part.kind == CanvasKind::Area ? 2 : part.points.size() > 1 ? 1 : 0;
+        const bool isPresent = std::ranges::find(present, static_cast<int>(i)) != present.end();
+        const double rank = (isPresent ? 0 : 4) + order + distance / (reach + distance);
+        if (rank < least) {
+            least = rank;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+std::vector<int> DerivationPanel::presentSymbols() const
+{
+    const Derivation* shown = derivation();
+    std::vector<int> symbols;
+    if (shown == nullptr || m_line >= shown->lines.size())
+        return symbols;
+    for (const auto* tokens : {&shown->lines[m_line].left, &shown->lines[m_line].formula})
+        for (const DerivationToken& token : *tokens)
+            if (token.symbol >= 0)
+                symbols.push_back(token.symbol);
+    return symbols;
 }
 
 void DerivationPanel::showFigure()
@@ -196,7 +311,83 @@ void DerivationPanel::showFigure()
     m_layer.setMarks(shown != nullptr && m_line < shown->lines.size() ? shown->lines[m_line].marks
                                                                       : std::vector<CanvasPart>{});
     m_layer.setHovered({});
+    m_hovered.reset();
+    for (FigureView* figure : m_figures) {
+        figure->setPresent(presentSymbols());
+        figure->setHovered(std::nullopt);
+    }
+    lightSymbols();
     Q_EMIT layerChanged();
+}
+
+void DerivationPanel::showFigures()
+{
+    const Derivation* shown = derivation();
+    for (std::size_t i = 0; i < m_figures.size(); ++i) {
+        const bool isThere = shown != nullptr && i < shown->figures.size();
+        m_figures[i]->setVisible(isThere);
+        if (isThere)
+            m_figures[i]->setFigure(shown->figures[i], textOf(shown->figures[i].title, translated));
+    }
+}
+
+void DerivationPanel::showSliders()
+{
+    const bool hasM = topic() == DerivationTopic::Perspective || topic() == DerivationTopic::DepthCurve;
+    const bool hasDepth = topic() == DerivationTopic::DepthCurve;
+    m_mName->setVisible(hasM);
+    m_m->setVisible(hasM);
+    m_depthName->setVisible(hasDepth);
+    m_depth->setVisible(hasDepth);
+    m_mName->setText(QStringLiteral("m = %1").arg(m(), 0, 'f', 3));
+    const Derivation* shown = derivation();
+    const DerivationSymbol* z = hasDepth && shown != nullptr ? shown->find("z") : nullptr;
+    m_depthName->setText(z != nullptr ? QStringLiteral("z = ") + shortNumber(z->value) : QStringLiteral("z"));
+}
+
+/// Where each symbol stands in the text.
+void DerivationPanel::findSymbols()
+{
+    m_symbols.clear();
+    for (QTextBlock block = m_view->document()->begin(); block.isValid(); block = block.next())
+        for (auto it = block.begin(); !it.atEnd(); ++it) {
+            const QTextFragment fragment = it.fragment();
+            if (const auto symbol = numberOf(QUrl(fragment.charFormat().anchorHref()), kSymbol))
+                m_symbols.push_back({*symbol, fragment.position(), fragment.position() + fragment.length()});
+        }
+}
+
+/// Symbols of edges have the hue and the stroke of their edge; the one under the mouse a ground of its own.
+void DerivationPanel::lightSymbols()
+{
+    const Derivation* shown = derivation();
+    QList<QTextEdit::ExtraSelection> selections;
+    if (shown != nullptr) {
+        constexpr QTextCharFormat::UnderlineStyle kStyles[] = {
+            QTextCharFormat::SingleUnderline, QTextCharFormat::DashUnderline, QTextCharFormat::DotLine};
+        const std::array<QColor, 3> inks = edgeInksFor(palette());
+        for (const SymbolPlace& place : m_symbols) {
+            const std::optional<std::size_t> look = edgeLookOf(shown->symbols[place.symbol].canvas);
+            const bool isHovered = m_hovered == place.symbol;
+            if (!look && !isHovered)
+                continue;
+            QTextEdit::ExtraSelection selection;
+            selection.cursor = QTextCursor(m_view->document());
+            selection.cursor.setPosition(place.begin);
+            selection.cursor.setPosition(place.end, QTextCursor::KeepAnchor);
+            if (look) {
+                selection.format.setForeground(inks[*look]);
+                selection.format.setUnderlineStyle(kStyles[*look]);
+                selection.format.setUnderlineColor(inks[*look]);
+            }
+            if (isHovered) {
+                selection.format.setBackground(QColor(kHoveredInk));
+                selection.format.setForeground(QColor(kCanvasInk));
+            }
+            selections << selection;
+        }
+    }
+    m_view->setExtraSelections(selections);
 }
 
 QString DerivationPanel::tokensHtml(const std::vector<DerivationToken>& tokens) const
@@ -237,6 +428,7 @@ void DerivationPanel::showText()
     if (shown == nullptr) {
         m_place->setText(m_derived ? textOf(m_derived->refusal, translated) : QString());
         m_view->clear();
+        m_symbols.clear();
         return;
     }
     m_place->setText(textOf(shown->place, translated));
@@ -250,7 +442,9 @@ void DerivationPanel::showText()
         html += QStringLiteral("</pre>");
     }
     const int at = m_view->verticalScrollBar()->value();
+    m_view->setExtraSelections({});
     m_view->setHtml(html);
+    findSymbols();
     m_view->verticalScrollBar()->setValue(at);
     m_view->scrollToAnchor(kAnchor + QString::number(m_line));
 }
@@ -283,13 +477,22 @@ void DerivationPanel::retranslate()
     m_edge->setItemText(1, tr("Edge BC"));
     m_edge->setItemText(2, tr("Edge CA"));
     m_edge->setAccessibleName(tr("Edge"));
+    m_m->setAccessibleName(tr("Part of the way along the edge"));
+    m_depth->setAccessibleName(tr("Part of the way from near to far"));
+    for (QSlider* slider : {m_m, m_depth})
+        slider->setToolTip(slider->accessibleName());
+    showSliders();
+    showFigures();
     showText();
+    showFigure();
 }
 
 void DerivationPanel::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange)
         retranslate();
+    if (event->type() == QEvent::PaletteChange)
+        lightSymbols();
     QWidget::changeEvent(event);
 }
 

@@ -8,6 +8,7 @@
 #include "ui/base/step_words.h"
 #include "ui/base/theme.h"
 #include "ui/face/clip_theatre.h"
+#include "ui/face/sample_rows.h"
 
 #include <QEvent>
 #include <QFrame>
@@ -269,6 +270,8 @@ QString PixelCard::asText() const
     if (!m_report)
         return {};
     QStringList lines{QStringLiteral("%1  %2").arg(title(), colorText(m_report->color))};
+    for (const SampleWords& group : sampleWords(*m_report))
+        lines << group.title << group.samples << group.sums;
     for (const WhyWords& row : m_rows) {
         lines << row.name + QStringLiteral(": ") + row.verdict;
         for (const QString& detail : row.details)
@@ -339,6 +342,8 @@ void PixelCard::rebuild()
         column->addWidget(hint);
     } else {
         column->addWidget(makeHeader());
+        if (const auto samples = sampleWords(*m_report); !samples.empty())
+            column->addWidget(makeSampleRows(samples));
         for (const WhyFace& face : m_report->faces)
             m_rows.push_back(whyWords(*m_report, face));
         for (std::size_t i = 0; i < std::min(m_rows.size(), kMostRows); ++i)

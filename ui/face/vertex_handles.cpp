@@ -1,10 +1,9 @@
 #include "ui/face/vertex_handles.h"
 
 #include "core/observe/step_text.h"
+#include "core/questions/vertex_place.h"
 #include "core/questions/vertex_table.h"
-#include "core/scene/camera.h"
 #include "ui/base/theme.h"
-#include "ui/face/vertex_panel.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -22,8 +21,8 @@ constexpr double kReach = 10; ///< canvas pixels round a handle that grip it
 
 } // namespace
 
-VertexHandles::VertexHandles(Document& document, ViewportWidget& canvas)
-    : QWidget(&canvas), m_document(document), m_canvas(canvas)
+VertexHandles::VertexHandles(Document& document, ViewportWidget& canvas, const VertexEditing& editing)
+    : QWidget(&canvas), m_document(document), m_canvas(canvas), m_editing(editing)
 {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     canvas.installEventFilter(this);
@@ -48,8 +47,7 @@ void VertexHandles::refresh()
                 const bool onScreen =
                     corner.clip.w > 0 && std::isfinite(corner.screen.x) && std::isfinite(corner.screen.y);
                 if (!known && onScreen)
-                    m_handles.push_back(
-                        {corner.meshVertex, QPointF(corner.screen.x, corner.screen.y), corner.clip.z, corner.clip.w});
+                    m_handles.push_back({corner.meshVertex, QPointF(corner.screen.x, corner.screen.y)});
             }
     setVisible(!m_handles.empty());
     update();
@@ -63,22 +61,14 @@ std::optional<QPointF> VertexHandles::screenOf(std::uint32_t vertex) const
 
 void VertexHandles::moveVertex(std::uint32_t vertex, QPointF screen)
 {
-    const auto handle = std::ranges::find(m_handles, vertex, &Handle::vertex);
-    if (handle == m_handles.end())
-        return;
     const Scene& scene = *m_document.scene();
-    const Settings& settings = m_document.settings();
-    const double grid = std::exp2(settings.subpixelBits);
-    const glm::dvec2 at(std::round(screen.x() * grid) / grid, std::round(screen.y() * grid) / grid);
-    const glm::dvec2 ndc(2 * at.x / settings.size.width() - 1, 1 - 2 * at.y / settings.size.height());
-    glm::dvec4 position(ndc.x * handle->clipW, ndc.y * handle->clipW, handle->clipZ, handle->clipW);
-    if (scene.space == SceneSpace::Object) {
-        const Matrices matrices = cameraMatrices(scene, settings);
-        position = glm::inverse(matrices.clipFromView * matrices.viewFromObject) * position;
-        position /= position.w;
-    }
-    if (scene.mesh.vertices[vertex].position != glm::vec4(position))
-        m_document.editScene(withVertex(scene, vertex, glm::vec4(position)), Document::Edit::Camera);
+    const QPointF to = snappedPlace(screen, m_editing.snap, m_document.settings().subpixelBits);
+    const auto position = positionAtPixel(scene, m_document.settings(), vertex, {to.x(), to.y()});
+    if (!position || scene.mesh.vertices[vertex].position == *position)
+        return;
+    m_document.editScene(m_editing.together ? withCorner(scene, vertex, *position)
+                                            : withVertex(scene, vertex, *position),
+                         Document::Edit::Camera);
 }
 
 QPointF VertexHandles::toCanvas(QPointF pixels) const

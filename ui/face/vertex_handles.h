@@ -1,6 +1,7 @@
 #pragma once
 #include "ui/canvas/viewport_widget.h"
 #include "ui/document/document.h"
+#include "ui/face/vertex_editing.h"
 
 #include <QWidget>
 
@@ -10,18 +11,19 @@
 namespace rasterlens
 {
 
-/// Over the canvas: the vertices of a small scene, to be dragged from sub-pixel to sub-pixel.
+/// Over the canvas: the vertices of a small scene, to be dragged from place to place.
 class VertexHandles : public QWidget
 {
     Q_OBJECT
 
 public:
-    VertexHandles(Document& document, ViewportWidget& canvas);
+    /// in  editing: where corners go, and what goes with them; to outlive the handles
+    VertexHandles(Document& document, ViewportWidget& canvas, const VertexEditing& editing);
 
     /// Shows the handles where the scene can be edited.
     void setActive(bool active);
     void refresh();
-    /// Moves a vertex to a point of the screen, snapped to the subpixel grid of the settings; depth and w stay.
+    /// Moves a corner to the place nearest to a point of the screen that corners are dragged to; depth and w stay.
     ///
     /// in  pixels
     void moveVertex(std::uint32_t vertex, QPointF screen);
@@ -36,8 +38,6 @@ private:
     struct Handle {
         std::uint32_t vertex;
         QPointF screen; ///< pixels
-        double clipZ;
-        double clipW;
     };
 
     [[nodiscard]] const Handle* handleAt(QPointF canvas) const;
@@ -45,6 +45,7 @@ private:
 
     Document& m_document;
     ViewportWidget& m_canvas;
+    const VertexEditing& m_editing;
     bool m_active = false;
     std::vector<Handle> m_handles;
     std::optional<std::uint32_t> m_dragged;

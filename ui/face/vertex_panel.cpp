@@ -1,12 +1,15 @@
 #include "ui/face/vertex_panel.h"
 
-#include "core/base/typed_numbers.h"
 #include "core/observe/step_log.h"
 #include "core/observe/step_text.h"
+#include "core/questions/vertex_place.h"
+#include "ui/base/field_row.h"
+#include "ui/base/flow_layout.h"
 #include "ui/base/theme.h"
 #include "ui/base/typed_field.h"
 
 #include <QAbstractItemView>
+#include <QCheckBox>
 #include <QEvent>
 #include <QFocusEvent>
 #include <QGuiApplication>
@@ -16,14 +19,15 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPalette>
+#include <QScrollBar>
+#include <QSignalBlocker>
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
+#include <array>
 
 namespace rasterlens
 {
@@ -38,21 +42,23 @@ QString tuple(std::initializer_list<double> values)
     return parts.join(QStringLiteral(", ")).replace(QLatin1Char('-'), QChar(0x2212));
 }
 
-/// in   the mesh's origin: what is typed are coordinates of the file
-std::optional<glm::vec4> positionFrom(const QString& text, const glm::vec4& former, const glm::dvec3& origin)
+QColor asColor(const glm::vec3& color)
 {
-    const auto numbers = typedNumbers(text);
-    if (!numbers || (numbers->size() != 3 && numbers->size() != 4))
-        return std::nullopt;
-    glm::vec4 position = former;
-    for (std::size_t i = 0; i < numbers->size(); ++i) {
-        const double typed = (*numbers)[i];
-        const int k = static_cast<int>(i);
-        position[k] = static_cast<float>(k < 3 ? typed - origin[k] : typed);
-        if (!std::isfinite(position[k]))
-            return std::nullopt;
-    }
-    return position;
+    const glm::vec3 held = glm::clamp(color, 0.0F, 1.0F);
+    return QColor::fromRgbF(held.r, held.g, held.b);
+}
+
+/// A choice and the name of what is chosen, which stay together where the row of switches goes on in the next line.
+QWidget* namedBox(QLabel* name, QComboBox* box)
+{
+    auto* pair = new QWidget;
+    auto* row = new QHBoxLayout(pair);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(5);
+    row->addWidget(name);
+    row->addWidget(box);
+    name->setBuddy(box);
+    return pair;
 }
 
 /// Keeps a cell open whose text is refused, and says why.
@@ -68,8 +74,9 @@ public:
     {
         QWidget* editor = QStyledItemDelegate::createEditor(parent, option, index);
         if (auto* edit = qobject_cast<QLineEdit*>(editor)) {
+            edit->setProperty(kRow, index.row());
             connect(edit, &QLineEdit::textEdited, &m_panel, [this, edit](const QString& text) {
-                if (edit->property("refused").toBool() && !m_model.whyRefused(text))
+                if (edit->property("refused").toBool() && !m_model.whyRefused(edit->property(kRow).toInt(), text))
                     mend(*edit);
             });
             connect(edit, &QObject::destroyed, &m_panel, &VertexPanel::inputMended);
@@ -82,7 +89,7 @@ protected:
     {
         auto* edit = qobject_cast<QLineEdit*>(watched);
         if (edit && takesText(*event)) {
-            if (const auto why = m_model.whyRefused(edit->text())) {
+            if (const auto why = m_model.whyRefused(edit->property(kRow).toInt(), edit->text())) {
                 markRefused(*edit, true);
                 Q_EMIT m_panel.invalidInput(*why);
                 return event->type() == QEvent::KeyPress;
@@ -93,6 +100,8 @@ protected:
     }
 
 private:
+    static constexpr const char* kRow = "row"; ///< property of an editor: the row of the table it stands in
+
     /// By Return, by Tab, or by the choice of another widget.
     static bool takesText(const QEvent& event)
     {
@@ -118,22 +127,10 @@ private:
 
 } // namespace
 
-bool isEditable(const Scene& scene)
-{
-    const std::size_t faces = scene.mesh.faceCount();
-    return faces > 0 && faces <= kMostEditableFaces;
-}
-
-std::shared_ptr<const Scene> withVertex(const Scene& scene, std::uint32_t vertex, const glm::vec4& position)
-{
-    // The bounding sphere stays: the camera is not to run after the corner.
-    auto edited = std::make_shared<Scene>(scene);
-    edited->mesh.vertices[vertex].position = position;
-    return edited;
-}
-
-VertexTableModel::VertexTableModel(Document& document, const FaceSelection& selection, QObject* parent)
-    : QAbstractTableModel(parent), m_document(document), m_scene(document.scene()), m_selection(selection)
+VertexTableModel::VertexTableModel(Document& document, const FaceSelection& selection, const VertexEditing& editing,
+                                   QObject* parent)
+    : QAbstractTableModel(parent), m_document(document), m_scene(document.scene()), m_selection(selection),
+      m_editing(editing)
 {
 }
 
@@ -162,8 +159,22 @@ QString VertexTableModel::cell(int row, const VertexRow& corner) const
     case DepthValue: return shortNumber(corner.depth);
     case OutsideOf: return corner.outside == 0 ? tr("inside") : planeSigns(corner.outside);
     case ScreenRegion: return regionText(corner.screenRegion);
+    case VertexColor: {
+        const glm::vec3 color = colorOf(corner);
+        return tuple({color.r, color.g, color.b});
+    }
     default: return {};
     }
+}
+
+glm::vec3 VertexTableModel::colorOf(const VertexRow& corner) const
+{
+    return m_scene->mesh.vertices[corner.meshVertex].color;
+}
+
+VertexTableModel::Row VertexTableModel::typedRow() const
+{
+    return m_editing.typed == VertexEditing::Typed::Pixels ? ScreenSpace : ObjectSpace;
 }
 
 QVariant VertexTableModel::data(const QModelIndex& index, int role) const
@@ -175,10 +186,13 @@ QVariant VertexTableModel::data(const QModelIndex& index, int role) const
     case Qt::DisplayRole:
     case Qt::EditRole: return cell(index.row(), corner);
     case Qt::FontRole: return numberFont();
+    case Qt::DecorationRole: return index.row() == VertexColor ? QVariant(asColor(colorOf(corner))) : QVariant();
     case Qt::ForegroundRole:
         return (flags(index) & Qt::ItemIsEditable) != 0 ? QVariant(QGuiApplication::palette().highlight()) : QVariant();
     case Qt::ToolTipRole:
-        return (flags(index) & Qt::ItemIsEditable) != 0 ? tr("Double-click to type other numbers") : QVariant();
+        return (flags(index) & Qt::ItemIsEditable) != 0 ? tr("Double-click to type other numbers")
+               : isBehindEye(index.row(), corner)       ? tr("Behind the eye a corner has no place on the screen.")
+                                                        : QVariant();
     default: return {};
     }
 }
@@ -207,37 +221,83 @@ QVariant VertexTableModel::headerData(int section, Qt::Orientation orientation, 
     case DepthValue: return tr("depth  0..1");
     case OutsideOf: return tr("outside of");
     case ScreenRegion: return tr("outcode");
+    case VertexColor: return tr("colour  r, g, b");
     default: return {};
     }
+}
+
+bool VertexTableModel::isBehindEye(int row, const VertexRow& corner)
+{
+    return row == ScreenSpace && !(corner.clip.w > 0);
 }
 
 Qt::ItemFlags VertexTableModel::flags(const QModelIndex& index) const
 {
     Qt::ItemFlags flags = QAbstractTableModel::flags(index);
-    if (index.isValid() && m_corners && index.row() == ObjectSpace && isEditable(*m_scene))
+    if (!index.isValid() || !m_corners || !isEditable(*m_scene))
+        return flags;
+    const VertexRow& corner = (*m_corners)[static_cast<std::size_t>(index.column())];
+    const bool takesText = index.row() == typedRow() || index.row() == VertexColor;
+    if (takesText && !isBehindEye(index.row(), corner))
         flags |= Qt::ItemIsEditable;
     return flags;
 }
 
-std::optional<QString> VertexTableModel::whyRefused(const QString& text) const
+std::optional<QString> VertexTableModel::whyRefused(int row, const QString& text) const
 {
-    if (positionFrom(text, {}, m_scene->mesh.origin))
+    switch (row) {
+    case ScreenSpace:
+        return typedPlace(text)
+                   ? std::nullopt
+                   : std::optional(tr("\"%1\" is not a place on the screen. Write x, y in pixels.").arg(text));
+    case VertexColor:
+        return typedColor(text)
+                   ? std::nullopt
+                   : std::optional(tr("\"%1\" is not a colour. Write r, g, b from 0 to 1, or #rrggbb.").arg(text));
+    default: break;
+    }
+    if (typedPosition(text, {}, m_scene->mesh.origin))
         return std::nullopt;
     return m_scene->space == SceneSpace::Clip ? tr("\"%1\" is not a position. Write x, y, z, w or x, y, z.").arg(text)
                                               : tr("\"%1\" is not a position. Write x, y, z.").arg(text);
+}
+
+std::shared_ptr<const Scene> VertexTableModel::withPosition(std::uint32_t vertex, const glm::vec4& position) const
+{
+    const Scene& scene = *m_document.scene();
+    return m_editing.together ? withCorner(scene, vertex, position) : withVertex(scene, vertex, position);
+}
+
+std::shared_ptr<const Scene> VertexTableModel::edited(int row, std::uint32_t vertex, const QString& text) const
+{
+    const Scene& scene = *m_document.scene();
+    if (row == VertexColor) {
+        const auto color = typedColor(text);
+        return color ? withColor(scene, vertex, *color) : nullptr;
+    }
+    if (row == ScreenSpace) {
+        const auto place = typedPlace(text);
+        const auto position = place ? positionAtPixel(scene, m_document.settings(), vertex, *place) : std::nullopt;
+        return position ? withPosition(vertex, *position) : nullptr;
+    }
+    const auto position = typedPosition(text, scene.mesh.vertices[vertex].position, scene.mesh.origin);
+    return position ? withPosition(vertex, *position) : nullptr;
 }
 
 bool VertexTableModel::setData(const QModelIndex& index, const QVariant& value, int role)
 {
     if (role != Qt::EditRole || (flags(index) & Qt::ItemIsEditable) == 0)
         return false;
-    const std::uint32_t vertex = (*m_corners)[static_cast<std::size_t>(index.column())].meshVertex;
-    const glm::vec4 former = m_document.scene()->mesh.vertices[vertex].position;
-    const auto position = positionFrom(value.toString(), former, m_document.scene()->mesh.origin);
-    if (!position)
+    const VertexRow& corner = (*m_corners)[static_cast<std::size_t>(index.column())];
+    if (value.toString() == cell(index.row(), corner))
+        return true; // the numbers of a cell are rounded: taken over untouched they would move the corner
+    auto scene = edited(index.row(), corner.meshVertex, value.toString());
+    if (!scene)
         return false;
-    if (*position != former)
-        m_document.editScene(withVertex(*m_document.scene(), vertex, *position));
+    const MeshVertex& now = scene->mesh.vertices[corner.meshVertex];
+    const MeshVertex& former = m_document.scene()->mesh.vertices[corner.meshVertex];
+    if (now.position != former.position || now.color != former.color)
+        m_document.editScene(std::move(scene));
     return true;
 }
 
@@ -253,20 +313,53 @@ void VertexTableModel::refresh()
     Q_EMIT headerDataChanged(Qt::Horizontal, 0, 2);
 }
 
-VertexPanel::VertexPanel(Document& document, FaceSelection& selection, QWidget* parent)
-    : QWidget(parent), m_document(document), m_model(new VertexTableModel(document, selection, this)),
-      m_table(new QTableView), m_hint(new QLabel)
+VertexPanel::VertexPanel(Document& document, FaceSelection& selection, VertexEditing& editing, QWidget* parent)
+    : QWidget(parent), m_document(document), m_editing(editing),
+      m_model(new VertexTableModel(document, selection, editing, this)), m_table(new QTableView),
+      m_typedName(new QLabel), m_typed(new PanelCombo), m_snapName(new QLabel), m_snap(new PanelCombo),
+      m_together(new QCheckBox), m_hint(new QLabel)
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 2, 8, 6);
     column->setSpacing(6);
-    auto* head = new QHBoxLayout;
-    head->setSpacing(14);
+    constexpr int kSpacing = 14;
+    auto* head = new FlowLayout(kSpacing);
     head->addWidget(new FacePicker(selection));
-    m_hint->setObjectName(QStringLiteral("muted"));
-    m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    head->addWidget(m_hint, 1);
+    addSwitches(*head);
     column->addLayout(head);
+    m_hint->setObjectName(QStringLiteral("muted"));
+    m_hint->setWordWrap(true);
+    column->addWidget(m_hint);
+    buildTable();
+    column->addWidget(m_table, 1);
+    retranslate();
+}
+
+void VertexPanel::addSwitches(QLayout& head)
+{
+    m_typed->setObjectName(QStringLiteral("typedBox"));
+    m_snap->setObjectName(QStringLiteral("snapBox"));
+    for (const int value : {int(VertexEditing::Typed::Pixels), int(VertexEditing::Typed::Given)})
+        m_typed->addItem(QString(), value);
+    for (const int value : {int(VertexEditing::Snap::PixelGrid), int(VertexEditing::Snap::PixelCentre),
+                            int(VertexEditing::Snap::SubpixelGrid)})
+        m_snap->addItem(QString(), value);
+    for (QComboBox* box : {m_typed, m_snap})
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    connect(m_typed, &QComboBox::activated, this, [this] {
+        m_editing.typed = static_cast<VertexEditing::Typed>(m_typed->currentData().toInt());
+        refresh();
+    });
+    connect(m_snap, &QComboBox::activated, this,
+            [this] { m_editing.snap = static_cast<VertexEditing::Snap>(m_snap->currentData().toInt()); });
+    connect(m_together, &QCheckBox::toggled, this, [this](bool on) { m_editing.together = on; });
+    head.addWidget(namedBox(m_typedName, m_typed));
+    head.addWidget(namedBox(m_snapName, m_snap));
+    head.addWidget(m_together);
+}
+
+void VertexPanel::buildTable()
+{
     m_table->setModel(m_model);
     auto* delegate = new VertexDelegate(*this, *m_model);
     m_table->setItemDelegate(delegate);
@@ -285,29 +378,74 @@ VertexPanel::VertexPanel(Document& document, FaceSelection& selection, QWidget* 
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-    column->addWidget(m_table, 1);
-    retranslate();
+}
+
+/// The table has all its rows in sight; what is higher than the dock scrolls as a whole.
+void VertexPanel::fitToRows()
+{
+    constexpr int kRoom = 8; ///< of the header's padding: letters keep their lower ends
+    m_table->verticalHeader()->setMinimumSectionSize(fontMetrics().height() + kRoom);
+    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + kRoom);
+    m_table->setMinimumHeight(m_table->verticalHeader()->length() + m_table->horizontalHeader()->sizeHint().height() +
+                              m_table->horizontalScrollBar()->sizeHint().height() + kRoom);
+}
+
+void VertexPanel::syncSwitches()
+{
+    const Scene& scene = *m_document.scene();
+    const QSignalBlocker typed(m_typed);
+    const QSignalBlocker snap(m_snap);
+    m_typed->setItemText(m_typed->findData(int(VertexEditing::Typed::Pixels)), tr("pixels"));
+    m_typed->setItemText(m_typed->findData(int(VertexEditing::Typed::Given)),
+                         scene.space == SceneSpace::Clip      ? tr("clip coordinates")
+                         : scene.mesh.origin == glm::dvec3(0) ? tr("object coordinates")
+                                                              : tr("world coordinates"));
+    m_typed->setCurrentIndex(m_typed->findData(int(m_editing.typed)));
+    const int units = 1 << m_document.settings().subpixelBits;
+    m_snap->setItemText(m_snap->findData(int(VertexEditing::Snap::PixelGrid)), tr("pixel grid"));
+    m_snap->setItemText(m_snap->findData(int(VertexEditing::Snap::PixelCentre)), tr("pixel centre"));
+    m_snap->setItemText(m_snap->findData(int(VertexEditing::Snap::SubpixelGrid)), tr("1/%1 pixel").arg(units));
+    m_snap->setCurrentIndex(m_snap->findData(int(m_editing.snap)));
+    m_together->setChecked(m_editing.together);
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_typed, m_snap, m_together, m_typedName, m_snapName})
+        widget->setEnabled(isEditable(scene));
+}
+
+QString VertexPanel::hint() const
+{
+    const Scene& scene = *m_document.scene();
+    if (!isEditable(scene))
+        return tr("Scenes of up to %1 faces can be edited here.").arg(kMostEditableFaces);
+    const bool inPixels = m_editing.typed == VertexEditing::Typed::Pixels;
+    const auto& corners = m_model->corners();
+    if (inPixels && corners && std::ranges::any_of(*corners, [](const VertexRow& c) { return !(c.clip.w > 0); }))
+        return tr("A corner with w \u2264 0 lies behind the eye and has no place on the screen: type the coordinates "
+                  "that the scene gives.");
+    if (inPixels && scene.space == SceneSpace::Object)
+        return tr("Typed or dragged in pixels, a corner keeps its distance from the camera: depth and w stay.");
+    return tr("Type over the blue numbers, or drag the corners on the canvas. Undo takes it back; the scene's file "
+              "stays as it is.");
 }
 
 void VertexPanel::refresh()
 {
     m_model->refresh();
     m_table->setRowHidden(VertexTableModel::ViewSpace, m_document.scene()->space == SceneSpace::Clip);
-    constexpr int kRoom = 8;         ///< of the header's padding: letters keep their lower ends
-    constexpr int kFullHeight = 250; ///< at the usual size of type all rows are in sight
-    m_table->verticalHeader()->setMinimumSectionSize(fontMetrics().height() + kRoom);
-    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + kRoom);
-    const int all = m_table->verticalHeader()->length() + m_table->horizontalHeader()->sizeHint().height() + kRoom;
-    m_table->setMinimumHeight(std::min(all, kFullHeight));
-    m_hint->setText(isEditable(*m_document.scene())
-                        ? tr("Type over the blue numbers, or drag the corners on the canvas. Undo takes it back; the "
-                             "scene's file stays as it is.")
-                        : tr("Scenes of up to %1 faces can be edited here.").arg(kMostEditableFaces));
-    m_hint->setToolTip(m_hint->text());
+    fitToRows();
+    syncSwitches();
+    m_hint->setText(hint());
 }
 
 void VertexPanel::retranslate()
 {
+    m_typedName->setText(tr("type in"));
+    m_snapName->setText(tr("drag to"));
+    m_together->setText(tr("shared corners move together"));
+    m_typed->setAccessibleName(m_typedName->text());
+    m_snap->setAccessibleName(m_snapName->text());
+    m_typed->setToolTip(tr("What the numbers of a corner are that you type"));
+    m_snap->setToolTip(tr("The places that a dragged corner goes to"));
+    m_together->setToolTip(tr("Vertices of other faces that lie at the same place go with a corner"));
     refresh();
     m_table->setAccessibleName(tr("The corners of the face in every space"));
 }

@@ -2,6 +2,7 @@
 #include "core/questions/vertex_table.h"
 #include "ui/document/document.h"
 #include "ui/face/face_picker.h"
+#include "ui/face/vertex_editing.h"
 
 #include <QAbstractTableModel>
 #include <QWidget>
@@ -9,20 +10,14 @@
 #include <array>
 #include <optional>
 
+class QCheckBox;
+class QComboBox;
 class QLabel;
+class QLayout;
 class QTableView;
 
 namespace rasterlens
 {
-
-/// Scenes of at most so many faces can be edited corner by corner.
-constexpr std::size_t kMostEditableFaces = 4;
-
-[[nodiscard]] bool isEditable(const Scene& scene);
-
-/// A copy of the scene with one vertex elsewhere.
-[[nodiscard]] std::shared_ptr<const Scene> withVertex(const Scene& scene, std::uint32_t vertex,
-                                                      const glm::vec4& position);
 
 /// The corners A, B, C of a face as columns; a row for each space they pass through.
 class VertexTableModel : public QAbstractTableModel
@@ -40,31 +35,42 @@ public:
         DepthValue,
         OutsideOf,
         ScreenRegion,
+        VertexColor,
         kRowCount
     };
 
-    VertexTableModel(Document& document, const FaceSelection& selection, QObject* parent = nullptr);
+    VertexTableModel(Document& document, const FaceSelection& selection, const VertexEditing& editing,
+                     QObject* parent = nullptr);
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
-    /// in  three numbers, or four, with blanks or commas between them
+    /// in  a position, a place on the screen or a colour, as the row shows it
     bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
 
-    /// Why a text cannot become a position, in the language in use; nothing where it can.
-    [[nodiscard]] std::optional<QString> whyRefused(const QString& text) const;
+    /// Why a text cannot become what a row shows, in the language in use; nothing where it can.
+    [[nodiscard]] std::optional<QString> whyRefused(int row, const QString& text) const;
 
     void refresh();
     [[nodiscard]] const std::optional<std::array<VertexRow, 3>>& corners() const { return m_corners; }
 
 private:
     [[nodiscard]] QString cell(int row, const VertexRow& corner) const;
+    [[nodiscard]] glm::vec3 colorOf(const VertexRow& corner) const;
+    /// Whether a row shows the place on the screen of a corner that has none.
+    [[nodiscard]] static bool isBehindEye(int row, const VertexRow& corner);
+    /// The row that takes positions.
+    [[nodiscard]] Row typedRow() const;
+    [[nodiscard]] std::shared_ptr<const Scene> withPosition(std::uint32_t vertex, const glm::vec4& position) const;
+    /// The scene with what was typed into a row; null where nothing can be made of the text.
+    [[nodiscard]] std::shared_ptr<const Scene> edited(int row, std::uint32_t vertex, const QString& text) const;
 
     Document& m_document;
     std::shared_ptr<const Scene> m_scene; ///< what the table shows; views ask for it until their end
     const FaceSelection& m_selection;
+    const VertexEditing& m_editing;
     std::optional<std::array<VertexRow, 3>> m_corners;
 };
 
@@ -74,11 +80,15 @@ class VertexPanel : public QWidget
     Q_OBJECT
 
 public:
-    VertexPanel(Document& document, FaceSelection& selection, QWidget* parent = nullptr);
+    /// in  editing: what the switches of the panel change; to outlive it
+    VertexPanel(Document& document, FaceSelection& selection, VertexEditing& editing, QWidget* parent = nullptr);
 
     [[nodiscard]] VertexTableModel& model() { return *m_model; }
+    [[nodiscard]] QComboBox& typedBox() { return *m_typed; }
+    [[nodiscard]] QComboBox& snapBox() { return *m_snap; }
+    [[nodiscard]] QCheckBox& togetherBox() { return *m_together; }
     void refresh();
-    QSize sizeHint() const override { return {640, 250}; }
+    QSize sizeHint() const override { return {640, 300}; }
 
 Q_SIGNALS:
     void invalidInput(const QString& message);
@@ -88,11 +98,22 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    void addSwitches(QLayout& head);
+    void buildTable();
+    void fitToRows();
+    void syncSwitches();
+    [[nodiscard]] QString hint() const;
     void retranslate();
 
     Document& m_document;
+    VertexEditing& m_editing;
     VertexTableModel* m_model;
     QTableView* m_table;
+    QLabel* m_typedName;
+    QComboBox* m_typed;
+    QLabel* m_snapName;
+    QComboBox* m_snap;
+    QCheckBox* m_together;
     QLabel* m_hint;
 };
 

@@ -1,11 +1,13 @@
 #include "ui/pipeline/mistake_badge.h"
 
+#include "core/questions/unchanged.h"
 #include "core/truth/mistake_proof.h"
 #include "ui/base/inks.h"
 #include "ui/base/step_words.h"
 #include "ui/base/theme.h"
 #include "ui/document/picture_memory.h"
 #include "ui/pipeline/mistakes_section.h"
+#include "ui/pipeline/unchanged_notes.h"
 
 #include <QEvent>
 #include <QLocale>
@@ -137,9 +139,11 @@ MistakeBadge::Weighed MistakeBadge::weigh(const RenderedFrame& shown, Weighed kn
             picture.frame.depth = {}; // memory of the depth test, which no proof looks at
         right.picture = std::make_shared<const CountedPicture>(std::move(picture));
     }
+    const FrameFacts facts = frameFacts(*right.scene, right.settings, stop);
     for (Evidence& one : known.evidence) {
         if (stop.stop_requested())
             return known;
+        one.unchanged = whyUnchanged(*one.mistake, shown.settings, facts);
         one.known = true;
         one.shown = proofValue(one.mistake->proof, shown, *right.picture);
         one.right = proofValue(one.mistake->proof, *right.picture, *right.picture);
@@ -162,6 +166,8 @@ QStringList MistakeBadge::lines() const
             line += QStringLiteral(" \u00b7 %1 %2").arg(proofTitle(one.mistake->proof), number(one.shown));
         if (one.known && one.right != 0)
             line += tr(", right: %1").arg(number(one.right));
+        if (one.known && one.unchanged)
+            line += QStringLiteral(" \u00b7 ") + unchangedText(*one.unchanged);
         if (one.known && m_saysMoment)
             line += QStringLiteral(" \u00b7 ") + momentText(std::nullopt);
         lines << line;

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/reason.h"
 #include "core/settings/mistakes.h"
 #include "ui/base/latest_result.h"
 #include "ui/document/render_worker.h"
@@ -8,6 +9,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -56,6 +58,7 @@ private:
         bool known = false;
         double shown = 0;
         double right = 0;
+        std::optional<Reason> unchanged{}; ///< why the picture is the right one all the same
     };
     /// A picture without mistakes, which those with mistakes are held against.
     struct Right {

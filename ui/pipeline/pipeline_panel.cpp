@@ -9,8 +9,10 @@
 #include "ui/base/parts.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/number_dial.h"
+#include "ui/pipeline/plane_fields.h"
 #include "ui/pipeline/scene_words.h"
 #include "ui/pipeline/stage_strip.h"
+#include "ui/pipeline/unchanged_notes.h"
 
 #include <QAbstractItemView>
 #include <QCoreApplication>
@@ -63,6 +65,8 @@ PipelinePanel::PipelinePanel(Document& document, const Language& language, QWidg
     connect(m_mistakes, &MistakesSection::opened, this,
             [this, outer](bool open) { outer->setStretchFactor(m_mistakes, open ? 1 : 0); });
     outer->addWidget(m_mistakes);
+    m_notes = new UnchangedNotes(document, m_rows, this);
+    connect(m_notes, &UnchangedNotes::failed, this, &PipelinePanel::failed);
 
     connect(&document, &Document::sceneChanged, this, &PipelinePanel::syncScene);
     connect(&document, &Document::settingsChanged, this, &PipelinePanel::syncSettings);
@@ -105,6 +109,8 @@ QWidget* PipelinePanel::buildSwitches()
             addSize(group);
         if (stage == Stage::Screen)
             addNumberDial(group);
+        if (stage == Stage::Clip)
+            addPlanes(group);
         for (const SettingsField& field : settingsFields())
             if (field.stage == stage)
                 group->addWidget(addRow(field));
@@ -181,6 +187,14 @@ void PipelinePanel::addNumberDial(QVBoxLayout* group)
     group->addWidget(m_floatFailures, 0, Qt::AlignHCenter);
     connect(m_failureMenu, &QMenu::triggered, this,
             [this](const QAction* action) { Q_EMIT floatFailureChosen(action->data().toString()); });
+}
+
+void PipelinePanel::addPlanes(QVBoxLayout* group)
+{
+    m_planes = new PlaneFields(m_document);
+    connect(m_planes, &PlaneFields::invalidInput, this, &PipelinePanel::invalidInput);
+    connect(m_planes, &PlaneFields::inputMended, this, &PipelinePanel::inputMended);
+    group->addWidget(m_planes);
 }
 
 /// Scenes in which coverage by float32 edge functions is wrong and that by fixed point is right.
@@ -279,6 +293,16 @@ QWidget* PipelinePanel::editor(const QString& fieldId) const
     return nullptr;
 }
 
+QString PipelinePanel::note(const QString& fieldId) const
+{
+    for (const FieldRow* row : m_rows)
+        if (fieldId == QLatin1String(row->field().id))
+            return row->note();
+    return {};
+}
+
+bool PipelinePanel::isBusy() const { return m_notes->isBusy(); }
+
 int PipelinePanel::changedCount() const
 {
     const Settings& now = m_document.settings();
@@ -333,6 +357,8 @@ void PipelinePanel::syncSettings()
     showNote();
     for (FieldRow* row : m_rows)
         row->sync(settings, defaults, refused);
+    m_notes->refresh();
+    m_planes->sync();
     {
         const QSignalBlocker blocked(m_sizeBox);
         const QString text = sizeText(settings.size);
@@ -361,6 +387,7 @@ void PipelinePanel::retranslate()
     }
     for (FieldRow* row : m_rows)
         row->retranslate();
+    m_planes->retranslate();
     syncScene();
     syncSettings();
 }

@@ -24,6 +24,8 @@ namespace rasterlens
 class FieldRow;
 class MistakesSection;
 class NumberDial;
+class PlaneFields;
+class UnchangedNotes;
 
 /// Built-in scenes in which float32 edge functions, stepped, cover other samples than they should.
 constexpr std::array<QLatin1String, 5> kFloatFailures{QLatin1String("slivers"), QLatin1String("edge-guardband"),
@@ -48,6 +50,11 @@ public:
     [[nodiscard]] QWidget* editor(const QString& fieldId) const;
     [[nodiscard]] QComboBox* sceneBox() const { return m_sceneBox; }
     [[nodiscard]] QComboBox* sizeBox() const { return m_sizeBox; }
+    [[nodiscard]] PlaneFields& planes() { return *m_planes; }
+    /// What is said about a field's value below its switch; empty where there is nothing to say.
+    [[nodiscard]] QString note(const QString& fieldId) const;
+    /// Whether something that is said about a value is still being computed.
+    [[nodiscard]] bool isBusy() const;
     /// How many settings differ from what the scene asks for.
     [[nodiscard]] int changedCount() const;
 
@@ -56,6 +63,8 @@ Q_SIGNALS:
     void openRequested();
     void invalidInput(const QString& message);
     void inputMended(); ///< what invalidInput() spoke of
+    /// Something that the panel says is not known, for want of memory or threads.
+    void failed(const QString& message);
     /// A built-in scene that float32 decides wrongly is to be shown.
     void floatFailureChosen(const QString& name);
 
@@ -70,6 +79,7 @@ private:
     void addScene(QVBoxLayout* group);
     void addSize(QVBoxLayout* group);
     void addNumberDial(QVBoxLayout* group);
+    void addPlanes(QVBoxLayout* group);
     void fillFailureMenu();
     void syncScene();
     void showNote();
@@ -93,6 +103,8 @@ private:
     std::map<Stage, QLabel*> m_groupHeadings;
     std::vector<FieldRow*> m_rows;
     NumberDial* m_dial = nullptr;
+    PlaneFields* m_planes = nullptr;
+    UnchangedNotes* m_notes = nullptr;
     QToolButton* m_floatFailures = nullptr;
     QMenu* m_failureMenu = nullptr;
     MistakesSection* m_mistakes = nullptr;

@@ -80,6 +80,13 @@ public:
         update();
     }
 
+    void setBrief(bool brief)
+    {
+        m_brief = brief;
+        updateGeometry();
+        update();
+    }
+
     void setMarked(bool on)
     {
         if (std::exchange(m_marked, on) != on)
@@ -94,6 +101,8 @@ public:
 
     QSize sizeHint() const override
     {
+        if (m_brief)
+            return {96, QFontMetrics(nameFont()).height() + 4};
         return {96, QFontMetrics(nameFont()).height() + QFontMetrics(figureFont()).height() + 12};
     }
 
@@ -109,13 +118,15 @@ protected:
         painter.setBrush(palette().color(m_marked ? QPalette::Highlight : QPalette::AlternateBase));
         painter.drawRoundedRect(box, 6, 6);
 
-        const QRectF upper(box.left(), box.top() + 5, box.width(), QFontMetricsF(nameFont()).height());
+        const QRectF upper(box.left(), box.top() + (m_brief ? 1.5 : 5), box.width(),
+                           QFontMetricsF(nameFont()).height());
         const QRectF lower(box.left(), upper.bottom() + 1, box.width(), QFontMetricsF(figureFont()).height());
         painter.setPen(palette().color(m_marked ? QPalette::HighlightedText : QPalette::Text));
         drawFitting(painter, upper, nameFont(), {m_texts.name, m_texts.shortName});
         if (!m_marked)
             painter.setPen(palette().color(QPalette::PlaceholderText));
-        drawFitting(painter, lower, figureFont(), {m_texts.figure, m_texts.shortFigure});
+        if (!m_brief)
+            drawFitting(painter, lower, figureFont(), {m_texts.figure, m_texts.shortFigure});
 
         if (hasWideArrow()) {
             painter.setPen(QPen(palette().color(QPalette::PlaceholderText), 1.5));
@@ -169,6 +180,7 @@ private:
     Texts m_texts;
     bool m_last;
     bool m_marked = false;
+    bool m_brief = false;
 };
 
 QString stageTitle(Stage stage)
@@ -198,6 +210,14 @@ StageStrip::StageStrip(QWidget* parent) : QWidget(parent)
         m_chips.push_back(chip);
     }
     updateTexts();
+}
+
+void StageStrip::setBrief(bool brief)
+{
+    for (StageChip* chip : m_chips)
+        chip->setBrief(brief);
+    updateGeometry();
+    resizeEvent(nullptr);
 }
 
 int StageStrip::chipsInARow(int width) { return width >= kWidthOfOneRow ? kChips : kChips / 2; }

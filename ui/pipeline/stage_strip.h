@@ -27,6 +27,9 @@ public:
     void setCurrent(std::optional<Stage> stage);
     [[nodiscard]] std::optional<Stage> current() const { return m_current; }
 
+    /// Names alone, in a thin row: the picture below has the room.
+    void setBrief(bool brief);
+
     /// The figure shown under a stage; a dash where nothing is counted yet.
     [[nodiscard]] QString figure(Stage stage) const;
     /// The figure as there is room for it.

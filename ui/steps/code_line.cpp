@@ -15,7 +15,12 @@ namespace
 constexpr int kPadding = 4;
 constexpr int kGap = 18; ///< between the code that is run and the right one
 
-QFont codeFont() { return numberFont(-0.5); }
+QFont codeFont(double scale)
+{
+    QFont font = numberFont(-0.5);
+    font.setPointSizeF(font.pointSizeF() * scale);
+    return font;
+}
 
 } // namespace
 
@@ -31,9 +36,21 @@ void CodeLine::setLine(const ListingLine& line, bool isPresent)
     update();
 }
 
+void CodeLine::setScale(double scale)
+{
+    m_scale = scale;
+    update();
+}
+
+double CodeLine::scaleFor(const QString& code, int width, double least)
+{
+    const int needed = QFontMetrics(codeFont(1)).horizontalAdvance(code) + 2 * kPadding;
+    return std::clamp(0.98 * width / std::max(needed, 1), least, 1.0);
+}
+
 CodeLine::Shown CodeLine::shown() const
 {
-    const QFontMetrics metrics(codeFont());
+    const QFontMetrics metrics(codeFont(m_scale));
     const int room = width() - 2 * kPadding;
     if (m_line.right.isEmpty())
         return {metrics.elidedText(m_line.code, Qt::ElideRight, room), {}};
@@ -55,7 +72,7 @@ void CodeLine::paintEvent(QPaintEvent*)
         painter.setBrush(palette().color(QPalette::AlternateBase));
         painter.drawRoundedRect(rect(), kCorner, kCorner);
     }
-    QFont font = codeFont();
+    QFont font = codeFont(m_scale);
     painter.setFont(font);
     painter.setPen(palette().color(m_isPresent ? QPalette::Text : QPalette::PlaceholderText));
     const Shown texts = shown();

@@ -18,6 +18,11 @@ public:
     /// in  isPresent: it is the line at work
     void setLine(const ListingLine& line, bool isPresent);
 
+    /// A smaller type, in parts of the usual one.
+    void setScale(double scale);
+    /// The scale, of those from 1 down to `least`, at which a line of code has room in a width.
+    [[nodiscard]] static double scaleFor(const QString& code, int width, double least);
+
     /// The code as it is shown, with dots where it has no room.
     struct Shown {
         QString code;
@@ -31,6 +36,7 @@ protected:
 private:
     ListingLine m_line;
     bool m_isPresent = false;
+    double m_scale = 1;
 };
 
 } // namespace rasterlens

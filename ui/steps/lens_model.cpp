@@ -35,7 +35,13 @@ EdgeSign signOf(double value)
 }
 
 LensModel::LensModel(const StepLog& log, const StepEvent& triangle, std::size_t position)
-    : m_log(&log), m_triangle(log.triangle(triangle)), m_index(triangle.triangle), m_position(position)
+    : LensModel(log, triangle, position, position > 0 ? &log.event(position - 1) : nullptr)
+{
+}
+
+LensModel::LensModel(const StepLog& log, const StepEvent& triangle, std::size_t position, const StepEvent* now)
+    : m_log(&log), m_triangle(log.triangle(triangle)), m_index(triangle.triangle),
+      m_begin(std::size_t(&triangle - log.events().data())), m_position(position), m_now(now)
 {
     const auto setup = eventsOfTriangle(StepKind::Setup);
     m_hasSetup = m_triangle->hasSetup && !setup.empty() && setup.front() < position;
@@ -70,14 +76,56 @@ const StepEvent* LensModel::sampleAt(int x, int y) const
     return at != m_samples.end() && isIt(m_log->event(*at)) ? &m_log->event(*at) : nullptr;
 }
 
+bool LensModel::isFinished() const
+{
+    return m_now != nullptr && m_position == m_log->size() && m_now->face != m_triangle->screen.face;
+}
+
+bool LensModel::wantsFar() const { return m_hasSetup && (m_begin < m_log->lead() || isFinished()); }
+
+/// Whether a sample of the triangle has had its turn, but not in this window: samples come row by row.
+bool LensModel::isPastElsewhere(int x, int y) const
+{
+    const bool isCutBefore = m_begin < m_log->lead() && m_position > m_begin;
+    const std::span<const std::uint32_t> held = m_walks ? m_spans : m_samples;
+    if (held.empty())
+        return isCutBefore || isFinished();
+    const StepEvent& first = m_log->event(held.front());
+    const StepEvent& last = m_log->event(held.back());
+    const auto comesBefore = [&](int x0, int y0, int x1, int y1) {
+        return m_walks ? y0 < y1 : std::tie(y0, x0) < std::tie(y1, x1);
+    };
+    return (isCutBefore && comesBefore(x, y, first.x, first.y)) || (isFinished() && comesBefore(last.x, last.y, x, y));
+}
+
+/// The event of a sample, or of a row's span, that the window does not hold; null: none is known.
+const StepEvent* LensModel::farEvent(StepKind kind, int x, int y) const
+{
+    if (!m_far || !isPastElsewhere(x, y))
+        return nullptr;
+    const auto events = m_far->eventsOf(kind);
+    const auto at = std::partition_point(events.begin(), events.end(), [&](std::uint32_t i) {
+        const StepEvent& event = m_far->event(i);
+        return kind == StepKind::Span ? event.y < y : std::tie(event.y, event.x) < std::tie(y, x);
+    });
+    if (at == events.end())
+        return nullptr;
+    const StepEvent& event = m_far->event(*at);
+    return event.y == y && (kind == StepKind::Span || event.x == x) ? &event : nullptr;
+}
+
 void LensModel::readSample(LensCell& cell, int x, int y) const
 {
     const StepSetup& setup = m_triangle->setup;
     const StepEvent* sample = sampleAt(x, y);
+    const StepEvent* far = sample ? nullptr : farEvent(StepKind::Sample, x, y);
     cell.hasValues = true;
-    cell.values = sample ? m_log->payload<SampleStep>(*sample).values : setup.at(testedPoint(m_log->rules(), x, y));
-    if (sample && sample < &m_log->events().front() + m_position)
-        cell.state = sample->has(StepEvent::kCovered) ? LensCell::State::Covered : LensCell::State::Rejected;
+    cell.values = sample ? m_log->payload<SampleStep>(*sample).values
+                  : far  ? m_far->payload<SampleStep>(*far).values
+                         : setup.at(testedPoint(m_log->rules(), x, y));
+    if (far || (sample && sample < &m_log->events().front() + m_position))
+        cell.state =
+            (far ? far : sample)->has(StepEvent::kCovered) ? LensCell::State::Covered : LensCell::State::Rejected;
     const DecidingEdge decides = decidingEdge(setup, cell.values, m_log->rules());
     cell.deciding = int(decides.edge);
     cell.tie = decides.isTie();
@@ -89,12 +137,15 @@ void LensModel::readSample(LensCell& cell, int x, int y) const
 
 void LensModel::readSpan(LensCell& cell, int x, int y) const
 {
+    const SpanStep* span = nullptr;
     const auto row =
         std::partition_point(m_spans.begin(), m_spans.end(), [&](std::uint32_t i) { return m_log->event(i).y < y; });
-    if (row == m_spans.end() || *row >= m_position || m_log->event(*row).y != y)
-        return;
-    const SpanStep& span = m_log->payload<SpanStep>(m_log->event(*row));
-    cell.state = x >= span.xBegin && x < span.xEnd ? LensCell::State::Covered : LensCell::State::Rejected;
+    if (row != m_spans.end() && *row < m_position && m_log->event(*row).y == y)
+        span = &m_log->payload<SpanStep>(m_log->event(*row));
+    else if (const StepEvent* far = farEvent(StepKind::Span, x, y))
+        span = &m_far->payload<SpanStep>(*far);
+    if (span != nullptr)
+        cell.state = x >= span->xBegin && x < span->xEnd ? LensCell::State::Covered : LensCell::State::Rejected;
 }
 
 LensCell LensModel::cell(int x, int y) const
@@ -115,6 +166,24 @@ const WalkedTriangle* LensModel::walk() const
 {
     const auto* step = lastOf<WalkStep>(*m_log, eventsOfTriangle(StepKind::Walk), m_position);
     return step ? &step->walk : nullptr;
+}
+
+const WalkedTriangle* LensModel::sides() const
+{
+    const auto* step = lastOf<SidesStep>(*m_log, eventsOfTriangle(StepKind::Sides), m_position);
+    return step ? &step->walk : nullptr;
+}
+
+const WalkedHalves* LensModel::halves() const
+{
+    const auto* step = lastOf<HalvesStep>(*m_log, eventsOfTriangle(StepKind::Halves), m_position);
+    return step ? &step->halves : nullptr;
+}
+
+const RowCrossings* LensModel::crossings() const
+{
+    const auto* step = lastOf<CrossingStep>(*m_log, eventsOfTriangle(StepKind::Crossing), m_position);
+    return step ? &step->row : nullptr;
 }
 
 const SpanStep* LensModel::span() const { return lastOf<SpanStep>(*m_log, m_spans, m_position); }

@@ -5,8 +5,10 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace rasterlens
 {
@@ -34,6 +36,14 @@ class LensModel
 public:
     /// in  `triangle`: an event of kind Triangle of the log, which must outlive the model
     LensModel(const StepLog& log, const StepEvent& triangle, std::size_t position);
+    /// The model with a present event that need not be of this log, such as one of another window; null: none.
+    LensModel(const StepLog& log, const StepEvent& triangle, std::size_t position, const StepEvent* now);
+
+    /// Looks at what happened elsewhere, where the log is a window that holds only a part of the triangle.
+    ///
+    /// in  the coverage of the triangle (StepRecord::coverage) in the pixels that are in sight
+    void setFar(std::shared_ptr<const StepLog> coverage) const { m_far = std::move(coverage); }
+    [[nodiscard]] bool wantsFar() const;
 
     /// in    a sample
     /// cost  logarithmic in the events of the triangle
@@ -44,9 +54,20 @@ public:
     /// Its edge functions are set up at this position.
     [[nodiscard]] bool hasSetup() const { return m_hasSetup; }
     /// The event the position is just after; null at 0.
-    [[nodiscard]] const StepEvent* event() const { return m_position ? &m_log->event(m_position - 1) : nullptr; }
-    /// Edge walking: how the triangle is walked, and the present row's span.
+    [[nodiscard]] const StepEvent* event() const { return m_now; }
+    /// Whether that event belongs to the triangle; it may be another's where a face is selected.
+    [[nodiscard]] bool ownsEvent() const
+    {
+        return event() != nullptr && event()->face == m_triangle->screen.face && event()->triangle == m_index;
+    }
+    /// Edge walking: the corners sorted by height; null before that step.
     [[nodiscard]] const WalkedTriangle* walk() const;
+    /// Edge walking: the long edge is told from the broken one; the middle corner's cut; the present row's crossings.
+    /// Null before that step.
+    [[nodiscard]] const WalkedTriangle* sides() const;
+    [[nodiscard]] const WalkedHalves* halves() const;
+    [[nodiscard]] const RowCrossings* crossings() const;
+    /// Edge walking: the present row's span; null before the first one.
     [[nodiscard]] const SpanStep* span() const;
     /// Column fill: the present column; null where another triangle's is the last one.
     [[nodiscard]] const FilledColumn* column() const;
@@ -57,14 +78,20 @@ public:
 
 private:
     [[nodiscard]] std::span<const std::uint32_t> eventsOfTriangle(StepKind kind) const;
+    [[nodiscard]] bool isFinished() const;
+    [[nodiscard]] bool isPastElsewhere(int x, int y) const;
     [[nodiscard]] const StepEvent* sampleAt(int x, int y) const;
+    [[nodiscard]] const StepEvent* farEvent(StepKind kind, int x, int y) const;
     void readSample(LensCell& cell, int x, int y) const;
     void readSpan(LensCell& cell, int x, int y) const;
 
     const StepLog* m_log;
     const StepTriangle* m_triangle;
     std::uint32_t m_index; ///< of the triangle
+    std::size_t m_begin;   ///< the number of the event it begins with
     std::size_t m_position;
+    const StepEvent* m_now;
+    mutable std::shared_ptr<const StepLog> m_far;
     bool m_hasSetup = false;
     bool m_walks = false;
     std::span<const std::uint32_t> m_samples; ///< event numbers

@@ -4,6 +4,7 @@
 #include "ui/base/inks.h"
 #include "ui/base/theme.h"
 #include "ui/steps/step_formula.h"
+#include "ui/steps/walk_painter.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -20,46 +21,6 @@ namespace rasterlens
 {
 namespace
 {
-
-constexpr int kWithinReach = 20000; ///< canvas pixels; farther ends of lines are cut off
-
-struct Paper {
-    QColor fill;
-    QColor ink;
-};
-
-Paper paper()
-{
-    return {QGuiApplication::palette().color(QPalette::Base), QGuiApplication::palette().color(QPalette::Text)};
-}
-
-QColor withAlpha(QColor color, int alpha)
-{
-    color.setAlpha(alpha);
-    return color;
-}
-
-/// The part of a line within a rectangle (Liang & Barsky, 1984).
-std::optional<QLineF> cut(const QLineF& line, const QRectF& box)
-{
-    double t0 = 0;
-    double t1 = 1;
-    const auto side = [&](double distance, double growth) {
-        if (growth == 0)
-            return distance >= 0;
-        const double t = -distance / growth;
-        if (growth > 0)
-            t0 = std::max(t0, t);
-        else
-            t1 = std::min(t1, t);
-        return true;
-    };
-    const bool crosses = side(line.x1() - box.left(), line.dx()) && side(box.right() - line.x1(), -line.dx()) &&
-                         side(line.y1() - box.top(), line.dy()) && side(box.bottom() - line.y1(), -line.dy());
-    if (!crosses || !(t0 <= t1))
-        return std::nullopt;
-    return QLineF(line.pointAt(t0), line.pointAt(t1));
-}
 
 /// The corners of a rectangle for which inside(corner) >= 0, and where its border changes sides.
 template <class Distance>
@@ -80,7 +41,14 @@ QPolygonF halfOf(const QRectF& box, Distance distance)
     return half;
 }
 
-double glyphDiameter(double cell) { return std::min(cell * 0.28, 30.0); }
+double glyphDiameter(double cell) { return std::min(cell * 0.28, 42.0); }
+
+/// Numbers grow with the samples, up to the size of the window's type and a little beyond.
+int numberPixels(double cell, bool isLarge)
+{
+    const int most = std::max(18, QFontInfo(QGuiApplication::font()).pixelSize());
+    return std::clamp(int(cell / (isLarge ? 4.2 : 5)), 10, most);
+}
 
 QPointF glyphCentre(const QRectF& box, std::size_t edge)
 {
@@ -95,95 +63,7 @@ quint32 tileKey(const LensCell& cell)
            static_cast<quint32>(cell.hasValues) << 8;
 }
 
-/// Text on a plate, readable over anything.
-void paintPlate(QPainter& painter, const QRectF& within, QPointF at, const QStringList& lines, const QFont& font)
-{
-    const QFontMetricsF metrics(font);
-    double width = 0;
-    for (const QString& line : lines)
-        width = std::max(width, metrics.horizontalAdvance(line));
-    QRectF plate(at, QSizeF(width + 16, metrics.lineSpacing() * double(lines.size()) + 10));
-    if (plate.right() > within.right() - 4)
-        plate.moveRight(within.right() - 4);
-    if (plate.bottom() > within.bottom() - 4)
-        plate.moveBottom(within.bottom() - 4);
-    plate.moveTopLeft({std::max(plate.left(), within.left() + 4), std::max(plate.top(), within.top() + 4)});
-    const Paper p = paper();
-    painter.setPen(QPen(QGuiApplication::palette().color(QPalette::Mid), 1));
-    painter.setBrush(withAlpha(p.fill, 240));
-    painter.drawRoundedRect(plate, 5, 5);
-    painter.setFont(font);
-    painter.setPen(p.ink);
-    for (int i = 0; i < lines.size(); ++i)
-        painter.drawText(plate.topLeft() + QPointF(8, 5 + metrics.ascent() + i * metrics.lineSpacing()), lines[i]);
-}
-
 } // namespace
-
-void paintEdgeGlyph(QPainter& painter, QPointF centre, double diameter, EdgeSign sign)
-{
-    const double r = diameter / 2;
-    const double stroke = std::max(1.0, diameter / 7);
-    painter.setBrush(sign == EdgeSign::Plus    ? QColor(kCanvasPlus)
-                     : sign == EdgeSign::Minus ? QColor(kCanvasMinus)
-                                               : QColor(Qt::white));
-    painter.setPen(sign == EdgeSign::Zero || sign == EdgeSign::NotANumber ? QPen(Qt::black, stroke) : QPen(Qt::NoPen));
-    const double inset = sign == EdgeSign::Zero || sign == EdgeSign::NotANumber ? stroke / 2 : 0;
-    painter.drawEllipse(centre, r - inset, r - inset);
-    const double arm = r * 0.55;
-    if (sign == EdgeSign::Plus || sign == EdgeSign::Minus) {
-        painter.setPen(QPen(Qt::white, stroke, Qt::SolidLine, Qt::FlatCap));
-        painter.drawLine(centre - QPointF(arm, 0), centre + QPointF(arm, 0));
-        if (sign == EdgeSign::Plus)
-            painter.drawLine(centre - QPointF(0, arm), centre + QPointF(0, arm));
-    } else if (sign == EdgeSign::Zero) {
-        painter.setPen(QPen(Qt::black, std::max(1.0, diameter / 9)));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawEllipse(centre, r * 0.28, r * 0.42);
-    } else {
-        painter.setPen(QPen(Qt::black, stroke));
-        painter.drawLine(centre - QPointF(arm, arm) * 0.7, centre + QPointF(arm, arm) * 0.7);
-        painter.drawLine(centre - QPointF(arm, -arm) * 0.7, centre + QPointF(arm, -arm) * 0.7);
-    }
-}
-
-/// What one paint works with.
-struct LensOverlay::View {
-    QPainter& painter;
-    QRect canvas;
-    const CanvasTransform& transform;
-    const OverlayOptions& options;
-    int grid;
-    double cell;                                    ///< canvas pixels a sample
-    std::vector<std::pair<QRectF, LensCell>> cells; ///< in sight, from kGlyphsFromCell on
-
-    [[nodiscard]] QPointF at(glm::dvec2 sample) const { return transform.toCanvas(QPointF(sample.x, sample.y) / grid); }
-    [[nodiscard]] QRectF box(int x, int y) const { return {at({x, y}), QSizeF(cell, cell)}; }
-    [[nodiscard]] double thickness(double pen) const { return options.thickLines ? pen * 1.6 : pen; }
-    /// The samples that the canvas shows, cut to a rectangle of samples.
-    [[nodiscard]] QRect visible(const PixelRect& of) const
-    {
-        const auto sampleAt = [&](QPointF p) { return transform.toImage(p) * grid; };
-        const QPointF first = sampleAt(QRectF(canvas).topLeft());
-        const QPointF last = sampleAt(QRectF(canvas).bottomRight());
-        const QRect seen(QPoint(int(std::floor(first.x())), int(std::floor(first.y()))),
-                         QPoint(int(std::ceil(last.x())) - 1, int(std::ceil(last.y())) - 1));
-        return seen.intersected(QRect(of.x, of.y, of.width, of.height));
-    }
-    /// A line with a light rim, cut to the canvas.
-    void line(glm::dvec2 from, glm::dvec2 to, QColor color, double width, Qt::PenStyle style) const
-    {
-        const double reach = kWithinReach;
-        const QRectF near = QRectF(canvas).adjusted(-40, -40, 40, 40);
-        const auto shown = cut(QLineF(at(from), at(to)), near);
-        if (!shown || !(shown->length() < reach))
-            return;
-        painter.setPen(QPen(QColor(255, 255, 255, 200), thickness(width) + 2.4, Qt::SolidLine, Qt::RoundCap));
-        painter.drawLine(*shown);
-        painter.setPen(QPen(color, thickness(width), style, style == Qt::SolidLine ? Qt::RoundCap : Qt::FlatCap));
-        painter.drawLine(*shown);
-    }
-};
 
 void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTransform& transform,
                         const OverlayOptions& options) const
@@ -191,10 +71,11 @@ void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTran
     if (!m_model)
         return;
     const int grid = m_model->log().grid();
-    View view{painter, canvas, transform, options, grid, transform.zoom / grid, {}};
+    LensView view{painter, canvas, transform, options, grid, transform.zoom / grid, {}};
     painter.save();
     painter.setClipRect(canvas);
     if (m_model->hasSetup() && view.cell >= kGridFromZoom / 2) {
+        lookFar(view);
         if (view.cell >= kGlyphsFromCell)
             paintCells(view);
         else
@@ -206,13 +87,29 @@ void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTran
     paintTies(view);
     if (m_model->hasSetup() && view.cell >= kLensNumbersFromCell)
         paintNumbers(view);
-    paintWalk(view);
+    paintWalk(view, *m_model);
     paintLine(view);
     paintColumn(view);
     paintCurrent(view);
     paintCorners(view);
     paintHover(view);
+    if (m_model->hasSetup() && view.cell >= kGlyphsFromCell)
+        paintLensLegend(painter, canvas,
+                        QRectF(view.at({0, 0}), view.at({m_model->log().columns(), m_model->log().rows()})),
+                        m_model->triangle().setup, view.cell >= kLensNumbersFromCell);
     painter.restore();
+}
+
+/// What the record's window no longer holds of the samples in sight is made anew.
+void LensOverlay::lookFar(const LensView& view) const
+{
+    const QRect seen = view.visible(m_model->triangle().setup.bounds);
+    if (!m_coverage || !m_model->wantsFar() || seen.isEmpty())
+        return;
+    const int left = seen.left() / view.grid;
+    const int top = seen.top() / view.grid;
+    m_model->setFar(m_coverage(m_model->triangle(),
+                               {left, top, seen.right() / view.grid - left + 1, seen.bottom() / view.grid - top + 1}));
 }
 
 /// The colour a sample is veiled with: what is inside, and what was looked at.
@@ -247,14 +144,13 @@ void LensOverlay::paintCell(QPainter& painter, const QRectF& box, const LensCell
     if (!cell.hasValues)
         return;
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setOpacity(cell.state == LensCell::State::Waiting ? 0.33 : 1.0);
     for (std::size_t i = 0; i < 3; ++i)
-        paintEdgeGlyph(painter, glyphCentre(box, i), glyphDiameter(s), cell.signs[i]);
-    painter.setOpacity(1);
+        paintGlyph(painter, glyphCentre(box, i), glyphDiameter(s), cell.signs[i], i,
+                   cell.state == LensCell::State::Waiting);
 }
 
 /// Samples too small for glyphs: runs of one colour, the picture shining through.
-void LensOverlay::paintVeils(View& view) const
+void LensOverlay::paintVeils(LensView& view) const
 {
     constexpr int kVeilOpacity = 205;
     const QColor fill = paper().fill;
@@ -268,7 +164,7 @@ void LensOverlay::paintVeils(View& view) const
         }
 }
 
-void LensOverlay::paintCells(View& view) const
+void LensOverlay::paintCells(LensView& view) const
 {
     const QRect shown = view.visible(m_model->triangle().setup.bounds);
     const bool wholePixels = view.cell == std::floor(view.cell);
@@ -301,13 +197,13 @@ void LensOverlay::paintCells(View& view) const
         }
 }
 
-void LensOverlay::paintNumbers(View& view) const
+void LensOverlay::paintNumbers(LensView& view) const
 {
     const StepSetup& setup = m_model->triangle().setup;
     QFont numbers = numberFont();
-    numbers.setPixelSize(std::clamp(int(view.cell / 5), 10, 18));
+    numbers.setPixelSize(numberPixels(view.cell, view.options.thickLines));
     QFont words = textFont(0);
-    words.setPixelSize(std::clamp(int(view.cell / 6), 9, 15));
+    words.setPixelSize(std::max(9, numberPixels(view.cell, view.options.thickLines) * 5 / 6));
     const QFontMetricsF wordMetrics(words);
     const QFontMetricsF numberMetrics(numbers);
     const double digit = numberMetrics.horizontalAdvance(QLatin1Char('0'));
@@ -327,14 +223,14 @@ void LensOverlay::paintNumbers(View& view) const
         if (!cell.tie && widthOf() > room)
             text = QString::number(cell.values[std::size_t(cell.deciding)] / setup.unitsPerArea, 'g', 3);
         const double width = widthOf();
-        view.painter.setPen(withAlpha(ink, cell.state == LensCell::State::Waiting ? 150 : 255));
+        view.painter.setPen(withAlpha(ink, cell.state == LensCell::State::Waiting ? 200 : 255));
         view.painter.setFont(cell.tie ? words : numbers);
         const double ascent = cell.tie ? wordMetrics.ascent() : numberMetrics.ascent();
         view.painter.drawText(QPointF(box.center().x() - width / 2, box.top() + 2 + ascent), text);
     }
 }
 
-void LensOverlay::paintBounds(View& view) const
+void LensOverlay::paintBounds(LensView& view) const
 {
     const PixelRect& b = m_model->triangle().setup.bounds;
     const QRectF box(view.at({b.x, b.y}), view.at({b.x + b.width, b.y + b.height}));
@@ -346,7 +242,7 @@ void LensOverlay::paintBounds(View& view) const
     view.painter.drawRect(shown);
 }
 
-void LensOverlay::paintEdges(View& view) const
+void LensOverlay::paintEdges(LensView& view) const
 {
     const StepTriangle& triangle = m_model->triangle();
     if (m_model->hasSetup() && view.cell >= kGridFromZoom / 2) {
@@ -366,6 +262,8 @@ void LensOverlay::paintEdges(View& view) const
             }));
         }
     }
+    if (m_model->sides())
+        return; // told apart by other colours now
     const auto ends = [&](std::size_t i) {
         return triangle.hasSetup ? triangle.setup.vertices[i] : glm::dvec2(triangle.screen.vertices[i].position);
     };
@@ -374,20 +272,19 @@ void LensOverlay::paintEdges(View& view) const
 }
 
 /// Where a sample lies on an edge, the line must not hide the glyph that says so.
-void LensOverlay::paintTies(View& view)
+void LensOverlay::paintTies(LensView& view)
 {
     for (const auto& [box, cell] : view.cells) {
         if (!cell.tie)
             continue;
-        view.painter.setOpacity(cell.state == LensCell::State::Waiting ? 0.5 : 1);
         for (std::size_t i = 0; i < 3; ++i)
             if (cell.signs[i] == EdgeSign::Zero)
-                paintEdgeGlyph(view.painter, glyphCentre(box, i), glyphDiameter(view.cell), EdgeSign::Zero);
+                paintGlyph(view.painter, glyphCentre(box, i), glyphDiameter(view.cell), EdgeSign::Zero, i,
+                           cell.state == LensCell::State::Waiting);
     }
-    view.painter.setOpacity(1);
 }
 
-void LensOverlay::paintCorners(View& view) const
+void LensOverlay::paintCorners(LensView& view) const
 {
     const StepTriangle& triangle = m_model->triangle();
     std::array<QPointF, 3> at;
@@ -403,7 +300,8 @@ void LensOverlay::paintCorners(View& view) const
         return;
     const QFont font = textFont(view.options.thickLines ? 2 : 3, true);
     view.painter.setFont(font);
-    const double size = QFontMetricsF(font).height();
+    const QFontMetricsF metrics(font);
+    const double size = metrics.height();
     for (std::size_t i = 0; i < 3; ++i) {
         if (!QRectF(view.canvas).adjusted(-20, -20, 20, 20).contains(at[i]))
             continue;
@@ -417,50 +315,22 @@ void LensOverlay::paintCorners(View& view) const
         const QRectF room = QRectF(view.canvas).adjusted(size / 2, size / 2, -size / 2, -size / 2);
         centre = {std::clamp(centre.x(), room.left(), std::max(room.left(), room.right())),
                   std::clamp(centre.y(), room.top(), std::max(room.top(), room.bottom()))};
-        const QRectF plate(centre - QPointF(size, size) * 0.44, QSizeF(size, size) * 0.88);
+        const QString name = walkedCornerName(*m_model, i);
+        const double width = std::max(size * 0.88, metrics.horizontalAdvance(name) + size * 0.4);
+        QRectF plate(centre - QPointF(width, size * 0.88) / 2, QSizeF(width, size * 0.88));
+        plate.moveLeft(
+            std::clamp(plate.left(), room.left() - size / 2, std::max(room.left(), room.right() + size / 2 - width)));
         const Paper p = paper();
         view.painter.setPen(Qt::NoPen);
         view.painter.setBrush(withAlpha(p.fill, 225));
         view.painter.drawRoundedRect(plate, 4, 4);
         view.painter.setPen(p.ink);
-        view.painter.drawText(plate, Qt::AlignCenter, QString(QLatin1Char(char('A' + i))));
+        view.painter.drawText(plate, Qt::AlignCenter, name);
     }
-}
-
-/// Edge walking: the two active edges, and where the row's span begins and ends before and after ceil(v - 0.5).
-void LensOverlay::paintWalk(View& view) const
-{
-    const WalkedTriangle* walk = m_model->walk();
-    const StepEvent* now = m_model->event();
-    const SpanStep* span = m_model->span();
-    if (!walk || !span || !now || now->y < 0)
-        return;
-    const auto& v = walk->vertices;
-    const QColor active = QGuiApplication::palette().color(QPalette::Highlight);
-    view.line(v[0], v[2], active, 4.5, Qt::SolidLine);
-    view.line(span->ends.upperHalf ? v[0] : v[1], span->ends.upperHalf ? v[1] : v[2], active, 4.5, Qt::SolidLine);
-
-    const QRectF row(view.at({span->xBegin, now->y}), view.at({span->xEnd, now->y + 1}));
-    view.painter.setBrush(Qt::NoBrush);
-    view.painter.setPen(QPen(Qt::white, view.thickness(5)));
-    view.painter.drawRect(row);
-    view.painter.setPen(QPen(Qt::black, view.thickness(2.2)));
-    view.painter.drawRect(row);
-    const double r = std::clamp(view.cell / 6, 3.0, 7.0);
-    for (const double x : {span->ends.left, span->ends.right}) {
-        const QPointF at = view.at({x, now->y + 0.5});
-        const QPolygonF diamond{{at + QPointF(0, -r), at + QPointF(r, 0), at + QPointF(0, r), at + QPointF(-r, 0)}};
-        view.painter.setPen(QPen(Qt::black, 1.5));
-        view.painter.setBrush(QColor(0xffd54f));
-        view.painter.drawPolygon(diamond);
-    }
-    if (view.cell < kGlyphsFromCell)
-        return;
-    paintPlate(view.painter, view.canvas, row.bottomLeft() + QPointF(4, 6), spanLines(*span), numberFont(0));
 }
 
 /// Bresenham: the ideal line, the two samples it is between, and how far it is from each.
-void LensOverlay::paintLine(View& view) const
+void LensOverlay::paintLine(LensView& view) const
 {
     const LineStep* step = m_model->line();
     const auto ends = m_model->lineEnds();
@@ -497,7 +367,7 @@ void LensOverlay::paintLine(View& view) const
 }
 
 /// Column fill: the rows of the edges in the present column, the least and the greatest of them, and the span between.
-void LensOverlay::paintColumn(View& view) const
+void LensOverlay::paintColumn(LensView& view) const
 {
     const FilledColumn* column = m_model->column();
     if (!column)
@@ -520,10 +390,10 @@ void LensOverlay::paintColumn(View& view) const
     paintPlate(view.painter, view.canvas, below, lines, numberFont(0));
 }
 
-void LensOverlay::paintCurrent(View& view) const
+void LensOverlay::paintCurrent(LensView& view) const
 {
     const StepEvent* now = m_model->event();
-    if (!now || now->x < 0 || now->y < 0 || now->kind == StepKind::Span)
+    if (!now || now->x < 0 || now->y < 0 || now->kind == StepKind::Span || now->kind == StepKind::Crossing)
         return;
     const QRectF box = view.box(now->x, now->y);
     const double least = 5;
@@ -535,7 +405,7 @@ void LensOverlay::paintCurrent(View& view) const
     view.painter.drawRect(box.adjusted(-grow, -grow, grow + 1, grow + 1));
 }
 
-void LensOverlay::paintHover(View& view) const
+void LensOverlay::paintHover(LensView& view) const
 {
     if (!view.options.hoveredPixel || view.cell < kGlyphsFromCell || !m_model->hasSetup())
         return;

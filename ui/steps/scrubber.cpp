@@ -8,8 +8,8 @@
 #include <QPainter>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <vector>
 
 namespace rasterlens
 {
@@ -23,34 +23,6 @@ constexpr double kKnobRadius = 7;
 
 } // namespace
 
-PipKind pipKindOf(const StepEvent& event)
-{
-    if (event.has(StepEvent::kTie))
-        return PipKind::Tie;
-    switch (event.kind) {
-    case StepKind::ClipPlane:
-    case StepKind::CohenSutherland:
-    case StepKind::Clipped: return PipKind::Clip;
-    case StepKind::Facing:
-    case StepKind::Fate: return PipKind::Cull;
-    case StepKind::Sample: return event.has(StepEvent::kCovered) ? PipKind::Sample : PipKind::Outside;
-    case StepKind::Span:
-    case StepKind::Column:
-    case StepKind::LineSample: return PipKind::Sample;
-    case StepKind::Fragment: return event.has(StepEvent::kPassed) ? PipKind::Other : PipKind::DepthFail;
-    case StepKind::Vertex:
-    case StepKind::Viewport:
-    case StepKind::Triangle:
-    case StepKind::Setup:
-    case StepKind::Walk:
-    case StepKind::LineDecision:
-    case StepKind::Shade:
-    case StepKind::Write:
-    case StepKind::End: break;
-    }
-    return PipKind::Other;
-}
-
 QColor pipColor(PipKind kind, const QPalette& palette)
 {
     const Inks inks = inksFor(palette);
@@ -62,34 +34,11 @@ QColor pipColor(PipKind kind, const QPalette& palette)
     case PipKind::Sample: return inks.plus;
     case PipKind::Outside: return inks.minus;
     case PipKind::Cull: return readable(0x6a3d9a);
-    case PipKind::Clip: return readable(0x00796b);
-    case PipKind::DepthFail: return readable(0xb07aa1);
+    case PipKind::Clip: return readable(0x005f54);
+    case PipKind::DepthFail: return readable(0x7a4a6e);
     case PipKind::Tie: break;
     }
     return palette.color(QPalette::Text);
-}
-
-std::vector<PipKind> binPips(const StepLog& log, int columns)
-{
-    const auto width = std::size_t(std::max(columns, 1));
-    std::vector<std::array<std::uint32_t, kPipKinds>> counts(width);
-    const double perEvent = double(width - 1) / std::max(1.0, double(log.size()));
-    for (std::size_t i = 0; i < log.size(); ++i)
-        ++counts[std::size_t(double(i + 1) * perEvent)][std::size_t(pipKindOf(log.event(i)))];
-
-    constexpr auto kCommon = std::size_t(PipKind::Cull);
-    std::vector<PipKind> bins(width, PipKind::None);
-    for (std::size_t column = 0; column < width; ++column) {
-        const auto& count = counts[column];
-        std::size_t shown = count[std::size_t(PipKind::Other)] > 0 ? std::size_t(PipKind::Other) : 0;
-        for (std::size_t kind = std::size_t(PipKind::Sample); kind < kPipKinds; ++kind) {
-            const bool outnumbers = count[kind] > (shown > std::size_t(PipKind::Other) ? count[shown] : 0);
-            if (kind <= kCommon ? outnumbers : count[kind] > 0)
-                shown = kind;
-        }
-        bins[column] = PipKind(shown);
-    }
-    return bins;
 }
 
 Scrubber::Scrubber(QWidget* parent) : QWidget(parent)
@@ -98,9 +47,9 @@ Scrubber::Scrubber(QWidget* parent) : QWidget(parent)
     setCursor(Qt::PointingHandCursor);
 }
 
-void Scrubber::setLog(const std::shared_ptr<const StepLog>& log)
+void Scrubber::setRecord(const std::shared_ptr<const StepRecord>& record)
 {
-    m_log = log;
+    m_record = record;
     m_pips = QPixmap();
     update();
 }
@@ -113,24 +62,24 @@ void Scrubber::setPosition(std::size_t position)
 
 double Scrubber::xOf(std::size_t position) const
 {
-    const double size = m_log ? double(std::max<std::size_t>(m_log->size(), 1)) : 1;
+    const double size = m_record ? double(std::max<std::size_t>(m_record->size(), 1)) : 1;
     return kMargin + double(position) / size * (width() - 2 * kMargin - 1);
 }
 
 std::size_t Scrubber::positionAt(double x) const
 {
     const double fraction = std::clamp((x - kMargin) / std::max(1, width() - 2 * kMargin - 1), 0.0, 1.0);
-    return m_log ? std::size_t(std::llround(fraction * double(m_log->size()))) : 0;
+    return m_record ? std::size_t(std::llround(fraction * double(m_record->size()))) : 0;
 }
 
 void Scrubber::paintPips()
 {
     m_pips = QPixmap(size());
     m_pips.fill(Qt::transparent);
-    if (!m_log)
+    if (!m_record)
         return;
     QPainter painter(&m_pips);
-    const std::vector<PipKind> bins = binPips(*m_log, width() - 2 * kMargin);
+    const std::vector<PipKind> bins = m_record->pips().columns(width() - 2 * kMargin);
     for (std::size_t i = 0; i < bins.size(); ++i) {
         if (bins[i] == PipKind::None)
             continue;
@@ -154,7 +103,7 @@ void Scrubber::paintEvent(QPaintEvent*)
     track.setAlpha(64);
     painter.setBrush(track);
     painter.drawRoundedRect(QRectF(kMargin, kTrackY, width() - 2 * kMargin, kTrackHeight), 2, 2);
-    if (!m_log)
+    if (!m_record)
         return;
     const double x = xOf(m_position);
     painter.setBrush(accent);

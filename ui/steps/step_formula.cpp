@@ -10,6 +10,7 @@
 
 #include <QCoreApplication>
 
+#include <bit>
 #include <cmath>
 
 namespace rasterlens
@@ -58,11 +59,30 @@ std::array<QString, 4> equationCode(const Rules& rules)
             shadeLine(rules)};
 }
 
+/// Edge walking up to where a row is crossed: both halves in one loop. Corners 1, 2, 3 are those sorted by height.
+std::array<QString, 4> walkingStagesCode()
+{
+    return {QStringLiteral("outline(AB, BC, CA);  sort by y: 1, 2, 3;"),
+            QStringLiteral("long = 1 -> 3;  broken = 1 -> 2 -> 3;"),
+            QStringLiteral("for (y : rows) {  up = y < y2 || y2 == y3;  i = up ? 1 : 2;  j = up ? 2 : 3;"),
+            QStringLiteral("  alpha = (y - y1) / (y3 - y1);  xa = x1 + alpha (x3 - x1);  "
+                           "beta = (y - yi) / (yj - yi);  xb = xi + beta (xj - xi);")};
+}
+
+/// Edge walking, what is done in a row.
 std::array<QString, 4> walkingCode(const Rules& rules)
 {
-    return {QStringLiteral("sort(top, middle, bottom);  long = top -> bottom;"),
-            QStringLiteral("for (x = ceil(xl - 0.5); x < ceil(xr - 0.5); ++x) {"), weightedDepth(rules),
+    return {QStringLiteral("for (y : rows) {  xa, xb = crossings(y);  xl = min(xa, xb);  xr = max(xa, xb);"),
+            QStringLiteral("  for (x = ceil(xl - 0.5); x < ceil(xr - 0.5); ++x) {"), weightedDepth(rules),
             shadeLine(rules)};
+}
+
+/// Super-sampling, after the last face.
+std::array<QString, 4> resolveCode()
+{
+    return {QStringLiteral("for (pixel : picture) {"), QStringLiteral("  sum = (0, 0, 0);"),
+            QStringLiteral("  for (sample : pixel) sum += color[sample];"),
+            QStringLiteral("  picture[pixel] = sum / n; }")};
 }
 
 std::array<QString, 4> lineCode(const Rules& rules)
@@ -81,7 +101,7 @@ std::array<QString, 4> lineCode(const Rules& rules)
 
 std::array<QString, 4> columnCode(const Rules& rules)
 {
-    return {QStringLiteral("for (x = xmin; x <= xmax; ++x) {  ys = table[x];"),
+    return {QStringLiteral("for (x = xmin; x <= xmax; ++x) {  ys = table[x];  if (empty(ys)) say(x);"),
             QStringLiteral("  for (y = min(ys); y <= max(ys); ++y) {"), weightedDepth(rules), shadeLine(rules)};
 }
 
@@ -89,7 +109,7 @@ std::array<QString, 4> columnCode(const Rules& rules)
 /// triangle: it begins with their code.
 bool isGeometry(StepKind kind, const Rules& rules)
 {
-    return kind < StepKind::Walk && !(kind == StepKind::Triangle && rules.fill != Fill::Solid);
+    return kind < StepKind::Outline && !(kind == StepKind::Triangle && rules.fill != Fill::Solid);
 }
 
 /// The kinds there are after geometry, by the way the triangle is drawn.
@@ -99,7 +119,7 @@ StepKinds kindsOfDrawing(const Rules& rules)
     if (rules.fill != Fill::Solid)
         return all | kindBit(StepKind::LineDecision) | kindBit(StepKind::LineSample);
     switch (rules.algorithm) {
-    case Algorithm::EdgeWalking: return all | kindBit(StepKind::Walk) | kindBit(StepKind::Span);
+    case Algorithm::EdgeWalking: return all | kindBit(StepKind::Crossing) | kindBit(StepKind::Span);
     case Algorithm::ColumnFill: return all | kindBit(StepKind::Column);
     case Algorithm::EdgeEquation:
     case Algorithm::Tiled: break;
@@ -112,7 +132,11 @@ std::pair<std::array<QString, 4>, StepKinds> codeFor(const StepLog& log, StepKin
 {
     const Rules& right = log.rightRules();
     if (isGeometry(kind, log.rules()))
-        return {geometryCode(), kindBit(StepKind::Walk) - 1};
+        return {geometryCode(), kindBit(StepKind::Outline) - 1};
+    if (kind >= StepKind::Outline && kind <= StepKind::Crossing)
+        return {walkingStagesCode(), kindBit(StepKind::Crossing) * 2 - kindBit(StepKind::Outline)};
+    if (kind == StepKind::Resolve)
+        return {resolveCode(), kindBit(StepKind::Resolve)};
     const StepKinds kinds = kindsOfDrawing(log.rules());
     if (log.rules().fill != Fill::Solid)
         return {lineCode(right), kinds};
@@ -138,15 +162,20 @@ int lineOf(StepKind kind)
     case StepKind::Fate:
     case StepKind::Triangle:
     case StepKind::Setup: return 3;
+    case StepKind::Outline:
     case StepKind::Walk:
     case StepKind::Column: return 0;
+    case StepKind::Sides:
     case StepKind::Span:
     case StepKind::Sample:
     case StepKind::LineDecision: return 1;
+    case StepKind::Halves: return 2;
+    case StepKind::Crossing: return 3;
     case StepKind::LineSample: return 0; // of a line
     case StepKind::Fragment: return 2;
     case StepKind::Shade:
     case StepKind::Write: return 3;
+    case StepKind::Resolve: return 2;
     case StepKind::End: break;
     }
     return -1;
@@ -165,6 +194,18 @@ int lineOf(const StepLog& log, std::size_t i)
     return lineOf(isRejected ? StepKind::ClipPlane : event.kind);
 }
 
+/// The line of the listing for a step of one kind in which a mistake has its code that shows at steps of another, or
+/// -1. A mistake about crossings has it where they are computed, though it shows in what follows from them, too.
+int wrongLineOf(const Mistake& mistake, StepKind kind, StepKind spoilt)
+{
+    const bool isCrossing = spoilt == StepKind::Crossing;
+    if ((stepsOf(mistake) & kindBit(spoilt)) == 0)
+        return -1;
+    if ((stepsOf(mistake) & kindBit(StepKind::Crossing)) != 0 && !isCrossing)
+        return -1;
+    return isCrossing && kind > StepKind::Crossing ? 0 : lineOf(spoilt);
+}
+
 Listing listingFor(const StepLog& log, StepKind kind)
 {
     const auto [code, kinds] = codeFor(log, kind);
@@ -172,9 +213,10 @@ Listing listingFor(const StepLog& log, StepKind kind)
     for (const Mistake* mistake : log.mistakes())
         for (int k = 0; k < kStepKinds; ++k) {
             const auto spoilt = static_cast<StepKind>(k);
-            if ((stepsOf(*mistake) & kinds & kindBit(spoilt)) == 0 || lineOf(spoilt) < 0)
+            const int at = (kinds & kindBit(spoilt)) != 0 ? wrongLineOf(*mistake, kind, spoilt) : -1;
+            if (at < 0)
                 continue;
-            QStringList& lines = wrong[std::size_t(lineOf(spoilt))];
+            QStringList& lines = wrong[std::size_t(at)];
             if (const QString line = QCoreApplication::translate("Mistake", mistake->wrongLine); !lines.contains(line))
                 lines << line;
         }
@@ -191,6 +233,12 @@ Listing listingFor(const StepLog& log, StepKind kind)
 }
 
 QString minus(QString text) { return text.replace(QLatin1Char('-'), QChar(0x2212)); }
+
+/// ` − 8` or ` + 8` for -8: what is taken away.
+QString minusOrPlus(double value)
+{
+    return (value < 0 ? QStringLiteral(" + ") : QStringLiteral(" \u2212 ")) + fullNumber(std::abs(value));
+}
 
 /// ` - 8` or ` + 8`
 QString signedTerm(double value)
@@ -289,6 +337,19 @@ QString lineFormula(const StepLog& log, const StepEvent& event)
         .arg(change, minus(QString::number(next)));
 }
 
+/// The sum of each channel: two in the first line, one in the second with what counts as black.
+QString resolveFormula(const StepLog& log, const StepEvent& event)
+{
+    const ResolvedPixel& pixel = log.payload<ResolveStep>(event).pixel;
+    const QStringList sums = meanWords(pixel);
+    QString text = sums[0] + QStringLiteral("   ") + sums[1] + QLatin1Char('\n') + sums[2];
+    if (pixel.black != 0)
+        text += QStringLiteral("   ") + translated(QT_TRANSLATE_NOOP("StepListing", "%1 of %2 samples count as black"))
+                                            .arg(std::popcount(pixel.black))
+                                            .arg(pixel.count);
+    return text;
+}
+
 /// The part that decides first: the other may have to do with dots in its middle.
 QString joined(const StepParts& parts, bool numbersFirst)
 {
@@ -309,6 +370,8 @@ QString formulaOf(const StepLog& log, std::size_t i)
         return lines[0] + QLatin1Char('\n') + lines[1] + QStringLiteral("   ") + lines[2];
     }
     case StepKind::LineDecision: return lineFormula(log, event);
+    case StepKind::Crossing: return crossingLines(log, event).join(QLatin1Char('\n'));
+    case StepKind::Resolve: return resolveFormula(log, event);
     case StepKind::Fragment: return joined(stepParts(log, i), true);
     case StepKind::Vertex:
     case StepKind::ClipPlane:
@@ -319,7 +382,10 @@ QString formulaOf(const StepLog& log, std::size_t i)
     case StepKind::Fate:
     case StepKind::Triangle:
     case StepKind::Setup:
+    case StepKind::Outline:
     case StepKind::Walk:
+    case StepKind::Sides:
+    case StepKind::Halves:
     case StepKind::Column:
     case StepKind::LineSample:
     case StepKind::Shade:
@@ -329,7 +395,48 @@ QString formulaOf(const StepLog& log, std::size_t i)
     return joined(stepParts(log, i), false);
 }
 
+QString nineDigits(double value) { return minus(QString::number(value, 'g', 9)); }
+
+/// How a crossing came to be where it is not what the formula makes of the printed numbers.
+QString crossingText(const Rules& rules, double direct, double walked)
+{
+    constexpr double kSame = 1e-12;
+    if (direct == walked || std::abs(direct - walked) <= kSame * (1 + std::abs(walked)))
+        return QStringLiteral(" = ") + nineDigits(walked);
+    const QString came = rules.stepping == Stepping::Incremental
+                             ? translated(QT_TRANSLATE_NOOP("StepListing", "added up: %1"))
+                             : translated(QT_TRANSLATE_NOOP("StepListing", "rounded: %1"));
+    return QStringLiteral(" = %1   %2").arg(nineDigits(direct), came.arg(nineDigits(walked)));
+}
+
+/// `alpha = (3.5 − 1) / (10 − 1) = 0.277778   xa = 7 + 0.277778·(2 − 7) = 5.61111`
+QString crossingLine(const Rules& rules, const QString& fraction, const QString& crossing, const glm::dvec2& from,
+                     const glm::dvec2& to, double y, double way, double x)
+{
+    const QString height = QStringLiteral("%1%2").arg(
+        minus(fullNumber(to.y)) + minusOrPlus(from.y),
+        rules.extraEdgeHeight != 0 ? QStringLiteral(" + %1").arg(rules.extraEdgeHeight) : QString());
+    return QStringLiteral("%1 = (%2%3) / (%4) = %5   %6 = %7 + %5\u00b7(%8%9)")
+               .arg(fraction, minus(fullNumber(y)), minusOrPlus(from.y), height, minus(shortNumber(way)), crossing,
+                    minus(fullNumber(from.x)), minus(fullNumber(to.x)), minusOrPlus(from.x)) +
+           crossingText(rules, from.x + way * (to.x - from.x), x);
+}
+
 } // namespace
+
+QStringList crossingLines(const StepLog& log, const StepEvent& event)
+{
+    const RowCrossings& row = log.payload<CrossingStep>(event).row;
+    const WalkedTriangle* walk = walkOf(log, event);
+    if (walk == nullptr)
+        return {minus(shortNumber(row.alpha)), minus(shortNumber(row.beta))};
+    const auto& v = walk->vertices;
+    const double y = row.y + 0.5;
+    const std::size_t from = row.upperHalf ? 0 : 1;
+    return {crossingLine(log.rules(), QStringLiteral("alpha"), QStringLiteral("xa"), v[0], v[2], y, row.alpha, row.xa),
+            crossingLine(log.rules(), QStringLiteral("beta"), QStringLiteral("xb"), v[from], v[from + 1], y, row.beta,
+                         row.xb)};
+}
 
 QStringList spanLines(const SpanStep& span)
 {
@@ -366,6 +473,10 @@ QString stepTitle(const StepLog& log, std::size_t i)
         parts << translated(QT_TRANSLATE_NOOP("StepListing", "tie"));
     if (event.kind == StepKind::Column)
         parts << QStringLiteral("x = %1").arg(event.x);
+    else if (event.kind == StepKind::Resolve)
+        parts << translated(QT_TRANSLATE_NOOP("StepListing", "pixel (%1, %2)"))
+                     .arg(event.x / log.grid())
+                     .arg(event.y / log.grid());
     else if (event.x >= 0)
         parts << QStringLiteral("(%1, %2)").arg(event.x).arg(event.y);
     else if (event.y >= 0)

@@ -32,6 +32,11 @@ struct StepExplanation {
 /// One event in a few words: `sample · row 4 · face 1`. In the language in use.
 [[nodiscard]] QString stepTitle(const StepLog& log, std::size_t i);
 
+/// Edge walking: alpha and xa on the long edge, beta and xb on the short one, each in a line with the numbers put in.
+///
+/// in  an event of kind Crossing
+[[nodiscard]] QStringList crossingLines(const StepLog& log, const StepEvent& event);
+
 /// Edge walking: where a span begins, where it ends, and the samples it fills.
 [[nodiscard]] QStringList spanLines(const SpanStep& span);
 

@@ -15,6 +15,7 @@ namespace rasterlens
 namespace
 {
 
+constexpr double kLeastScale = 0.6;             ///< of code beside the canvas
 constexpr int kCompactBelow = 560;              ///< height of the canvas card from which on the whole listing has room
 const QString kBetween = QStringLiteral("   "); ///< what stands between the parts of a formula
 
@@ -85,6 +86,7 @@ StepListing::StepListing(const StepSession& session, QWidget* parent) : QFrame(p
     m_formula->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_formula->setFocusPolicy(Qt::NoFocus);
     column->addWidget(m_formula);
+    column->addStretch(0);
     connect(&session, &StepSession::positionChanged, this, &StepListing::sync);
     connect(&session, &StepSession::openChanged, this, [this](bool open) {
         setVisible(open);
@@ -93,17 +95,30 @@ StepListing::StepListing(const StepSession& session, QWidget* parent) : QFrame(p
     hide();
 }
 
+void StepListing::setPlace(Place place)
+{
+    m_place = place;
+    auto* column = static_cast<QVBoxLayout*>(layout());
+    column->setStretch(column->count() - 1, place == Place::Beside ? 1 : 0);
+    sync();
+}
+
 void StepListing::sync()
 {
     m_explanation = {};
     if (m_session.isOpen() && m_session.log() && m_session.position() > 0)
-        m_explanation = explainStep(*m_session.log(), m_session.position() - 1);
-    const bool isCompact = parentWidget()->height() < kCompactBelow;
+        m_explanation = explainStep(*m_session.log(), m_session.positionInLog() - 1);
+    const bool isCompact = m_place == Place::Below && parentWidget()->height() < kCompactBelow;
+    double scale = 1;
+    if (m_place == Place::Beside)
+        for (const ListingLine& line : m_explanation.listing)
+            scale = std::min(scale, CodeLine::scaleFor(line.code, width() - 20, kLeastScale));
     // The canvas above keeps its height: there are as many lines at every step, all of one height.
     const int kept = std::clamp(m_explanation.line, 0, int(m_lines.size()) - 1);
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
         m_lines[i]->setFixedHeight(lineHeight());
-        m_lines[i]->setVisible(int(i) == kept || !isCompact);
+        m_lines[i]->setScale(scale);
+        m_lines[i]->setVisible(m_place != Place::Line && (int(i) == kept || !isCompact));
         m_lines[i]->setLine(m_explanation.listing[i], int(i) == m_explanation.line);
     }
     fitFormula();
@@ -119,8 +134,11 @@ int StepListing::lineHeight()
 /// With a mistake on there is a row more, for its name: at every step of the record.
 int StepListing::formulaRowCount() const
 {
+    if (m_place == Place::Line)
+        return 1;
     const bool hasMistakes = m_session.log() && !m_session.log()->mistakes().empty();
-    return hasMistakes ? 3 : 2;
+    const int most = hasMistakes ? 3 : 2;
+    return m_place == Place::Beside ? 3 * most : most;
 }
 
 /// Long formulas are broken into rows, then made smaller, and end in dots at last; the tool tip has all of them.
@@ -153,7 +171,10 @@ QStringList StepListing::formulaRows() const { return m_formula->text().split(QL
 void StepListing::resizeEvent(QResizeEvent* event)
 {
     QFrame::resizeEvent(event);
-    fitFormula();
+    if (m_place == Place::Beside)
+        sync();
+    else
+        fitFormula();
 }
 
 QSize StepListing::minimumSizeHint() const

@@ -21,6 +21,13 @@ class StepListing : public QFrame
 public:
     explicit StepListing(const StepSession& session, QWidget* parent = nullptr);
 
+    enum class Place {
+        Below,  ///< code and formula below the canvas
+        Line,   ///< one line of the formula below the canvas
+        Beside, ///< all of the code, and a longer formula, beside the canvas
+    };
+    void setPlace(Place place);
+
     [[nodiscard]] const StepExplanation& explanation() const { return m_explanation; }
     [[nodiscard]] const std::vector<CodeLine*>& lines() const { return m_lines; }
     /// The rows of the formula as they are shown.
@@ -42,6 +49,7 @@ private:
 
     const StepSession& m_session;
     StepExplanation m_explanation;
+    Place m_place = Place::Below;
     std::vector<CodeLine*> m_lines;
     QLabel* m_formula = nullptr;
 };

@@ -17,18 +17,23 @@ namespace rasterlens
 namespace
 {
 
-constexpr std::pair<const char*, StepStop::Kind> kStops[] = {
-    {"sign-change", StepStop::Kind::SignChange}, {"tie", StepStop::Kind::Tie},
-    {"depth-fail", StepStop::Kind::DepthFail},   {"clip", StepStop::Kind::Clip},
-    {"nan", StepStop::Kind::NonFinite},
-};
-
-const StepStop::Kind* stopNamed(const QString& name)
+/// The depth of each pixel: that of the sample nearest its centre.
+void copyDepths(const StepCursor& cursor, DepthBuffer& out)
 {
-    for (const auto& [id, kind] : kStops)
-        if (name == QLatin1String(id))
-            return &kind;
-    return nullptr;
+    const std::span<const float> depths = cursor.sampleDepths();
+    const int grid = cursor.log().grid();
+    const auto width = std::size_t(cursor.image().width());
+    const auto height = std::size_t(cursor.image().height());
+    if (depths.size() < width * height * std::size_t(grid) * std::size_t(grid)) { // a mistake in their addresses
+        out.clear();
+        return;
+    }
+    float* to = out.write(width * height);
+    const auto columns = std::size_t(cursor.log().columns());
+    const auto middle = std::size_t(grid / 2);
+    for (std::size_t y = 0; y < height; ++y)
+        for (std::size_t x = 0; x < width; ++x)
+            *to++ = depths[(y * std::size_t(grid) + middle) * columns + x * std::size_t(grid) + middle];
 }
 
 } // namespace
@@ -38,7 +43,11 @@ StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& wi
       m_listing(new StepListing(m_session)), m_window(window)
 {
     window.addDockWidget(Qt::BottomDockWidgetArea, m_transport);
+    viewport.addLayer(&m_sampleLens);
+    m_lens.setCoverage(
+        [this](const StepTriangle& triangle, const PixelRect& pixels) { return m_session.coverage(triangle, pixels); });
     viewport.addLayer(&m_lens);
+    viewport.addLayer(&m_geometry);
     connect(&m_session, &StepSession::logChanged, this, &StepMode::syncLens);
     connect(&m_session, &StepSession::positionChanged, this, [this] {
         syncLens();
@@ -48,6 +57,8 @@ StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& wi
     connect(&m_session, &StepSession::openChanged, this, [this](bool open) {
         if (open)
             m_transport->show();
+        else
+            m_wanted.reset();
         syncLens();
         Q_EMIT frameChanged();
     });
@@ -55,8 +66,8 @@ StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& wi
     connect(&m_session, &StepSession::recordingChanged, this, [this](bool recording) {
         syncLens();
         Q_EMIT frameChanged();
-        if (!recording && !m_wanted.isEmpty())
-            showStep(std::exchange(m_wanted, {}));
+        if (!recording && m_wanted && m_session.isOpen())
+            showPlace(*std::exchange(m_wanted, std::nullopt));
         if (!recording && m_wantedFace) {
             const auto [face, pixel] = *std::exchange(m_wantedFace, std::nullopt);
             showFace(face, pixel);
@@ -67,22 +78,37 @@ StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& wi
     connect(m_transport, &TransportDock::rectangleWanted, this, [this] {
         if (!m_viewport.frame())
             return;
-        const QRect seen = m_viewport.transform().pixelsIn(m_viewport.rect(), m_viewport.frame()->frame.image.size());
+        const QRect seen = m_viewport.transform().pixelsIn(m_viewport.pane(), m_viewport.frame()->frame.image.size());
         m_session.setRectangle(PixelRect{seen.x(), seen.y(), seen.width(), seen.height()});
     });
     connect(m_transport, &TransportDock::stopMissed, this,
             [this] { Q_EMIT message(tr("The record ends without another such event.")); });
 }
 
-StepMode::~StepMode() { m_viewport.removeLayer(&m_lens); }
+StepMode::~StepMode()
+{
+    m_viewport.removeLayer(&m_lens);
+    m_viewport.removeLayer(&m_sampleLens);
+    m_viewport.removeLayer(&m_geometry);
+}
 
-/// The model reads the log, which it must not outlive.
+/// While geometry is stepped the canvas shows the polygon of that moment, else the triangle that is looked at. The lens
+/// reads the log, and the sample lens the cursor: they must not outlive them.
 void StepMode::syncLens()
 {
+    m_sampleLens.setCursor(m_session.log() && !m_session.isRecording() ? m_session.cursor() : nullptr);
     std::unique_ptr<const LensModel> model;
-    if (m_session.triangleEvent() && !m_session.isRecording())
-        model = std::make_unique<LensModel>(*m_session.log(), *m_session.triangleEvent(), m_session.position());
+    std::optional<FaceMoment> moment;
+    const std::shared_ptr<const StepLog> log = m_session.log();
+    if (log && !m_session.isRecording())
+        moment = faceMomentAt(*log, m_session.positionInLog());
+    if (moment && m_session.face() != moment->face)
+        moment.reset(); // another face is selected
+    const StepSession::LookedAt& lookedAt = m_session.lookedAt();
+    if (lookedAt.log && !moment && !m_session.isRecording())
+        model = std::make_unique<LensModel>(*lookedAt.log, *lookedAt.begin, lookedAt.position, m_session.event());
     m_lens.setModel(std::move(model));
+    m_geometry.setMoment(std::move(moment), log ? log->rules() : Rules());
     m_viewport.update();
 }
 
@@ -112,13 +138,32 @@ FramePtr StepMode::frame()
     if (frame.frame.image.size() != image.size())
         frame.frame.image = QImage(image.size(), image.format());
     std::copy_n(image.constBits(), image.sizeInBytes(), frame.frame.image.bits());
-    if (cursor->log().grid() == 1)
-        std::ranges::copy(cursor->sampleDepths(), frame.frame.depth.write(cursor->sampleDepths().size()));
-    else
-        frame.frame.depth.clear();
+    copyDepths(*cursor, frame.frame.depth);
     frame.statistics = cursor->counters();
     frame.counted = true;
     return m_frame;
+}
+
+std::vector<std::int32_t> StepMode::owners() const
+{
+    const StepCursor* cursor = m_session.cursor();
+    if (!cursor || cursor->log().filter().face || cursor->log().filter().pixels ||
+        (cursor->log().filter().kinds & kindBit(StepKind::Write)) == 0)
+        return {};
+    const StepLog& log = cursor->log();
+    const QSize size = cursor->image().size();
+    const int grid = log.grid();
+    std::vector<std::int32_t> owners(std::size_t(size.width()) * std::size_t(size.height()), -1);
+    for (const std::uint32_t i : log.eventsOf(StepKind::Write)) {
+        if (i >= cursor->position())
+            break;
+        const StepEvent& event = log.event(i);
+        const bool isMiddle = event.x % grid == grid / 2 && event.y % grid == grid / 2;
+        if (isMiddle && QRect(QPoint(0, 0), size * grid).contains(event.x, event.y))
+            owners[std::size_t(event.y / grid) * std::size_t(size.width()) + std::size_t(event.x / grid)] =
+                static_cast<std::int32_t>(event.face);
+    }
+    return owners;
 }
 
 std::optional<std::size_t> StepMode::moment() const
@@ -127,34 +172,32 @@ std::optional<std::size_t> StepMode::moment() const
     return isShown ? std::optional(m_session.position()) : std::nullopt;
 }
 
-bool StepMode::isPlace(const QString& where)
-{
-    bool isNumber = false;
-    (void)where.toULongLong(&isNumber);
-    return isNumber || stopNamed(where);
-}
+bool StepMode::isPlace(const QString& where) { return stepPlaceFromText(where).has_value(); }
 
-void StepMode::showStep(const QString& where)
+void StepMode::showStep(const QString& where) { showPlace(*stepPlaceFromText(where)); }
+
+void StepMode::showPlace(const StepPlace& place)
 {
-    const StepStop::Kind* stop = stopNamed(where);
     m_session.open();
-    if (m_session.isRecording())
-        m_wanted = where;
-    else if (stop)
-        m_session.runUntil({*stop});
-    else
-        m_session.moveTo(std::size_t(where.toULongLong()));
+    m_wanted.reset();
+    m_wantedFace.reset();
+    if (m_session.isRecording()) {
+        m_wanted = place;
+        return;
+    }
+    if (m_session.record())
+        m_session.moveTo(positionOf(place, m_session.record()).value_or(m_session.size()));
 }
 
 void StepMode::showFace(quint32 face, QPoint pixel)
 {
     m_session.open();
+    m_wanted.reset();
     if (m_session.isRecording()) {
         m_wantedFace = {face, pixel};
         return;
     }
-    const auto event = m_session.log() ? m_session.log()->firstEventOf(face, pixel.x(), pixel.y()) : std::nullopt;
-    if (event)
+    if (const auto event = m_session.firstEventOf(face, pixel))
         m_session.moveTo(*event + 1);
     else
         Q_EMIT message(tr("The record holds no step of face %1.").arg(face));

@@ -1,9 +1,15 @@
 #pragma once
+#include "core/lessons/step_place.h"
 #include "ui/steps/lens_overlay.h"
+#include "ui/steps/moment_overlay.h"
 #include "ui/steps/run_export.h"
+#include "ui/steps/sample_lens.h"
 #include "ui/steps/step_session.h"
 
 #include <QObject>
+
+#include <cstdint>
+#include <vector>
 
 class QMainWindow;
 class QMenu;
@@ -30,6 +36,8 @@ public:
     [[nodiscard]] TransportDock& transport() { return *m_transport; }
     [[nodiscard]] StepListing& listing() { return *m_listing; }
     [[nodiscard]] const LensOverlay& lens() const { return m_lens; }
+    [[nodiscard]] const SampleLens& sampleLens() const { return m_sampleLens; }
+    [[nodiscard]] const MomentOverlay& geometry() const { return m_geometry; }
 
     /// The picture at the position, with its counters; null when it is the document's own that is to be shown, as while
     /// a change is recorded: motion stays visible.
@@ -37,13 +45,18 @@ public:
     /// The step after which that frame is; nothing: the finished frame is shown.
     [[nodiscard]] std::optional<std::size_t> moment() const;
 
-    /// Opens the step mode and goes there as soon as the record is there: a position, or the name of a stop.
+    /// The face that owns each pixel of that frame, -1 none; empty where the record does not hold all that was written.
+    [[nodiscard]] std::vector<std::int32_t> owners() const;
+
+    /// Opens the step mode and goes there as soon as the record is there; to its end where it has no such place.
+    void showPlace(const StepPlace& place);
+    /// showPlace() of the place that a text tells.
     ///
     /// in  isPlace()
     void showStep(const QString& where);
     /// Opens the step mode and goes to the first event of a face at a pixel as soon as the record is there.
     void showFace(quint32 face, QPoint pixel);
-    /// A number, `tie`, `sign-change`, `depth-fail`, `clip` or `nan`.
+    /// What stepPlaceFromText() reads.
     [[nodiscard]] static bool isPlace(const QString& where);
     /// Nothing is being recorded.
     [[nodiscard]] bool isSettled() const { return !m_session.isRecording(); }
@@ -68,13 +81,15 @@ private:
 
     StepSession m_session;
     ViewportWidget& m_viewport;
+    SampleLens m_sampleLens;
     LensOverlay m_lens;
+    MomentOverlay m_geometry;
     TransportDock* m_transport = nullptr;
     StepListing* m_listing = nullptr;
     QMainWindow& m_window;
     std::shared_ptr<RenderedFrame> m_frame;       ///< last handed out
     std::shared_ptr<RenderedFrame> m_formerFrame; ///< before that
-    QString m_wanted;                             ///< where to go when the record is there
+    std::optional<StepPlace> m_wanted;            ///< where to go when the record is there
     /// The face and pixel to go to when the record is there.
     std::optional<std::pair<quint32, QPoint>> m_wantedFace;
 };

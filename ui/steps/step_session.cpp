@@ -3,6 +3,8 @@
 #include "core/render/render.h"
 
 #include <algorithm>
+#include <array>
+#include <new>
 #include <utility>
 
 namespace rasterlens
@@ -16,7 +18,7 @@ constexpr int kTickMs = 16;
 
 StepSession::StepSession(Document& document, QObject* parent)
     : QObject(parent), m_document(document),
-      m_result([this](std::shared_ptr<const StepLog> log) { take(std::move(log)); },
+      m_result([this](std::shared_ptr<const StepRecord> record) { take(std::move(record)); },
                [this](Lack lack) { giveUp(lack); })
 {
     m_clock.setInterval(kTickMs);
@@ -25,7 +27,7 @@ StepSession::StepSession(Document& document, QObject* parent)
     connect(&m_document, &Document::settingsChanged, this, [this] {
         if (m_scene != m_document.scene())
             drop();
-        record();
+        recordAnew();
     });
 }
 
@@ -35,7 +37,7 @@ void StepSession::open()
         return;
     m_open = true;
     Q_EMIT openChanged(true);
-    record();
+    recordAnew();
 }
 
 void StepSession::close()
@@ -51,15 +53,24 @@ void StepSession::close()
 
 StepFilter StepSession::filter() const
 {
+    constexpr StepKinds kGeometry = kindBit(StepKind::Triangle) - 1; // all kinds before
+    constexpr StepKinds kCoverage = (kindBit(StepKind::Fragment) - 1) & ~kGeometry;
     StepFilter filter;
-    if (m_scope == StepScope::SelectedFace)
-        filter.face = m_selectedFace;
-    if (m_scope == StepScope::Rectangle)
-        filter.pixels = m_rectangle;
+    switch (m_scope) {
+    case StepScope::Frame: break;
+    case StepScope::Geometry: filter.kinds = kGeometry; break;
+    case StepScope::Coverage: filter.kinds = kCoverage; break;
+    case StepScope::SelectedFace: filter.face = m_selectedFace; break;
+    case StepScope::Rectangle: filter.pixels = m_rectangle; break;
+    case StepScope::SelectedPixel:
+        if (m_selectedPixel)
+            filter.pixels = PixelRect{m_selectedPixel->x(), m_selectedPixel->y(), 1, 1};
+        break;
+    }
     return filter;
 }
 
-void StepSession::record()
+void StepSession::recordAnew()
 {
     if (!m_open)
         return;
@@ -70,7 +81,7 @@ void StepSession::record()
         return;
     }
     m_result.ask([scene = m_document.scene(), settings = m_document.settings(),
-                  filter = filter()](const auto& turn) { return renderSteps(*scene, settings, filter, turn.stop()); },
+                  filter = filter()](const auto& turn) { return recordSteps(scene, settings, filter, turn.stop()); },
                  LatestJob::Running::Interrupt);
     syncRecording();
 }
@@ -83,15 +94,25 @@ void StepSession::giveUp(Lack lack)
                                        : tr("This frame was not recorded: %1.").arg(lackText(lack)));
 }
 
-void StepSession::take(std::shared_ptr<const StepLog> log)
+void StepSession::take(std::shared_ptr<const StepRecord> record)
 {
     const std::size_t position = this->position();
     m_scene = m_document.scene();
     m_settings = recordedAs(m_document.settings());
-    m_log = std::move(log);
-    m_cursor = std::make_unique<StepCursor>(m_log);
-    m_cursor->moveTo(position);
-    m_triangle = currentTriangle();
+    m_lookedAt = {};
+    m_coverage.reset();
+    m_finder.reset();
+    m_cursor.reset();
+    m_record = std::move(record);
+    try {
+        m_cursor = std::make_unique<StepCursor>(m_record);
+        m_finder = std::make_unique<StepFinder>(m_record);
+        m_cursor->moveTo(position);
+        m_lookedAt = currentTriangle();
+    } catch (const std::bad_alloc&) {
+        giveUp(Lack::Memory);
+        return;
+    }
     syncRecording();
     Q_EMIT logChanged();
     Q_EMIT positionChanged();
@@ -101,11 +122,13 @@ void StepSession::drop()
 {
     setPlaying(false);
     m_scene.reset();
-    if (!m_log)
+    if (!m_record)
         return;
-    m_triangle = nullptr;
+    m_lookedAt = {};
+    m_coverage.reset();
+    m_finder.reset();
     m_cursor.reset();
-    m_log.reset();
+    m_record.reset();
     Q_EMIT logChanged();
     Q_EMIT positionChanged();
 }
@@ -121,26 +144,55 @@ void StepSession::moveTo(std::size_t position)
     position = std::min(position, size());
     if (!m_cursor || position == m_cursor->position())
         return;
-    m_cursor->moveTo(position);
-    m_triangle = currentTriangle();
+    try {
+        m_cursor->moveTo(position);
+        m_lookedAt = currentTriangle();
+    } catch (const std::bad_alloc&) {
+        giveUp(Lack::Memory);
+        return;
+    }
     Q_EMIT positionChanged();
 }
 
 void StepSession::step(StepLevel level, StepDirection direction)
 {
     setPlaying(false);
-    if (m_log)
-        moveTo(m_log->step(position(), level, direction));
+    if (m_finder)
+        moveTo(m_finder->step(position(), level, direction));
 }
 
 bool StepSession::runUntil(const StepStop& stop)
 {
     setPlaying(false);
-    if (!m_log)
+    if (!m_finder)
         return false;
-    const auto at = m_log->findStop(position(), StepDirection::Forward, stop);
+    const auto at = m_finder->findStop(position(), StepDirection::Forward, stop);
     moveTo(at ? *at + 1 : size());
     return at.has_value();
+}
+
+std::optional<std::size_t> StepSession::firstEventOf(std::uint32_t face, QPoint pixel)
+{
+    return m_finder ? m_finder->firstEventOf(face, pixel.x(), pixel.y()) : std::nullopt;
+}
+
+std::shared_ptr<const StepLog> StepSession::coverage(const StepTriangle& triangle, const PixelRect& pixels)
+{
+    if (!m_record)
+        return nullptr;
+    const auto& [a, b, c] = triangle.screen.vertices;
+    const std::array corners{a.position, b.position, c.position};
+    if (!m_coverage || m_coverage->corners != corners || !(m_coverage->pixels == pixels))
+        m_coverage = {corners, pixels, m_record->coverage(triangle.screen, pixels)};
+    return m_coverage->log;
+}
+
+std::optional<std::uint32_t> StepSession::lastFaceAt(QPoint pixel)
+{
+    if (!m_finder)
+        return std::nullopt;
+    const auto at = m_finder->findStop(size(), StepDirection::Backward, {StepStop::Kind::Pixel, pixel.x(), pixel.y()});
+    return at ? std::optional(m_finder->event(*at).face) : std::nullopt;
 }
 
 void StepSession::setPlaying(bool on)
@@ -169,6 +221,23 @@ void StepSession::setSpeed(double speed)
     Q_EMIT playbackChanged();
 }
 
+void StepSession::setPlayBy(PlayBy by)
+{
+    if (by == m_playBy)
+        return;
+    m_playBy = by;
+    m_owedSteps = 0;
+    Q_EMIT playbackChanged();
+}
+
+void StepSession::setSeconds(double seconds)
+{
+    if (seconds == m_seconds)
+        return;
+    m_seconds = seconds;
+    Q_EMIT playbackChanged();
+}
+
 void StepSession::setLooping(bool on)
 {
     if (on == m_looping)
@@ -177,9 +246,24 @@ void StepSession::setLooping(bool on)
     Q_EMIT playbackChanged();
 }
 
+/// Where so many steps of playing lead to.
+std::size_t StepSession::playedTo(std::size_t steps)
+{
+    constexpr std::array kLevels{StepLevel::Event, StepLevel::Sample, StepLevel::Row, StepLevel::Face,
+                                 StepLevel::Stage};
+    if (m_playBy == PlayBy::Event || m_playBy == PlayBy::Seconds)
+        return position() + steps;
+    std::size_t to = position();
+    for (std::size_t i = 0; i < steps && to < size(); ++i)
+        to = m_finder->step(to, kLevels[std::size_t(m_playBy)], StepDirection::Forward);
+    return to;
+}
+
 void StepSession::advance()
 {
-    m_owedSteps += double(m_sinceTick.restart()) / 1000 * kStepsPerSecond * m_speed;
+    const double seconds = double(m_sinceTick.restart()) / 1000;
+    m_owedSteps +=
+        m_playBy == PlayBy::Seconds ? seconds * double(size()) / m_seconds : seconds * kStepsPerSecond * m_speed;
     const auto steps = static_cast<std::size_t>(m_owedSteps);
     if (steps == 0)
         return;
@@ -187,7 +271,7 @@ void StepSession::advance()
     if (position() == size())
         moveTo(0); // only a loop plays on at the end
     else
-        moveTo(position() + steps);
+        moveTo(playedTo(steps));
     if (position() == size() && !m_looping)
         setPlaying(false);
 }
@@ -197,7 +281,7 @@ void StepSession::setScope(StepScope scope)
     if (scope == m_scope)
         return;
     m_scope = scope;
-    record();
+    recordAnew();
     Q_EMIT selectionChanged();
 }
 
@@ -205,7 +289,7 @@ void StepSession::setRectangle(const std::optional<PixelRect>& pixels)
 {
     m_rectangle = pixels;
     if (m_scope == StepScope::Rectangle)
-        record();
+        recordAnew();
 }
 
 void StepSession::selectPixel(std::optional<QPoint> pixel)
@@ -213,6 +297,8 @@ void StepSession::selectPixel(std::optional<QPoint> pixel)
     if (pixel == m_selectedPixel)
         return;
     m_selectedPixel = pixel;
+    if (m_scope == StepScope::SelectedPixel)
+        recordAnew();
     Q_EMIT selectionChanged();
 }
 
@@ -222,8 +308,8 @@ void StepSession::selectFace(std::optional<std::uint32_t> face)
         return;
     m_selectedFace = face;
     if (m_scope == StepScope::SelectedFace)
-        record();
-    m_triangle = currentTriangle();
+        recordAnew();
+    m_lookedAt = currentTriangle();
     Q_EMIT selectionChanged();
     if (m_cursor)
         Q_EMIT positionChanged();
@@ -237,22 +323,38 @@ std::optional<std::uint32_t> StepSession::face() const
     return now && now->face != StepEvent::kNone ? std::optional(now->face) : std::nullopt;
 }
 
-const StepEvent* StepSession::currentTriangle() const
+StepSession::LookedAt StepSession::currentTriangle()
 {
     const StepEvent* now = event();
     const auto wanted = face();
-    if (!m_log || !wanted)
-        return nullptr;
+    const std::shared_ptr<const StepLog> log = this->log();
+    if (!log || !wanted)
+        return {};
     // Triangles come in the order of drawing, the painter's faces in any order.
-    const auto triangles = m_log->eventsOf(StepKind::Triangle);
+    const auto triangles = log->eventsOf(StepKind::Triangle);
     const bool isNow = now && now->face == *wanted && now->triangle != StepEvent::kNone;
-    const auto first =
-        isNow ? std::ranges::lower_bound(triangles, now->triangle, {},
-                                         [&](std::uint32_t i) { return m_log->event(i).triangle; })
-              : std::ranges::find(triangles, *wanted, [&](std::uint32_t i) { return m_log->event(i).face; });
-    if (first == triangles.end() || m_log->event(*first).face != *wanted)
-        return nullptr;
-    return &m_log->event(*first);
+    const auto first = isNow
+                           ? std::ranges::lower_bound(triangles, now->triangle, {},
+                                                      [&](std::uint32_t i) { return log->event(i).triangle; })
+                           : std::ranges::find(triangles, *wanted, [&](std::uint32_t i) { return log->event(i).face; });
+    if (first == triangles.end() || log->event(*first).face != *wanted)
+        return m_selectedFace ? triangleElsewhere(*wanted) : LookedAt{};
+    return {log, &log->event(*first), positionInLog()};
+}
+
+/// The first triangle of a face that is not at work here.
+StepSession::LookedAt StepSession::triangleElsewhere(std::uint32_t face)
+{
+    const auto events = m_record->index().eventsOf(face);
+    if (!events)
+        return {};
+    const std::shared_ptr<const StepLog> log = m_finder->windowAt(events->first);
+    const auto triangles = log->eventsOf(StepKind::Triangle);
+    const auto first = std::ranges::find(triangles, face, [&](std::uint32_t i) { return log->event(i).face; });
+    if (first == triangles.end())
+        return {};
+    const std::size_t now = std::clamp(position(), log->first(), log->last());
+    return {log, &log->event(*first), position() <= log->first() ? 0 : now - log->first() + log->lead()};
 }
 
 } // namespace rasterlens

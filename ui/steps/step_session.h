@@ -8,6 +8,7 @@
 #include <QPoint>
 #include <QTimer>
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -15,7 +16,11 @@ namespace rasterlens
 {
 
 /// What of the frame is recorded.
-enum class StepScope { Frame, SelectedFace, Rectangle };
+enum class StepScope { Frame, Geometry, Coverage, SelectedFace, Rectangle, SelectedPixel };
+constexpr std::size_t kStepScopes = 6;
+
+/// What playing goes on by: each tick of the speed is one step of this level; or the whole record takes some seconds.
+enum class PlayBy { Event, Sample, Row, Face, Stage, Seconds };
 
 constexpr double kSlowestSteps = 0.25;
 constexpr double kFastestSteps = 64;
@@ -42,19 +47,28 @@ public:
     /// What the record shows.
     [[nodiscard]] const Settings& settings() const { return m_settings; }
     /// The record; null where there is none (yet).
-    [[nodiscard]] const std::shared_ptr<const StepLog>& log() const { return m_log; }
+    [[nodiscard]] const std::shared_ptr<const StepRecord>& record() const { return m_record; }
+    /// Its window about the position; null without a record.
+    [[nodiscard]] std::shared_ptr<const StepLog> log() const { return m_cursor ? m_cursor->sharedLog() : nullptr; }
+    /// The position in that window.
+    [[nodiscard]] std::size_t positionInLog() const { return m_cursor ? m_cursor->positionInLog() : 0; }
     /// The frame at the position; null where there is no record.
     [[nodiscard]] const StepCursor* cursor() const { return m_cursor.get(); }
     /// 0 is the cleared frame, size() the end of the record.
     [[nodiscard]] std::size_t position() const { return m_cursor ? m_cursor->position() : 0; }
-    [[nodiscard]] std::size_t size() const { return m_log ? m_log->size() : 0; }
+    [[nodiscard]] std::size_t size() const { return m_record ? m_record->size() : 0; }
     /// What happened last; null at position 0 and without a record.
     [[nodiscard]] const StepEvent* event() const { return m_cursor ? m_cursor->lastEvent() : nullptr; }
     /// The screen triangle that is looked at: that of the present event or, before coverage begins, the next triangle
-    /// of the present face; of the selected face where one is selected. Null: none.
-    [[nodiscard]] const StepTriangle* triangle() const { return m_triangle ? m_log->triangle(*m_triangle) : nullptr; }
-    /// The event it begins with.
-    [[nodiscard]] const StepEvent* triangleEvent() const { return m_triangle; }
+    /// of the present face; of the selected face where one is selected.
+    struct LookedAt {
+        std::shared_ptr<const StepLog> log; ///< a window that holds it; null: there is no triangle
+        const StepEvent* begin = nullptr;   ///< the event it begins with
+        std::size_t position = 0;           ///< how many events of that window have happened
+
+        [[nodiscard]] const StepTriangle* triangle() const { return log ? log->triangle(*begin) : nullptr; }
+    };
+    [[nodiscard]] const LookedAt& lookedAt() const { return m_lookedAt; }
 
     void moveTo(std::size_t position);
     void step(StepLevel level, StepDirection direction);
@@ -62,9 +76,20 @@ public:
     ///
     /// out  whether there is one
     bool runUntil(const StepStop& stop);
+    /// The first event of a face at a pixel, or of the face at all if it has none there; nothing: the record has none.
+    [[nodiscard]] std::optional<std::size_t> firstEventOf(std::uint32_t face, QPoint pixel);
+    /// StepRecord::coverage(); what was asked for last is kept.
+    [[nodiscard]] std::shared_ptr<const StepLog> coverage(const StepTriangle& triangle, const PixelRect& pixels);
+    /// The face that was last at work at a pixel.
+    [[nodiscard]] std::optional<std::uint32_t> lastFaceAt(QPoint pixel);
 
     void setPlaying(bool on);
     [[nodiscard]] bool isPlaying() const { return m_clock.isActive(); }
+    void setPlayBy(PlayBy by);
+    [[nodiscard]] PlayBy playBy() const { return m_playBy; }
+    /// How long the whole record takes with PlayBy::Seconds.
+    void setSeconds(double seconds);
+    [[nodiscard]] double seconds() const { return m_seconds; }
     /// in  kSlowestSteps..kFastestSteps; at 1, kStepsPerSecond steps a second
     void setSpeed(double speed);
     [[nodiscard]] double speed() const { return m_speed; }
@@ -90,27 +115,36 @@ Q_SIGNALS:
     void recordingChanged(bool recording);
     void logChanged();       ///< another record, or none; positionChanged follows
     void positionChanged();  ///< of the cursor: pixels, counters, event, triangle
-    void playbackChanged();  ///< playing, speed, looping
+    void playbackChanged();  ///< playing, what by, speed, looping
     void selectionChanged(); ///< selected pixel or face
     void failed(const QString& message);
 
 private:
-    void record();
+    void recordAnew();
     void drop();
-    void take(std::shared_ptr<const StepLog> log);
+    void take(std::shared_ptr<const StepRecord> record);
     void giveUp(Lack lack);
     void syncRecording();
     void advance();
-    [[nodiscard]] const StepEvent* currentTriangle() const;
+    [[nodiscard]] std::size_t playedTo(std::size_t steps);
+    [[nodiscard]] LookedAt currentTriangle();
+    [[nodiscard]] LookedAt triangleElsewhere(std::uint32_t face);
     [[nodiscard]] StepFilter filter() const;
 
     Document& m_document;
     std::shared_ptr<const Scene> m_scene; ///< of the record
     Settings m_settings;                  ///< of the record
     bool m_open = false;
-    std::shared_ptr<const StepLog> m_log;
+    std::shared_ptr<const StepRecord> m_record;
     std::unique_ptr<StepCursor> m_cursor;
-    const StepEvent* m_triangle = nullptr;
+    std::unique_ptr<StepFinder> m_finder;
+    LookedAt m_lookedAt;
+    struct Coverage {
+        std::array<glm::dvec2, 3> corners; ///< of the triangle
+        PixelRect pixels;
+        std::shared_ptr<const StepLog> log;
+    };
+    std::optional<Coverage> m_coverage;
     bool m_wasRecording = false; ///< as recordingChanged() told
 
     StepScope m_scope = StepScope::Frame;
@@ -122,8 +156,10 @@ private:
     QElapsedTimer m_sinceTick;
     double m_owedSteps = 0;
     double m_speed = 1;
+    PlayBy m_playBy = PlayBy::Event;
+    double m_seconds = 10;
     bool m_looping = false;
-    LatestResult<std::shared_ptr<const StepLog>> m_result; ///< last: its thread uses the members above
+    LatestResult<std::shared_ptr<const StepRecord>> m_result; ///< last: its thread uses the members above
 };
 
 } // namespace rasterlens

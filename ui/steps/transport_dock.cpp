@@ -2,6 +2,7 @@
 
 #include "ui/base/elided_label.h"
 #include "ui/base/parts.h"
+#include "ui/base/style_sheet.h"
 #include "ui/base/theme.h"
 #include "ui/steps/scrubber.h"
 #include "ui/steps/step_listing.h"
@@ -14,6 +15,7 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QFrame>
+#include <QGraphicsOpacityEffect>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -23,6 +25,7 @@
 #include <QVBoxLayout>
 
 #include <array>
+#include <tuple>
 #include <utility>
 
 namespace rasterlens
@@ -32,6 +35,7 @@ namespace
 
 constexpr int kLowWindow = 580; ///< the line below the scrubber is the canvas's then
 constexpr double kSpeeds[] = {0.25, 0.5, 1, 2, 4, 8, 16, 32, 64};
+constexpr int kSeconds[] = {5, 10, 30, 60};
 
 QString grouped(std::size_t number) { return QLocale(QLocale::English).toString(qulonglong(number)); }
 
@@ -70,6 +74,10 @@ TransportDock::TransportDock(StepSession& session, ActionTable& actions, QWidget
     setObjectName(QStringLiteral("transportDock"));
     buildActions(actions);
     setTitleBarWidget(buildTitleRow());
+    constexpr int kRestMs = 4000;
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(kRestMs);
+    connect(&m_rest, &QTimer::timeout, this, [this] { fade(m_brief); });
     setWidget(buildBody());
     qApp->installEventFilter(this);
     connect(&session, &StepSession::openChanged, this, &TransportDock::syncLog);
@@ -99,6 +107,7 @@ void TransportDock::buildActions(ActionTable& table)
     buildSteps(menu);
     menu.addSeparator();
     buildRunMenu(menu.addMenu(QT_TR_NOOP("Run &until")));
+    buildPlayMenu(menu.addMenu(QT_TR_NOOP("Play b&y")));
     buildSpeedMenu(menu.addMenu(QT_TR_NOOP("Spee&d")));
     m_loop = menu.addToggle("step.loop", QT_TR_NOOP("&Loop"), {Qt::Key_L}, false,
                             [this] { m_session.setLooping(!m_session.isLooping()); });
@@ -160,8 +169,39 @@ void TransportDock::buildScopeMenu(ActionMenu menu)
         });
     };
     addScope("step.record-frame", QT_TR_NOOP("The whole frame"), StepScope::Frame);
+    addScope("step.record-geometry", QT_TR_NOOP("Geometry only"), StepScope::Geometry);
+    addScope("step.record-coverage", QT_TR_NOOP("Coverage only"), StepScope::Coverage);
     addScope("step.record-face", QT_TR_NOOP("The face at the selected pixel"), StepScope::SelectedFace);
     addScope("step.record-view", QT_TR_NOOP("What the canvas shows"), StepScope::Rectangle);
+    addScope("step.record-pixel", QT_TR_NOOP("The selected pixel"), StepScope::SelectedPixel);
+}
+
+void TransportDock::buildPlayMenu(ActionMenu menu)
+{
+    m_playMenu = menu.menu();
+    const auto addStep = [&](const char* id, const char* text, PlayBy by) {
+        m_playActions << menu.addToggle(id, text, {}, false, [this, by] {
+            m_session.setPlayBy(by);
+            sync();
+        });
+    };
+    addStep("step.play-by-step", QT_TR_NOOP("Single step"), PlayBy::Event);
+    addStep("step.play-by-sample", QT_TR_NOOP("Sample"), PlayBy::Sample);
+    addStep("step.play-by-row", QT_TR_NOOP("Row, span"), PlayBy::Row);
+    addStep("step.play-by-face", QT_TR_NOOP("Face"), PlayBy::Face);
+    addStep("step.play-by-stage", QT_TR_NOOP("Stage"), PlayBy::Stage);
+    menu.addSeparator();
+    const auto addSeconds = [&](const char* id, const char* text, int seconds) {
+        m_secondActions << menu.addToggle(id, text, {}, false, [this, seconds] {
+            m_session.setSeconds(seconds);
+            m_session.setPlayBy(PlayBy::Seconds);
+            sync();
+        });
+    };
+    addSeconds("step.play-in-5", QT_TR_NOOP("All of it in 5 seconds"), kSeconds[0]);
+    addSeconds("step.play-in-10", QT_TR_NOOP("All of it in 10 seconds"), kSeconds[1]);
+    addSeconds("step.play-in-30", QT_TR_NOOP("All of it in 30 seconds"), kSeconds[2]);
+    addSeconds("step.play-in-60", QT_TR_NOOP("All of it in 60 seconds"), kSeconds[3]);
 }
 
 void TransportDock::buildRunMenu(ActionMenu menu)
@@ -215,14 +255,11 @@ void TransportDock::runUntil(StepStop::Kind kind)
 /// The face that was last at work at the selected pixel, else the present one.
 void TransportDock::selectFaceHere()
 {
-    const auto pixel = m_session.selectedPixel();
-    const auto& log = m_session.log();
-    if (!log)
+    if (!m_session.record())
         return;
-    std::optional<std::size_t> at;
-    if (pixel)
-        at = log->findStop(log->size(), StepDirection::Backward, {StepStop::Kind::Pixel, pixel->x(), pixel->y()});
-    m_session.selectFace(at ? std::optional(log->event(*at).face) : m_session.face());
+    const auto pixel = m_session.selectedPixel();
+    const auto last = pixel ? m_session.lastFaceAt(*pixel) : std::nullopt;
+    m_session.selectFace(last ? last : m_session.face());
 }
 
 QToolButton* TransportDock::addButton(QAction* action, TransportSign sign, bool backward)
@@ -280,6 +317,7 @@ QWidget* TransportDock::buildTitleRow()
     row->addWidget(m_summary, 1);
     m_notice = new NoticeLabel;
     row->addWidget(m_notice);
+    row->addWidget(m_playLink = addLink(m_playMenu));
     row->addWidget(m_speedLink = addLink(m_speedMenu));
     row->addWidget(m_runLink = addLink(m_runMenu));
     return m_titleRow;
@@ -316,7 +354,30 @@ QWidget* TransportDock::buildBody()
 void TransportDock::setBrief(bool on)
 {
     m_brief = on;
+    auto* row = static_cast<QHBoxLayout*>(m_titleRow->layout());
+    auto* column = static_cast<QVBoxLayout*>(m_body->layout());
+    if (on)
+        row->insertWidget(row->indexOf(m_summary), m_scrubber, 1);
+    else
+        column->insertWidget(0, m_scrubber);
+    m_body->setVisible(!on);
+    row->setContentsMargins(12, on ? 3 : 7, 10, on ? 3 : 5);
+    setStyleProperty(*m_titleRow, "brief", on ? QStringLiteral("true") : QStringLiteral("false"));
+    fade(false);
     sync();
+}
+
+/// The room of the bar stays, so that the picture does not jump.
+void TransportDock::fade(bool away)
+{
+    m_rest.stop();
+    if (!away) {
+        m_titleRow->setGraphicsEffect(nullptr);
+        return;
+    }
+    auto* invisible = new QGraphicsOpacityEffect;
+    invisible->setOpacity(0);
+    m_titleRow->setGraphicsEffect(invisible);
 }
 
 void TransportDock::retranslate()
@@ -349,7 +410,7 @@ void TransportDock::syncIcons()
 
 void TransportDock::syncLog()
 {
-    m_scrubber->setLog(m_session.log());
+    m_scrubber->setRecord(m_session.record());
     sync();
 }
 
@@ -362,47 +423,75 @@ QString TransportDock::noticeText() const
 {
     if (m_session.isRecording())
         return tr("recording \u2026");
-    const auto& log = m_session.log();
-    if (log && log->truncated())
-        return tr("truncated at %1 events: record less").arg(grouped(log->filter().cap));
+    const auto& record = m_session.record();
+    if (record && record->truncated())
+        return tr("truncated at %1 events: record less").arg(grouped(record->size()));
     return {};
 }
 
-void TransportDock::sync()
+void TransportDock::syncActions()
 {
     const bool open = m_session.isOpen();
     m_record->setChecked(open);
     m_play->setChecked(m_session.isPlaying());
     m_loop->setChecked(m_session.isLooping());
     for (QAction* action : std::as_const(m_onlyOpen))
-        action->setEnabled(open && m_session.log());
-    m_untilPixel->setEnabled(open && m_session.log() && m_session.selectedPixel());
+        action->setEnabled(open && m_session.record());
+    m_untilPixel->setEnabled(open && m_session.record() && m_session.selectedPixel());
     for (int i = 0; i < m_scopeActions.size(); ++i)
         m_scopeActions[i]->setChecked(i == int(m_session.scope()));
+    for (int i = 0; i < m_playActions.size(); ++i)
+        m_playActions[i]->setChecked(i == int(m_session.playBy()));
+    const bool bySeconds = m_session.playBy() == PlayBy::Seconds;
+    for (int i = 0; i < m_secondActions.size(); ++i)
+        m_secondActions[i]->setChecked(bySeconds && kSeconds[i] == m_session.seconds());
     for (int i = 0; i < m_speedActions.size(); ++i)
         m_speedActions[i]->setChecked(kSpeeds[i] == m_session.speed());
+}
 
+QString TransportDock::playText() const
+{
+    const std::array by{tr("by step"), tr("by sample"), tr("by row"), tr("by face"), tr("by stage")};
+    const auto i = std::size_t(m_session.playBy());
+    return i < by.size() ? by[i] : tr("all in %1 s").arg(m_session.seconds());
+}
+
+void TransportDock::syncLinks()
+{
+    const std::array scopes{tr("whole frame"), tr("geometry"),  tr("coverage"),
+                            tr("one face"),    tr("rectangle"), tr("one pixel")};
+    static_assert(std::tuple_size_v<decltype(scopes)> == kStepScopes);
+    const QString opens = QStringLiteral(" \u25be");
+    m_scopeLink->setText(scopes[std::size_t(m_session.scope())] + opens);
+    m_playLink->setText(playText() + opens);
+    m_speedLink->setText(tr("speed %1 \u25be").arg(speedText(m_session.speed())));
+    for (QToolButton* link : {m_playLink, m_speedLink, m_runLink})
+        link->setVisible(m_session.isOpen());
+    m_speedLink->setEnabled(m_session.playBy() != PlayBy::Seconds);
+}
+
+void TransportDock::sync()
+{
+    syncActions();
+    syncLinks();
+    const bool open = m_session.isOpen();
     m_step->setText(open ? stepText() : tr("Steps"));
     const std::size_t position = m_session.position();
     if (!open)
         m_summary->setText(tr("Press R or play to record every decision of this frame"));
-    else if (m_session.log())
+    else if (const auto log = m_session.log())
         m_summary->setText(position == 0 ? tr("the cleared frame")
-                                         : rasterlens::stepTitle(*m_session.log(), position - 1));
+                                         : rasterlens::stepTitle(*log, m_session.positionInLog() - 1));
     else
         m_summary->clear();
     m_notice->setText(noticeText());
     m_notice->setToolTip(m_notice->text());
     m_notice->setVisible(!m_notice->text().isEmpty());
-    const std::array scopes{tr("whole frame"), tr("one face"), tr("rectangle")};
-    m_scopeLink->setText(scopes[std::size_t(m_session.scope())] + QStringLiteral(" \u25be"));
-    m_speedLink->setText(tr("speed %1 \u25be").arg(speedText(m_session.speed())));
-    for (QToolButton* link : {m_speedLink, m_runLink})
-        link->setVisible(open);
+    m_summary->setVisible(!m_brief);
     const bool hasRoom = !m_brief && !m_isLow;
     m_legend->setVisible(!m_isLow);
     m_scopeLink->setVisible(hasRoom);
-    const bool another = m_session.log() && m_session.document().settings().algorithm == Algorithm::Tiled;
+    const bool another = m_session.record() && m_session.document().settings().algorithm == Algorithm::Tiled;
     m_hint->setText(
         another ? tr("recorded by edge equation: the same pixels as tiled")
                 : tr("Space play \u00b7 \u2190 \u2192 step \u00b7 Shift row \u00b7 Ctrl face \u00b7 Ctrl+Shift stage"));
@@ -427,6 +516,10 @@ bool TransportDock::eventFilter(QObject* watched, QEvent* event)
         const bool isLow = parentWidget()->height() < kLowWindow;
         if (std::exchange(m_isLow, isLow) != isLow)
             sync();
+    }
+    if (m_brief && event->type() == QEvent::MouseMove && watched->isWidgetType()) {
+        fade(false);
+        m_rest.start();
     }
     if (event->type() == QEvent::ShortcutOverride && watched->isWidgetType()) {
         auto* key = static_cast<QKeyEvent*>(event);

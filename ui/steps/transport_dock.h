@@ -32,7 +32,8 @@ public:
     [[nodiscard]] QString stepText() const;
     [[nodiscard]] QString noticeText() const;
 
-    /// Only what a large type has room for: what is recorded is chosen in the menu, keys are in the help.
+    /// A thin bar of buttons, step and scrubber, for a large type: what is recorded is chosen in the menu, keys are in
+    /// the help. Once the mouse was used it fades away while it rests.
     void setBrief(bool on);
 
 Q_SIGNALS:
@@ -49,6 +50,7 @@ private:
     void buildScopeMenu(ActionMenu menu);
     void buildRunMenu(ActionMenu menu);
     void buildSpeedMenu(ActionMenu menu);
+    void buildPlayMenu(ActionMenu menu);
     QWidget* buildTitleRow();
     QWidget* buildBody();
     QToolButton* addButton(QAction* action, TransportSign sign, bool backward);
@@ -57,6 +59,10 @@ private:
     void retranslate();
     void sync();
     void syncLog();
+    void fade(bool away);
+    void syncActions();
+    void syncLinks();
+    [[nodiscard]] QString playText() const;
     void runUntil(StepStop::Kind kind);
     void selectFaceHere();
 
@@ -65,6 +71,7 @@ private:
     QMenu* m_scopeMenu = nullptr;
     QMenu* m_runMenu = nullptr;
     QMenu* m_speedMenu = nullptr;
+    QMenu* m_playMenu = nullptr;
     QAction* m_record = nullptr;
     QAction* m_play = nullptr;
     QAction* m_start = nullptr;
@@ -74,7 +81,9 @@ private:
     QList<QAction*> m_stepActions; ///< back and forth: event, row, face, stage
     QList<QAction*> m_scopeActions;
     QList<QAction*> m_speedActions;
-    QList<QAction*> m_onlyOpen; ///< of use in the step mode only
+    QList<QAction*> m_playActions;   ///< by which step
+    QList<QAction*> m_secondActions; ///< the whole record in so many seconds
+    QList<QAction*> m_onlyOpen;      ///< of use in the step mode only
     struct Button {
         QToolButton* widget;
         TransportSign sign;
@@ -87,11 +96,13 @@ private:
     QLabel* m_step = nullptr;
     QLabel* m_summary = nullptr;
     bool m_brief = false;
+    QTimer m_rest;        ///< of the mouse
     bool m_isLow = false; ///< the window
     QLabel* m_notice = nullptr;
     QLabel* m_legend = nullptr;
     QLabel* m_hint = nullptr; ///< the keys, or who records in place of the chosen algorithm
     QToolButton* m_speedLink = nullptr;
+    QToolButton* m_playLink = nullptr;
     QToolButton* m_runLink = nullptr;
     QToolButton* m_scopeLink = nullptr;
     Scrubber* m_scrubber = nullptr;

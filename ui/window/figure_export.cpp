@@ -30,9 +30,10 @@ LegendEntry lineEntry(const EdgeLook& look, const QString& text)
 
 LegendEntry glyphEntry(EdgeSign sign, const QString& text)
 {
-    return {
-        [sign](QPainter& painter, const QRectF& box) { paintEdgeGlyph(painter, box.center(), box.width() - 2, sign); },
-        text};
+    return {[sign](QPainter& painter, const QRectF& box) {
+                paintGlyph(painter, box.center(), box.width() - 2, sign, 0, false);
+            },
+            text};
 }
 
 LegendEntry frameEntry(const QString& text)
@@ -102,15 +103,15 @@ FigureTexts FigureExport::texts() const
         return {};
     FigureTexts texts{m_caption.value_or(QString()), {}, legend()};
     const StepSession& session = m_steps.session();
-    const bool isStep = session.cursor() != nullptr && !session.isRecording();
+    const bool isStep = session.log() != nullptr && !session.isRecording();
     if (!m_caption) {
         texts.caption = m_words();
         if (isStep)
             texts.caption += QLatin1Char('\n') + tr("Step %1 of %2").arg(session.position()).arg(session.size());
     }
-    if (!isStep || session.position() == 0)
+    if (!isStep || session.positionInLog() == 0)
         return texts;
-    const std::size_t event = session.position() - 1;
+    const std::size_t event = session.positionInLog() - 1;
     if (!m_caption)
         texts.caption += QStringLiteral(": ") + stepTitle(*session.log(), event);
     const StepExplanation explained = explainStep(*session.log(), event);

@@ -12,12 +12,15 @@
 #include "ui/document/navigation.h"
 #include "ui/face/cards.h"
 #include "ui/face/vertex_panel.h"
+#include "ui/lessons/lesson_mode.h"
+#include "ui/pipeline/canvas_views.h"
 #include "ui/pipeline/mistake_badge.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/pipeline_panel.h"
 #include "ui/pipeline/scene_words.h"
 #include "ui/pipeline/stage_strip.h"
 #include "ui/pipeline/statistics_panel.h"
+#include "ui/pipeline/views_bar.h"
 #include "ui/steps/step_listing.h"
 #include "ui/steps/step_mode.h"
 #include "ui/steps/transport_dock.h"
@@ -31,8 +34,10 @@
 #include "ui/window/locate_model.h"
 #include "ui/window/panel_places.h"
 #include "ui/window/readout_bar.h"
+#include "ui/window/window_moment.h"
 #include "ui/window/window_placement.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QClipboard>
 #include <QFileInfo>
@@ -55,6 +60,9 @@ namespace
 
 constexpr int kCardGap = 7;
 constexpr int kActivityDelayMs = 150;
+constexpr int kTitleShare = 1; ///< of the line above the canvas, behind what the links need
+constexpr int kBarShare = 3;
+constexpr int kLeastTitle = 48;
 
 QToolButton* canvasLink(QAction* action)
 {
@@ -106,7 +114,13 @@ void MainWindow::buildLayout()
     auto* stripRow = new QHBoxLayout(stripCard);
     stripRow->setContentsMargins(0, 0, 0, 0);
     m_stageStrip = new StageStrip;
-    stripRow->addWidget(m_stageStrip);
+    m_stageMenu = canvasLink(nullptr);
+    m_stageMenu->setObjectName(QStringLiteral("stageMenu"));
+    m_stageMenu->setText(QStringLiteral("\u2630"));
+    m_stageMenu->setPopupMode(QToolButton::InstantPopup);
+    m_stageMenu->hide();
+    stripRow->addWidget(m_stageStrip, 1);
+    stripRow->addWidget(m_stageMenu);
     column->addWidget(stripCard);
     column->addWidget(buildCanvas(), 1);
     setCentralWidget(central);
@@ -126,7 +140,8 @@ void MainWindow::buildLayout()
     for (const auto& docks : {m_cards->docks(), m_truth->docks()})
         for (Dock* dock : docks)
             tabs << dock;
-    const PanelPlaces::Columns columns{m_pipelineDock, m_statisticsDock, tabs.takeFirst(), &m_stepMode->transport()};
+    const PanelPlaces::Columns columns{m_pipelineDock, &m_lessons->dock(), m_statisticsDock, tabs.takeFirst(),
+                                       &m_stepMode->transport()};
     m_panels = new PanelPlaces(*this, *m_viewport, columns, tabs);
     setContentsMargins(kCardGap, 0, kCardGap, 0);
 }
@@ -139,16 +154,19 @@ QWidget* MainWindow::buildCanvas()
     column->setContentsMargins(1, 4, 1, 1);
     column->setSpacing(4);
 
-    auto* header = new QHBoxLayout;
+    m_canvasHeader = new QWidget;
+    auto* header = new QHBoxLayout(m_canvasHeader);
     header->setObjectName(QStringLiteral("canvasHeader"));
     header->setContentsMargins(12, 0, 8, 0);
     header->setSpacing(2);
     m_canvasTitle = new ElidedLabel;
-    header->addWidget(m_canvasTitle, 1);
-    column->addLayout(header);
+    m_canvasTitle->setMinimumWidth(kLeastTitle);
+    header->addWidget(m_canvasTitle, kTitleShare);
+    column->addWidget(m_canvasHeader);
 
     m_viewport = new ViewportWidget;
     m_viewport->setObjectName(QStringLiteral("canvas"));
+    m_views = std::make_unique<CanvasViews>(m_document, *m_viewport); // its layers lie below the others
     auto* messages = new MessageColumn(m_viewport);
     m_unsupported = messages->addBar();
     m_unsupported->setClosable(false);
@@ -158,7 +176,10 @@ QWidget* MainWindow::buildCanvas()
     auto* bars = new QVBoxLayout;
     column->addLayout(bars);
     m_mistakeBadge = new MistakeBadge(m_viewport);
-    column->addWidget(m_viewport, 1);
+    m_picture = new QBoxLayout(QBoxLayout::TopToBottom);
+    m_picture->setSpacing(4);
+    m_picture->addWidget(m_viewport, 1);
+    column->addLayout(m_picture, 1);
     m_stepMode = std::make_unique<StepMode>(m_document, *m_viewport, *this, m_actions);
     m_truth = std::make_unique<TruthMode>(m_document, *m_viewport, *this, *bars, m_actions);
     m_lifeCycle =
@@ -166,7 +187,8 @@ QWidget* MainWindow::buildCanvas()
     m_figures = std::make_unique<FigureExport>(m_document, *m_viewport, *m_stepMode, [this] {
         return QStringLiteral("%1: %2").arg(sceneTitle(*m_document.scene()), sceneWords());
     });
-    column->addWidget(&m_stepMode->listing());
+    m_lessons = std::make_unique<LessonMode>(*m_viewport, *this, m_actions);
+    m_picture->addWidget(&m_stepMode->listing());
 
     m_caption = new QLabel;
     m_caption->setObjectName(QStringLiteral("caption"));
@@ -194,6 +216,8 @@ void MainWindow::buildStatusBar()
     m_activityDelay.setInterval(kActivityDelayMs);
 
     auto* header = centralWidget()->findChild<QHBoxLayout*>(QStringLiteral("canvasHeader"));
+    m_viewsBar = new ViewsBar(*m_views, m_actions.action("compare.difference"));
+    header->addWidget(m_viewsBar, kBarShare);
     for (QAction* action : {m_fit, m_oneToOne, m_zoomOut, m_zoomIn})
         header->addWidget(canvasLink(action));
     m_goToButton = canvasLink(nullptr);
@@ -226,17 +250,23 @@ void MainWindow::connectParts()
     connectPanels();
     connectModes();
     connectCanvas();
+    connectLessons();
     // Errors and remarks of the parts are messages over the canvas.
     const auto says = [this](MessageKind kind) {
         return [this, kind](const QString& text) { m_message->show(kind, text); };
     };
     connect(&m_worker, &RenderWorker::memoryNeeded, m_message, says(MessageKind::Info));
     connect(m_truth.get(), &TruthMode::message, m_message, says(MessageKind::Info));
+    connect(m_lessons.get(), &LessonMode::message, m_message, says(MessageKind::Info));
+    connect(m_lessons.get(), &LessonMode::failed, m_message, says(MessageKind::Error));
+    connect(m_views.get(), &CanvasViews::message, m_message, says(MessageKind::Info));
+    connect(m_views.get(), &CanvasViews::failed, m_message, says(MessageKind::Error));
     connect(m_stepMode.get(), &StepMode::message, m_message, says(MessageKind::Info));
     connect(m_lifeCycle.get(), &LifeCycle::warned, m_message, says(MessageKind::Warning));
     connect(m_truth.get(), &TruthMode::failed, m_message, says(MessageKind::Error));
     connect(m_cards, &Cards::failed, m_message, says(MessageKind::Error));
     connect(m_mistakeBadge, &MistakeBadge::failed, m_message, says(MessageKind::Error));
+    connect(m_pipelinePanel, &PipelinePanel::failed, m_message, says(MessageKind::Error));
     connect(&m_stepMode->session(), &StepSession::failed, m_message, says(MessageKind::Error));
     connectField(m_pipelinePanel, &PipelinePanel::invalidInput, &PipelinePanel::inputMended);
     connectField(&m_cards->vertexPanel(), &VertexPanel::invalidInput, &VertexPanel::inputMended);
@@ -299,6 +329,7 @@ void MainWindow::connectPanels()
     connect(m_stageStrip, &StageStrip::stageClicked, this, [this](Stage stage) {
         m_pipelineDock->show();
         m_pipelinePanel->scrollTo(stage);
+        m_views->showStage(stage);
     });
     connect(m_mistakeBadge, &MistakeBadge::clicked, this, [this] {
         m_pipelineDock->show();
@@ -316,16 +347,25 @@ void MainWindow::connectPanels()
 
 void MainWindow::connectModes()
 {
+    connect(m_actions.action("step.record"), &QAction::triggered, this, &MainWindow::offerSmallRecord);
     connect(m_cards, &Cards::stepRequested, m_stepMode.get(), &StepMode::showFace);
     connect(m_stepMode.get(), &StepMode::frameChanged, this, &MainWindow::showFrame);
     connect(&m_stepMode->session(), &StepSession::positionChanged, this, [this] {
         if (const auto face = m_stepMode->session().face())
             m_cards->followFace(*face);
     });
+    connect(&m_stepMode->session(), &StepSession::positionChanged, this, [this] {
+        if (m_look.presentation)
+            syncSoon(Words::OfDocument); // the caption tells the step
+    });
+    connect(&m_stepMode->session(), &StepSession::openChanged, this, &MainWindow::syncStage);
     connect(&m_stepMode->session(), &StepSession::recordingChanged, this, &MainWindow::tellIfSettled);
     connect(m_truth.get(), &TruthMode::faceWanted, m_stepMode.get(), &StepMode::showFace);
     connect(m_truth.get(), &TruthMode::stepWanted, m_stepMode.get(), &StepMode::showStep);
-    connect(&m_truth->comparison(), &Comparison::changed, this, [this] { syncSoon(Words::OfPixel); });
+    connect(&m_truth->comparison(), &Comparison::changed, this, [this] {
+        m_views->setCompared(m_truth->comparison().view() != CompareView::Off);
+        syncSoon(Words::OfPixel);
+    });
 }
 
 void MainWindow::connectCanvas()
@@ -433,6 +473,7 @@ void MainWindow::showFrame()
     if (!frame)
         return;
     m_truth->showOnCanvas(frame, step != nullptr);
+    m_views->setFrame(frame, step ? [this] { return m_stepMode->owners(); } : CanvasViews::Owners());
     m_stageStrip->setFrame(frame);
     const StepEvent* event = step ? m_stepMode->session().event() : nullptr;
     m_stageStrip->setCurrent(event ? std::optional(stageOf(event->kind)) : std::nullopt);
@@ -460,8 +501,9 @@ bool MainWindow::isShown() const
 
 bool MainWindow::isComplete() const
 {
-    return isSettled() && !m_wordsAreOld.any() && !m_cards->isBusy() && !m_mistakeBadge->isCounting() &&
-           !m_truth->isBusy() && !m_figures->isBusy();
+    return isSettled() && !m_moment->isPending() && !m_lessons->isBusy() && !m_wordsAreOld.any() &&
+           !m_cards->isBusy() && !m_views->isBusy() && !m_mistakeBadge->isCounting() && !m_truth->isBusy() &&
+           !m_pipelinePanel->isBusy() && !m_figures->isBusy();
 }
 
 QString MainWindow::message() const
@@ -537,6 +579,7 @@ void MainWindow::showEvent(QShowEvent* event)
 void MainWindow::resizeEvent(QResizeEvent* event)
 {
     QMainWindow::resizeEvent(event);
+    syncStage();
     if (!m_look.presentation)
         QTimer::singleShot(0, m_panels, &PanelPlaces::follow); // once the docks have followed the window
 }

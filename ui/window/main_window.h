@@ -5,6 +5,7 @@
 #include "ui/canvas/viewport_widget.h"
 #include "ui/document/document.h"
 #include "ui/document/render_worker.h"
+#include "ui/lessons/lesson_player.h"
 #include "ui/window/empty_remark.h"
 
 #include <QMainWindow>
@@ -14,6 +15,7 @@
 #include <memory>
 #include <vector>
 
+class QBoxLayout;
 class QLabel;
 class QLineEdit;
 class QMenu;
@@ -23,9 +25,11 @@ namespace rasterlens
 {
 
 class ActionSearch;
+class CanvasViews;
 class Cards;
 class Dock;
 class HelpOverlay;
+class LessonMode;
 class LifeCycle;
 class MessageBar;
 class MistakeBadge;
@@ -40,6 +44,8 @@ class StatisticsPanel;
 class StepMode;
 class TruthMode;
 class TypedField;
+class ViewsBar;
+class WindowMoment;
 class WindowPlacement;
 
 /// The window: canvas in the middle, pipeline left, statistics right.
@@ -64,14 +70,23 @@ public:
     [[nodiscard]] Cards& cards() { return *m_cards; }
     [[nodiscard]] MistakeBadge& mistakeBadge() { return *m_mistakeBadge; }
     [[nodiscard]] RenderWorker& worker() { return m_worker; }
+    [[nodiscard]] CanvasViews& canvasViews() { return *m_views; }
+    [[nodiscard]] ViewsBar& viewsBar() { return *m_viewsBar; }
     [[nodiscard]] StepMode& stepMode() { return *m_stepMode; }
     [[nodiscard]] TruthMode& truthMode() { return *m_truth; }
+    [[nodiscard]] LessonMode& lessons() { return *m_lessons; }
+    /// What the window shows, as one value.
+    [[nodiscard]] WindowMoment& moment() { return *m_moment; }
     [[nodiscard]] PanelPlaces& panels() { return *m_panels; }
     [[nodiscard]] FocusOrder& focusOrder() { return *m_focusOrder; }
     [[nodiscard]] FigureExport& figures() { return *m_figures; }
     [[nodiscard]] LifeCycle& lifeCycle() { return *m_lifeCycle; }
 
     void openDefaultScene();
+    /// What a start without arguments opens: the first lesson the first time, else the default scene.
+    void openAtStart();
+    /// Opens whatever a file holds: a scene, a session or a lesson.
+    void open(const QString& name);
     void setLanguage(LanguageKind kind);
     [[nodiscard]] LanguageKind language() const { return m_language.kind(); }
     void setLook(const Look& look);
@@ -123,6 +138,7 @@ private:
     void connectWorker();
     void connectPanels();
     void connectModes();
+    void connectLessons();
     void connectCanvas();
     void buildMenus();
     void addHint(const char* id, ActionSection section, const char* keys, const char* what);
@@ -134,12 +150,12 @@ private:
     void buildEditMenu();
     void buildViewMenu();
     void buildCamera(ActionMenu menu);
-    void buildOverlays(ActionMenu& view);
     void buildDrawing(ActionMenu menu);
     void buildAppearance(ActionMenu menu);
     void buildSettingsMenu();
     void buildMistakesMenu();
     void buildHelpMenu();
+    void buildStageMenu();
     [[nodiscard]] ActionMenu addMenu(ActionSection section, const char* title);
 
     void retranslate();
@@ -164,6 +180,7 @@ private:
     void showFrame();
     void stepField(const SettingsField& field);
     void changeField(const SettingsField& field, const Settings& settings);
+    void offerSmallRecord();
     void moveCamera(const View& view);
     void toggleHelp();
     void toggleGoToPixel();
@@ -173,6 +190,8 @@ private:
     template <class Field, class Refused, class Mended>
     void connectField(Field* field, Refused refused, Mended mended);
     void leaveInnermost();
+    void syncStage();
+    [[nodiscard]] QString stageText() const;
     void syncCounters();
     void reportSaved(const std::optional<QString>& error, const QString& path);
     void chooseFileToOpen();
@@ -190,10 +209,15 @@ private:
     RenderWorker m_worker;
 
     ViewportWidget* m_viewport = nullptr;
+    std::unique_ptr<CanvasViews> m_views;
     std::unique_ptr<StepMode> m_stepMode;
     std::unique_ptr<TruthMode> m_truth;
     std::unique_ptr<LifeCycle> m_lifeCycle;
     std::unique_ptr<FigureExport> m_figures;
+    std::unique_ptr<LessonMode> m_lessons;
+    WindowMoment* m_moment = nullptr;
+    Diagnostics m_lessonRemarks;      ///< to be said when the slide is shown
+    LessonPlayer::Place m_shownPlace; ///< of the lesson, whose moment the window shows
     StageStrip* m_stageStrip = nullptr;
     PipelinePanel* m_pipelinePanel = nullptr;
     StatisticsPanel* m_statisticsPanel = nullptr;
@@ -209,11 +233,15 @@ private:
     MessageBar* m_unsupported = nullptr; ///< why the present settings are not drawn
     HelpOverlay* m_help = nullptr;
     ActionSearch* m_search = nullptr;
+    QWidget* m_canvasHeader = nullptr;
+    QBoxLayout* m_picture = nullptr; ///< the canvas, and the listing below or beside it
     QLabel* m_canvasTitle = nullptr;
+    ViewsBar* m_viewsBar = nullptr;
     QToolButton* m_goToButton = nullptr;
     QLineEdit* m_goToEdit = nullptr;
     TypedField* m_goToField = nullptr;
     QLabel* m_caption = nullptr;
+    QToolButton* m_stageMenu = nullptr; ///< in place of the menu bar
     ReadoutBar* m_readout = nullptr;
     QLabel* m_activity = nullptr;
     QLabel* m_counters = nullptr; ///< the most important ones, where the panel is out of sight

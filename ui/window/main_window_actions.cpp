@@ -5,8 +5,11 @@
 #include "ui/base/message_bar.h"
 #include "ui/document/navigation.h"
 #include "ui/face/cards.h"
+#include "ui/lessons/lesson_mode.h"
+#include "ui/pipeline/canvas_views.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/pipeline_panel.h"
+#include "ui/pipeline/views_bar.h"
 #include "ui/steps/step_mode.h"
 #include "ui/steps/transport_dock.h"
 #include "ui/truth/truth_mode.h"
@@ -73,7 +76,9 @@ void MainWindow::buildMenus()
     menuBar()->addMenu(m_stepMode->transport().menu());
     menuBar()->addMenu(m_truth->menu());
     buildMistakesMenu();
+    menuBar()->addMenu(m_lessons->menu());
     buildHelpMenu();
+    buildStageMenu();
     const QStringList conflicts = m_actions.conflicts();
     Q_ASSERT_X(conflicts.isEmpty(), "ActionTable", qPrintable(conflicts.join(QStringLiteral("; "))));
 }
@@ -221,7 +226,8 @@ void MainWindow::buildViewMenu()
     view.addSeparator();
     buildCamera(view.in(ActionSection::Camera));
     view.addSeparator();
-    buildOverlays(view);
+    m_views->buildMenu(view);
+    view.addSeparator();
     buildDrawing(view.in(ActionSection::Window));
     view.addSeparator();
     buildAppearance(view.in(ActionSection::Window));
@@ -245,20 +251,6 @@ void MainWindow::buildCamera(ActionMenu menu)
     QAction* above = addCamera("camera.above", QT_TR_NOOP("From above"), Qt::Key_7, axis(AxisView::Top));
     m_actions.listTogether(menu.words(QT_TR_NOOP("From the front, the right, above")), {front, right, above});
     addCamera("camera.reset", QT_TR_NOOP("Reset camera"), Qt::Key_Home, [this] { return m_document.defaults().view; });
-}
-
-void MainWindow::buildOverlays(ActionMenu& view)
-{
-    const auto addOverlay = [&](const char* id, const char* text, bool OverlayOptions::*member) {
-        view.addToggle(id, text, {}, true, [this, member](bool on) {
-            OverlayOptions options = m_viewport->overlays();
-            options.*member = on;
-            m_viewport->setOverlays(options);
-        });
-    };
-    addOverlay("view.grid", QT_TR_NOOP("Pixel grid (from 8\u00d7)"), &OverlayOptions::grid);
-    addOverlay("view.samples", QT_TR_NOOP("Sample positions (from 16\u00d7)"), &OverlayOptions::sampleDots);
-    addOverlay("view.values", QT_TR_NOOP("Pixel values (from 48\u00d7)"), &OverlayOptions::numbers);
 }
 
 /// When the worker draws.
@@ -354,6 +346,15 @@ void MainWindow::buildHelpMenu()
             QT_TR_NOOP("To the next field, back"));
 }
 
+/// All menus once more, for the presentation, which has no menu bar.
+void MainWindow::buildStageMenu()
+{
+    auto* menu = new QMenu(this);
+    for (QAction* one : menuBar()->actions())
+        menu->addAction(one);
+    m_stageMenu->setMenu(menu);
+}
+
 void MainWindow::retranslate()
 {
     m_actions.retranslate();
@@ -361,14 +362,21 @@ void MainWindow::retranslate()
     m_fit->setIconText(tr("Fit"));
     m_zoomIn->setIconText(QStringLiteral("+"));
     m_zoomOut->setIconText(QStringLiteral("\u2212"));
-    m_goToButton->setText(tr("Go to pixel (%1)").arg(m_goTo->shortcut().toString(QKeySequence::NativeText)));
+    m_goToButton->setText(withoutMnemonic(m_goTo->text()));
+    m_goToButton->setToolTip(
+        QStringLiteral("%1 (%2)").arg(m_goToButton->text(), m_goTo->shortcut().toString(QKeySequence::NativeText)));
+    m_views->retranslate();
+    m_viewsBar->retranslate();
     m_mistakesMenu->retranslate();
     m_cards->retranslate();
     m_truth->retranslate();
+    m_lessons->retranslate();
     m_lifeCycle->retranslate();
     m_pipelineDock->setTitle(tr("Scene"));
     m_statisticsDock->setTitle(tr("Statistics"));
     m_copyCsv->setToolTip(tr("Copy the counters as CSV"));
+    m_stageMenu->setToolTip(tr("All menus: scenes, mistakes, panels, lessons"));
+    m_stageMenu->setAccessibleName(m_stageMenu->toolTip());
     m_copyJson->setToolTip(tr("Copy the counters as JSON"));
     fillRecentMenu();
     syncActions();

@@ -40,7 +40,7 @@ void MainWindow::fillRecentMenu()
         action->setToolTip(path);
         action->setStatusTip(path);
         action->setEnabled(isThere);
-        connect(action, &QAction::triggered, this, [this, path] { m_document.open(path); });
+        connect(action, &QAction::triggered, this, [this, path] { open(path); });
     }
     m_recentMenu->setToolTipsVisible(true);
     m_clearRecent->setEnabled(!files.isEmpty());
@@ -56,8 +56,8 @@ void MainWindow::chooseFileToOpen()
     auto* dialog = new QFileDialog(this, tr("Open"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
-    dialog->setNameFilters({tr("Scenes, cases and sessions (*.obj *.case *.json)"), tr("All files (*)")});
-    connect(dialog, &QFileDialog::fileSelected, &m_document, &Document::open);
+    dialog->setNameFilters({tr("Scenes, cases, sessions and lessons (*.obj *.case *.json)"), tr("All files (*)")});
+    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::open);
     dialog->open();
 }
 
@@ -127,7 +127,7 @@ void MainWindow::dropEvent(QDropEvent* event)
     if (isPictureName(file))
         identifyPicture(file);
     else
-        m_document.open(file);
+        open(file);
 }
 
 void MainWindow::chooseFileToExport(const QString& title, const QString& suggestion, bool asDrawing,

@@ -4,6 +4,7 @@
 #include "ui/base/message_bar.h"
 #include "ui/base/typed_field.h"
 #include "ui/face/cards.h"
+#include "ui/lessons/lesson_mode.h"
 #include "ui/pipeline/stage_strip.h"
 #include "ui/steps/step_mode.h"
 #include "ui/steps/transport_dock.h"
@@ -22,7 +23,7 @@ namespace rasterlens
 
 void MainWindow::buildFocus()
 {
-    std::vector<QWidget*> groups{m_pipelineDock, m_stageStrip, m_viewport, centralWidget()};
+    std::vector<QWidget*> groups{m_pipelineDock, &m_lessons->dock(), m_stageStrip, m_viewport, centralWidget()};
     for (const auto& docks : {m_cards->docks(), m_truth->docks()})
         groups.insert(groups.end(), docks.begin(), docks.end());
     groups.push_back(m_statisticsDock);

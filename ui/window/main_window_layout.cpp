@@ -1,7 +1,11 @@
 // Presentation, layout, and the counters that never leave the window.
 #include "ui/base/dock.h"
+#include "ui/lessons/lesson_mode.h"
+#include "ui/lessons/lesson_panel.h"
 #include "ui/pipeline/pipeline_panel.h"
+#include "ui/pipeline/stage_strip.h"
 #include "ui/pipeline/statistics_panel.h"
+#include "ui/steps/step_listing.h"
 #include "ui/steps/step_mode.h"
 #include "ui/steps/transport_dock.h"
 #include "ui/window/main_window.h"
@@ -9,9 +13,12 @@
 #include "ui/window/window_placement.h"
 
 #include <QAction>
+#include <QBoxLayout>
 #include <QLabel>
 #include <QLayout>
 #include <QMenuBar>
+#include <QStatusBar>
+#include <QToolButton>
 
 namespace rasterlens
 {
@@ -29,13 +36,17 @@ void MainWindow::setPresentation(bool on)
         });
     }
     m_stepMode->transport().setBrief(on);
+    m_stageStrip->setBrief(on);
+    m_canvasHeader->setVisible(!on);
+    m_stageMenu->setVisible(on);
+    statusBar()->setVisible(!on);
     Look look = m_look;
     look.presentation = on;
     setLook(look);
     menuBar()->setVisible(!on);
     centralWidget()->layout()->setContentsMargins(0, on ? kGap : 0, 0, 0);
-    m_caption->setVisible(on);
-    syncCaption();
+    m_lessons->setBar(on ? m_caption->parentWidget()->layout() : nullptr);
+    syncStage();
     m_presentation->setChecked(on);
     if (on) {
         m_stepMode->transport().setVisible(m_stepMode->session().isOpen());
@@ -43,10 +54,40 @@ void MainWindow::setPresentation(bool on)
         m_viewport->setFocus();
     } else {
         m_panels->quietly([this] { restoreState(m_stateBeforePresentation, kLayoutVersion); });
+        m_lessons->showDock();
         if (!m_fullScreen->isChecked())
             m_placement->setFullScreen(false);
     }
     syncCounters();
+}
+
+/// The stage for a lecture: the picture first, one caption, and the step's formula where there is room for it.
+void MainWindow::syncStage()
+{
+    if (!m_lessons || !m_caption) // while the window is being made
+        return;
+    constexpr double kWide = 1.5;        // width to height
+    constexpr int kWideFrom = 1200;      // pixels
+    constexpr double kBesideShare = 0.4; // of the width
+    const bool isStage = m_look.presentation;
+    const bool isWide = isStage && width() >= kWideFrom && width() >= kWide * height();
+    StepListing& listing = m_stepMode->listing();
+    const auto direction = isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom;
+    if (m_picture->direction() != direction)
+        m_picture->setDirection(direction);
+    listing.setMinimumWidth(isWide ? static_cast<int>(width() * kBesideShare) : 0);
+    listing.setPlace(isWide    ? StepListing::Place::Beside
+                     : isStage ? StepListing::Place::Line
+                               : StepListing::Place::Below);
+    const bool hasLesson = m_lessons->player().isOpen();
+    m_caption->setVisible(isStage && !hasLesson);
+    if (isStage)
+        m_lessons->panel().setVisible(hasLesson);
+    // Two lines, whatever is said: the picture above is not to move from step to step.
+    constexpr int kLines = 2;
+    const QMargins around = m_caption->contentsMargins();
+    m_caption->setMinimumHeight(kLines * m_caption->fontMetrics().lineSpacing() + around.top() + around.bottom());
+    syncCaption();
 }
 
 void MainWindow::resetLayout()

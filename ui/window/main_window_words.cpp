@@ -5,6 +5,7 @@
 #include "ui/base/step_words.h"
 #include "ui/pipeline/scene_words.h"
 #include "ui/steps/step_mode.h"
+#include "ui/steps/step_sentence.h"
 #include "ui/truth/truth_mode.h"
 #include "ui/window/main_window.h"
 #include "ui/window/readout_bar.h"
@@ -80,13 +81,20 @@ QString MainWindow::sceneWords() const
     return changes.isEmpty() ? sceneNote(*m_document.scene()) : changes.join(QStringLiteral(" \u00b7 "));
 }
 
-/// The caption of the presentation names the scene as well.
+/// The caption of the presentation: one sentence about the step, or else about the scene and what was changed about it.
 void MainWindow::syncCaption()
 {
-    if (m_caption->isHidden())
-        return;
-    m_caption->setText(QStringLiteral("<b>%1</b> &nbsp; %2")
-                           .arg(sceneTitle(*m_document.scene()).toHtmlEscaped(), sceneWords().toHtmlEscaped()));
+    if (!m_caption->isHidden())
+        m_caption->setText(stageText());
+}
+
+QString MainWindow::stageText() const
+{
+    const StepSession& session = m_stepMode->session();
+    if (session.log() && session.position() > 0)
+        return stepSentence(*session.log(), session.positionInLog() - 1).toHtmlEscaped();
+    return QStringLiteral("<b>%1</b> &nbsp; %2")
+        .arg(sceneTitle(*m_document.scene()).toHtmlEscaped(), sceneWords().toHtmlEscaped());
 }
 
 void MainWindow::syncTitle()

@@ -51,6 +51,7 @@ constexpr PanelRow kPanels[] = {
      QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Speed against error"), Qt::Key_9},
     {QLatin1String("identifyDock"), "panel.identify",
      QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Which mistake is mine?"), Qt::Key_I},
+    {QLatin1String("lessonDock"), "panel.lesson", QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Lesson"), Qt::Key_L},
     {QLatin1String("transportDock"), "panel.steps", QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Steps"), Qt::Key_0},
 };
 
@@ -63,7 +64,9 @@ PanelPlaces::PanelPlaces(QMainWindow& window, QWidget& canvas, const Columns& co
     canvas.installEventFilter(this);
     for (QDockWidget* dock : tabs)
         dock->hide();
-    for (QDockWidget* dock : QList<QDockWidget*>{columns.scene, columns.statistics, columns.card} + tabs)
+    columns.lesson->hide();
+    for (QDockWidget* dock :
+         QList<QDockWidget*>{columns.scene, columns.lesson, columns.statistics, columns.card} + tabs)
         watch(dock);
     arrange();
 }
@@ -82,7 +85,7 @@ void PanelPlaces::watch(QDockWidget* dock)
 void PanelPlaces::buildMenu(ActionMenu menu)
 {
     const auto words = [this](const char* english) { return ActionWords{metaObject()->className(), english}; };
-    QList<QDockWidget*> docks{m_columns.scene, m_columns.statistics, m_columns.card};
+    QList<QDockWidget*> docks{m_columns.scene, m_columns.lesson, m_columns.statistics, m_columns.card};
     docks += m_tabs;
     for (const PanelRow& row : kPanels) {
         const QList<QKeySequence> keys{Qt::ALT | row.key};
@@ -113,9 +116,10 @@ void PanelPlaces::arrange()
         noteOpen();
         m_narrow = isNarrow();
         m_window.addDockWidget(Qt::LeftDockWidgetArea, m_columns.scene);
+        m_window.tabifyDockWidget(m_columns.scene, m_columns.lesson);
         if (m_narrow) {
             m_window.addDockWidget(Qt::LeftDockWidgetArea, m_columns.statistics);
-            m_window.tabifyDockWidget(m_columns.scene, m_columns.statistics);
+            m_window.tabifyDockWidget(m_columns.lesson, m_columns.statistics);
             m_window.tabifyDockWidget(m_columns.statistics, m_columns.card);
         } else {
             m_window.addDockWidget(Qt::RightDockWidgetArea, m_columns.card);
@@ -123,7 +127,7 @@ void PanelPlaces::arrange()
             m_window.splitDockWidget(m_columns.card, m_columns.statistics, Qt::Vertical);
         }
         placeTabs();
-        QDockWidget* front = m_columns.scene;
+        QDockWidget* front = m_columns.lesson->isHidden() ? m_columns.scene : m_columns.lesson;
         for (QDockWidget* dock : std::as_const(m_tabs))
             if (m_open.contains(dock))
                 front = dock;

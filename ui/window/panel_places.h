@@ -25,6 +25,7 @@ class PanelPlaces : public QObject
 public:
     struct Columns {
         QDockWidget* scene;
+        QDockWidget* lesson; ///< a tab beside the scene
         QDockWidget* statistics;
         QDockWidget* card;
         QDockWidget* transport; ///< always below everything

@@ -1,0 +1,48 @@
+#include "app/cli/unchanged_remark.h"
+
+#include "core/questions/unchanged.h"
+
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+namespace rasterlens::cli
+{
+namespace
+{
+
+/// The fields whose value is not the scene's, as far as there may be a reason why this changes nothing.
+std::vector<const SettingsField*> changedFields(const Settings& settings, const Settings& defaults)
+{
+    std::vector<const SettingsField*> changed;
+    for (const SettingsField& field : settingsFields())
+        if (canBeUnchanged(field) && field.get(settings) != field.get(defaults))
+            changed.push_back(&field);
+    return changed;
+}
+
+} // namespace
+
+void remarkIfUnchanged(const Scene& scene, const Settings& settings)
+{
+    const std::vector<const SettingsField*> fields = changedFields(settings, scene.defaults);
+    if (fields.empty() && settings.mistakes.empty())
+        return;
+    const FrameFacts facts = frameFacts(scene, settings);
+    const auto remark = [&](const QString& what, const Reason& why) {
+        std::fprintf(stderr, "%s: note: %s changes nothing here: %s\n", qUtf8Printable(scene.id), qUtf8Printable(what),
+                     qUtf8Printable(textOf(why)));
+    };
+    for (const SettingsField* field : fields) {
+        Settings asked = settings;
+        field->set(asked, field->get(scene.defaults));
+        if (const auto why = whyUnchanged(*field, settings, asked, facts))
+            remark(QStringLiteral("--%1 %2").arg(QLatin1String(field->id), valueId(*field, settings)), *why);
+    }
+    for (const QString& id : settings.mistakes)
+        if (const Mistake* mistake = findMistake(id))
+            if (const auto why = whyUnchanged(*mistake, settings, facts))
+                remark(QStringLiteral("--mistake %1").arg(id), *why);
+}
+
+} // namespace rasterlens::cli

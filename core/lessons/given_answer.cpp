@@ -1,0 +1,102 @@
+#include "core/lessons/given_answer.h"
+
+#include "core/base/typed_numbers.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rasterlens
+{
+namespace
+{
+
+bool contains(const std::vector<QPoint>& pixels, QPoint pixel)
+{
+    return std::ranges::find(pixels, pixel) != pixels.end();
+}
+
+bool isTyped(const QString& given, const FactValue& value)
+{
+    if (const auto* text = std::get_if<QString>(&value))
+        return given.simplified().compare(*text, Qt::CaseInsensitive) == 0;
+    const auto* right = std::get_if<double>(&value);
+    static const QRegularExpression groups(QStringLiteral("^\\s*\\d{1,3}(,\\d{3})+\\s*$"));
+    const bool isGrouped = groups.match(given).hasMatch();
+    const auto numbers = typedNumbers(isGrouped ? QString(given).remove(QLatin1Char(',')) : given);
+    if (!right || !numbers || numbers->size() != 1)
+        return false;
+    constexpr double kNear = 0.01;
+    const bool isWhole = *right == std::round(*right);
+    return isWhole ? numbers->front() == *right : std::abs(numbers->front() - *right) <= kNear * std::abs(*right);
+}
+
+QString choiceText(const Question& question, std::size_t index)
+{
+    if (index >= question.choices.size())
+        return {};
+    const QuestionChoice& choice = question.choices[index];
+    return choice.mistake.isEmpty() ? choice.text.en : choice.mistake;
+}
+
+/// A field of a line of CSV (RFC 4180).
+QString quoted(QString text)
+{
+    const bool needs =
+        text.contains(QLatin1Char(',')) || text.contains(QLatin1Char('"')) || text.contains(QLatin1Char('\n'));
+    return needs ? QLatin1Char('"') + text.replace(QLatin1Char('"'), QLatin1String("\"\"")) + QLatin1Char('"') : text;
+}
+
+} // namespace
+
+bool isRight(const GivenAnswer& given, const Answer& answer)
+{
+    if (const auto* pixels = std::get_if<std::vector<QPoint>>(&given)) {
+        const auto* right = std::get_if<std::vector<QPoint>>(&answer.value);
+        if (!right)
+            return false;
+        const PixelScore score = scoreOf(*pixels, *right);
+        return score.found == score.wanted && score.extra == 0;
+    }
+    if (const auto* choice = std::get_if<std::size_t>(&given))
+        return answer.choice == *choice;
+    return isTyped(std::get<QString>(given), answer.value);
+}
+
+PixelScore scoreOf(const std::vector<QPoint>& given, const std::vector<QPoint>& right)
+{
+    PixelScore score;
+    score.wanted = right.size();
+    for (const QPoint pixel : given)
+        ++(contains(right, pixel) ? score.found : score.extra);
+    return score;
+}
+
+QString textOf(const Question& question, const GivenAnswer& given)
+{
+    if (const auto* pixels = std::get_if<std::vector<QPoint>>(&given))
+        return textOf(FactValue(*pixels));
+    if (const auto* choice = std::get_if<std::size_t>(&given))
+        return choiceText(question, *choice);
+    return std::get<QString>(given);
+}
+
+QString textOf(const Question& question, const Answer& answer)
+{
+    return answer.choice ? choiceText(question, *answer.choice) : textOf(answer.value);
+}
+
+QByteArray answersAsCsv(std::span<const AnswerRow> rows)
+{
+    QString text = QStringLiteral("lesson,slide,kind,given,right,is_right\n");
+    for (const AnswerRow& row : rows)
+        text += QStringList{quoted(row.lesson), QString::number(row.slide),
+                            row.kind,           quoted(row.given),
+                            quoted(row.right),  row.isRight ? QStringLiteral("1") : QStringLiteral("0")}
+                    .join(QLatin1Char(',')) +
+                QLatin1Char('\n');
+    return text.toUtf8();
+}
+
+} // namespace rasterlens

@@ -1,0 +1,50 @@
+#pragma once
+#include "core/observe/step_log.h"
+#include "core/scene/scene.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <stop_token>
+#include <vector>
+
+namespace rasterlens
+{
+
+/// All samples of a frame at one moment, in the order they are stored. Planes that the rules do not call for are empty.
+struct FramePlanes {
+    std::vector<std::uint32_t> color; ///< 0xffRRGGBB as it is shown: with overdraw, the colour of the count
+    std::vector<float> depth;
+    std::vector<std::uint16_t> coverCount; ///< overdraw only: how often the sample was covered
+    std::vector<float> ownDepth;           ///< rules.depthPerPixel only: the depth last written for this sample alone
+    std::vector<std::int32_t> ids;         ///< Resolve::LastFace only: the face drawn last
+
+    /// Calls visit(plane, other's plane) for each pair of planes.
+    template <class A, class B, class Visit>
+    static void forEachPair(A& a, B& b, Visit&& visit)
+    {
+        visit(a.color, b.color);
+        visit(a.depth, b.depth);
+        visit(a.coverCount, b.coverCount);
+        visit(a.ownDepth, b.ownDepth);
+        visit(a.ids, b.ids);
+    }
+};
+
+/// How many samples a frame stores: columns * rows, but for a mistake in their addresses.
+[[nodiscard]] inline std::size_t storedSamples(const Rules& rules)
+{
+    const int stride = rules.strideIsRows ? rules.rows() : rules.columns();
+    return std::size_t(std::max(rules.columns(), stride)) * std::size_t(rules.rows());
+}
+
+/// What a sample of the cleared frame shows and stores.
+[[nodiscard]] Pixel clearedPixel(const Scene& scene, const Rules& rules);
+
+/// The planes of the cleared frame.
+///
+/// in      `hasDepth`: whether the depth plane is wanted
+/// errors  throws std::bad_alloc; where `stop` comes in between there are fewer samples, and nothing may be drawn
+[[nodiscard]] FramePlanes clearedPlanes(const Rules& rules, const Pixel& clear, bool hasDepth,
+                                        const std::stop_token& stop);
+
+} // namespace rasterlens

@@ -1,0 +1,177 @@
+#include "core/questions/unchanged.h"
+
+#include "core/observe/names.h"
+#include "core/pipeline/geometry.h"
+#include "core/pipeline/resolve.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+namespace rasterlens
+{
+namespace
+{
+
+/// Hears of every face what the facts are made of.
+struct FactObserver : NullObserver {
+    std::array<double, 3> w{};
+    std::set<double> equalW;
+    bool wDiffers = false;
+    bool someCut = false;
+    bool someFront = false;
+    bool someBack = false;
+    bool someLost = false; ///< rejected, or with a corner that is no number
+
+    void onVertex(std::uint32_t /*face*/, int corner, std::uint32_t /*meshVertex*/, const ClipVertex& vertex)
+    {
+        constexpr double kSmallestW = 1e-5; // of the plane of w
+        w[static_cast<std::size_t>(corner)] = vertex.positionClip.w;
+        someCut = someCut || !(vertex.positionClip.w > kSmallestW);
+    }
+    void onClipped(std::uint32_t /*face*/, int /*pieces*/) { someCut = true; }
+    void onFacing(std::uint32_t /*face*/, const FacingDecision& decision)
+    {
+        someFront = someFront || decision.fate == FaceFate::Rasterized;
+        someBack = someBack || decision.fate == FaceFate::CulledBack;
+    }
+    void onFace(std::uint32_t /*face*/, FaceFate fate)
+    {
+        someLost = someLost || fate == FaceFate::Rejected || fate == FaceFate::NonFinite;
+        wDiffers = wDiffers || w[0] != w[1] || w[0] != w[2];
+        if (!wDiffers && equalW.size() <= FrameFacts::kMostNamed)
+            equalW.insert(w[0]);
+    }
+};
+
+/// `7`, `7 and 10`, `3, 7, 10 ..`
+Reason numbersText(const std::vector<double>& numbers, bool more)
+{
+    QStringList words;
+    for (const double number : numbers)
+        words << shortNumber(number);
+    if (words.size() == 2 && !more)
+        return {QT_TRANSLATE_NOOP("Diagnostic", "%1 and %2"), {words[0], words[1]}};
+    return words.join(QStringLiteral(", ")) + (more ? QStringLiteral(" ..") : QString());
+}
+
+std::optional<Reason> whenEqualW(const FrameFacts& facts)
+{
+    if (!facts.equalWEverywhere)
+        return std::nullopt;
+    const bool more = facts.equalW.size() > FrameFacts::kMostNamed;
+    std::vector<double> named = facts.equalW;
+    named.resize(std::min(named.size(), FrameFacts::kMostNamed));
+    if (named.size() == 1)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "all w of these faces are equal: %1"),
+                      {numbersText(named, more)});
+    return Reason(QT_TRANSLATE_NOOP("Diagnostic", "the three w of each face are equal: %1"),
+                  {numbersText(named, more)});
+}
+
+std::optional<Reason> whenNoneOutside(const FrameFacts& facts)
+{
+    return facts.noneOutside ? std::optional(Reason(
+                                   QT_TRANSLATE_NOOP("Diagnostic", "no face is cut, and none is rejected: all corners "
+                                                                   "lie inside the view volume")))
+                             : std::nullopt;
+}
+
+std::optional<Reason> whenNotCulled(const Settings& one, const Settings& other, const FrameFacts& facts)
+{
+    const auto isEither = [&](Culling culling) {
+        return (one.culling == culling || one.culling == Culling::None) &&
+               (other.culling == culling || other.culling == Culling::None);
+    };
+    if (isEither(Culling::Back) && facts.allFront)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "every face is a front face"));
+    if (isEither(Culling::Front) && facts.allBack)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "every face is a back face"));
+    return std::nullopt;
+}
+
+template <class... Ids>
+bool isOneOf(const char* id, Ids... ids)
+{
+    return ((QLatin1String(id) == QLatin1String(ids)) || ...);
+}
+
+/// Reasons that lie in the settings alone.
+std::optional<Reason> whenNotAsked(const char* id, const Settings& settings)
+{
+    if (isOneOf(id, "steep-columns", "steep-step", "integer-weight", "missing-octant", "missing-last-pixel") &&
+        settings.fill != Fill::Wireframe)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "no lines are drawn"));
+    if (isOneOf(id, "coverage-times-color", "one-depth-per-pixel") && settings.samples == Samples::One)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "there is one sample a pixel"));
+    if (isOneOf(id, "stride-exchanged") && settings.size.width() == settings.size.height())
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "the picture is as wide as it is high"));
+    if (isOneOf(id, "cull-reversed", "cull-before-divide", "cull-before-clip") && settings.culling == Culling::None)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "nothing is culled"));
+    return std::nullopt;
+}
+
+} // namespace
+
+FrameFacts frameFacts(const Scene& scene, const Settings& settings, const std::stop_token& stop)
+{
+    Settings asked = settings;
+    asked.mistakes.clear();
+    asked.clipping = Clipping::Frustum;
+    asked.culling = Culling::Back;
+    const Resolved resolved = resolve(asked, scene);
+    const Geometry geometry(scene, resolved.matrices, resolved.rules);
+    const auto faces = static_cast<std::uint32_t>(scene.mesh.faceCount());
+    FactObserver heard;
+    std::vector<ScreenTriangle> triangles;
+    constexpr std::uint32_t kLook = 4096;
+    for (std::uint32_t face = 0; face < faces && !(face % kLook == 0 && stop.stop_requested()); ++face) {
+        triangles.clear();
+        geometry.process(face, triangles, heard);
+    }
+    FrameFacts facts;
+    facts.equalWEverywhere = faces > 0 && !heard.wDiffers;
+    if (facts.equalWEverywhere)
+        facts.equalW.assign(heard.equalW.begin(), heard.equalW.end());
+    facts.noneOutside = !heard.someCut && !heard.someLost;
+    facts.allFront = heard.someFront && !heard.someBack;
+    facts.allBack = heard.someBack && !heard.someFront;
+    facts.noMask = std::ranges::none_of(scene.materials, [](const Material& material) { return material.mask >= 0; });
+    return facts;
+}
+
+bool canBeUnchanged(const SettingsField& field)
+{
+    return isOneOf(field.id, "interpolation", "clipping", "culling", "alpha-test");
+}
+
+std::optional<Reason> whyUnchanged(const SettingsField& field, const Settings& one, const Settings& other,
+                                   const FrameFacts& facts)
+{
+    if (isOneOf(field.id, "interpolation"))
+        return whenEqualW(facts);
+    if (isOneOf(field.id, "clipping"))
+        return whenNoneOutside(facts);
+    if (isOneOf(field.id, "culling"))
+        return whenNotCulled(one, other, facts);
+    if (isOneOf(field.id, "alpha-test") && facts.noMask)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "no material has a mask"));
+    return std::nullopt;
+}
+
+std::optional<Reason> whyUnchanged(const Mistake& mistake, const Settings& settings, const FrameFacts& facts)
+{
+    const char* id = mistake.id;
+    std::optional<Reason> why = whenNotAsked(id, settings);
+    if (!why && isOneOf(id, "affine", "w-lost", "w-not-inverted", "z-corrected", "w-before-clipping"))
+        why = whenEqualW(facts);
+    if (!why && isOneOf(id, "no-near-clip", "any-vertex-inside", "near-far-reject", "cut-corners",
+                        "return-for-continue", "w-before-clipping"))
+        why = whenNoneOutside(facts);
+    return why;
+}
+
+} // namespace rasterlens

@@ -1,0 +1,49 @@
+#pragma once
+#include "core/base/reason.h"
+#include "core/scene/scene.h"
+#include "core/settings/mistakes.h"
+
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+namespace rasterlens
+{
+
+/// What the faces of a frame have in common before they are covered. It decides which switches change nothing.
+struct FrameFacts {
+    /// The w that occur, ascending and each once, at most kMostNamed of them; empty if a face has corners with
+    /// different w, or if there is no face.
+    std::vector<double> equalW;
+    bool equalWEverywhere = false; ///< all corners of a face have one w
+    bool noneOutside = false;      ///< no corner of a face lies outside of the view volume, nor at w <= 1e-5
+    bool allFront = false;         ///< each face that has an area is a front face
+    bool allBack = false;          ///< each face that has an area is a back face
+    bool noMask = false;           ///< no material has a mask
+
+    static constexpr std::size_t kMostNamed = 3;
+};
+
+/// The facts of a frame without its mistakes.
+///
+/// in    settings that can be drawn
+/// cost  the vertex stage and the stages of the faces once, no samples
+[[nodiscard]] FrameFacts frameFacts(const Scene& scene, const Settings& settings, const std::stop_token& stop = {});
+
+/// Whether whyUnchanged() knows a reason for a field in some scene.
+[[nodiscard]] bool canBeUnchanged(const SettingsField& field);
+
+/// Why two values of a field give the same picture, by the facts of the frame: a text of the context "Diagnostic";
+/// nothing where they may differ.
+///
+/// in  the settings with the one value and with the other
+[[nodiscard]] std::optional<Reason> whyUnchanged(const SettingsField& field, const Settings& one, const Settings& other,
+                                                 const FrameFacts& facts);
+
+/// Why a mistake does not change the picture; nothing where it may.
+///
+/// in  the settings it is made with; whether it is among theirs does not matter
+[[nodiscard]] std::optional<Reason> whyUnchanged(const Mistake& mistake, const Settings& settings,
+                                                 const FrameFacts& facts);
+
+} // namespace rasterlens

@@ -1,0 +1,29 @@
+#include "core/questions/vertex_place.h"
+
+#include "core/pipeline/resolve.h"
+#include "core/pipeline/vertex_stage.h"
+
+namespace rasterlens
+{
+
+std::optional<glm::vec4> positionAtPixel(const Scene& scene, const Settings& settings, std::uint32_t vertex,
+                                         const glm::dvec2& pixel)
+{
+    const Resolved resolved = resolve(settings, scene);
+    const Rules& rules = resolved.rules;
+    const glm::dvec4 clip = shadeVertexAt(scene, resolved.matrices, rules, vertex).positionClip;
+    if (!(clip.w > 0))
+        return std::nullopt;
+
+    const glm::dvec2 unshifted = pixel - rules.screenShift / double(rules.sampleGrid);
+    const glm::dvec2 ndc(2 * unshifted.x / rules.width - 1, (2 * unshifted.y / rules.height - 1) / rules.screenUp);
+    if (scene.space == SceneSpace::Clip) {
+        const glm::vec4& former = scene.mesh.vertices[vertex].position;
+        return glm::vec4(static_cast<float>(ndc.x * clip.w), static_cast<float>(ndc.y * clip.w), former.z, former.w);
+    }
+    const glm::dmat4 objectFromClip = glm::inverse(resolved.matrices.clipFromObjectDouble);
+    const glm::dvec4 object = objectFromClip * glm::dvec4(ndc.x * clip.w, ndc.y * clip.w, clip.z, clip.w);
+    return glm::vec4(object / object.w);
+}
+
+} // namespace rasterlens

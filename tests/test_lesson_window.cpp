@@ -1,0 +1,342 @@
+// Lessons in the window: every part of a slide is shown, questions are answered before their picture, Undo goes back by
+// whole slides, and what is wrong with a file is told with its line.
+#include "core/lessons/lesson.h"
+#include "core/observe/step_log.h"
+#include "ui/base/dock.h"
+#include "ui/lessons/lesson_mode.h"
+#include "ui/lessons/lesson_panel.h"
+#include "ui/lessons/question_box.h"
+#include "ui/truth/truth_mode.h"
+#include "ui/window/panel_places.h"
+#include "ui/window/window_moment.h"
+#include "window_fixture.h"
+
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMimeData>
+#include <QPushButton>
+
+using namespace rasterlens;
+using namespace rasterlens::test;
+
+class TestLessonWindow : public WindowFixture
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everySlideIsShownAsAWhole_data();
+    void everySlideIsShownAsAWhole();
+    void momentsAreReadAsTheyAreShown();
+    void pixelsAreClicked();
+    void answersAreTypedAndChosen();
+    void skippedQuestionsAreNotCounted();
+    void undoGoesBackBySlides();
+    void whatIsTriedOutIsLeft();
+    void levelsAndContents();
+    void answersAreKeptOnRequest();
+    void ownFilesAreOpenedAndChecked();
+    void textsFollowTheLanguage();
+
+private:
+    LessonMode& lessons() { return m_window->lessons(); }
+    LessonPlayer& player() { return lessons().player(); }
+    LessonPanel& panel() { return lessons().panel(); }
+    QuestionBox& question() { return panel().question(); }
+
+    /// Opens a lesson at a slide, counted from 1.
+    bool openAt(const QString& name, std::size_t number, LessonPlayer::Entry entry)
+    {
+        if (!lessons().open(name))
+            return false;
+        player().goTo(number - 1, entry);
+        return complete();
+    }
+
+    void press(Qt::Key which)
+    {
+        key(which);
+        QVERIFY(complete());
+    }
+
+    void click(QPoint pixel)
+    {
+        const QPointF at = viewport().transform().toCanvas(QRectF(pixel, QSizeF(1, 1))).center();
+        QTest::mouseClick(&viewport(), Qt::LeftButton, Qt::NoModifier, at.toPoint());
+    }
+
+    QString write(const char* name, const QByteArray& text)
+    {
+        QFile file(m_folder.filePath(QLatin1String(name)));
+        if (file.open(QIODevice::WriteOnly))
+            file.write(text);
+        return file.fileName();
+    }
+
+    void compareWithSlide(const Moment& moment);
+};
+
+/// The parts of the window agree with the moment, which is opened once more to tell its settings and its step.
+void TestLessonWindow::compareWithSlide(const Moment& moment)
+{
+    const OpenMomentLoad load = openMoment(moment);
+    QVERIFY(load.moment);
+    QCOMPARE(document().scene()->id, moment.scene);
+    QVERIFY(settings() == load.moment->settings);
+    StepSession& session = m_window->stepMode().session();
+    QCOMPARE(session.isOpen(), moment.step.has_value());
+    if (moment.step)
+        QCOMPARE(session.position(), *positionOf(*moment.step, *session.log()));
+    QCOMPARE(viewport().selectedPixel(), moment.pixel);
+    Comparison& comparison = m_window->truthMode().comparison();
+    QCOMPARE(static_cast<int>(comparison.view()), static_cast<int>(moment.compare.view));
+    if (comparison.view() != CompareView::Off)
+        QVERIFY(comparison.other(settings()) == load.moment->other);
+    QCOMPARE(m_window->truthMode().referee().isOn(), moment.overlays.contains(QStringLiteral("referee")));
+    const QStringList open = m_window->moment().present().panels;
+    for (const QString& name : moment.panels)
+        QVERIFY2(open.contains(name), qPrintable(name));
+    QCOMPARE(open.size() - (open.contains(QStringLiteral("why")) ? 1 : 0),
+             moment.panels.size() - (moment.panels.contains(QStringLiteral("why")) ? 1 : 0));
+    if (moment.centre)
+        QCOMPARE(viewport().transform().zoom, *moment.zoom);
+    else if (!viewport().isFitted())
+        QVERIFY(moment.pixel && moment.zoom);
+}
+
+void TestLessonWindow::everySlideIsShownAsAWhole_data()
+{
+    QTest::addColumn<QString>("id");
+    for (const char* id : {"bresenham", "top-left", "perspective", "sutherland-hodgman", "incremental"})
+        QTest::newRow(id) << QString::fromLatin1(id);
+}
+
+void TestLessonWindow::everySlideIsShownAsAWhole()
+{
+    QFETCH(QString, id);
+    player().setLevel(2);
+    QVERIFY(lessons().open(id));
+    QVERIFY(complete());
+    const Lesson lesson = *loadLesson(id).lesson;
+    for (std::size_t i = 0; i < lesson.slides.size(); ++i) {
+        QCOMPARE(player().place().slide, i);
+        const Slide& slide = lesson.slides[i];
+        if (slide.question) {
+            QVERIFY(player().isAsking());
+            QCOMPARE(panel().text(), slide.question->text.en);
+            compareWithSlide(slide.before ? *slide.before : lesson.slides[i - 1].moment);
+            press(Qt::Key_PageDown);
+        }
+        QVERIFY(!player().isAsking());
+        QCOMPARE(panel().text(), textWithNumbers(slide.moment.caption, slide).en);
+        compareWithSlide(slide.moment);
+        press(Qt::Key_PageDown);
+    }
+    QCOMPARE(player().place().phase, LessonPlayer::Phase::Ended);
+    press(Qt::Key_PageUp);
+    QCOMPARE(player().place().slide, lesson.slides.size() - 1);
+    compareWithSlide(lesson.slides.back().moment);
+}
+
+void TestLessonWindow::momentsAreReadAsTheyAreShown()
+{
+    QVERIFY(openAt(QStringLiteral("incremental"), 8, LessonPlayer::Entry::Skips));
+    const Moment first = m_window->moment().present();
+    QCOMPARE(*first.zoom, 2.0);
+    QVERIFY(openAt(QStringLiteral("top-left"), 2, LessonPlayer::Entry::Skips));
+    viewport().selectPixel(QPoint(2, 3));
+    viewport().showAround({3.5, 4.25}, 24);
+    m_window->actionTable().action("view.samples")->trigger();
+    const Moment second = m_window->moment().present();
+    QCOMPARE(*second.pixel, QPoint(2, 3));
+    QVERIFY(second.step && second.overlays == QStringList({"grid", "numbers"}));
+    for (const Moment& moment : {first, second}) {
+        m_window->moment().show(moment, Document::GivingUp::Silent);
+        QVERIFY(complete());
+        Moment again = m_window->moment().present();
+        QVERIFY(std::abs(again.centre->x() - moment.centre->x()) < 0.5);
+        again.centre = moment.centre; // the canvas moves by whole pixels
+        QVERIFY(again == moment);
+    }
+}
+
+void TestLessonWindow::pixelsAreClicked()
+{
+    QVERIFY(openAt(QStringLiteral("top-left"), 3, LessonPlayer::Entry::Asks));
+    QVERIFY(player().isAsking() && question().asksForPixels());
+    const QImage before = picture();
+    for (int i = 0; i < 8; ++i)
+        click({7 - i, i});
+    click({0, 0});
+    click({0, 0}); // and its mark is gone again
+    QCOMPARE(question().marked().size(), std::size_t(8));
+    question().check();
+    QVERIFY(complete());
+    QVERIFY(!player().isAsking());
+    QVERIFY(player().answered(2)->isRight);
+    QVERIFY(panel().verdict().startsWith(QStringLiteral("\u2713")));
+    QCOMPARE(player().score().right, 1);
+
+    QVERIFY(openAt(QStringLiteral("top-left"), 6, LessonPlayer::Entry::Asks));
+    click({0, 7});
+    click({1, 1});
+    question().check();
+    QVERIFY(complete());
+    QVERIFY(!player().answered(5)->isRight);
+    QCOMPARE(panel().verdict(), QStringLiteral("\u2717 1 of 8 found, 1 too many"));
+    QVERIFY(picture() != before);
+}
+
+void TestLessonWindow::answersAreTypedAndChosen()
+{
+    QVERIFY(openAt(QStringLiteral("bresenham"), 3, LessonPlayer::Entry::Asks));
+    QVERIFY(question().field().isVisible());
+    QTest::keyClicks(&question().field(), QStringLiteral("8"));
+    QTest::keyClick(&question().field(), Qt::Key_Return);
+    QVERIFY(complete());
+    QVERIFY(player().answered(2)->isRight);
+    press(Qt::Key_PageDown);
+    QTest::keyClicks(&question().field(), QStringLiteral("6"));
+    question().check();
+    QVERIFY(complete());
+    QVERIFY(!player().answered(3)->isRight);
+    QVERIFY(panel().verdict().contains(QStringLiteral("-6")));
+    press(Qt::Key_PageDown);
+    QCOMPARE(question().choiceButtons().size(), std::size_t(2));
+    question().choiceButtons()[0]->click();
+    QVERIFY(complete());
+    QVERIFY(player().answered(4)->isRight);
+    QCOMPARE(player().score().right, 2);
+    QCOMPARE(player().score().answered, 3);
+}
+
+void TestLessonWindow::skippedQuestionsAreNotCounted()
+{
+    QVERIFY(openAt(QStringLiteral("bresenham"), 3, LessonPlayer::Entry::Asks));
+    press(Qt::Key_PageDown);
+    QVERIFY(!player().isAsking());
+    QCOMPARE(player().score().answered, 0);
+    QVERIFY(player().answered(2) && !player().answered(2)->given);
+    press(Qt::Key_PageUp); // a slide that is gone back to shows its picture
+    QCOMPARE(player().place().slide, std::size_t(1));
+}
+
+void TestLessonWindow::undoGoesBackBySlides()
+{
+    QVERIFY(openAt(QStringLiteral("top-left"), 4, LessonPlayer::Entry::Skips));
+    const Moment former = m_window->moment().present();
+    player().goTo(8, LessonPlayer::Entry::Skips); // another scene
+    QVERIFY(complete());
+    QCOMPARE(document().scene()->id, QStringLiteral("builtin:two-windings"));
+    QVERIFY(!document().isDirty());
+    QVERIFY(change([](Settings& s) { s.culling = Culling::Front; }));
+    document().undo();
+    QVERIFY(complete());
+    QCOMPARE(player().place().slide, std::size_t(8));
+    document().undo();
+    QVERIFY(complete());
+    QCOMPARE(player().place().slide, std::size_t(3));
+    QVERIFY(m_window->moment().present() == former);
+    QVERIFY(!document().isDirty());
+    document().redo();
+    QVERIFY(complete());
+    QCOMPARE(player().place().slide, std::size_t(8));
+    QCOMPARE(document().scene()->id, QStringLiteral("builtin:two-windings"));
+}
+
+void TestLessonWindow::whatIsTriedOutIsLeft()
+{
+    QVERIFY(openAt(QStringLiteral("top-left"), 2, LessonPlayer::Entry::Skips));
+    const Moment slide = m_window->moment().present();
+    QVERIFY(!m_window->moment().isChanged());
+    press(Qt::Key_Right);
+    QVERIFY(m_window->moment().isChanged());
+    QVERIFY(change([](Settings& s) { s.mistakes = {QStringLiteral("all-inclusive")}; }));
+    QTest::keyClick(&viewport(), Qt::Key_PageUp, Qt::ControlModifier);
+    QVERIFY(complete());
+    QVERIFY(m_window->moment().present() == slide);
+    QVERIFY(!m_window->moment().isChanged());
+    QCOMPARE(player().place().slide, std::size_t(1));
+    document().open(QStringLiteral("builtin:cube"));
+    QVERIFY(complete());
+    QVERIFY(m_window->moment().isChanged());
+    player().comeBack();
+    QVERIFY(complete());
+    QVERIFY(m_window->moment().present() == slide);
+}
+
+void TestLessonWindow::levelsAndContents()
+{
+    QVERIFY(openAt(QStringLiteral("top-left"), 6, LessonPlayer::Entry::Skips));
+    QCOMPARE(panel().contents().count(), 11);
+    QVERIFY(panel().contents().item(4)->text().startsWith(QStringLiteral("5  ? If every edge"))); // not its answer
+    press(Qt::Key_PageDown);
+    QCOMPARE(player().place().slide, std::size_t(8)); // two for a second look between
+    player().setLevel(2);
+    player().goTo(5, LessonPlayer::Entry::Skips);
+    QVERIFY(complete());
+    press(Qt::Key_PageDown);
+    QCOMPARE(player().place().slide, std::size_t(6));
+    Q_EMIT panel().contents().itemClicked(panel().contents().item(0));
+    QVERIFY(complete());
+}
+
+void TestLessonWindow::answersAreKeptOnRequest()
+{
+    QVERIFY(openAt(QStringLiteral("top-left"), 5, LessonPlayer::Entry::Asks));
+    question().field().setText(QStringLiteral("7"));
+    question().check();
+    QVERIFY(complete());
+    const QString path = m_folder.filePath(QStringLiteral("answers.csv"));
+    QVERIFY(!QFile::exists(path));
+    QVERIFY(lessons().keepAnswers(path));
+    press(Qt::Key_PageDown);
+    press(Qt::Key_PageDown); // skipped
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QList<QByteArray> lines = file.readAll().split('\n');
+    QCOMPARE(lines.value(0), QByteArray("lesson,slide,kind,given,right,is_right"));
+    QCOMPARE(lines.value(1), QByteArray("top-left,5,number,7,8,0"));
+    QVERIFY(lines.value(2).startsWith("top-left,6,pixels,,\"(7, 0), (6, 1)"));
+    QVERIFY(!lessons().keepAnswers(m_folder.filePath(QStringLiteral("nowhere/answers.csv"))));
+    QVERIFY(m_window->message().contains(QStringLiteral("nowhere/answers.csv")));
+}
+
+void TestLessonWindow::ownFilesAreOpenedAndChecked()
+{
+    const QByteArray whole =
+        "{\"rasterlens-lesson\": 1, \"id\": \"own\", \"title\": {\"en\": \"Own\", \"zh\": \"自己的\"},\n"
+        "\"steps\": [{\"scene\": \"builtin:square-diagonal\",\n"
+        "\"caption\": {\"en\": \"{covered} hits.\", \"zh\": \"{covered} 次。\"},\n"
+        "\"expect\": {\"covered\": 64}}]}";
+    m_window->open(write("own.json", whole));
+    QVERIFY(complete());
+    QVERIFY(waitFor([this] { return !lessons().isChecking(); }));
+    QCOMPARE(m_window->message(), QString());
+    QCOMPARE(panel().text(), QStringLiteral("64 hits."));
+    QCOMPARE(lessons().dock().windowTitle(), QStringLiteral("Own"));
+    QVERIFY(document().recentFiles().first().endsWith(QStringLiteral("own.json")));
+
+    m_window->open(write("broken.json", QByteArray(whole).replace("builtin:square-diagonal", "builtin:squair")));
+    QVERIFY2(m_window->message().contains(QStringLiteral("broken.json:2: there is no scene \"builtin:squair\"")),
+             qPrintable(m_window->message()));
+    QCOMPARE(player().lesson().id, QStringLiteral("own")); // which stays
+
+    m_window->open(write("wrong.json", QByteArray(whole).replace("64}", "63}")));
+    QVERIFY(waitFor([this] { return m_window->message().contains(QStringLiteral("wrong.json:4: ")); }));
+    QVERIFY(m_window->message().contains(QStringLiteral("\"covered\" is 64, not 63")));
+    QVERIFY(complete());
+}
+
+void TestLessonWindow::textsFollowTheLanguage()
+{
+    QVERIFY(openAt(QStringLiteral("top-left"), 5, LessonPlayer::Entry::Asks));
+    m_window->setLanguage(LanguageKind::Chinese);
+    QVERIFY(complete());
+    const Lesson lesson = *loadLesson(QStringLiteral("top-left")).lesson;
+    QCOMPARE(panel().text(), lesson.slides[4].question->text.zh);
+    QCOMPARE(lessons().dock().windowTitle(), lesson.title.zh);
+    QCOMPARE(m_window->actionTable().action("lesson.open-top-left")->text(), QStringLiteral("7  ") + lesson.title.zh);
+}
+
+QTEST_MAIN(TestLessonWindow)
+#include "test_lesson_window.moc"

@@ -1,0 +1,241 @@
+// The stage for a lecture: the picture first, one caption, all menus within reach; and what a first start and a session
+// show.
+#include "core/lessons/lesson.h"
+#include "ui/lessons/lesson_mode.h"
+#include "ui/lessons/lesson_panel.h"
+#include "ui/steps/step_listing.h"
+#include "ui/steps/step_sentence.h"
+#include "ui/steps/transport_dock.h"
+#include "ui/truth/truth_mode.h"
+#include "ui/window/window_moment.h"
+#include "window_fixture.h"
+
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QToolButton>
+
+using namespace rasterlens;
+using namespace rasterlens::test;
+
+class TestStage : public WindowFixture
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void thePictureHasMostOfTheScreen_data();
+    void thePictureHasMostOfTheScreen();
+    void thePictureDoesNotMoveFromStepToStep();
+    void theCaptionTellsTheStep();
+    void allMenusAreWithinReach();
+    void lessonsAreHeldOnTheStage();
+    void sessionsKeepTheMoment();
+    void oldSessionsLeaveTheViewAlone();
+    void rOffersASmallPicture();
+    void theFirstStartOpensTheFirstLesson();
+
+private:
+    QLabel* caption() { return m_window->findChild<QLabel*>(QStringLiteral("caption")); }
+
+    bool openStage(QSize size)
+    {
+        m_window->setPresentation(true);
+        m_window->showNormal();
+        m_window->resize(size);
+        QTest::qWait(50);
+        return complete() && m_window->size() == size;
+    }
+};
+
+void TestStage::thePictureHasMostOfTheScreen_data()
+{
+    QTest::addColumn<QSize>("size");
+    QTest::addColumn<QString>("mistake");
+    QTest::newRow("1024x768") << QSize(1024, 768) << QString();
+    QTest::newRow("1024x768, mistake") << QSize(1024, 768) << QStringLiteral("all-inclusive");
+    QTest::newRow("1920x1080") << QSize(1920, 1080) << QString();
+}
+
+void TestStage::thePictureHasMostOfTheScreen()
+{
+    QFETCH(QSize, size);
+    QFETCH(QString, mistake);
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    QVERIFY(change([&](Settings& s) { s.mistakes = mistake.isEmpty() ? QStringList() : QStringList{mistake}; }));
+    m_window->stepMode().showStep(QStringLiteral("tie"));
+    QVERIFY(complete());
+    QVERIFY(openStage(size));
+    const double share = double(viewport().height()) / m_window->height();
+    QVERIFY2(share >= 0.6, qPrintable(QString::number(share)));
+    QVERIFY2(viewport().transform().zoom >= kLensNumbersFromCell,
+             qPrintable(QString::number(viewport().transform().zoom)));
+    QVERIFY(m_window->stepMode().listing().isVisible());
+    QVERIFY(m_window->stepMode().transport().isVisible());
+    const bool isBeside = m_window->stepMode().listing().geometry().left() > viewport().geometry().left();
+    QCOMPARE(isBeside, size.width() > 1200);
+    QTest::keyClick(&viewport(), Qt::Key_Escape);
+    QVERIFY(!m_window->look().presentation);
+    QVERIFY(m_window->menuBar()->isVisible());
+}
+
+void TestStage::thePictureDoesNotMoveFromStepToStep()
+{
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    m_window->stepMode().showStep(QStringLiteral("12"));
+    QVERIFY(complete());
+    QVERIFY(openStage({1024, 768}));
+    const QRect place = viewport().geometry();
+    const CanvasTransform transform = viewport().transform();
+    for (int i = 0; i < 60; ++i) {
+        key(Qt::Key_Right);
+        QVERIFY(complete());
+        QCoreApplication::processEvents();
+        QCOMPARE(viewport().geometry(), place);
+        QVERIFY(viewport().transform() == transform);
+    }
+}
+
+void TestStage::theCaptionTellsTheStep()
+{
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    QVERIFY(openStage({1024, 768}));
+    QVERIFY(caption()->text().contains(QStringLiteral("Square cut by its diagonal")));
+    m_window->stepMode().showStep(QStringLiteral("tie"));
+    QVERIFY(complete());
+    const StepSession& session = m_window->stepMode().session();
+    QCOMPARE(caption()->text(), stepSentence(*session.log(), session.position() - 1).toHtmlEscaped());
+    QCOMPARE(caption()->text(),
+             QStringLiteral("Pixel (7, 0) lies exactly on BC, a right or bottom edge: face 0 does not draw it."));
+    QVERIFY(change([](Settings& s) { s.mistakes = {QStringLiteral("all-inclusive")}; }));
+    QVERIFY(caption()->text().contains(QStringLiteral("M1")));
+    QVERIFY(caption()->text().contains(QStringLiteral("and still face 0 draws it")));
+    // Whatever happens, there is a sentence.
+    for (std::size_t i = 0; i < session.size(); ++i)
+        QVERIFY(!stepSentence(*session.log(), i).isEmpty());
+}
+
+void TestStage::allMenusAreWithinReach()
+{
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    auto* button = m_window->findChild<QToolButton*>(QStringLiteral("stageMenu"));
+    QVERIFY(!button->isVisible());
+    QVERIFY(openStage({1024, 768}));
+    QVERIFY(button->isVisible() && !m_window->menuBar()->isVisible());
+    QCOMPARE(button->menu()->actions(), m_window->menuBar()->actions());
+    m_window->actionTable().action("lesson.open-perspective")->trigger();
+    QVERIFY(complete());
+    QCOMPARE(m_window->lessons().player().lesson().id, QStringLiteral("perspective"));
+}
+
+void TestStage::lessonsAreHeldOnTheStage()
+{
+    QVERIFY(openStage({1024, 768}));
+    QVERIFY(m_window->lessons().open(QStringLiteral("top-left")));
+    QVERIFY(complete());
+    key(Qt::Key_PageDown);
+    QVERIFY(complete());
+    QTest::qWait(50);
+    const LessonPanel& panel = m_window->lessons().panel();
+    QVERIFY(panel.isVisible() && !caption()->isVisible());
+    QVERIFY(!panel.text().isEmpty());
+    QVERIFY2(viewport().height() >= 0.6 * m_window->height(), qPrintable(QString::number(viewport().height())));
+    QVERIFY(viewport().transform().zoom >= kLensNumbersFromCell);
+    m_window->setPresentation(false);
+    QVERIFY(panel.isVisible()); // in its dock
+    m_window->lessons().player().close();
+    QVERIFY(openStage({1024, 768}));
+    QVERIFY(!panel.isVisible() && caption()->isVisible());
+}
+
+void TestStage::sessionsKeepTheMoment()
+{
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    m_window->stepMode().showStep(QStringLiteral("tie"));
+    QVERIFY(complete());
+    viewport().selectPixel(QPoint(7, 0));
+    viewport().showAround({4, 4}, 32);
+    m_window->actionTable().action("view.samples")->trigger();
+    m_window->truthMode().showPanel(QStringLiteral("cases"));
+    QVERIFY(complete());
+    const Moment kept = m_window->moment().present();
+    const QString path = m_folder.filePath(QStringLiteral("moment.json"));
+    QVERIFY(document().saveSession(path));
+    closeWindow();
+    openWindow();
+    document().open(path);
+    QVERIFY(complete());
+    Moment again = m_window->moment().present();
+    QCOMPARE(again.step->position, kept.step->position);
+    QCOMPARE(again.pixel, kept.pixel);
+    QCOMPARE(again.zoom, kept.zoom);
+    QCOMPARE(again.panels, kept.panels);
+    QCOMPARE(again.overlays, kept.overlays);
+    QVERIFY(!document().isDirty());
+}
+
+void TestStage::oldSessionsLeaveTheViewAlone()
+{
+    const QString path = m_folder.filePath(QStringLiteral("old.json"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("{\"rasterlens\": 1, \"scene\": \"builtin:square-diagonal\", \"settings\": {\"culling\": \"none\"}}");
+    file.close();
+    QVERIFY(open(QStringLiteral("builtin:cube")));
+    m_window->truthMode().showPanel(QStringLiteral("cases"));
+    QVERIFY(complete());
+    document().open(path);
+    QVERIFY(complete());
+    QVERIFY(m_window->moment().present().panels.contains(QStringLiteral("cases")));
+    QVERIFY(viewport().isFitted());
+    QCOMPARE(m_window->message(), QString());
+    QFile wrong(m_folder.filePath(QStringLiteral("wrong.json")));
+    QVERIFY(wrong.open(QIODevice::WriteOnly));
+    wrong.write("{\"rasterlens\": 1, \"scene\": \"builtin:cube\", \"settings\": {}, \"step\": \"nowhere\"}");
+    wrong.close();
+    document().open(wrong.fileName());
+    QVERIFY(complete());
+    QVERIFY2(m_window->message().contains(QStringLiteral("\"step\" takes")), qPrintable(m_window->message()));
+    QCOMPARE(document().scene()->id, QStringLiteral("builtin:cube"));
+}
+
+void TestStage::rOffersASmallPicture()
+{
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    key(Qt::Key_R);
+    QVERIFY(complete());
+    QCOMPARE(m_window->message(), QString());
+    key(Qt::Key_R);
+    QVERIFY(open(QStringLiteral("builtin:cube")));
+    QVERIFY(change([](Settings& s) { s.size = {320, 240}; }));
+    key(Qt::Key_R);
+    QVERIFY(complete());
+    QVERIFY(m_window->message().contains(QStringLiteral("320 x 240")));
+    auto* button = m_window->findChild<QPushButton*>(QStringLiteral("recordSmall"));
+    QVERIFY(button);
+    button->click();
+    QVERIFY(complete());
+    QCOMPARE(settings().size, QSize(64, 48));
+    QVERIFY(m_window->stepMode().session().isOpen());
+}
+
+void TestStage::theFirstStartOpensTheFirstLesson()
+{
+    QSettings().clear();
+    m_window->openAtStart();
+    QVERIFY(complete());
+    QCOMPARE(m_window->lessons().player().lesson().id, QStringLiteral("first-minute"));
+    QCOMPARE(settings().size, QSize(16, 12));
+    QVERIFY(m_window->stepMode().session().event()->has(StepEvent::kTie));
+    const std::size_t before = m_window->stepMode().session().position();
+    key(Qt::Key_Right);
+    QCOMPARE(m_window->stepMode().session().position(), before + 1);
+    closeWindow();
+    openWindow();
+    m_window->openAtStart();
+    QVERIFY(complete());
+    QVERIFY(!m_window->lessons().player().isOpen());
+}
+
+QTEST_MAIN(TestStage)
+#include "test_stage.moc"

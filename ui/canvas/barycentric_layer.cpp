@@ -1,0 +1,143 @@
+#include "ui/canvas/barycentric_layer.h"
+
+#include "core/observe/names.h"
+#include "ui/base/theme.h"
+#include "ui/canvas/geometry_layer.h"
+#include "ui/canvas/overlay_inks.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPolygonF>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr std::array<char16_t, 3> kLetters{u'\u03b1', u'\u03b2', u'\u03b3'};
+
+QPointF onCanvas(const CanvasTransform& transform, const glm::dvec2& point)
+{
+    return transform.toCanvas(QPointF(point.x, point.y));
+}
+
+/// The middle of the part of a polygon that the canvas shows; of all of it where it shows none.
+QPointF visibleMiddle(const QPolygonF& polygon, const QRect& canvas)
+{
+    const QPolygonF seen = polygon.intersected(QPolygonF(QRectF(canvas)));
+    const QPolygonF& shown = seen.isEmpty() ? polygon : seen;
+    QPointF sum;
+    for (const QPointF& point : shown)
+        sum += point;
+    return sum / static_cast<double>(shown.size());
+}
+
+} // namespace
+
+std::array<QString, 3> BarycentricLayer::texts() const
+{
+    std::array<QString, 3> texts;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const QString letter = QChar(kLetters[i]);
+        texts[i] = QStringLiteral("%1 %2").arg(letter).arg(m_weights->screen[i], 0, 'f', 4);
+        if (m_weights->isCorrected())
+            texts[i] +=
+                QLatin1Char('\n') + QCoreApplication::translate("rasterlens::BarycentricLayer", "perspective %1")
+                                        .arg(QStringLiteral("%1 %2").arg(letter).arg(m_weights->used[i], 0, 'f', 4));
+    }
+    return texts;
+}
+
+void BarycentricLayer::paint(QPainter& painter, const QRect& canvas, const CanvasTransform& transform,
+                             const OverlayOptions& options) const
+{
+    if (!m_weights || !options.barycentric)
+        return;
+    painter.save();
+    painter.setClipRect(canvas, Qt::IntersectClip);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintIsoLines(painter, transform);
+    paintAreas(painter, transform, options.thickLines);
+    paintTexts(painter, canvas, transform);
+    painter.restore();
+}
+
+/// Solid: of the weights that attributes are weighted with. Dotted: of those on the screen, where they differ.
+void BarycentricLayer::paintIsoLines(QPainter& painter, const CanvasTransform& transform) const
+{
+    constexpr int kParts = 10;
+    const bool corrected = m_weights->isCorrected();
+    const auto draw = [&](std::size_t corner, int part, bool withW) {
+        const auto line = isoLine(m_weights->corners, m_weights->invW, corner, double(part) / kParts, withW);
+        painter.drawLine(onCanvas(transform, line[0]), onCanvas(transform, line[1]));
+    };
+    for (std::size_t corner = 0; corner < 3; ++corner)
+        for (int part = 1; part < kParts; ++part) {
+            const double width = part * 2 == kParts ? 2 : 1;
+            paintSeamed(painter, kWeightInks[corner], width, Qt::SolidLine, [&] { draw(corner, part, corrected); });
+            if (corrected && part * 2 == kParts)
+                paintSeamed(painter, kWeightInks[corner], 1.5, Qt::DotLine, [&] { draw(corner, part, false); });
+        }
+}
+
+/// The triangle of the sample and the side opposite a corner has the part of the area that is that corner's weight.
+void BarycentricLayer::paintAreas(QPainter& painter, const CanvasTransform& transform, bool thick) const
+{
+    constexpr int kAlpha = 90;
+    const QPointF point = onCanvas(transform, m_weights->point);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        const QPointF next = onCanvas(transform, m_weights->corners[(corner + 1) % 3]);
+        const QPointF last = onCanvas(transform, m_weights->corners[(corner + 2) % 3]);
+        QColor fill(kWeightInks[corner]);
+        fill.setAlpha(kAlpha);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(fill);
+        painter.drawPolygon(QPolygonF{point, next, last});
+        paintSeamed(painter, kWireInk, thick ? 3 : 1.5, Qt::SolidLine, [&] {
+            painter.drawPolygon(QPolygonF{point, next, last});
+        });
+    }
+    painter.setPen(QPen(QColor(kCanvasInk), 1.5));
+    painter.setBrush(Qt::white);
+    painter.drawEllipse(point, 4, 4);
+}
+
+void BarycentricLayer::paintTexts(QPainter& painter, const QRect& canvas, const CanvasTransform& transform) const
+{
+    painter.setFont(textFont(0, true));
+    const std::array<QString, 3> texts = this->texts();
+    const QPointF point = onCanvas(transform, m_weights->point);
+    std::array<QPointF, 3> places;
+    std::array<QRectF, 3> plates;
+    QPointF middle;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const QPointF here = onCanvas(transform, m_weights->corners[i]);
+        const QPointF next = onCanvas(transform, m_weights->corners[(i + 1) % 3]);
+        const QPointF last = onCanvas(transform, m_weights->corners[(i + 2) % 3]);
+        places[i] = visibleMiddle(QPolygonF{point, next, last}, canvas);
+        plates[i] = plateOf(painter, canvas, places[i], texts[i]);
+        middle += here / 3;
+    }
+    const bool overlap =
+        plates[0].intersects(plates[1]) || plates[1].intersects(plates[2]) || plates[2].intersects(plates[0]);
+    if (overlap) // small areas: one below the other beside the sample
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double row = (double(i) - 1) * (plates[i].height() + 2);
+            places[i] = point + QPointF(plates[i].width() / 2 + std::max(16.0, transform.zoom), row);
+        }
+    for (std::size_t i = 0; i < 3; ++i) {
+        const QPointF here = onCanvas(transform, m_weights->corners[i]);
+        const QLineF away(middle, here);
+        constexpr double kAway = 14;
+        const QPointF name = away.length() > 0 ? here + (here - middle) / away.length() * kAway : here;
+        if (canvas.contains(here.toPoint()))
+            paintPlate(painter, canvas, name, cornerLetter(i), kWeightInks[i]);
+        paintPlate(painter, canvas, places[i], texts[i], kWeightInks[i]);
+    }
+}
+
+} // namespace rasterlens

@@ -1,0 +1,172 @@
+#include "ui/face/figure_view.h"
+
+#include "core/observe/names.h"
+#include "ui/base/distances.h"
+#include "ui/base/inks.h"
+#include "ui/base/theme.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr double kReach = 7; ///< so near the mouse has to come, in pixels
+constexpr double kPointRadius = 3;
+
+} // namespace
+
+FigureView::FigureView(QWidget* parent) : QWidget(parent)
+{
+    setMouseTracking(true);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+}
+
+void FigureView::setFigure(const DerivationFigure& figure, const QString& title)
+{
+    m_figure = figure;
+    m_title = title;
+    setAccessibleName(title);
+    update();
+}
+
+void FigureView::setPresent(std::vector<int> symbols)
+{
+    m_present = std::move(symbols);
+    update();
+}
+
+void FigureView::setHovered(std::optional<std::size_t> symbol)
+{
+    m_hovered = symbol;
+    update();
+}
+
+QRectF FigureView::plotArea() const
+{
+    const double line = QFontMetricsF(textFont(-1)).height();
+    return QRectF(rect()).adjusted(1.6 * line, 2.4 * line, -0.8 * line, -1.3 * line);
+}
+
+QPointF FigureView::toWidget(const glm::dvec2& at) const
+{
+    const QRectF area = plotArea();
+    const glm::dvec2 extent = m_figure.high - m_figure.low;
+    const glm::dvec2 part = (at - m_figure.low) / glm::dvec2(extent.x > 0 ? extent.x : 1, extent.y > 0 ? extent.y : 1);
+    return {area.left() + part.x * area.width(), area.bottom() - part.y * area.height()};
+}
+
+std::optional<std::size_t> FigureView::symbolAt(QPointF widget) const
+{
+    std::optional<std::size_t> nearest;
+    double distance = kReach;
+    const auto offer = [&](int symbol, double away) {
+        if (symbol < 0 || away >= distance)
+            return;
+        nearest = static_cast<std::size_t>(symbol);
+        distance = away;
+    };
+    for (const FigurePoint& point : m_figure.points)
+        offer(point.symbol, QLineF(widget, toWidget(point.at)).length() - kPointRadius);
+    for (const FigureStroke& stroke : m_figure.strokes)
+        for (std::size_t i = 1; i < stroke.points.size(); ++i)
+            offer(stroke.symbol,
+                  distanceToSegment(widget, {toWidget(stroke.points[i - 1]), toWidget(stroke.points[i])}));
+    return nearest;
+}
+
+bool FigureView::isLit(int symbol) const
+{
+    return symbol >= 0 && m_hovered && static_cast<std::size_t>(symbol) == *m_hovered;
+}
+
+QColor FigureView::inkOf(int symbol) const
+{
+    const Inks inks = inksFor(palette());
+    if (isLit(symbol))
+        return inks.minus;
+    const bool isPresent = symbol >= 0 && std::ranges::find(m_present, symbol) != m_present.end();
+    return isPresent ? inks.plus : palette().color(QPalette::Text);
+}
+
+void FigureView::paintAxes(QPainter& painter) const
+{
+    const QRectF area = plotArea();
+    const QColor muted = palette().color(QPalette::PlaceholderText);
+    painter.setPen(palette().color(QPalette::Text));
+    painter.setFont(textFont(-1, true));
+    painter.drawText(QRectF(0, 0, width(), area.top()), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, m_title);
+    painter.setPen(muted);
+    painter.setFont(textFont(-1));
+    painter.drawLine(area.topLeft(), area.bottomLeft());
+    painter.drawLine(area.bottomLeft(), area.bottomRight());
+    const QRectF below(area.left(), area.bottom() + 1, area.width(), height() - area.bottom());
+    painter.drawText(below, Qt::AlignLeft | Qt::AlignTop, shortNumber(m_figure.low.x));
+    painter.drawText(below, Qt::AlignHCenter | Qt::AlignTop, m_figure.xName);
+    painter.drawText(below, Qt::AlignRight | Qt::AlignTop, shortNumber(m_figure.high.x));
+    painter.drawText(QRectF(0, area.top(), area.left() - 3, area.height()), Qt::AlignRight | Qt::AlignVCenter,
+                     m_figure.yName);
+    const double line = QFontMetricsF(painter.font()).height();
+    painter.drawText(QRectF(area.left() + 3, area.top() - line, area.width(), line), Qt::AlignLeft | Qt::AlignBottom,
+                     shortNumber(m_figure.high.y));
+    painter.drawText(QRectF(area.left() + 3, area.bottom() - line, area.width(), line), Qt::AlignLeft | Qt::AlignBottom,
+                     shortNumber(m_figure.low.y));
+}
+
+void FigureView::paintStrokes(QPainter& painter) const
+{
+    for (const FigureStroke& stroke : m_figure.strokes) {
+        QPolygonF way;
+        for (const glm::dvec2& point : stroke.points)
+            way << toWidget(point);
+        const QColor ink = inkOf(stroke.symbol);
+        const bool isPlain = ink == palette().color(QPalette::Text);
+        painter.setPen(
+            QPen(ink, isPlain ? 1.2 : 2.6, stroke.look == FigureStroke::Look::Dashed ? Qt::DashLine : Qt::SolidLine));
+        painter.drawPolyline(way);
+        if (stroke.name.isEmpty() || way.isEmpty())
+            continue;
+        const QPointF middle = way.size() > 2 ? way[way.size() / 2] : (way.front() + way.back()) / 2;
+        painter.drawText(middle + QPointF(4, -4), stroke.name);
+    }
+}
+
+void FigureView::paintPoints(QPainter& painter) const
+{
+    for (const FigurePoint& point : m_figure.points) {
+        const QPointF at = toWidget(point.at);
+        painter.setPen(inkOf(point.symbol));
+        painter.setBrush(inkOf(point.symbol));
+        painter.drawEllipse(at, isLit(point.symbol) ? kPointRadius + 2 : kPointRadius, kPointRadius);
+        painter.drawText(at + QPointF(5, -5), point.name);
+    }
+}
+
+void FigureView::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintAxes(painter);
+    painter.setFont(textFont(-1, true));
+    painter.setClipRect(plotArea().adjusted(-6, -10, 14, 6));
+    paintStrokes(painter);
+    paintPoints(painter);
+}
+
+void FigureView::mouseMoveEvent(QMouseEvent* event)
+{
+    Q_EMIT symbolHovered(symbolAt(event->position()));
+    QWidget::mouseMoveEvent(event);
+}
+
+void FigureView::leaveEvent(QEvent* event)
+{
+    Q_EMIT symbolHovered(std::nullopt);
+    QWidget::leaveEvent(event);
+}
+
+} // namespace rasterlens

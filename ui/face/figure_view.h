@@ -1,0 +1,56 @@
+#pragma once
+#include "core/derive/figure.h"
+
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+namespace rasterlens
+{
+
+/// Draws a figure of a derivation: what belongs to the present line is thick, and a symbol under the mouse is told.
+class FigureView : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit FigureView(QWidget* parent = nullptr);
+
+    /// in  title: that of the figure, in the language in use
+    void setFigure(const DerivationFigure& figure, const QString& title);
+    /// The symbols of the present line, as indices into Derivation::symbols.
+    void setPresent(std::vector<int> symbols);
+    void setHovered(std::optional<std::size_t> symbol);
+
+    /// Where a point of the figure lies in the widget.
+    [[nodiscard]] QPointF toWidget(const glm::dvec2& at) const;
+    /// The symbol whose stroke or point lies there; nothing where none is near.
+    [[nodiscard]] std::optional<std::size_t> symbolAt(QPointF widget) const;
+
+    QSize sizeHint() const override { return {210, 190}; }
+    QSize minimumSizeHint() const override { return {150, 150}; }
+
+Q_SIGNALS:
+    void symbolHovered(std::optional<std::size_t> symbol);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    [[nodiscard]] QRectF plotArea() const;
+    [[nodiscard]] QColor inkOf(int symbol) const;
+    [[nodiscard]] bool isLit(int symbol) const;
+    void paintAxes(QPainter& painter) const;
+    void paintStrokes(QPainter& painter) const;
+    void paintPoints(QPainter& painter) const;
+
+    DerivationFigure m_figure;
+    QString m_title;
+    std::vector<int> m_present;
+    std::optional<std::size_t> m_hovered;
+};
+
+} // namespace rasterlens

@@ -1,0 +1,108 @@
+#include "ui/face/sample_rows.h"
+
+#include "ui/base/step_words.h"
+
+#include <QColor>
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QVBoxLayout>
+#include <QWidget>
+
+#include <cmath>
+
+namespace rasterlens
+{
+namespace
+{
+
+QString translated(const char* text) { return QCoreApplication::translate("rasterlens::PixelCard", text); }
+
+/// The samples of a pixel as they lie in it; those that count as black are crossed out.
+class SampleGrid : public QWidget
+{
+public:
+    explicit SampleGrid(const ResolvedPixel& pixel) : m_pixel(pixel), m_grid(int(std::lround(std::sqrt(pixel.count))))
+    {
+        constexpr int kSide = 60;
+        setFixedSize(kSide + 1, kSide + 1);
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        const double cell = double(width() - 1) / m_grid;
+        for (int i = 0; i < m_pixel.count; ++i) {
+            const QRectF part(i % m_grid * cell, i / m_grid * cell, cell, cell);
+            const QColor stored{QRgb(m_pixel.samples[std::size_t(i)].color)};
+            const QColor ink = stored.lightness() > 128 ? Qt::black : Qt::white;
+            painter.fillRect(part, stored);
+            painter.setPen(ink);
+            painter.drawText(part, Qt::AlignCenter, QString::number(i + 1));
+            if (m_pixel.counted(i) != m_pixel.samples[std::size_t(i)].color) {
+                painter.drawLine(part.topLeft(), part.bottomRight());
+                painter.drawLine(part.topRight(), part.bottomLeft());
+            }
+            painter.setPen(palette().color(QPalette::Mid));
+            painter.drawRect(part);
+        }
+    }
+
+private:
+    ResolvedPixel m_pixel;
+    int m_grid;
+};
+
+QLabel* textLabel(const QString& text, const char* look)
+{
+    auto* label = new QLabel(text);
+    label->setObjectName(QLatin1String(look));
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    return label;
+}
+
+SampleWords wordsOf(const QString& title, const ResolvedPixel& pixel)
+{
+    return {title, storedWords(pixel), meanWords(pixel), pixel};
+}
+
+} // namespace
+
+std::vector<SampleWords> sampleWords(const WhyReport& report)
+{
+    std::vector<SampleWords> groups;
+    if (!report.samples)
+        return groups;
+    groups.push_back(
+        wordsOf(translated(QT_TRANSLATE_NOOP("rasterlens::PixelCard", "Its samples and their mean")), *report.samples));
+    for (const WhyReport::Without& other : report.without) {
+        const QString name = QStringLiteral("%1 %2").arg(QLatin1String(other.mistake->number),
+                                                         QCoreApplication::translate("Mistake", other.mistake->title));
+        groups.push_back(
+            wordsOf(translated(QT_TRANSLATE_NOOP("rasterlens::PixelCard", "Without %1")).arg(name), other.samples));
+    }
+    return groups;
+}
+
+QWidget* makeSampleRows(const std::vector<SampleWords>& groups)
+{
+    auto* rows = new QWidget;
+    auto* column = new QVBoxLayout(rows);
+    column->setContentsMargins(8, 2, 8, 4);
+    column->setSpacing(3);
+    for (const SampleWords& group : groups) {
+        column->addWidget(textLabel(group.title, "muted"));
+        auto* line = new QHBoxLayout;
+        line->setSpacing(10);
+        line->addWidget(new SampleGrid(group.pixel), 0, Qt::AlignTop);
+        line->addWidget(textLabel(group.samples.join(QLatin1Char('\n')), "numbers"), 1);
+        column->addLayout(line);
+        column->addWidget(textLabel(group.sums.join(QLatin1Char('\n')), "numbers"));
+    }
+    return rows;
+}
+
+} // namespace rasterlens

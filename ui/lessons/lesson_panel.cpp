@@ -1,0 +1,233 @@
+#include "ui/lessons/lesson_panel.h"
+
+#include "ui/base/parts.h"
+#include "ui/base/style_sheet.h"
+#include "ui/lessons/question_box.h"
+#include "ui/lessons/texts.h"
+
+#include <QAction>
+#include <QBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QToolButton>
+
+namespace rasterlens
+{
+namespace
+{
+
+QLabel* makeText(const char* name)
+{
+    auto* label = new QLabel;
+    label->setObjectName(QLatin1String(name));
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText);
+    return label;
+}
+
+QToolButton* makeButton(QAction* action)
+{
+    auto* button = new QToolButton;
+    button->setObjectName(QStringLiteral("flat"));
+    button->setFocusPolicy(Qt::TabFocus);
+    if (action)
+        button->setDefaultAction(action);
+    return button;
+}
+
+} // namespace
+
+LessonPanel::LessonPanel(LessonPlayer& player, const Actions& actions, QWidget* parent)
+    : QFrame(parent), m_player(player)
+{
+    setObjectName(QStringLiteral("lessonPanel"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(12, 4, 12, 10);
+    column->setSpacing(8);
+    column->addWidget(buildButtons(actions));
+    m_verdict = makeText("lessonVerdict");
+    m_text = makeText("lessonText");
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_text->setFocusPolicy(Qt::NoFocus);
+    m_question = new QuestionBox;
+    column->addWidget(m_verdict);
+    column->addWidget(m_text);
+    column->addWidget(m_question);
+    m_score = new QLabel;
+    m_score->setObjectName(QStringLiteral("muted"));
+    column->addWidget(m_score);
+    m_contents = new QListWidget;
+    m_contents->setObjectName(QStringLiteral("lessonContents"));
+    m_contents->setFrameShape(NoFrame);
+    m_contents->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_contents->setTextElideMode(Qt::ElideRight);
+    column->addWidget(m_contents, 1);
+    connect(m_contents, &QListWidget::itemActivated, this,
+            [this] { m_player.goTo(static_cast<std::size_t>(m_contents->currentRow())); });
+    connect(m_contents, &QListWidget::itemClicked, this,
+            [this] { m_player.goTo(static_cast<std::size_t>(m_contents->currentRow())); });
+    connect(&player, &LessonPlayer::changed, this, &LessonPanel::sync);
+    connect(m_question, &QuestionBox::given, &player, &LessonPlayer::answer);
+    retranslate();
+}
+
+QWidget* LessonPanel::buildButtons(const Actions& actions)
+{
+    auto* buttons = new QWidget;
+    auto* row = m_row = new QHBoxLayout(buttons);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    for (QAction* action : {actions.previous, actions.next}) {
+        QToolButton* button = makeButton(nullptr);
+        button->setArrowType(action == actions.next ? Qt::RightArrow : Qt::LeftArrow);
+        connect(button, &QToolButton::clicked, action, &QAction::trigger);
+        const auto follow = [button, action] {
+            button->setEnabled(action->isEnabled());
+            button->setToolTip(action->toolTip());
+            button->setAccessibleName(action->iconText());
+        };
+        connect(action, &QAction::changed, button, follow);
+        follow();
+        row->addWidget(button);
+    }
+    m_number = new QLabel;
+    m_number->setObjectName(QStringLiteral("heading"));
+    row->addWidget(m_number);
+    row->addStretch(1);
+    m_try = makeLink();
+    m_try->setFocusPolicy(Qt::TabFocus);
+    connect(m_try, &QToolButton::clicked, this, &LessonPanel::tryWanted);
+    row->addWidget(m_try);
+    m_back = makeLink();
+    m_back->setFocusPolicy(Qt::TabFocus);
+    connect(m_back, &QToolButton::clicked, actions.back, &QAction::trigger);
+    row->addWidget(m_back);
+    return buttons;
+}
+
+QString LessonPanel::text() const { return m_text->text(); }
+QString LessonPanel::verdict() const { return m_verdict->text(); }
+
+void LessonPanel::setAway(bool away)
+{
+    m_away = away;
+    sync();
+}
+
+void LessonPanel::setBar(bool bar)
+{
+    m_bar = bar;
+    if (bar) // beside the number: the picture has the height
+        m_row->insertWidget(m_row->indexOf(m_number) + 1, m_score);
+    else
+        static_cast<QVBoxLayout*>(layout())->insertWidget(layout()->indexOf(m_contents), m_score);
+    m_question->setWide(bar);
+    sync();
+}
+
+void LessonPanel::retranslate()
+{
+    m_try->setText(tr("Try it yourself"));
+    m_try->setToolTip(tr("Change anything: settings, mistakes, corners, steps. The lesson waits."));
+    m_back->setText(tr("Back to the lesson"));
+    m_question->retranslate();
+    syncContents();
+    sync();
+}
+
+void LessonPanel::sync()
+{
+    const bool isOpen = m_player.isOpen();
+    setEnabled(isOpen);
+    m_try->setVisible(isOpen && !m_away);
+    m_back->setVisible(isOpen && m_away);
+    m_contents->setVisible(isOpen && !m_bar);
+    m_question->setQuestion(m_player.isAsking() ? &*m_player.slide().question : nullptr);
+    m_verdict->setText(isOpen ? verdictText() : QString());
+    m_verdict->setVisible(!m_verdict->text().isEmpty());
+    if (!isOpen) {
+        m_number->clear();
+        m_score->clear();
+        m_text->setText(tr("Choose a lesson in the menu Lessons."));
+        syncContents();
+        return;
+    }
+    const LessonPlayer::Place& place = m_player.place();
+    m_number->setText(tr("%1 of %2").arg(place.slide + 1).arg(m_player.lesson().slides.size()));
+    const LessonPlayer::Score score = m_player.score();
+    m_score->setText(score.answered > 0 ? tr("%1 of %2 right").arg(score.right).arg(score.answered) : QString());
+    m_score->setVisible(score.answered > 0);
+    const Slide& slide = m_player.slide();
+    m_text->setText(m_player.isAsking() ? textInUse(slide.question->text)
+                    : place.phase == LessonPlayer::Phase::Ended
+                        ? endText()
+                        : textInUse(textWithNumbers(slide.moment.caption, slide)));
+    setStyleProperty(*m_verdict, "kind",
+                     m_player.answered(place.slide) && m_player.answered(place.slide)->isRight
+                         ? QStringLiteral("right")
+                         : QStringLiteral("wrong"));
+    syncContents();
+}
+
+/// What became of the answer to the slide that is shown.
+QString LessonPanel::verdictText() const
+{
+    const auto* answered = m_player.answered(m_player.place().slide);
+    if (m_player.place().phase != LessonPlayer::Phase::Shown || !answered)
+        return {};
+    if (!answered->right)
+        return answered->given ? tr("This question has no answer here.") : QString();
+    const Question& question = *m_player.slide().question;
+    const QString right = answered->right->choice ? choiceText(question.choices[*answered->right->choice])
+                                                  : textOf(answered->right->value);
+    if (!answered->given)
+        return tr("The answer: %1").arg(right);
+    if (answered->isRight)
+        return tr("\u2713 Right: %1").arg(right);
+    if (const auto* pixels = std::get_if<std::vector<QPoint>>(&*answered->given)) {
+        const PixelScore score = scoreOf(*pixels, std::get<std::vector<QPoint>>(answered->right->value));
+        return tr("\u2717 %1 of %2 found, %3 too many").arg(score.found).arg(score.wanted).arg(score.extra);
+    }
+    return tr("\u2717 Not quite. The answer: %1").arg(right);
+}
+
+QString LessonPanel::endText() const
+{
+    const LessonPlayer::Score score = m_player.score();
+    QString text = tr("The lesson ends here.");
+    if (score.questions > 0)
+        text += QLatin1Char(' ') + tr("%1 of %2 questions answered right.").arg(score.right).arg(score.questions);
+    return text;
+}
+
+void LessonPanel::syncContents()
+{
+    const QSignalBlocker quiet(m_contents);
+    const std::size_t count = m_player.isOpen() ? m_player.lesson().slides.size() : 0;
+    while (m_contents->count() > static_cast<int>(count))
+        delete m_contents->takeItem(m_contents->count() - 1);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Slide& slide = m_player.lesson().slides[i];
+        const auto* answered = m_player.answered(i);
+        const QString sign = !slide.question                 ? QString()
+                             : answered && answered->isRight ? QStringLiteral("\u2713 ")
+                             : answered && answered->given   ? QStringLiteral("\u2717 ")
+                                                             : QStringLiteral("? ");
+        // A question that is still open is not to be answered by the list.
+        const bool isHidden = slide.question && !answered;
+        const TwoTexts& shown = isHidden ? slide.question->text : slide.moment.caption;
+        const QString level = slide.level > 1 ? tr(" (second look)") : QString();
+        const QString text = QStringLiteral("%1  %2%3%4")
+                                 .arg(i + 1)
+                                 .arg(sign, firstSentence(textInUse(textWithNumbers(shown, slide))), level);
+        auto* item = m_contents->item(static_cast<int>(i));
+        if (!item)
+            m_contents->addItem(item = new QListWidgetItem);
+        item->setText(text);
+        item->setToolTip(text);
+    }
+    if (m_player.isOpen())
+        m_contents->setCurrentRow(static_cast<int>(m_player.place().slide));
+}
+
+} // namespace rasterlens

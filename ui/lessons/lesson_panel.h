@@ -1,0 +1,67 @@
+#pragma once
+#include "ui/lessons/lesson_player.h"
+
+#include <QFrame>
+
+class QHBoxLayout;
+class QLabel;
+class QListWidget;
+class QToolButton;
+
+namespace rasterlens
+{
+
+class QuestionBox;
+
+/// A lesson as it is read: the slide's number, caption or question, the verdict, and the list of slides. Follows the
+/// player.
+class LessonPanel : public QFrame
+{
+    Q_OBJECT
+
+public:
+    /// What the buttons of the panel do; their texts and keys are those of the actions.
+    struct Actions {
+        QAction* previous;
+        QAction* next;
+        QAction* back; ///< to the lesson
+    };
+
+    LessonPanel(LessonPlayer& player, const Actions& actions, QWidget* parent = nullptr);
+
+    [[nodiscard]] QuestionBox& question() const { return *m_question; }
+    [[nodiscard]] QListWidget& contents() const { return *m_contents; }
+    /// Caption or question, in the language in use.
+    [[nodiscard]] QString text() const;
+    [[nodiscard]] QString verdict() const;
+    /// Says whether the window shows something else than the slide.
+    void setAway(bool away);
+    /// As a bar below the picture: without the list of slides.
+    void setBar(bool bar);
+    void retranslate();
+
+Q_SIGNALS:
+    void tryWanted(); ///< what can be changed is to be brought to the front
+
+private:
+    QWidget* buildButtons(const Actions& actions);
+    void sync();
+    void syncContents();
+    [[nodiscard]] QString verdictText() const;
+    [[nodiscard]] QString endText() const;
+
+    LessonPlayer& m_player;
+    QHBoxLayout* m_row = nullptr;
+    QLabel* m_number = nullptr;
+    QLabel* m_score = nullptr;
+    QLabel* m_verdict = nullptr;
+    QLabel* m_text = nullptr;
+    QuestionBox* m_question = nullptr;
+    QToolButton* m_try = nullptr;
+    QToolButton* m_back = nullptr;
+    QListWidget* m_contents = nullptr;
+    bool m_away = false;
+    bool m_bar = false;
+};
+
+} // namespace rasterlens

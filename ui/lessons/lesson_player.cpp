@@ -1,0 +1,184 @@
+#include "ui/lessons/lesson_player.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rasterlens
+{
+
+LessonPlayer::LessonPlayer(QObject* parent)
+    : QObject(parent), m_key(
+                           [this](std::optional<Answer> right) {
+                               m_right = std::move(right);
+                               if (m_given)
+                                   judge();
+                           },
+                           [this](Lack lack) {
+                               Q_EMIT failed(tr("The answer was not computed: %1.").arg(lackText(lack)));
+                               m_given.reset();
+                           })
+{
+}
+
+void LessonPlayer::open(std::shared_ptr<const Lesson> lesson)
+{
+    close(); // nobody is to keep a question of the former lesson
+    m_answered.clear();
+    m_place.lesson = std::move(lesson);
+    goTo(0);
+}
+
+void LessonPlayer::close()
+{
+    m_key.drop();
+    m_given.reset();
+    m_place = {};
+    Q_EMIT changed();
+}
+
+void LessonPlayer::setPlace(const Place& place)
+{
+    if (place.lesson != m_place.lesson)
+        m_answered.clear();
+    m_place = place;
+    m_given.reset();
+    m_key.drop();
+    if (isAsking())
+        computeAnswer();
+    Q_EMIT changed();
+}
+
+const Moment& LessonPlayer::moment() const
+{
+    if (!isAsking())
+        return slide().moment;
+    return slide().before ? *slide().before : lesson().slides[m_place.slide - 1].moment;
+}
+
+void LessonPlayer::show(std::size_t slide, Phase phase)
+{
+    m_place.slide = slide;
+    m_place.phase = phase;
+    m_given.reset();
+    m_key.drop();
+    if (isAsking())
+        computeAnswer();
+    Q_EMIT changed();
+    Q_EMIT momentWanted();
+}
+
+void LessonPlayer::goTo(std::size_t slide, Entry entry)
+{
+    const bool asks = entry == Entry::Asks && lesson().slides[slide].question && !answered(slide);
+    show(slide, asks ? Phase::Asking : Phase::Shown);
+}
+
+void LessonPlayer::next()
+{
+    if (isAsking()) {
+        note({std::nullopt, m_right, false});
+        show(m_place.slide, Phase::Shown);
+        return;
+    }
+    for (std::size_t next = m_place.slide + 1; next < lesson().slides.size(); ++next)
+        if (isOfLevel(next)) {
+            goTo(next);
+            return;
+        }
+    m_place.phase = Phase::Ended;
+    Q_EMIT changed();
+}
+
+bool LessonPlayer::hasPrevious() const { return isOpen() && (m_place.slide > 0 || m_place.phase == Phase::Ended); }
+
+void LessonPlayer::previous()
+{
+    if (m_place.phase == Phase::Ended) {
+        show(m_place.slide, Phase::Shown);
+        return;
+    }
+    for (std::size_t former = m_place.slide; former-- > 0;)
+        if (isOfLevel(former) || former == 0) {
+            goTo(former, Entry::Skips);
+            return;
+        }
+}
+
+void LessonPlayer::comeBack()
+{
+    if (isOpen())
+        show(m_place.slide, isAsking() ? Phase::Asking : Phase::Shown);
+}
+
+void LessonPlayer::setLevel(int level)
+{
+    if (std::exchange(m_level, level) != level)
+        Q_EMIT changed();
+}
+
+bool LessonPlayer::isOfLevel(std::size_t slide) const { return lesson().slides[slide].level <= m_level; }
+
+/// The right answer is computed while the question is being thought about.
+void LessonPlayer::computeAnswer()
+{
+    m_right.reset();
+    m_key.ask(
+        [lesson = m_place.lesson, index = m_place.slide](const auto&) -> std::optional<Answer> {
+            const Slide& slide = lesson->slides[index];
+            const OpenMomentLoad load = openMoment(slide.moment);
+            if (!load.moment)
+                return std::nullopt;
+            MomentFacts facts(slide.moment, *load.moment);
+            return answerOf(*slide.question, facts);
+        },
+        LatestJob::Running::Interrupt);
+}
+
+void LessonPlayer::answer(GivenAnswer given)
+{
+    if (!isAsking())
+        return;
+    m_given = std::move(given);
+    if (!m_key.isBusy())
+        judge();
+}
+
+void LessonPlayer::judge()
+{
+    Answered answered{std::exchange(m_given, std::nullopt), m_right};
+    answered.isRight = answered.right && isRight(*answered.given, *answered.right);
+    note(answered);
+    show(m_place.slide, Phase::Shown);
+}
+
+void LessonPlayer::note(const Answered& answered)
+{
+    m_answered[m_place.slide] = answered;
+    const auto& question = *slide().question;
+    m_rows.push_back({lesson().id, m_place.slide + 1, QString::fromLatin1(questionKindId(question.kind)),
+                      answered.given ? textOf(question, *answered.given) : QString(),
+                      answered.right ? textOf(question, *answered.right) : QString(), answered.isRight});
+    Q_EMIT rowsChanged();
+}
+
+const LessonPlayer::Answered* LessonPlayer::answered(std::size_t slide) const
+{
+    const auto found = m_answered.find(slide);
+    return found == m_answered.end() ? nullptr : &found->second;
+}
+
+LessonPlayer::Score LessonPlayer::score() const
+{
+    Score score;
+    if (!isOpen())
+        return score;
+    for (std::size_t i = 0; i < lesson().slides.size(); ++i)
+        score.questions += lesson().slides[i].question && isOfLevel(i) ? 1 : 0;
+    for (const auto& [slide, answered] : m_answered) {
+        score.answered += answered.given ? 1 : 0;
+        score.right += answered.isRight ? 1 : 0;
+    }
+    return score;
+}
+
+} // namespace rasterlens

@@ -1,0 +1,158 @@
+#include "ui/lessons/question_box.h"
+
+#include "ui/lessons/texts.h"
+
+#include <QBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+
+#include <algorithm>
+
+namespace rasterlens
+{
+namespace
+{
+
+/// A button whose text is broken into lines where it has no room.
+class WrappingButton : public QPushButton
+{
+public:
+    explicit WrappingButton(const QString& text) : m_label(new QLabel(text))
+    {
+        setObjectName(QStringLiteral("choice"));
+        setAccessibleName(text);
+        setFocusPolicy(Qt::TabFocus);
+        m_label->setWordWrap(true);
+        m_label->setTextFormat(Qt::PlainText);
+        m_label->setAttribute(Qt::WA_TransparentForMouseEvents);
+        auto* row = new QHBoxLayout(this);
+        row->setContentsMargins(9, 5, 9, 5);
+        row->addWidget(m_label);
+        QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
+        policy.setHeightForWidth(true);
+        setSizePolicy(policy);
+    }
+
+    [[nodiscard]] QSize sizeHint() const override { return layout()->sizeHint(); }
+    [[nodiscard]] QSize minimumSizeHint() const override { return layout()->minimumSize(); }
+    [[nodiscard]] bool hasHeightForWidth() const override { return true; }
+    [[nodiscard]] int heightForWidth(int width) const override { return layout()->totalHeightForWidth(width); }
+
+private:
+    QLabel* m_label;
+};
+
+} // namespace
+
+QuestionBox::QuestionBox(QWidget* parent) : QWidget(parent)
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(6);
+    m_choices = new QBoxLayout(QBoxLayout::TopToBottom);
+    m_choices->setSpacing(6);
+    column->addLayout(m_choices);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(6);
+    m_hint = new QLabel;
+    m_hint->setObjectName(QStringLiteral("lessonHint"));
+    m_hint->setWordWrap(true);
+    m_field = new QLineEdit;
+    m_field->setObjectName(QStringLiteral("lessonAnswer"));
+    constexpr int kFieldWidth = 110;
+    m_field->setMaximumWidth(2 * kFieldWidth);
+    m_clear = new QPushButton;
+    m_clear->setObjectName(QStringLiteral("lessonClear"));
+    m_check = new QPushButton;
+    m_check->setObjectName(QStringLiteral("lessonCheck"));
+    row->addWidget(m_hint, 1);
+    row->addWidget(m_field, 1);
+    for (QPushButton* button : {m_clear, m_check}) {
+        button->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the canvas
+        row->addWidget(button);
+    }
+    column->addLayout(row);
+    connect(m_check, &QPushButton::clicked, this, &QuestionBox::check);
+    connect(m_field, &QLineEdit::returnPressed, this, &QuestionBox::check);
+    connect(m_field, &QLineEdit::textChanged, this, &QuestionBox::sync);
+    connect(m_clear, &QPushButton::clicked, this, [this] {
+        m_marked.clear();
+        sync();
+        Q_EMIT markedChanged();
+    });
+    retranslate();
+}
+
+void QuestionBox::setWide(bool wide)
+{
+    m_choices->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+}
+
+void QuestionBox::setQuestion(const Question* question)
+{
+    if (question == m_question)
+        return;
+    m_question = question;
+    m_marked.clear();
+    m_field->clear();
+    retranslate();
+    Q_EMIT markedChanged();
+}
+
+void QuestionBox::togglePixel(QPoint pixel)
+{
+    if (!asksForPixels())
+        return;
+    if (std::erase(m_marked, pixel) == 0)
+        m_marked.push_back(pixel);
+    sync();
+    Q_EMIT markedChanged();
+}
+
+void QuestionBox::check()
+{
+    if (!m_question || !m_check->isEnabled())
+        return;
+    if (asksForPixels())
+        Q_EMIT given(m_marked);
+    else if (m_question->choices.empty())
+        Q_EMIT given(m_field->text());
+}
+
+void QuestionBox::sync()
+{
+    const bool hasChoices = m_question && !m_question->choices.empty();
+    const bool typed = m_question && !hasChoices && !asksForPixels();
+    setVisible(m_question != nullptr);
+    m_field->setVisible(typed);
+    m_check->setVisible(typed || asksForPixels());
+    m_clear->setVisible(asksForPixels());
+    m_hint->setVisible(asksForPixels());
+    m_check->setEnabled(asksForPixels() ? !m_marked.empty() : !m_field->text().trimmed().isEmpty());
+    m_clear->setEnabled(!m_marked.empty());
+    m_hint->setText(m_marked.empty() ? tr("Click the pixels on the canvas.")
+                                     : tr("%n pixel(s) marked", nullptr, static_cast<int>(m_marked.size())));
+}
+
+void QuestionBox::retranslate()
+{
+    m_clear->setText(tr("Clear"));
+    m_check->setText(tr("Check"));
+    m_field->setPlaceholderText(tr("your answer"));
+    m_field->setAccessibleName(tr("your answer"));
+    for (QPushButton* button : m_choiceButtons) {
+        button->hide();
+        button->deleteLater(); // it may be the button that was just pressed
+    }
+    m_choiceButtons.clear();
+    for (std::size_t i = 0; m_question && i < m_question->choices.size(); ++i) {
+        auto* button = new WrappingButton(choiceText(m_question->choices[i]));
+        connect(button, &QPushButton::clicked, this, [this, i] { Q_EMIT given(i); });
+        m_choices->addWidget(button);
+        m_choiceButtons.push_back(button);
+    }
+    sync();
+}
+
+} // namespace rasterlens

@@ -1,0 +1,57 @@
+#pragma once
+#include "core/lessons/given_answer.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QBoxLayout;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace rasterlens
+{
+
+/// Takes the answer to a question: buttons for choices, a field for what is typed, or the pixels that are clicked on
+/// the canvas.
+class QuestionBox : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit QuestionBox(QWidget* parent = nullptr);
+
+    /// in  null: no question is open. Another one forgets what was marked and typed
+    void setQuestion(const Question* question);
+    /// Choices stand beside each other in place of below each other.
+    void setWide(bool wide);
+
+    /// Marks a pixel, or takes its mark away; nothing where the question does not ask for pixels.
+    void togglePixel(QPoint pixel);
+    [[nodiscard]] const std::vector<QPoint>& marked() const { return m_marked; }
+    [[nodiscard]] bool asksForPixels() const { return m_question && m_question->kind == QuestionKind::Pixels; }
+    /// Hands in what was marked or typed.
+    void check();
+    [[nodiscard]] QLineEdit& field() const { return *m_field; }
+    [[nodiscard]] const std::vector<QPushButton*>& choiceButtons() const { return m_choiceButtons; }
+    void retranslate();
+
+Q_SIGNALS:
+    void markedChanged();
+    void given(const rasterlens::GivenAnswer& answer);
+
+private:
+    void sync();
+
+    const Question* m_question = nullptr;
+    std::vector<QPoint> m_marked;
+    QBoxLayout* m_choices = nullptr;
+    std::vector<QPushButton*> m_choiceButtons;
+    QLabel* m_hint = nullptr;
+    QLineEdit* m_field = nullptr;
+    QPushButton* m_clear = nullptr;
+    QPushButton* m_check = nullptr;
+};
+
+} // namespace rasterlens

@@ -1,0 +1,122 @@
+#include "ui/pipeline/plane_fields.h"
+
+#include "core/base/typed_numbers.h"
+#include "core/observe/names.h"
+#include "core/scene/camera.h"
+#include "core/settings/view_planes.h"
+
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QVBoxLayout>
+
+namespace rasterlens
+{
+
+PlaneFields::PlaneFields(Document& document, QWidget* parent) : QWidget(parent), m_document(document)
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(3);
+    addRow(kNear);
+    addRow(kFar);
+}
+
+void PlaneFields::addRow(std::size_t which)
+{
+    auto* line = new QHBoxLayout;
+    line->setSpacing(4);
+    Row& row = m_rows[which];
+    row.dot = new ChangeDot;
+    row.name = new QLabel;
+    row.name->setObjectName(QStringLiteral("muted"));
+    row.name->setWordWrap(true);
+    row.edit = new QLineEdit;
+    row.edit->setObjectName(which == kNear ? QStringLiteral("nearPlane") : QStringLiteral("farPlane"));
+    row.edit->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    row.field = new TypedField(row.edit, [this, which](const QString& text, TypedField::Attempt attempt) {
+        return read(which, text, attempt);
+    });
+    connect(row.field, &TypedField::refused, this, &PlaneFields::invalidInput);
+    connect(row.field, &TypedField::mended, this, &PlaneFields::inputMended);
+    connect(row.dot, &ChangeDot::clicked, this, [this, which] {
+        View asked = m_document.defaults().view;
+        set(which, distance(asked, which));
+    });
+    auto* room = new QLabel;
+    room->setMinimumWidth(14);
+    line->addWidget(row.dot);
+    line->addWidget(row.name, 9);
+    line->addWidget(row.edit, 13);
+    line->addWidget(room);
+    static_cast<QVBoxLayout*>(layout())->addLayout(line);
+}
+
+std::optional<double>& PlaneFields::distance(View& view, std::size_t which)
+{
+    return which == kNear ? view.near : view.far;
+}
+
+void PlaneFields::set(std::size_t which, std::optional<double> to)
+{
+    Settings next = m_document.settings();
+    distance(next.view, which) = to;
+    m_document.setSettings(next);
+}
+
+std::optional<QString> PlaneFields::read(std::size_t which, const QString& text, TypedField::Attempt attempt)
+{
+    std::optional<double> typed;
+    const bool isLeftToCamera = text.trimmed().isEmpty() || text == valueText(which);
+    if (!isLeftToCamera) {
+        const auto numbers = typedNumbers(text);
+        if (!numbers || numbers->size() != 1)
+            return tr("\"%1\" is not a distance. Write a number greater than 0, or nothing.").arg(text);
+        typed = numbers->front();
+        const Matrices inUse = cameraMatrices(*m_document.scene(), m_document.settings());
+        View view = m_document.settings().view;
+        distance(view, which) = typed;
+        if (const auto why = whyNotPlanes(view.near.value_or(inUse.near), view.far.value_or(inUse.far)))
+            return textOf(*why, [](const char* words) { return QCoreApplication::translate("Diagnostic", words); });
+    }
+    if (attempt == TypedField::Attempt::Take && text != valueText(which)) {
+        set(which, typed);
+        m_rows[which].field->setValue(valueText(which));
+    }
+    return std::nullopt;
+}
+
+QString PlaneFields::valueText(std::size_t which) const
+{
+    View view = m_document.settings().view;
+    const Matrices inUse = cameraMatrices(*m_document.scene(), m_document.settings());
+    const QString number = shortNumber(which == kNear ? inUse.near : inUse.far);
+    return distance(view, which) ? number : tr("auto (%1)").arg(number);
+}
+
+void PlaneFields::sync()
+{
+    setVisible(m_document.scene()->space == SceneSpace::Object);
+    View now = m_document.settings().view;
+    View asked = m_document.defaults().view;
+    for (const std::size_t which : {kNear, kFar}) {
+        m_rows[which].field->setValue(valueText(which));
+        m_rows[which].dot->setChanged(distance(now, which) != distance(asked, which));
+    }
+}
+
+void PlaneFields::retranslate()
+{
+    m_rows[kNear].name->setText(tr("Near plane"));
+    m_rows[kFar].name->setText(tr("Far plane"));
+    for (Row& row : m_rows) {
+        row.edit->setAccessibleName(row.name->text());
+        row.edit->setToolTip(
+            tr("Distance from the eye. Leave it empty and the camera puts the plane round the scene."));
+        row.dot->setToolTip(tr("Put back what the scene asks for"));
+    }
+    sync();
+}
+
+} // namespace rasterlens

@@ -1,0 +1,109 @@
+#include "ui/steps/lens_glyphs.h"
+
+#include "core/observe/names.h"
+#include "core/observe/step_text.h"
+#include "ui/base/inks.h"
+#include "ui/base/theme.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QGuiApplication>
+#include <QPainter>
+#include <QPalette>
+
+#include <algorithm>
+
+namespace rasterlens
+{
+
+GlyphColors glyphColors(EdgeSign sign, bool isHollow)
+{
+    const QPalette palette = QGuiApplication::palette();
+    const QColor fill = palette.color(QPalette::Base);
+    const bool hasColor = sign == EdgeSign::Plus || sign == EdgeSign::Minus;
+    if (!hasColor)
+        return {isHollow ? fill : QColor(Qt::white), isHollow ? palette.color(QPalette::Text) : QColor(Qt::black)};
+    const Inks inks = inksFor(palette);
+    if (isHollow)
+        return {fill, sign == EdgeSign::Plus ? inks.plus : inks.minus};
+    return {QColor(sign == EdgeSign::Plus ? kCanvasPlus : kCanvasMinus), Qt::white};
+}
+
+void paintGlyph(QPainter& painter, QPointF centre, double diameter, EdgeSign sign, std::size_t edge, bool isHollow)
+{
+    const double r = diameter / 2;
+    const double stroke = std::max(1.0, diameter / 7);
+    const GlyphColors colors = glyphColors(sign, isHollow);
+    painter.setBrush(colors.disc);
+    painter.setPen(QPen(QColor(kEdgeLooks[edge].color), std::max(1.0, diameter / 9)));
+    painter.drawEllipse(centre, r - stroke / 2, r - stroke / 2);
+    const double arm = r * 0.5;
+    if (sign == EdgeSign::Plus || sign == EdgeSign::Minus) {
+        painter.setPen(QPen(colors.sign, stroke, Qt::SolidLine, Qt::FlatCap));
+        painter.drawLine(centre - QPointF(arm, 0), centre + QPointF(arm, 0));
+        if (sign == EdgeSign::Plus)
+            painter.drawLine(centre - QPointF(0, arm), centre + QPointF(0, arm));
+    } else if (sign == EdgeSign::Zero) {
+        painter.setPen(QPen(colors.sign, std::max(1.0, diameter / 9)));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(centre, r * 0.28, r * 0.42);
+    } else {
+        painter.setPen(QPen(colors.sign, stroke));
+        painter.drawLine(centre - QPointF(arm, arm) * 0.7, centre + QPointF(arm, arm) * 0.7);
+        painter.drawLine(centre - QPointF(arm, -arm) * 0.7, centre + QPointF(arm, -arm) * 0.7);
+    }
+}
+
+void paintLensLegend(QPainter& painter, const QRect& canvas, const QRectF& picture, const StepSetup& setup,
+                     bool hasNumbers)
+{
+    const auto tr = [](const char* text) { return QCoreApplication::translate("Lens", text); };
+    const std::array<std::pair<EdgeSign, QString>, 3> signs{{
+        {EdgeSign::Plus, tr(QT_TRANSLATE_NOOP("Lens", "inside this edge"))},
+        {EdgeSign::Minus, tr(QT_TRANSLATE_NOOP("Lens", "outside it"))},
+        {EdgeSign::Zero, tr(QT_TRANSLATE_NOOP("Lens", "exactly on it"))},
+    }};
+    const QString number = tr(QT_TRANSLATE_NOOP("Lens", "number: E that decides, px\u00b2"));
+    const QFont font = textFont(-1);
+    const QFontMetricsF metrics(font);
+    const double row = metrics.height() * 1.3;
+    const double glyph = metrics.height() * 0.9;
+    double width = hasNumbers ? metrics.horizontalAdvance(number) : 0;
+    for (const auto& [sign, text] : signs)
+        width = std::max(width, glyph * 1.4 + metrics.horizontalAdvance(text));
+    constexpr double kPad = 10;
+    const int rows = 6 + (hasNumbers ? 1 : 0);
+    const QSizeF size(width + 2 * kPad, rows * row + kPad);
+    constexpr double kGap = 12;
+    // Beside the picture, or nowhere: the samples count more.
+    QRectF plate(QPointF(canvas.right() - kGap - size.width(), canvas.top() + kGap), size);
+    if (plate.left() < picture.right() + kGap)
+        plate.moveLeft(canvas.left() + kGap);
+    if (plate.intersects(picture.adjusted(-kGap, 0, kGap, 0)) || plate.bottom() > canvas.bottom())
+        return;
+    const QPalette palette = QGuiApplication::palette();
+    painter.setPen(QPen(palette.color(QPalette::Mid), 1));
+    painter.setBrush(palette.color(QPalette::Base));
+    painter.drawRoundedRect(plate, 6, 6);
+    painter.setFont(font);
+    QPointF at = plate.topLeft() + QPointF(kPad, kPad / 2 + row / 2);
+    const auto write = [&](double x, const QString& text) {
+        painter.setPen(palette.color(QPalette::Text));
+        painter.drawText(QPointF(at.x() + x, at.y() + metrics.ascent() / 2 - 1), text);
+        at.ry() += row;
+    };
+    for (std::size_t edge = 0; edge < kEdgeLooks.size(); ++edge) {
+        const double end = metrics.height() * 1.8;
+        painter.setPen(QPen(QColor(kEdgeLooks[edge].color), 3, kEdgeLooks[edge].style, Qt::FlatCap));
+        painter.drawLine(at, at + QPointF(end, 0));
+        write(end + 8, edgeName(setup, static_cast<int>(edge)));
+    }
+    for (const auto& [sign, text] : signs) {
+        paintGlyph(painter, at + QPointF(glyph / 2, 0), glyph, sign, 0, false);
+        write(glyph * 1.4, text);
+    }
+    if (hasNumbers)
+        write(0, number);
+}
+
+} // namespace rasterlens

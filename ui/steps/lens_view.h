@@ -1,0 +1,52 @@
+#pragma once
+#include "ui/canvas/pixel_overlay.h"
+#include "ui/steps/lens_model.h"
+
+#include <QColor>
+#include <QFont>
+#include <QPainter>
+#include <QRectF>
+#include <QStringList>
+
+#include <utility>
+#include <vector>
+
+namespace rasterlens
+{
+
+constexpr double kGlyphsFromCell = 16; ///< canvas pixels a sample
+constexpr double kLensNumbersFromCell = 48;
+
+/// The colours of a card, for what is written over the picture.
+struct Paper {
+    QColor fill;
+    QColor ink;
+};
+[[nodiscard]] Paper paper();
+[[nodiscard]] QColor withAlpha(QColor color, int alpha);
+
+/// Text on a plate, readable over anything.
+///
+/// in  where its upper left corner is wanted; it is moved into `within`
+void paintPlate(QPainter& painter, const QRectF& within, QPointF at, const QStringList& lines, const QFont& font);
+
+/// What one paint of the lens works with.
+struct LensView {
+    QPainter& painter;
+    QRect canvas;
+    const CanvasTransform& transform;
+    const OverlayOptions& options;
+    int grid;
+    double cell;                                    ///< canvas pixels a sample
+    std::vector<std::pair<QRectF, LensCell>> cells; ///< in sight, from kGlyphsFromCell on
+
+    [[nodiscard]] QPointF at(glm::dvec2 sample) const { return transform.toCanvas(QPointF(sample.x, sample.y) / grid); }
+    [[nodiscard]] QRectF box(int x, int y) const { return {at({x, y}), QSizeF(cell, cell)}; }
+    [[nodiscard]] double thickness(double pen) const { return options.thickLines ? pen * 1.6 : pen; }
+    /// The samples that the canvas shows, cut to a rectangle of samples.
+    [[nodiscard]] QRect visible(const PixelRect& of) const;
+    /// A line with a light rim, cut to the canvas.
+    void line(glm::dvec2 from, glm::dvec2 to, QColor color, double width, Qt::PenStyle style) const;
+};
+
+} // namespace rasterlens

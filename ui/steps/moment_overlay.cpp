@@ -1,0 +1,181 @@
+#include "ui/steps/moment_overlay.h"
+
+#include "core/observe/names.h"
+#include "ui/base/inks.h"
+#include "ui/base/step_words.h"
+#include "ui/base/theme.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr double kOutline = 2.6;
+constexpr double kOutlineBefore = 1.6;
+
+QString translated(const char* text) { return QCoreApplication::translate("Moment", text); }
+
+QString stepLine(const FaceMoment& moment, const Rules& rules)
+{
+    const auto cornerName = [&] {
+        return moment.corner < moment.corners.size() ? moment.corners[moment.corner].name : QString();
+    };
+    const auto corners = [&] {
+        return moment.corners.empty()
+                   ? translated(QT_TRANSLATE_NOOP("Moment", "nothing is left"))
+                   : translated(QT_TRANSLATE_NOOP("Moment", "%1 corners are left")).arg(moment.corners.size());
+    };
+    switch (moment.kind) {
+    case StepKind::Vertex:
+        return translated(QT_TRANSLATE_NOOP("Moment", "corner %1 comes from the mesh")).arg(cornerName());
+    case StepKind::ClipPlane:
+        return translated(QT_TRANSLATE_NOOP("Moment", "cut by the plane %1: %2"))
+            .arg(stepWords(Reason(clipPlaneId(*moment.plane))), corners());
+    case StepKind::CohenSutherland:
+        return translated(QT_TRANSLATE_NOOP("Moment", "cut at the sides of the screen: %1")).arg(corners());
+    case StepKind::Viewport: {
+        const auto place = moment.corner < moment.corners.size() ? moment.corners[moment.corner].snapped : std::nullopt;
+        if (!place)
+            break;
+        const glm::dvec2 pixels = *place / double(rules.sampleGrid);
+        return translated(QT_TRANSLATE_NOOP("Moment", "corner %1 goes to pixel position (%2, %3)"))
+            .arg(cornerName(), shortNumber(pixels.x), shortNumber(pixels.y));
+    }
+    case StepKind::Facing:
+    case StepKind::Fate:
+        if (moment.fate)
+            return translated(QT_TRANSLATE_NOOP("Moment", "verdict: %1"))
+                .arg(stepWords(Reason(faceFateId(*moment.fate))));
+        break;
+    case StepKind::Clipped: return translated(QT_TRANSLATE_NOOP("Moment", "what is left is drawn as a fan"));
+    case StepKind::Triangle:
+    case StepKind::Setup:
+    case StepKind::Outline:
+    case StepKind::Walk:
+    case StepKind::Sides:
+    case StepKind::Halves:
+    case StepKind::Crossing:
+    case StepKind::Span:
+    case StepKind::Column:
+    case StepKind::Sample:
+    case StepKind::LineDecision:
+    case StepKind::LineSample:
+    case StepKind::Fragment:
+    case StepKind::Shade:
+    case StepKind::Write:
+    case StepKind::Resolve:
+    case StepKind::End: break;
+    }
+    return {};
+}
+
+} // namespace
+
+QStringList momentLines(const FaceMoment& moment, const Rules& rules)
+{
+    QStringList lines{translated(QT_TRANSLATE_NOOP("Moment", "face %1")).arg(moment.face)};
+    if (const QString step = stepLine(moment, rules); !step.isEmpty())
+        lines.back() += QStringLiteral(": ") + step;
+    QStringList behind;
+    for (const MomentCorner& corner : moment.corners)
+        if (!corner.onScreen(rules))
+            behind << corner.name;
+    if (!behind.isEmpty())
+        lines << translated(QT_TRANSLATE_NOOP("Moment", "not in front of the eye: %1"))
+                     .arg(behind.join(QStringLiteral(", ")));
+    return lines;
+}
+
+void MomentOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTransform& transform,
+                          const OverlayOptions& options) const
+{
+    if (!m_moment)
+        return;
+    const int grid = m_rules.sampleGrid;
+    LensView view{painter, canvas, transform, options, grid, transform.zoom / grid, {}};
+    painter.save();
+    painter.setClipRect(canvas);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintArea(view);
+    paintOutline(view, m_moment->before, QColor(kCanvasMinus), kOutlineBefore, Qt::DashLine);
+    paintOutline(view, m_moment->corners, QColor(kCanvasPlus), kOutline, Qt::SolidLine);
+    paintCorners(view);
+    paintPlate(painter, canvas, QPointF(canvas.topLeft()) + QPointF(12, 12), momentLines(*m_moment, m_rules),
+               textFont(options.thickLines ? 2 : 0));
+    painter.restore();
+}
+
+void MomentOverlay::paintOutline(LensView& view, const std::vector<MomentCorner>& corners, const QColor& color,
+                                 double width, Qt::PenStyle style) const
+{
+    const std::size_t n = corners.size();
+    for (std::size_t i = 0; i < n && n > 1; ++i) {
+        if (n == 2 && i == 1)
+            break; // one edge, not there and back
+        if (const auto edge = edgeOnScreen(corners[i], corners[(i + 1) % n], m_rules))
+            view.line((*edge)[0], (*edge)[1], color, width, style);
+    }
+}
+
+/// The polygon's area, if all of it is in front of the eye.
+void MomentOverlay::paintArea(LensView& view) const
+{
+    QPolygonF area;
+    for (const MomentCorner& corner : m_moment->corners)
+        if (const auto place = corner.onScreen(m_rules))
+            area << view.at(*place);
+    if (std::size_t(area.size()) != m_moment->corners.size() || area.size() < 3)
+        return;
+    view.painter.setPen(Qt::NoPen);
+    view.painter.setBrush(withAlpha(QColor(kCanvasPlus), 40));
+    view.painter.drawPolygon(area);
+}
+
+void MomentOverlay::paintCorners(LensView& view) const
+{
+    QPointF middle;
+    int count = 0;
+    for (const MomentCorner& corner : m_moment->corners)
+        if (const auto place = corner.onScreen(m_rules)) {
+            middle += view.at(*place);
+            ++count;
+        }
+    middle /= std::max(count, 1);
+    const QFont font = textFont(view.options.thickLines ? 2 : 1, true);
+    const QFontMetricsF metrics(font);
+    const Paper p = paper();
+    view.painter.setFont(font);
+    for (const MomentCorner& corner : m_moment->corners) {
+        const auto place = corner.onScreen(m_rules);
+        if (!place)
+            continue;
+        const QPointF at = view.at(*place);
+        // A corner that has not come to the screen is hollow.
+        view.painter.setPen(QPen(Qt::black, view.thickness(1.8)));
+        view.painter.setBrush(corner.snapped ? QColor(Qt::black) : QColor(Qt::white));
+        view.painter.drawEllipse(at, view.thickness(4.5), view.thickness(4.5));
+        const QLineF outward(middle, at);
+        const QPointF way =
+            outward.length() > 0 ? QPointF(outward.dx(), outward.dy()) / outward.length() : QPointF(0, -1);
+        const QSizeF size(metrics.horizontalAdvance(corner.name) + 10, metrics.height());
+        const QRectF room =
+            QRectF(view.canvas).adjusted(size.width() / 2, size.height() / 2, -size.width() / 2, -size.height() / 2);
+        QPointF centre = at + way * size.height();
+        centre = {std::clamp(centre.x(), room.left(), std::max(room.left(), room.right())),
+                  std::clamp(centre.y(), room.top(), std::max(room.top(), room.bottom()))};
+        const QRectF plate(centre - QPointF(size.width(), size.height()) / 2, size);
+        view.painter.setPen(Qt::NoPen);
+        view.painter.setBrush(withAlpha(p.fill, 225));
+        view.painter.drawRoundedRect(plate, 4, 4);
+        view.painter.setPen(p.ink);
+        view.painter.drawText(plate, Qt::AlignCenter, corner.name);
+    }
+}
+
+} // namespace rasterlens

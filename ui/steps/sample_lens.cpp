@@ -1,0 +1,183 @@
+#include "ui/steps/sample_lens.h"
+
+#include "ui/base/step_words.h"
+#include "ui/base/theme.h"
+#include "ui/steps/lens_view.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include <algorithm>
+#include <vector>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr double kSamplesFromCell = 2; ///< canvas pixels a sample
+
+QString translated(const char* text) { return QCoreApplication::translate("Lens", text); }
+
+/// The pixels that are not resolved, in at most two rectangles: the rest of a row, and the rows below it.
+std::vector<QRect> unresolved(std::size_t resolved, QSize picture)
+{
+    const int width = picture.width();
+    const int row = int(resolved / std::size_t(width));
+    const int column = int(resolved % std::size_t(width));
+    std::vector<QRect> parts;
+    if (column > 0)
+        parts.emplace_back(column, row, width - column, 1);
+    parts.emplace_back(0, column > 0 ? row + 1 : row, width, picture.height() - (column > 0 ? row + 1 : row));
+    std::erase_if(parts, [](const QRect& part) { return part.isEmpty(); });
+    return parts;
+}
+
+/// A drawing of rectangles holds no image: runs of one colour in a row.
+void paintRuns(QPainter& painter, const QImage& samples, const QRect& part, const CanvasTransform& transform, int grid)
+{
+    for (int y = part.top(); y <= part.bottom(); ++y)
+        for (int x = part.left(), next = x; x <= part.right(); x = next) {
+            const QRgb color = samples.pixel(x, y);
+            while (next <= part.right() && samples.pixel(next, y) == color)
+                ++next;
+            painter.fillRect(transform.toCanvas(QRectF(QPointF(x, y) / grid, QSizeF(next - x, 1) / grid)),
+                             QColor(color));
+        }
+}
+
+void paintGrid(QPainter& painter, const QRect& pixels, const CanvasTransform& transform, int grid, double cell)
+{
+    const QRectF area = transform.toCanvas(QRectF(pixels));
+    const auto lines = [&](int perPixel, const QColor& color) {
+        for (int i = 0; i <= pixels.width() * perPixel; ++i)
+            painter.fillRect(QRectF(area.left() + i * transform.zoom / perPixel, area.top(), 1, area.height()), color);
+        for (int i = 0; i <= pixels.height() * perPixel; ++i)
+            painter.fillRect(QRectF(area.left(), area.top() + i * transform.zoom / perPixel, area.width(), 1), color);
+    };
+    if (cell >= kGridFromZoom)
+        lines(grid, QColor(120, 128, 140, 90));
+    lines(1, QColor(40, 46, 54, 190));
+}
+
+/// What the samples of a pixel store at the moment.
+ResolvedPixel storedAt(const StepCursor& cursor, QPoint pixel)
+{
+    const int grid = cursor.log().grid();
+    ResolvedPixel stored;
+    stored.x = pixel.x();
+    stored.y = pixel.y();
+    for (int y = pixel.y() * grid; y < (pixel.y() + 1) * grid; ++y)
+        for (int x = pixel.x() * grid; x < (pixel.x() + 1) * grid; ++x) {
+            const std::size_t at = std::size_t(y) * std::size_t(cursor.log().columns()) + std::size_t(x);
+            stored.samples[std::size_t(stored.count++)] = {cursor.sampleColors()[at], cursor.sampleDepths()[at]};
+        }
+    return stored;
+}
+
+} // namespace
+
+bool SampleLens::isAtWork() const
+{
+    if (m_cursor == nullptr || m_cursor->log().grid() == 1)
+        return false;
+    const QSize picture = m_cursor->image().size();
+    return m_cursor->log().resolvedPixels(m_cursor->positionInLog()) <
+           std::size_t(picture.width()) * std::size_t(picture.height());
+}
+
+void SampleLens::paint(QPainter& painter, const QRect& canvas, const CanvasTransform& transform,
+                       const OverlayOptions& options) const
+{
+    if (!isAtWork() || options.wipe)
+        return;
+    painter.save();
+    painter.setClipRect(canvas);
+    if (transform.zoom / m_cursor->log().grid() >= kSamplesFromCell)
+        paintSamples(painter, canvas, transform, options);
+    const StepEvent* now = m_cursor->lastEvent();
+    if (now != nullptr && now->kind == StepKind::Resolve)
+        paintResolve(painter, canvas, transform, m_cursor->log().payload<ResolveStep>(*now).pixel);
+    else if (options.hoveredPixel && transform.zoom >= kGridFromZoom)
+        paintHover(painter, canvas, transform, *options.hoveredPixel);
+    painter.restore();
+}
+
+void SampleLens::paintSamples(QPainter& painter, const QRect& canvas, const CanvasTransform& transform,
+                              const OverlayOptions& options) const
+{
+    const StepLog& log = m_cursor->log();
+    const int grid = log.grid();
+    const QImage samples(reinterpret_cast<const uchar*>(m_cursor->sampleColors().data()), log.columns(), log.rows(),
+                         log.columns() * qsizetype(sizeof(QRgb)), QImage::Format_RGB32);
+    const QRect seen = transform.pixelsIn(canvas, m_cursor->image().size());
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
+    const bool vectors = isDrawing(painter);
+    for (const QRect& part : unresolved(log.resolvedPixels(m_cursor->positionInLog()), m_cursor->image().size())) {
+        const QRect pixels = part.intersected(seen);
+        if (pixels.isEmpty())
+            continue;
+        const QRect of(pixels.topLeft() * grid, pixels.size() * grid);
+        if (vectors)
+            paintRuns(painter, samples, of, transform, grid);
+        else
+            painter.drawImage(transform.toCanvas(QRectF(pixels)), samples, QRectF(of));
+        if (options.grid && transform.zoom >= kGridFromZoom)
+            paintGrid(painter, pixels, transform, grid, transform.zoom / grid);
+    }
+}
+
+/// The samples of the pixel with their numbers, those that count as black crossed out, and the sum beside them.
+void SampleLens::paintResolve(QPainter& painter, const QRect& canvas, const CanvasTransform& transform,
+                              const ResolvedPixel& pixel) const
+{
+    const int grid = m_cursor->log().grid();
+    const QRectF box = transform.toCanvas(QRectF(pixel.x, pixel.y, 1, 1));
+    const QSizeF cell = box.size() / grid;
+    QFont font = numberFont();
+    font.setPixelSize(std::clamp(int(cell.height() / 2), 8, 18));
+    painter.setFont(font);
+    for (int i = 0; i < pixel.count && cell.width() >= kSamplesFromCell; ++i) {
+        const QRectF part(box.topLeft() + QPointF(i % grid * cell.width(), i / grid * cell.height()), cell);
+        const QColor stored{QRgb(pixel.samples[std::size_t(i)].color)};
+        const QColor ink = stored.lightness() > 128 ? Qt::black : Qt::white;
+        painter.fillRect(part, stored);
+        painter.setPen(QPen(ink, 1));
+        painter.drawRect(part);
+        if (cell.height() >= kGlyphsFromCell)
+            painter.drawText(part, Qt::AlignCenter, QString::number(i + 1));
+        if (pixel.counted(i) == pixel.samples[std::size_t(i)].color)
+            continue;
+        painter.setPen(QPen(ink, 2));
+        painter.drawLine(part.topLeft(), part.bottomRight());
+        painter.drawLine(part.topRight(), part.bottomLeft());
+    }
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(Qt::white, 6, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+    painter.drawRect(box);
+    painter.setPen(QPen(Qt::black, 3, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+    painter.drawRect(box);
+    const QString title = translated(QT_TRANSLATE_NOOP("Lens", "pixel (%1, %2): %3 samples and their mean"))
+                              .arg(pixel.x)
+                              .arg(pixel.y)
+                              .arg(pixel.count);
+    paintPlate(painter, canvas, box.bottomRight() + QPointF(10, 10),
+               QStringList{title} + storedWords(pixel) + meanWords(pixel), numberFont(0));
+}
+
+void SampleLens::paintHover(QPainter& painter, const QRect& canvas, const CanvasTransform& transform,
+                            QPoint pixel) const
+{
+    if (!QRect(QPoint(0, 0), m_cursor->image().size()).contains(pixel))
+        return;
+    const QString title = translated(QT_TRANSLATE_NOOP("Lens", "pixel (%1, %2): what its samples store now"))
+                              .arg(pixel.x())
+                              .arg(pixel.y());
+    const QStringList lines = QStringList{title} + storedWords(storedAt(*m_cursor, pixel));
+    const double height = QFontMetricsF(numberFont(0)).lineSpacing() * double(lines.size()) + 16;
+    const QPointF above = transform.toCanvas(QRectF(pixel, QSizeF(1, 1))).topLeft() - QPointF(0, height);
+    paintPlate(painter, canvas, above, lines, numberFont(0));
+}
+
+} // namespace rasterlens

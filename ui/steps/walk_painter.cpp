@@ -1,0 +1,236 @@
+#include "ui/steps/walk_painter.h"
+
+#include "core/observe/step_text.h"
+#include "ui/base/inks.h"
+#include "ui/base/theme.h"
+#include "ui/steps/lens_view.h"
+#include "ui/steps/step_formula.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QGuiApplication>
+#include <QPalette>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr double kActiveLine = 4.5;
+constexpr double kRestingLine = 3;
+constexpr Qt::PenStyle kBrokenStyle = Qt::DashLine;
+
+QString translated(const char* text) { return QCoreApplication::translate("Lens", text); }
+
+/// Paints the stages of one triangle.
+class WalkPainter
+{
+public:
+    WalkPainter(const LensView& view, const LensModel& model, const WalkedTriangle& walk)
+        : m_view(view), m_model(model), m_walk(walk)
+    {
+        if (model.ownsEvent()) {
+            m_now = model.event()->kind;
+            m_row = model.event()->y;
+        }
+    }
+
+    void paint() const
+    {
+        const bool atHalves = m_now == StepKind::Halves;
+        if (atHalves)
+            paintHalves();
+        if (m_model.halves() != nullptr)
+            paintCut();
+        paintSides();
+        if (atHalves)
+            paintHalfNames();
+        if (m_now == StepKind::Crossing)
+            paintCrossings(*m_model.crossings());
+        else if (m_row >= 0 && m_model.span() != nullptr)
+            paintSpan(*m_model.span());
+        paintLegend();
+    }
+
+private:
+    [[nodiscard]] bool hasUpper() const { return m_walk.vertices[1].y > m_walk.vertices[0].y; }
+    [[nodiscard]] bool hasLower() const { return m_walk.vertices[2].y > m_walk.vertices[1].y; }
+
+    /// Which half the present row is in; nothing before the first row.
+    [[nodiscard]] std::optional<bool> upperHalf() const
+    {
+        const RowCrossings* row = m_model.crossings();
+        return row != nullptr && m_row >= 0 ? std::optional(row->upperHalf) : std::nullopt;
+    }
+
+    /// The long edge, and the two short ones; of these the one that is walked along is the thicker.
+    void paintSides() const
+    {
+        const auto& v = m_walk.vertices;
+        const auto upper = upperHalf();
+        const auto width = [](bool isActive) { return isActive ? kActiveLine : kRestingLine; };
+        const QColor broken(kCanvasBrokenEdge);
+        m_view.line(v[0], v[1], broken, width(!upper || *upper), kBrokenStyle);
+        m_view.line(v[1], v[2], broken, width(!upper || !*upper), kBrokenStyle);
+        m_view.line(v[0], v[2], QColor(kCanvasLongEdge), kActiveLine, Qt::SolidLine);
+    }
+
+    /// Where the cut meets the long edge.
+    [[nodiscard]] glm::dvec2 cutEnd() const { return {m_model.halves()->x, m_walk.vertices[1].y}; }
+
+    void paintCut() const
+    {
+        if (hasUpper() && hasLower())
+            m_view.line(m_walk.vertices[1], cutEnd(), QColor(kCanvasInk), 2.2, Qt::DashDotLine);
+    }
+
+    [[nodiscard]] QPolygonF half(bool isUpper) const
+    {
+        return {{m_view.at(m_walk.vertices[isUpper ? 0 : 2]), m_view.at(m_walk.vertices[1]), m_view.at(cutEnd())}};
+    }
+
+    /// The halves are hatched in two directions.
+    void paintHalves() const
+    {
+        for (const bool isUpper : {true, false}) {
+            if (!(isUpper ? hasUpper() : hasLower()))
+                continue;
+            const QRectF seen(m_view.canvas.adjusted(-8, -8, 8, 8));
+            const QPolygonF area = half(isUpper).intersected(QPolygonF(seen));
+            m_view.painter.setPen(Qt::NoPen);
+            m_view.painter.setBrush(QColor(255, 255, 255, 130));
+            m_view.painter.drawPolygon(area);
+            m_view.painter.setBrush(
+                QBrush(withAlpha(QColor(kCanvasInk), 170), isUpper ? Qt::FDiagPattern : Qt::BDiagPattern));
+            m_view.painter.drawPolygon(area);
+        }
+    }
+
+    void paintHalfNames() const
+    {
+        const QFont font = textFont(0, true);
+        const QFontMetricsF metrics(font);
+        for (const bool isUpper : {true, false}) {
+            if (!(isUpper ? hasUpper() : hasLower()))
+                continue;
+            const QString name = isUpper ? translated(QT_TRANSLATE_NOOP("Lens", "upper half"))
+                                         : translated(QT_TRANSLATE_NOOP("Lens", "lower half"));
+            const QPolygonF area = half(isUpper);
+            const QPointF middle = (area[0] + area[1] + area[2]) / 3;
+            const QPointF size(metrics.horizontalAdvance(name) + 16, metrics.lineSpacing() + 10);
+            paintPlate(m_view.painter, m_view.canvas, middle - size / 2, {name}, font);
+        }
+    }
+
+    void paintPoint(glm::dvec2 at, QRgb color) const
+    {
+        const double r = std::clamp(m_view.cell / 6, 4.0, 8.0);
+        const QPointF centre = m_view.at(at);
+        const QPolygonF diamond{
+            {centre + QPointF(0, -r), centre + QPointF(r, 0), centre + QPointF(0, r), centre + QPointF(-r, 0)}};
+        m_view.painter.setPen(QPen(Qt::white, m_view.thickness(1.5)));
+        m_view.painter.setBrush(QColor(color));
+        m_view.painter.drawPolygon(diamond);
+    }
+
+    void paintEnds(int y, double xa, double xb) const
+    {
+        paintPoint({xa, y + 0.5}, kCanvasLongEdge);
+        paintPoint({xb, y + 0.5}, kCanvasBrokenEdge);
+    }
+
+    /// The centre line of the row, where it crosses both edges, and the four numbers.
+    void paintCrossings(const RowCrossings& row) const
+    {
+        const double y = row.y + 0.5;
+        const double beyond = 24 / m_view.cell;
+        m_view.line({std::min(row.xa, row.xb) - beyond, y}, {std::max(row.xa, row.xb) + beyond, y}, QColor(kCanvasInk),
+                    1.4, Qt::SolidLine);
+        paintEnds(row.y, row.xa, row.xb);
+        const auto line = [](const char* name, double value) {
+            return QStringLiteral("%1 = %2").arg(QLatin1String(name), shortNumber(value));
+        };
+        paintPlate(m_view.painter, m_view.canvas, m_view.at({std::max(row.xa, row.xb), y}) + QPointF(30, 8),
+                   {line("alpha", row.alpha), line("beta", row.beta), line("xa", row.xa), line("xb", row.xb)},
+                   numberFont(0));
+    }
+
+    /// The samples of the row, and where the span begins and ends before and after ceil(v - 0.5).
+    void paintSpan(const SpanStep& span) const
+    {
+        const int y = m_row;
+        const QRectF row(m_view.at({span.xBegin, y}), m_view.at({span.xEnd, y + 1}));
+        m_view.painter.setBrush(Qt::NoBrush);
+        m_view.painter.setPen(QPen(Qt::white, m_view.thickness(5)));
+        m_view.painter.drawRect(row);
+        m_view.painter.setPen(QPen(Qt::black, m_view.thickness(2.2)));
+        m_view.painter.drawRect(row);
+        const SpanEnds& ends = span.ends;
+        paintEnds(y, ends.longEdgeIsLeft ? ends.left : ends.right, ends.longEdgeIsLeft ? ends.right : ends.left);
+        if (m_view.cell >= kGlyphsFromCell)
+            paintPlate(m_view.painter, m_view.canvas, row.bottomLeft() + QPointF(4, 6), spanLines(span), numberFont(0));
+    }
+
+    /// What the two colours are, by the numbers of the sorted corners and the names of the edges; the half of the row.
+    void paintLegend() const
+    {
+        const StepTriangle& triangle = m_model.triangle();
+        if (!triangle.hasSetup)
+            return;
+        const auto name = [&](std::size_t i, std::size_t j) { return walkedEdgeName(triangle.setup, m_walk, i, j); };
+        QStringList lines{
+            translated(QT_TRANSLATE_NOOP("Lens", "long edge 1-3: %1")).arg(name(0, 2)),
+            translated(QT_TRANSLATE_NOOP("Lens", "broken edge 1-2-3: %1, %2")).arg(name(0, 1), name(1, 2))};
+        if (const auto upper = upperHalf())
+            lines << (*upper ? translated(QT_TRANSLATE_NOOP("Lens", "upper half: short edge %1")).arg(name(0, 1))
+                             : translated(QT_TRANSLATE_NOOP("Lens", "lower half: short edge %1")).arg(name(1, 2)));
+        const QFont font = textFont(0);
+        const double spacing = QFontMetricsF(font).lineSpacing();
+        constexpr double kSwatch = 34;
+        const QString room(int(std::ceil((kSwatch + 8) / QFontMetricsF(font).horizontalAdvance(QLatin1Char(' ')))),
+                           QLatin1Char(' '));
+        QStringList indented;
+        for (const QString& line : lines)
+            indented << room + line;
+        const QPointF corner = QPointF(m_view.canvas.topLeft()) + QPointF(10, 10);
+        paintPlate(m_view.painter, m_view.canvas, corner, indented, font);
+        for (int i = 0; i < 2; ++i) {
+            const QPointF from = corner + QPointF(8, 5 + spacing * (i + 0.5));
+            const QColor color(i == 0 ? kCanvasLongEdge : kCanvasBrokenEdge);
+            m_view.painter.setPen(QPen(Qt::white, 6.5, Qt::SolidLine, Qt::FlatCap));
+            m_view.painter.drawLine(from, from + QPointF(kSwatch, 0));
+            m_view.painter.setPen(QPen(color, kActiveLine, i == 0 ? Qt::SolidLine : kBrokenStyle, Qt::FlatCap));
+            m_view.painter.drawLine(from, from + QPointF(kSwatch, 0));
+        }
+    }
+
+    const LensView& m_view;
+    const LensModel& m_model;
+    const WalkedTriangle& m_walk;
+    StepKind m_now = StepKind::End; ///< the present step, if it is one of the triangle's
+    int m_row = -1;                 ///< the present row, in samples; -1: none
+};
+
+} // namespace
+
+void paintWalk(const LensView& view, const LensModel& model)
+{
+    if (const WalkedTriangle* walk = model.sides(); walk != nullptr)
+        WalkPainter(view, model, *walk).paint();
+}
+
+QString walkedCornerName(const LensModel& model, std::size_t vertex)
+{
+    const QString letter = cornerLetter(vertex);
+    const WalkedTriangle* walk = model.walk();
+    if (walk == nullptr)
+        return letter;
+    const auto at = std::ranges::find(walk->source, vertex);
+    return QStringLiteral("%1 = %2").arg(letter).arg(at - walk->source.begin() + 1);
+}
+
+} // namespace rasterlens
