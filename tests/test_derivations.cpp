@@ -385,6 +385,13 @@ void TestDerivations::cohenSutherlandByHand()
     QCOMPARE(valueOf(d, "code_P2"), 0.0);
     QCOMPARE(valueOf(d, "ends"), 4.0);
     QCOMPARE(valueOf(d, "corners"), 4.0);
+    // With 0.001 pixels added to what is cut, the new ends are drawn at x = 7.999.
+    Settings nudging = plainSettings(size);
+    nudging.mistakes = {QStringLiteral("nudged-cut")};
+    const Derivation nudged = derived(DerivationTopic::CohenSutherland, scene, nudging, {});
+    QCOMPARE(valueOf(nudged, "x_P1"), 8.0);
+    QCOMPARE(valueOf(nudged, "x_drawn_P1"), 8 - 0.001);
+    QCOMPARE(valueOf(nudged, "x_drawn_P2"), 8 - 0.001);
     // The example: U = (-2, 2), V = (4, -8). At x = 0 a third of the way is done, y = 2 - 10 / 3 = -4/3: above, 1000.
     QCOMPARE(valueOf(d, "code_U"), 1.0);
     QCOMPARE(valueOf(d, "code_V"), 8.0);

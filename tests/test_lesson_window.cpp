@@ -6,6 +6,7 @@
 #include "ui/lessons/lesson_mode.h"
 #include "ui/lessons/lesson_panel.h"
 #include "ui/lessons/question_box.h"
+#include "ui/pipeline/canvas_views.h"
 #include "ui/truth/truth_mode.h"
 #include "ui/window/panel_places.h"
 #include "ui/window/window_moment.h"
@@ -149,6 +150,8 @@ void TestLessonWindow::momentsAreReadAsTheyAreShown()
     const Moment second = m_window->moment().present();
     QCOMPARE(*second.pixel, QPoint(2, 3));
     QVERIFY(second.step && second.overlays == QStringList({"grid", "numbers"}));
+    for (const QString& name : CanvasViews::overlayNames())
+        QVERIFY(std::ranges::any_of(overlayIds(), [&](const char* id) { return name == QLatin1String(id); }));
     for (const Moment& moment : {first, second}) {
         m_window->moment().show(moment, Document::GivingUp::Silent);
         QVERIFY(complete());

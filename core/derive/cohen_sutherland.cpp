@@ -181,6 +181,8 @@ private:
             {QT_TRANSLATE_NOOP("Derive", "The new end %1 lies on the border."), {cut.name}}, {partOf(cut)});
         if (moved.w && other.w)
             cut.w = writeFraction(moved, other, cut.name, mark);
+        if (cut.w && m_record.rules().clipInset != 0)
+            writeNudge(cut, along, border == 0);
         m_writer.givenBits(QStringLiteral("code_") + cut.name, cut.region, partOf(cut));
         m_writer.compare(
             formula("{code_%1} & {%2} == 0", cut.name, sideId),
@@ -204,6 +206,16 @@ private:
         m_writer.line(formula("{w_%1}", cut), formula("lerp({w_%1}, {w_%2}, {n_%3})", moved.name, other.name, cut),
                       QT_TRANSLATE_NOOP("Derive", "w of the new end."), {mark});
         return m_writer.valueOf(QStringLiteral("w_") + cut);
+    }
+
+    /// Where a new end of the face is drawn while a mistake moves it off the border.
+    void writeNudge(const EdgeEnd& cut, const QString& along, bool grows)
+    {
+        m_writer.given(QStringLiteral("nudge"), m_record.rules().clipInset);
+        m_writer.line(formula("{%1_drawn_%2}", along, cut.name),
+                      formula(grows ? "{%1_%2} + {nudge}" : "{%1_%2} - {nudge}", along, cut.name),
+                      QT_TRANSLATE_NOOP("Derive", "A mistake is on: the new end is drawn this far off the border."),
+                      {partOf(cut)});
     }
 
     /// How many corners of the screen lie inside an outline.

@@ -1357,6 +1357,10 @@
         <source>Over a face. How much the distances of its corners differ: if it is 0, the weights on the screen are those in space, and correction changes nothing.</source>
         <translation>对整个面。各顶点的距离相差多少：若为 0，屏幕上的权重就是空间中的权重，校正不改变任何东西。</translation>
     </message>
+    <message>
+        <source>A mistake is on: the new end is drawn this far off the border.</source>
+        <translation>有错误打开：新端点画在离边界这么远的里面。</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostic</name>
@@ -7277,31 +7281,6 @@
     </message>
 </context>
 <context>
-    <name>rasterlens::QuestionBox</name>
-    <message>
-        <source>Click the pixels on the canvas.</source>
-        <translation>请在画布上点像素。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pixel(s) marked</source>
-        <translation>
-            <numerusform>已标 %n 个像素</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Clear</source>
-        <translation>清除</translation>
-    </message>
-    <message>
-        <source>Check</source>
-        <translation>检查</translation>
-    </message>
-    <message>
-        <source>your answer</source>
-        <translation>你的答案</translation>
-    </message>
-</context>
-<context>
     <name>rasterlens::PlaneFields</name>
     <message>
         <source>&quot;%1&quot; is not a distance. Write a number greater than 0, or nothing.</source>
@@ -7326,6 +7305,31 @@
     <message>
         <source>Put back what the scene asks for</source>
         <translation>恢复场景要求的值</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::QuestionBox</name>
+    <message>
+        <source>Click the pixels on the canvas.</source>
+        <translation>请在画布上点像素。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pixel(s) marked</source>
+        <translation>
+            <numerusform>已标 %n 个像素</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清除</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>检查</translation>
+    </message>
+    <message>
+        <source>your answer</source>
+        <translation>你的答案</translation>
     </message>
 </context>
 <context>

@@ -73,7 +73,7 @@ void MainWindow::toggleGoToPixel() { showGoToPixel(m_goToEdit->isHidden()); }
 void MainWindow::showGoToPixel(bool on)
 {
     m_goToEdit->setVisible(on);
-    m_goToButton->setVisible(!on);
+    m_goToButton->setVisible(!on && !m_look.presentation);
     if (!on) {
         m_viewport->setFocus();
         return;

@@ -37,7 +37,9 @@ void MainWindow::setPresentation(bool on)
     }
     m_stepMode->transport().setBrief(on);
     m_stageStrip->setBrief(on);
-    m_canvasHeader->setVisible(!on);
+    m_canvasTitle->setVisible(!on); // the views stay, the links are keys
+    for (auto* link : m_canvasHeader->findChildren<QToolButton*>(Qt::FindDirectChildrenOnly))
+        link->setVisible(!on);
     m_stageMenu->setVisible(on);
     statusBar()->setVisible(!on);
     Look look = m_look;

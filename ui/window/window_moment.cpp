@@ -4,6 +4,7 @@
 #include "ui/base/dock.h"
 #include "ui/canvas/viewport_widget.h"
 #include "ui/face/cards.h"
+#include "ui/pipeline/canvas_views.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/pipeline_panel.h"
 #include "ui/steps/step_mode.h"
@@ -22,13 +23,8 @@ const QString kMistakes = QStringLiteral("mistakes");
 const QString kReferee = QStringLiteral("referee");
 const QString kNone = QStringLiteral("none");
 
-/// The overlays that the menu View switches, by their names in moments.
-struct OverlayAction {
-    const char* name;
-    const char* action;
-};
-constexpr OverlayAction kOverlayActions[] = {
-    {"grid", "view.grid"}, {"samples", "view.samples"}, {"numbers", "view.values"}};
+/// Whether an overlay is on where a moment names none.
+bool isUsual(const OverlayRow& row) { return OverlayOptions().*row.member; }
 
 /// The entries of one object that another does not have, or has with another value.
 QJsonObject differing(const QJsonObject& json, const QJsonObject& base)
@@ -112,10 +108,11 @@ void WindowMoment::begin(const Moment& moment)
 
 void WindowMoment::showOverlays(const Moment& moment)
 {
-    const bool isUsual = moment.overlays.isEmpty();
-    for (const OverlayAction& row : kOverlayActions) {
-        QAction* action = m_parts.actions.action(row.action);
-        if (action->isChecked() != (isUsual || moment.overlays.contains(QLatin1String(row.name))))
+    for (const OverlayRow& row : canvasOverlays()) {
+        QAction* action = m_parts.actions.action(row.id);
+        const bool isWanted =
+            moment.overlays.isEmpty() ? isUsual(row) : moment.overlays.contains(QLatin1String(row.name));
+        if (action->isChecked() != isWanted)
             action->trigger();
     }
     m_parts.truth.referee().setOn(moment.overlays.contains(kReferee));
@@ -187,14 +184,17 @@ QStringList WindowMoment::presentPanels() const
 QStringList WindowMoment::presentOverlays() const
 {
     QStringList overlays;
-    for (const OverlayAction& row : kOverlayActions)
-        if (m_parts.actions.action(row.action)->isChecked())
+    bool areUsual = !m_parts.truth.referee().isOn();
+    for (const OverlayRow& row : canvasOverlays()) {
+        const bool isOn = m_parts.actions.action(row.id)->isChecked();
+        areUsual = areUsual && isOn == isUsual(row);
+        if (isOn)
             overlays << QLatin1String(row.name);
-    const bool isUsual = overlays.size() == static_cast<qsizetype>(std::size(kOverlayActions));
+    }
+    if (areUsual)
+        return {};
     if (m_parts.truth.referee().isOn())
         overlays << kReferee;
-    else if (isUsual)
-        return {};
     return overlays.isEmpty() ? QStringList{kNone} : overlays;
 }
 
