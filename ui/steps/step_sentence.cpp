@@ -46,7 +46,12 @@ public:
         case StepKind::Fate:
         case StepKind::Triangle:
         case StepKind::Setup:
-        case StepKind::Walk: break;
+        case StepKind::Outline:
+        case StepKind::Walk:
+        case StepKind::Sides:
+        case StepKind::Halves:
+        case StepKind::Crossing:
+        case StepKind::Resolve: break;
         }
         return rest();
     }
