@@ -303,7 +303,7 @@ void TestLens::walkingGoesThroughItsStages()
              QStringLiteral("alpha = (3.5 - 1) / (10 - 1) = 0.277778   xa = 7 + 0.277778\u00b7(2 - 7) = 5.61111111\n"
                             "beta = (3.5 - 1) / (7 - 1) = 0.416667   xb = 7 + 0.416667\u00b7(15 - 7) = 10.3333333")
                  .replace(QLatin1Char('-'), minus));
-    QVERIFY(crossing.listing[std::size_t(crossing.line)].code.contains(QStringLiteral("alpha = (y - y1) / (y3 - y1)")));
+    QVERIFY(crossing.listing[std::size_t(crossing.line)].code.contains(QStringLiteral("alpha = (y-y1) / (y3-y1)")));
     QVERIFY(mode().lens().model()->crossings()->upperHalf);
     const StepExplanation span = goTo(StepKind::Span, 2);
     QVERIFY(span.formula.contains(QStringLiteral("x = 6 \u2026 9")));
