@@ -75,11 +75,12 @@ void paintLensLegend(QPainter& painter, const QRect& canvas, const QRectF& pictu
     const int rows = 6 + (hasNumbers ? 1 : 0);
     const QSizeF size(width + 2 * kPad, rows * row + kPad);
     constexpr double kGap = 8;
-    // Beside the picture, or nowhere: the samples count more.
+    // Beside the picture and the letters at its corners, or nowhere: the samples count more.
+    const double beside = 1.4 * metrics.height();
     QRectF plate(QPointF(canvas.right() - kGap - size.width(), canvas.top() + kGap), size);
-    if (plate.left() < picture.right() + kGap)
+    if (plate.left() < picture.right() + beside)
         plate.moveLeft(canvas.left() + kGap);
-    if (plate.intersects(picture.adjusted(-kGap, 0, kGap, 0)) || plate.bottom() > canvas.bottom())
+    if (plate.intersects(picture.adjusted(-beside, 0, beside, 0)) || plate.bottom() > canvas.bottom())
         return;
     const QPalette palette = QGuiApplication::palette();
     painter.setPen(QPen(palette.color(QPalette::Mid), 1));

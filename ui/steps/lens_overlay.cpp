@@ -9,7 +9,6 @@
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QGuiApplication>
-#include <QPaintEngine>
 #include <QPainter>
 #include <QPalette>
 
@@ -179,7 +178,7 @@ void LensOverlay::paintCells(LensView& view) const
 {
     const QRect shown = view.visible(m_model->triangle().setup.bounds);
     const bool wholePixels = view.cell == std::floor(view.cell);
-    const bool vectors = view.painter.paintEngine()->type() == QPaintEngine::SVG || !wholePixels;
+    const bool vectors = isDrawing(view.painter) || !wholePixels;
     const QSize size(int(view.cell), int(view.cell));
     const QColor fill = paper().fill;
     if (m_tileSize != size || m_tilePaper != fill)
