@@ -192,7 +192,7 @@ constexpr BuiltinScene kScenes[] = {
     {"flat-edge", QT_TRANSLATE_NOOP("BuiltinScene", "A flat edge"),
      QT_TRANSLATE_NOOP(
          "BuiltinScene",
-         "The upper edge falls by 4 rows on 56 columns. What is off by a part of a row there is off by many columns."),
+         "The upper edge falls by 2 rows on 28 columns. What is off by a part of a row there is off by many columns."),
      makeFlatEdge},
     {"cut-on-centres", QT_TRANSLATE_NOOP("BuiltinScene", "A cut edge through pixel centres"),
      QT_TRANSLATE_NOOP(

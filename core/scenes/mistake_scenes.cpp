@@ -138,10 +138,10 @@ Scene makeHugeTriangle()
 
 Scene makeFlatEdge()
 {
-    const QSize size(64, 64);
+    const QSize size(32, 32);
     Scene scene = clipScene(size);
-    addClipTriangle(scene.mesh, cornerAtPixel({4, 8}, size, kYellow), cornerAtPixel({8, 56}, size, kGreen),
-                    cornerAtPixel({60, 12}, size, kRed));
+    addClipTriangle(scene.mesh, cornerAtPixel({2, 4}, size, kYellow), cornerAtPixel({4, 28}, size, kGreen),
+                    cornerAtPixel({30, 6}, size, kRed));
     return scene;
 }
 

@@ -387,8 +387,8 @@
         <translation>一条平缓的边</translation>
     </message>
     <message>
-        <source>The upper edge falls by 4 rows on 56 columns. What is off by a part of a row there is off by many columns.</source>
-        <translation>上面的边在 56 列里只下降 4 行。那里差不到一行，就会差很多列。</translation>
+        <source>The upper edge falls by 2 rows on 28 columns. What is off by a part of a row there is off by many columns.</source>
+        <translation>上面的边在 28 列里只下降 2 行。那里差不到一行，就会差很多列。</translation>
     </message>
     <message>
         <source>A cut edge through pixel centres</source>
