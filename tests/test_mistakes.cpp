@@ -234,8 +234,9 @@ void TestMistakes::steepLineRunsPastItsEnd()
 
 void TestMistakes::heightPlusOneStandsOutAtTheMiddleCorner()
 {
-    // The upper edge, from (2, 4) to (30, 6), crosses the rows 4 and 5 at 2 + 14 (0.5, 1.5) = 9, 23; with a height of 3
-    // at 2 + 28 / 3 (0.5, 1.5) = 6.67, 16. The row below ends at 29 with both: a spike of 13 pixels in place of 6.
+    // The first arrow head: its upper edge, from (2, 3) to (30, 5), crosses the rows 3 and 4 at 2 + 14 (0.5, 1.5) = 9,
+    // 23, and the lower one mirrors it. With a height of 3 they are at 2 + 28 / 3 (0.5, 1.5) = 6.67, 16 and then, from
+    // (30, 5) on, at 30 - 28 / 3 (0.5, 1.5) = 25.33, 16.
     const MistakeDemo demo = mistakeDemo(mistakeOf("height-plus-one"));
     const CountedPicture right = drawCounted(demo.scene, demo.right);
     const CountedPicture mistaken = drawCounted(demo.scene, demo.mistaken);
@@ -245,15 +246,16 @@ void TestMistakes::heightPlusOneStandsOutAtTheMiddleCorner()
             end = picture.frame.ids[static_cast<std::size_t>(32 * row + x)] >= 0 ? x + 1 : end;
         return end;
     };
-    const std::array<int, 3> rightEnds{9, 23, 29};
-    const std::array<int, 3> mistakenEnds{7, 16, 29};
+    const std::array<int, 4> rightEnds{9, 23, 23, 9};
+    const std::array<int, 4> mistakenEnds{7, 16, 25, 16};
     for (std::size_t i = 0; i < rightEnds.size(); ++i) {
-        QCOMPARE(endOf(right, 4 + static_cast<int>(i)), rightEnds[i]);
-        QCOMPARE(endOf(mistaken, 4 + static_cast<int>(i)), mistakenEnds[i]);
+        QCOMPARE(endOf(right, 3 + static_cast<int>(i)), rightEnds[i]);
+        QCOMPARE(endOf(mistaken, 3 + static_cast<int>(i)), mistakenEnds[i]);
     }
-    // Counted in whole numbers, row by row: 9 lost above the corner, 14 too many below it.
-    QCOMPARE(proofValue(Proof::Holes, mistaken, right), 9.0);
-    QCOMPARE(proofValue(Proof::WrongFaces, mistaken, right), 23.0);
+    // All three, counted row by row: 9 + 9 + 12 pixels lost above the middle corners, 9 + 13 + 12 too many below them.
+    QCOMPARE(proofValue(Proof::Holes, mistaken, right), 30.0);
+    QCOMPARE(proofValue(Proof::Strays, mistaken, right), 34.0);
+    QCOMPARE(proofValue(Proof::WrongFaces, mistaken, right), 64.0);
 }
 
 void TestMistakes::nudgedCutLosesTheSharedEdge()
