@@ -476,6 +476,14 @@ void startWith(rasterlens::MainWindow& window, const Arguments& arguments, QObje
                      });
 }
 
+QStringList wordsOf(int argc, char** argv)
+{
+    QStringList words;
+    for (int i = 0; i < argc; ++i)
+        words << QString::fromLocal8Bit(argv[i]);
+    return words;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -483,10 +491,7 @@ int main(int argc, char** argv)
     QCoreApplication::setApplicationName(QStringLiteral("RasterLens"));
     QCoreApplication::setOrganizationName(QStringLiteral("RasterLens"));
     QCoreApplication::setApplicationVersion(QStringLiteral(RASTERLENS_VERSION));
-    QStringList words;
-    for (int i = 0; i < argc; ++i)
-        words << QString::fromLocal8Bit(argv[i]);
-    const ParsedArguments parsed = parseArguments(words);
+    const ParsedArguments parsed = parseArguments(wordsOf(argc, argv));
     if (!parsed.arguments)
         return parsed.exitCode;
     const Arguments& arguments = *parsed.arguments;
