@@ -1294,8 +1294,8 @@
         <translation>其中按当前规则归这个三角形的；其余的属于它的邻居。</translation>
     </message>
     <message>
-        <source>From the side: eye O, screen at distance 1</source>
-        <translation>侧视图：眼睛 O，屏幕在距离 1 处</translation>
+        <source>From the side: eye O, screen at 1</source>
+        <translation>侧视图：眼睛 O，屏幕在 1 处</translation>
     </message>
     <message>
         <source>The bounding box</source>
@@ -1338,7 +1338,7 @@
         <translation>有些程序在存储之前又把 z / w 展开到近平面与远平面之间。这是线性的，所以比较的结果不变；但它并不是距离。</translation>
     </message>
     <message>
-        <source>n(m) for several Z1 / Z2; solid: this edge</source>
+        <source>n(m) for Z1 / Z2; solid: this edge</source>
         <translation>不同 Z1 / Z2 的 n(m)；实线：这条边</translation>
     </message>
     <message>
@@ -1356,6 +1356,14 @@
     <message>
         <source>Over a face. How much the distances of its corners differ: if it is 0, the weights on the screen are those in space, and correction changes nothing.</source>
         <translation>对整个面。各顶点的距离相差多少：若为 0，屏幕上的权重就是空间中的权重，校正不改变任何东西。</translation>
+    </message>
+    <message>
+        <source>A text that takes AC x AB has -n, and lets light travel along (0, 0, -1), away from the eye. Both signs cancel out: its n . l is the z of the normal.</source>
+        <translation>有的课文取 AC x AB，得到 -n，并让光沿 (0, 0, -1) 远离眼睛传播。两个符号相互抵消：它的 n . l 就是法线的 z。</translation>
+    </message>
+    <message>
+        <source>Its colour is n . l alone, from black to white; where n . l is not positive it draws nothing.</source>
+        <translation>它的颜色只取 n . l，从黑到白；n . l 不为正时什么也不画。</translation>
     </message>
     <message>
         <source>A mistake is on: the new end is drawn this far off the border.</source>
@@ -3307,6 +3315,22 @@
         <source>broken edge 1-2-3: %1, %2</source>
         <translation>折边 1-2-3：%1、%2</translation>
     </message>
+    <message>
+        <source>inside this edge</source>
+        <translation>在这条边内侧</translation>
+    </message>
+    <message>
+        <source>outside it</source>
+        <translation>在外侧</translation>
+    </message>
+    <message>
+        <source>exactly on it</source>
+        <translation>恰在边上</translation>
+    </message>
+    <message>
+        <source>number: E that decides, px²</source>
+        <translation>数字：起决定作用的 E，px²</translation>
+    </message>
 </context>
 <context>
     <name>LocateModel</name>
@@ -4163,6 +4187,10 @@
     <message>
         <source>face %1</source>
         <translation>面 %1</translation>
+    </message>
+    <message>
+        <source>face %1: %2</source>
+        <translation>面 %1：%2</translation>
     </message>
     <message>
         <source>not in front of the eye: %1</source>

@@ -41,6 +41,16 @@ QPolygonF halfOf(const QRectF& box, Distance distance)
     return half;
 }
 
+/// A frame within a sample, on a light rim that any picture lets see.
+void paintFrame(QPainter& painter, const QRectF& box, const QPen& pen)
+{
+    const QRectF frame = box.adjusted(2, 2, -2, -2);
+    painter.setPen(QPen(QColor(255, 255, 255, 200), pen.widthF() + 2.4));
+    painter.drawRect(frame);
+    painter.setPen(pen);
+    painter.drawRect(frame);
+}
+
 double glyphDiameter(double cell) { return std::min(cell * 0.28, 42.0); }
 
 /// Numbers grow with the samples, up to the size of the window's type and a little beyond.
@@ -348,9 +358,9 @@ void LensOverlay::paintLine(LensView& view) const
     view.painter.setBrush(Qt::NoBrush);
     for (const glm::ivec2 candidate : {lower, upper}) {
         const bool chosen = (candidate == upper) == d.sideways;
-        view.painter.setPen(QPen(QColor(chosen ? kCanvasPlus : kCanvasMinus), view.thickness(chosen ? 3.5 : 2),
-                                 chosen ? Qt::SolidLine : Qt::DashLine));
-        view.painter.drawRect(view.box(candidate.x, candidate.y).adjusted(2, 2, -2, -2));
+        paintFrame(view.painter, view.box(candidate.x, candidate.y),
+                   QPen(QColor(chosen ? kCanvasPlus : kCanvasMinus), view.thickness(chosen ? 3.5 : 2),
+                        chosen ? Qt::SolidLine : Qt::DashLine));
     }
     glm::dvec2 ideal = centre(lower);
     ideal[1 - axis] += step->dLower() * way[1 - axis];
@@ -376,8 +386,8 @@ void LensOverlay::paintColumn(LensView& view) const
     for (int i = 0; i < column->count; ++i) {
         const int y = column->rows[std::size_t(i)];
         const bool isEnd = y == column->first() || y == column->last();
-        view.painter.setPen(QPen(QColor(isEnd ? kCanvasPlus : kCanvasMinus), view.thickness(3), Qt::SolidLine));
-        view.painter.drawRect(view.box(column->x, y).adjusted(2, 2, -2, -2));
+        paintFrame(view.painter, view.box(column->x, y),
+                   QPen(QColor(isEnd ? kCanvasPlus : kCanvasMinus), view.thickness(3)));
     }
     const QPointF below = view.box(column->x + 1, column->last() + 1).topLeft();
     if (view.cell < kGlyphsFromCell)
