@@ -495,7 +495,6 @@ int main(int argc, char** argv)
     if (!parsed.arguments)
         return parsed.exitCode;
     const Arguments& arguments = *parsed.arguments;
-
     for (const QString& path : {arguments.screenshot, arguments.figure.path})
         if (const auto why = rasterlens::whyNotWritable(path); why && !path.isEmpty()) {
             printError(QStringLiteral("%1: cannot be written: %2").arg(path, rasterlens::textOf(*why)));
@@ -528,7 +527,7 @@ int main(int argc, char** argv)
     if (!arguments.lesson.isEmpty()) {
         if (const ExitCode code = startLesson(window, arguments); code != kFine)
             return code;
-    } else if (words.size() == 1) {
+    } else if (argc == 1) {
         window.openAtStart();
     } else if (arguments.scene.isEmpty()) {
         window.openDefaultScene();
