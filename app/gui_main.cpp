@@ -502,6 +502,14 @@ void startWith(rasterlens::MainWindow& window, const Arguments& arguments, QObje
                      });
 }
 
+QStringList wordsOf(int argc, char** argv)
+{
+    QStringList words;
+    for (int i = 0; i < argc; ++i)
+        words << QString::fromLocal8Bit(argv[i]);
+    return words;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -509,14 +517,10 @@ int main(int argc, char** argv)
     QCoreApplication::setApplicationName(QStringLiteral("RasterLens"));
     QCoreApplication::setOrganizationName(QStringLiteral("RasterLens"));
     QCoreApplication::setApplicationVersion(QStringLiteral(RASTERLENS_VERSION));
-    QStringList words;
-    for (int i = 0; i < argc; ++i)
-        words << QString::fromLocal8Bit(argv[i]);
-    const ParsedArguments parsed = parseArguments(words);
+    const ParsedArguments parsed = parseArguments(wordsOf(argc, argv));
     if (!parsed.arguments)
         return parsed.exitCode;
     const Arguments& arguments = *parsed.arguments;
-
     for (const QString& path : {arguments.screenshot, arguments.figure.path})
         if (const auto why = rasterlens::whyNotWritable(path); why && !path.isEmpty()) {
             printError(QStringLiteral("%1: cannot be written: %2").arg(path, rasterlens::textOf(*why)));
@@ -546,7 +550,7 @@ int main(int argc, char** argv)
 
     QObject starting;
     startWith(window, arguments, starting);
-    if (const ExitCode code = openFirst(window, arguments, words.size() > 1); code != kFine)
+    if (const ExitCode code = openFirst(window, arguments, argc > 1); code != kFine)
         return code;
     window.show();
     if (arguments.presentation)
