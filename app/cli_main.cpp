@@ -22,6 +22,8 @@ constexpr Verb kVerbs[] = {
     {"steps", "tell every step of the drawing", runSteps},
     {"why", "say why a pixel is what it is", runWhy},
     {"derive", "derive a formula with the numbers of a face", runDerive},
+    {"figure", "write a figure with caption, formula and legend", runFigure},
+    {"identify", "say which mistake made a picture", runIdentify},
     {"lesson", "list, print and check lessons", runLesson},
 };
 

@@ -1,3 +1,4 @@
+#include "app/gui_figure.h"
 #include "core/base/typed_numbers.h"
 #include "core/io/file_writer.h"
 #include "core/io/picture_file.h"
@@ -45,6 +46,8 @@ struct Arguments {
     QString scene;
     QString screenshot;
     QString step;
+    QString identify;
+    rasterlens::FigureArguments figure;
     std::optional<QSize> windowSize;
     QString panel;
     std::optional<rasterlens::DerivationTopic> topic;
@@ -136,6 +139,9 @@ struct Options {
         QStringLiteral("step"),
         QStringLiteral("Opens the step mode at a place of the record: %1.").arg(rasterlens::stepPlaceHelp()),
         QStringLiteral("where")};
+    QCommandLineOption identify{QStringLiteral("identify"),
+                                QStringLiteral("Says which mistake made the picture <file> of this scene."),
+                                QStringLiteral("file")};
     QCommandLineOption referee{QStringLiteral("referee"),
                                QStringLiteral("Checks the picture against the exact reference.")};
     QCommandLineOption reference{
@@ -152,6 +158,7 @@ struct Options {
         QStringLiteral("Compares with the picture without mistakes or as the scene asks: wipe, blink or difference."),
         QStringLiteral("view")};
 
+    rasterlens::FigureOptions figure;
     QCommandLineOption lesson{QStringLiteral("lesson"),
                               QStringLiteral("Opens a lesson: the id of a built-in one, or a .json file."),
                               QStringLiteral("name")};
@@ -166,8 +173,10 @@ struct Options {
 
     [[nodiscard]] QList<QCommandLineOption> all() const
     {
-        return {help, version, screenshot, windowSize, language, theme,  panel, topic, view,         overlay, pixel,
-                step, referee, reference,  compare,    measure,  lesson, slide, ask,   presentation, keys};
+        return QList<QCommandLineOption>{
+                   help, version,  screenshot, windowSize, language, theme,   panel,  topic, view, overlay,      pixel,
+                   step, identify, referee,    reference,  compare,  measure, lesson, slide, ask,  presentation, keys} +
+               figure.all();
     }
 };
 
@@ -288,6 +297,7 @@ std::optional<QString> readAll(const QCommandLineParser& parser, const Options& 
         return QStringLiteral("more than one scene given");
     arguments.scene = parser.positionalArguments().value(0);
     arguments.keys = parser.isSet(options.keys);
+    arguments.identify = parser.value(options.identify);
     arguments.screenshot = parser.value(options.screenshot);
     if (parser.isSet(options.screenshot) && arguments.screenshot.isEmpty())
         return QStringLiteral("--screenshot needs a file");
@@ -299,6 +309,8 @@ std::optional<QString> readAll(const QCommandLineParser& parser, const Options& 
     if (const auto why = readLook(parser, options, arguments))
         return why;
     if (const auto why = readCanvas(parser, options, arguments))
+        return why;
+    if (const auto why = rasterlens::readFigure(parser, options.figure, arguments.figure))
         return why;
     if (const auto why = readLesson(parser, options, arguments))
         return why;
@@ -413,6 +425,34 @@ ExitCode startLesson(rasterlens::MainWindow& window, const Arguments& arguments)
     return kFine;
 }
 
+/// Opens what the arguments name, or what a start without any shows.
+///
+/// out  fine, or the exit code after an error message
+ExitCode openFirst(rasterlens::MainWindow& window, const Arguments& arguments, bool hasArguments)
+{
+    if (!arguments.lesson.isEmpty())
+        return startLesson(window, arguments);
+    if (!hasArguments)
+        window.openAtStart();
+    else if (arguments.scene.isEmpty())
+        window.openDefaultScene();
+    else
+        window.document().open(arguments.scene);
+    return kFine;
+}
+
+/// Compares as the arguments ask for; a slide says itself how it is compared.
+void compare(rasterlens::MainWindow& window, const Arguments& arguments)
+{
+    const bool isSlide = !arguments.lesson.isEmpty();
+    if (!isSlide || arguments.referee) {
+        window.truthMode().referee().setSpace(arguments.reference);
+        window.truthMode().referee().setOn(arguments.referee);
+    }
+    if (!isSlide || arguments.compare != rasterlens::CompareView::Off)
+        window.truthMode().comparison().setView(arguments.compare);
+}
+
 /// Does what the arguments ask for once the first picture is there. A scene named on the command line must open; later
 /// ones only leave a message in the window.
 ///
@@ -442,20 +482,32 @@ void startWith(rasterlens::MainWindow& window, const Arguments& arguments, QObje
                              window.canvasViews().setViewNamed(arguments.view);
                          for (const QString& overlay : arguments.overlays)
                              window.canvasViews().setOverlayNamed(overlay, true);
-                         window.truthMode().referee().setSpace(arguments.reference);
-                         window.truthMode().referee().setOn(arguments.referee);
-                         window.truthMode().comparison().setView(arguments.compare);
+                         compare(window, arguments);
                          if (arguments.measuredFrames > 0)
                              window.truthMode().experiment().run(arguments.measuredFrames);
                          if (!arguments.panel.isEmpty())
                              openPanel(window, arguments.panel);
+                         if (!arguments.identify.isEmpty())
+                             window.identifyPicture(arguments.identify);
                          if (arguments.topic) {
                              window.cards().derivationPanel().setTopic(*arguments.topic);
                              openPanel(window, QStringLiteral("derive"));
                          }
                          if (!arguments.screenshot.isEmpty())
                              takeScreenshot(window, arguments.screenshot);
+                         if (!arguments.figure.path.isEmpty()) {
+                             rasterlens::prepareFigure(window, arguments.figure);
+                             rasterlens::writeFigure(window, arguments.figure);
+                         }
                      });
+}
+
+QStringList wordsOf(int argc, char** argv)
+{
+    QStringList words;
+    for (int i = 0; i < argc; ++i)
+        words << QString::fromLocal8Bit(argv[i]);
+    return words;
 }
 
 } // namespace
@@ -465,18 +517,15 @@ int main(int argc, char** argv)
     QCoreApplication::setApplicationName(QStringLiteral("RasterLens"));
     QCoreApplication::setOrganizationName(QStringLiteral("RasterLens"));
     QCoreApplication::setApplicationVersion(QStringLiteral(RASTERLENS_VERSION));
-    QStringList words;
-    for (int i = 0; i < argc; ++i)
-        words << QString::fromLocal8Bit(argv[i]);
-    const ParsedArguments parsed = parseArguments(words);
+    const ParsedArguments parsed = parseArguments(wordsOf(argc, argv));
     if (!parsed.arguments)
         return parsed.exitCode;
     const Arguments& arguments = *parsed.arguments;
-
-    if (const auto why = rasterlens::whyNotWritable(arguments.screenshot); why && !arguments.screenshot.isEmpty()) {
-        printError(QStringLiteral("%1: cannot be written: %2").arg(arguments.screenshot, rasterlens::textOf(*why)));
-        return kInvalidInput;
-    }
+    for (const QString& path : {arguments.screenshot, arguments.figure.path})
+        if (const auto why = rasterlens::whyNotWritable(path); why && !path.isEmpty()) {
+            printError(QStringLiteral("%1: cannot be written: %2").arg(path, rasterlens::textOf(*why)));
+            return kInvalidInput;
+        }
 #ifdef Q_OS_UNIX
     std::signal(SIGPIPE, SIG_IGN); // a pipe whose reader has gone is an error message, not the end of the window
 #endif
@@ -487,7 +536,7 @@ int main(int argc, char** argv)
     QApplication application(argc, argv);
     rasterlens::useSettingsFormat();
     const rasterlens::EndSignals endSignals;
-    const bool forScreenshot = !arguments.screenshot.isEmpty();
+    const bool forScreenshot = !arguments.screenshot.isEmpty() || !arguments.figure.path.isEmpty();
     using rasterlens::MainWindow;
     MainWindow window(forScreenshot ? MainWindow::Memory::Forget : MainWindow::Memory::Remember);
     keepAllAtTheEnd(application, endSignals, window);
@@ -501,16 +550,8 @@ int main(int argc, char** argv)
 
     QObject starting;
     startWith(window, arguments, starting);
-    if (!arguments.lesson.isEmpty()) {
-        if (const ExitCode code = startLesson(window, arguments); code != kFine)
-            return code;
-    } else if (words.size() == 1) {
-        window.openAtStart();
-    } else if (arguments.scene.isEmpty()) {
-        window.openDefaultScene();
-    } else {
-        window.document().open(arguments.scene);
-    }
+    if (const ExitCode code = openFirst(window, arguments, argc > 1); code != kFine)
+        return code;
     window.show();
     if (arguments.presentation)
         window.setPresentation(true);

@@ -56,6 +56,11 @@ QSet<QString> knownNames()
     for (const QString& id :
          matchesOf(contentOf(QStringLiteral("ui/window/panel_places.cpp")), QStringLiteral("\"panel\\.([a-z]+)\"")))
         add("panel:", id);
+    const QString views = contentOf(QStringLiteral("ui/pipeline/canvas_views.cpp"));
+    for (const QString& id : matchesOf(views, QStringLiteral("\\{CanvasView::\\w+, \"([a-z-]+)\"")))
+        add("view:", id);
+    for (const QString& id : matchesOf(views, QStringLiteral("\\{&OverlayOptions::\\w+, \"([a-z-]+)\"")))
+        add("overlay:", id);
     const QString tests = contentOf(QStringLiteral("tests/CMakeLists.txt"));
     for (const char* pattern :
          {"^rasterlens_test\\((\\w+)", "^rasterlens_window_test\\((\\w+)", "^ *add_test\\(NAME ([\\w-]+)"})
@@ -210,6 +215,7 @@ void TestCoveragePage::detects_data()
     plant("`panel:curves`", "`panel:curve`");
     plant("`step:span`", "`step:spans`");
     plant("`mistake:affine`", "`mistake:afine`");
+    plant("`overlay:mid-line`", "`overlay:midline`");
     plant("`lesson:top-left`", "`lesson:topleft`");
     plant("`key:Ctrl+G`", "`key:Ctrl+GG`");
     plant("`ctest:lines`", "`ctest:line`");

@@ -210,7 +210,7 @@ void TestDerivationTopics::matrixByHand()
 
 void TestDerivationTopics::slipsByHand()
 {
-    // By height B, A, C. At y = 350.5 the long edge is at x = 350.1667 and the short one at 149.5.
+    // On the screen A = (16, 56), B = (56, 48), C = (16, 8): by height C, B, A.
     const QSize size(64, 64);
     const Scene scene = soup({{-0.5F, -0.75F, 0, 1}, {3, -2, 0, 4}, {-1, 1.5F, 0, 2}});
     const Derivation d =
@@ -221,7 +221,7 @@ void TestDerivationTopics::slipsByHand()
     // 1 / n - 1 = (1 - m) / m * w2 / w1, and with both w exchanged its ratio is the other way up.
     QVERIFY(isNear(1 / valueOf(d, "n_span") - 1, (1 - m) / m * b / a, 1e-12));
     QVERIFY(isNear(1 / valueOf(d, "n_slip") - 1, (1 - m) / m * a / b, 1e-12));
-    // Corners C, B, A by height would be right; w is 2, 4, 1 in that order.
+    // The order C, B, A is the right one here, so the slip does no harm: w is 2, 4, 1.
     QCOMPARE(valueOf(d, "w_1'"), 2.0);
     QCOMPARE(valueOf(d, "w_2'"), 4.0);
     QCOMPARE(valueOf(d, "w_3'"), 1.0);

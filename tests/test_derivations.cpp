@@ -444,6 +444,8 @@ void TestDerivations::flatLightByHand()
     QCOMPARE(valueOf(d, "r"), 227.0);
     QCOMPARE(valueOf(d, "g"), 114.0); // 113.6
     QCOMPARE(valueOf(d, "b"), 0.0);
+    QCOMPARE(valueOf(d, "n.l_head"), 1.0);
+    QCOMPARE(valueOf(d, "grey"), 255.0);
 }
 
 void TestDerivations::painterByHand()

@@ -94,7 +94,7 @@ private Q_SLOTS:
         QVERIFY(!m_window->exportFigure(path("f.gif")));
         QCOMPARE(m_window->message(),
                  QStringLiteral("%1 could not be written: \"gif\" is not a format pictures are written in, which are: "
-                                "png, ppm, bmp, jpg, jpeg, svg")
+                                "png, ppm, bmp, jpg, jpeg, svg, pdf")
                      .arg(path("f.gif")));
         QVERIFY(!m_window->exportFramebuffer(path("f.svg")));
         QVERIFY(m_window->message().endsWith(QStringLiteral("which are: png, ppm, bmp, jpg, jpeg")));

@@ -6,6 +6,7 @@
 #include "ui/pipeline/pipeline_panel.h"
 #include "ui/pipeline/stage_strip.h"
 #include "ui/pipeline/statistics_panel.h"
+#include "ui/window/figure_export.h"
 #include "ui/window/help_overlay.h"
 
 #include <QCheckBox>
@@ -531,6 +532,7 @@ private Q_SLOTS:
         QVERIFY(m_window->exportWindow(window));
         QCOMPARE(QImage(window).size(), m_window->size());
         const QString figure = m_folder.filePath(QStringLiteral("figure.png"));
+        m_window->figures().setTexts(false);
         QVERIFY(m_window->exportFigure(figure));
         const int zoom = static_cast<int>(viewport().transform().zoom);
         QCOMPARE(QImage(figure).size(), QSize(8 * zoom + 1, 8 * zoom + 1));
@@ -551,7 +553,7 @@ private Q_SLOTS:
     void copyPutsThePictureOnTheClipboard()
     {
         QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
-        key(Qt::Key_C, Qt::ControlModifier);
+        key(Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(QGuiApplication::clipboard()->image().convertToFormat(QImage::Format_RGB32), picture());
     }
 

@@ -1,4 +1,5 @@
 #include "core/lessons/lesson.h"
+#include "app/cli/handout.h"
 #include "app/cli/output.h"
 #include "app/cli/slide.h"
 #include "app/cli/verbs.h"
@@ -22,20 +23,26 @@ Usage usage()
         {QStringLiteral("--json"), Option::Kind::Value, QStringLiteral("FILE"),
          QStringLiteral("With --list: an array of {\"id\", \"title\", \"steps\", \"source\"} into this file (- is "
                         "stdout), instead of text.")},
+        {QStringLiteral("-o"), Option::Kind::Value, QStringLiteral("FILE"),
+         QStringLiteral("With handout: F.pdf, or F.md with the figures beside it as F-01.png, F-02.png ..")},
+        {QStringLiteral("--language"), Option::Kind::Value, QStringLiteral("en|zh"),
+         QStringLiteral("With handout: its language; default en.")},
         flag("--facts", "Print the facts that a lesson's \"expect\" and answers may name, and end.")};
-    return {QStringLiteral("lesson"),
-            QStringLiteral("rasterlens-cli lesson --list [--json FILE] | show NAME | check FILE"),
-            QStringLiteral("Lessons: lists of moments with a caption in English and Chinese, and questions.\n\n"
-                           "show NAME prints the slides of a lesson: the id of a built-in one, or a .json file.\n"
-                           "check FILE reads a lesson, draws each of its slides and compares what it says with what is "
-                           "computed. It prints nothing but what is wrong, as FILE:LINE."),
-            {},
-            {{QStringLiteral("Options:"), options}},
-            QStringLiteral("rasterlens-cli render --lesson NAME --step N -o FILE draws a slide.\n"
-                           "The format of lessons is described in docs/LESSONS.md.\n\n"
-                           "Exit codes: 0 fine; 2 bad arguments; 3 a lesson that cannot be read or says something "
-                           "wrong, or output that cannot be written."),
-            true};
+    return {
+        QStringLiteral("lesson"),
+        QStringLiteral("rasterlens-cli lesson --list [--json FILE] | show NAME | check FILE | handout NAME -o FILE"),
+        QStringLiteral("Lessons: lists of moments with a caption in English and Chinese, and questions.\n\n"
+                       "show NAME prints the slides of a lesson: the id of a built-in one, or a .json file.\n"
+                       "check FILE reads a lesson, draws each of its slides and compares what it says with what is "
+                       "computed. It prints nothing but what is wrong, as FILE:LINE.\n"
+                       "handout NAME writes the slides with their questions, figures and captions for reading."),
+        {},
+        {{QStringLiteral("Options:"), options}},
+        QStringLiteral("rasterlens-cli render --lesson NAME --step N -o FILE draws a slide.\n"
+                       "The format of lessons is described in docs/LESSONS.md.\n\n"
+                       "Exit codes: 0 fine; 2 bad arguments; 3 a lesson that cannot be read or says something "
+                       "wrong, or output that cannot be written."),
+        true};
 }
 
 QString listText()
@@ -109,6 +116,17 @@ void check(const QString& name)
         failInput(lines.join(QLatin1Char('\n')));
 }
 
+void handout(const QString& name, const Arguments& arguments)
+{
+    const auto path = arguments.value(QStringLiteral("-o"));
+    if (!path)
+        failArguments(QStringLiteral("rasterlens-cli lesson handout: -o FILE is missing"));
+    const QString language = arguments.value(QStringLiteral("--language")).value_or(QStringLiteral("en"));
+    if (language != QLatin1String("en") && language != QLatin1String("zh"))
+        failArguments(QStringLiteral("--language: \"%1\" is not a language; expected: en, zh").arg(language));
+    writeHandout(openLesson(name), *path, language == QLatin1String("zh"));
+}
+
 void list(const Arguments& arguments)
 {
     const auto json = arguments.value(QStringLiteral("--json"));
@@ -140,9 +158,12 @@ ExitCode runLesson(const QStringList& words)
         printText(lessonText(openLesson(operands[1])));
     else if (operands.size() == 2 && action == QLatin1String("check"))
         check(operands[1]);
+    else if (operands.size() == 2 && action == QLatin1String("handout"))
+        handout(operands[1], *arguments);
     else
-        failArguments(QStringLiteral("rasterlens-cli lesson: --list, --facts, \"show NAME\" or \"check FILE\" is "
-                                     "expected"));
+        failArguments(QStringLiteral(
+            "rasterlens-cli lesson: --list, --facts, \"show NAME\", \"check FILE\" or \"handout NAME\" is "
+            "expected"));
     return ExitCode::Fine;
 }
 

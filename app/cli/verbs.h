@@ -17,6 +17,8 @@ ExitCode runBench(const QStringList& words);
 ExitCode runCases(const QStringList& words);
 ExitCode runDerive(const QStringList& words);
 ExitCode runDiff(const QStringList& words);
+ExitCode runFigure(const QStringList& words);
+ExitCode runIdentify(const QStringList& words);
 ExitCode runInfo(const QStringList& words);
 ExitCode runLesson(const QStringList& words);
 ExitCode runRender(const QStringList& words);

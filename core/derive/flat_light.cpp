@@ -43,6 +43,19 @@ void writeNormal(DerivationWriter& writer, const FaceRecord& record)
                 QT_TRANSLATE_NOOP("Derive", "The normal, of length 1."));
 }
 
+/// The light of a text that shines along the gaze, on a normal that its order of the corners has turned round.
+void writeHeadlight(DerivationWriter& writer)
+{
+    writer.line(formula("{n.l_head}"), formula("(-{n_x}) * 0 + (-{n_y}) * 0 + (-{n_z}) * (-1)"),
+                QT_TRANSLATE_NOOP("Derive",
+                                  "A text that takes AC x AB has -n, and lets light travel along (0, 0, -1), away from "
+                                  "the eye. Both signs cancel out: its n . l is the z of the normal."));
+    writer.line(formula("{grey}"), formula("floor(255 * max({n.l_head}, 0))"),
+                QT_TRANSLATE_NOOP(
+                    "Derive", "Its colour is n . l alone, from black to white; where n . l is not positive it draws "
+                              "nothing."));
+}
+
 void writeLight(DerivationWriter& writer, const Scene& scene, std::uint32_t face)
 {
     giveVector(writer, QStringLiteral("l"), glm::dvec3(lightDirection()), {});
@@ -74,6 +87,7 @@ void writeLight(DerivationWriter& writer, const Scene& scene, std::uint32_t face
                 "floor(255 * min({c_b} * {brightness}, 1) + 0.5))"),
         QT_TRANSLATE_NOOP("Derive", "The colour of the face: that of its first corner times the brightness, as whole "
                                     "numbers up to 255."));
+    writeHeadlight(writer);
 }
 
 } // namespace

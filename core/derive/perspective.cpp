@@ -127,7 +127,7 @@ private:
         const glm::dvec2 k(b.x, value("P'") * b.x);
         const glm::dvec2 far = eye + std::max({a.x, b.x, 1.0}) * seenP;
         DerivationFigure figure;
-        figure.title = QT_TRANSLATE_NOOP("Derive", "From the side: eye O, screen at distance 1");
+        figure.title = QT_TRANSLATE_NOOP("Derive", "From the side: eye O, screen at 1");
         figure.xName = QStringLiteral("Z");
         figure.yName = QStringLiteral("X");
         figure.low = glm::min(glm::min(eye, glm::min(a, b)), glm::min(glm::min(g, k), glm::min(seenA, seenB)));
@@ -171,7 +171,7 @@ private:
             return points;
         };
         DerivationFigure figure;
-        figure.title = QT_TRANSLATE_NOOP("Derive", "n(m) for several Z1 / Z2; solid: this edge");
+        figure.title = QT_TRANSLATE_NOOP("Derive", "n(m) for Z1 / Z2; solid: this edge");
         figure.xName = QStringLiteral("m");
         figure.yName = QStringLiteral("n");
         for (const char* ratio : kRatios) {

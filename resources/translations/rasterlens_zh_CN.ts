@@ -383,12 +383,12 @@
         <translation>GAMES101 的两个三角形，每个顶点沿着通向眼睛的射线移动：覆盖的像素完全相同，但两个面的 w 是 3.5、7、14 和 10、20、5。仿射插值、丢失的 w、被校正的深度在这里都看得出来。</translation>
     </message>
     <message>
-        <source>A flat edge</source>
-        <translation>一条平缓的边</translation>
+        <source>Flat edges</source>
+        <translation>平缓的边</translation>
     </message>
     <message>
-        <source>The upper edge falls by 4 rows on 56 columns. What is off by a part of a row there is off by many columns.</source>
-        <translation>上面的边在 56 列里只下降 4 行。那里差不到一行，就会差很多列。</translation>
+        <source>Three arrow heads, whose lower halves mirror the upper ones. The edges of the flattest fall by 2 rows on 28 columns: what is off by a part of a row is off by many columns.</source>
+        <translation>三个箭头，下半部分是上半部分的镜像。最扁的那个，边在 28 列里只下降 2 行：差不到一行，就会差很多列。</translation>
     </message>
     <message>
         <source>A cut edge through pixel centres</source>
@@ -1294,8 +1294,8 @@
         <translation>其中按当前规则归这个三角形的；其余的属于它的邻居。</translation>
     </message>
     <message>
-        <source>From the side: eye O, screen at distance 1</source>
-        <translation>侧视图：眼睛 O，屏幕在距离 1 处</translation>
+        <source>From the side: eye O, screen at 1</source>
+        <translation>侧视图：眼睛 O，屏幕在 1 处</translation>
     </message>
     <message>
         <source>The bounding box</source>
@@ -1338,7 +1338,7 @@
         <translation>有些程序在存储之前又把 z / w 展开到近平面与远平面之间。这是线性的，所以比较的结果不变；但它并不是距离。</translation>
     </message>
     <message>
-        <source>n(m) for several Z1 / Z2; solid: this edge</source>
+        <source>n(m) for Z1 / Z2; solid: this edge</source>
         <translation>不同 Z1 / Z2 的 n(m)；实线：这条边</translation>
     </message>
     <message>
@@ -1356,6 +1356,14 @@
     <message>
         <source>Over a face. How much the distances of its corners differ: if it is 0, the weights on the screen are those in space, and correction changes nothing.</source>
         <translation>对整个面。各顶点的距离相差多少：若为 0，屏幕上的权重就是空间中的权重，校正不改变任何东西。</translation>
+    </message>
+    <message>
+        <source>A text that takes AC x AB has -n, and lets light travel along (0, 0, -1), away from the eye. Both signs cancel out: its n . l is the z of the normal.</source>
+        <translation>有的课文取 AC x AB，得到 -n，并让光沿 (0, 0, -1) 远离眼睛传播。两个符号相互抵消：它的 n . l 就是法线的 z。</translation>
+    </message>
+    <message>
+        <source>Its colour is n . l alone, from black to white; where n . l is not positive it draws nothing.</source>
+        <translation>它的颜色只取 n . l，从黑到白；n . l 不为正时什么也不画。</translation>
     </message>
     <message>
         <source>A mistake is on: the new end is drawn this far off the border.</source>
@@ -2167,6 +2175,18 @@
     <message>
         <source>the far plane is at %2, but must lie beyond the near plane at %1: z&apos; = n + f - nf/z runs from n to f, which leaves no depth between</source>
         <translation>远平面在 %2，但它必须在近平面 %1 之外：z&apos; = n + f - nf/z 从 n 到 f，这样中间就没有深度了</translation>
+    </message>
+    <message>
+        <source>an array of shape %1 is no picture; (H, W), (H, W, 3) or (H, W, 4) is expected, at most %2 pixels a side</source>
+        <translation>形状为 %1 的数组不是图片；应为 (H, W)、(H, W, 3) 或 (H, W, 4)，每边至多 %2 像素</translation>
+    </message>
+    <message>
+        <source>%1 is no colour; 0 to 255, or 0 to 1 in floating point, is expected</source>
+        <translation>%1 不是颜色；应为 0 到 255，浮点数应为 0 到 1</translation>
+    </message>
+    <message>
+        <source>%1 x %2 pixels are too many to compare; at most %3 million</source>
+        <translation>%1 x %2 像素太多，无法比较；至多 %3 百万</translation>
     </message>
 </context>
 <context>
@@ -3295,6 +3315,22 @@
         <source>broken edge 1-2-3: %1, %2</source>
         <translation>折边 1-2-3：%1、%2</translation>
     </message>
+    <message>
+        <source>inside this edge</source>
+        <translation>在这条边内侧</translation>
+    </message>
+    <message>
+        <source>outside it</source>
+        <translation>在外侧</translation>
+    </message>
+    <message>
+        <source>exactly on it</source>
+        <translation>恰在边上</translation>
+    </message>
+    <message>
+        <source>number: E that decides, px²</source>
+        <translation>数字：起决定作用的 E，px²</translation>
+    </message>
 </context>
 <context>
     <name>LocateModel</name>
@@ -4151,6 +4187,10 @@
     <message>
         <source>face %1</source>
         <translation>面 %1</translation>
+    </message>
+    <message>
+        <source>face %1: %2</source>
+        <translation>面 %1：%2</translation>
     </message>
     <message>
         <source>not in front of the eye: %1</source>
@@ -6756,6 +6796,42 @@
         <source>Draw at %1 x %2</source>
         <translation>改画 %1 x %2</translation>
     </message>
+    <message>
+        <source>Which &amp;mistake is mine?…</source>
+        <translation>我犯的是哪个错误(&amp;M)？…</translation>
+    </message>
+    <message>
+        <source>Export before and after…</source>
+        <translation>导出错误前后对比…</translation>
+    </message>
+    <message>
+        <source>Export before and after</source>
+        <translation>导出错误前后对比</translation>
+    </message>
+    <message>
+        <source>Export handout of a lesson…</source>
+        <translation>导出课程讲义…</translation>
+    </message>
+    <message>
+        <source>&amp;Copy figure</source>
+        <translation>复制插图(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copy framebuffer 1:1</source>
+        <translation>复制帧缓冲 1:1</translation>
+    </message>
+    <message>
+        <source>With caption, formula and legend</source>
+        <translation>带说明、公式和图例</translation>
+    </message>
+    <message>
+        <source>Which mistake is mine?</source>
+        <translation>我犯的是哪个错误？</translation>
+    </message>
+    <message>
+        <source>Pictures and arrays (%1)</source>
+        <translation>图片和数组 (%1)</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::MessageBar</name>
@@ -7001,6 +7077,10 @@
     <message>
         <source>Lesson</source>
         <translation>课程</translation>
+    </message>
+    <message>
+        <source>Which mistake is mine?</source>
+        <translation>我犯的是哪个错误？</translation>
     </message>
 </context>
 <context>
@@ -8053,6 +8133,10 @@
         <source>Pin A, exchange A and B</source>
         <translation>固定 A，交换 A 与 B</translation>
     </message>
+    <message>
+        <source>Which mistake is mine?</source>
+        <translation>我犯的是哪个错误？</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::UnchangedNotes</name>
@@ -8263,6 +8347,147 @@
     <message>
         <source>More</source>
         <translation>更多</translation>
+    </message>
+</context>
+<context>
+    <name>HandoutExport</name>
+    <message>
+        <source>Handout of a lesson</source>
+        <translation>课程讲义</translation>
+    </message>
+    <message>
+        <source>Lesson:</source>
+        <translation>课程：</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::FigureExport</name>
+    <message>
+        <source>%1 could not be written: %2</source>
+        <translation>无法写入 %1：%2</translation>
+    </message>
+    <message>
+        <source>edge %1</source>
+        <translation>边 %1</translation>
+    </message>
+    <message>
+        <source>inside of the edge</source>
+        <translation>在边的内侧</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>在外侧</translation>
+    </message>
+    <message>
+        <source>on the edge: a tie</source>
+        <translation>恰在边上</translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation>采样点</translation>
+    </message>
+    <message>
+        <source>pixel (%1, %2)</source>
+        <translation>像素 (%1, %2)</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>第 %1 步，共 %2 步</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>正确</translation>
+    </message>
+    <message>
+        <source>With the mistake</source>
+        <translation>有错误</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::IdentifyPanel</name>
+    <message>
+        <source>The right picture</source>
+        <translation>正确的图片</translation>
+    </message>
+    <message>
+        <source>The picture cannot be compared: %1.</source>
+        <translation>无法比较这张图片：%1。</translation>
+    </message>
+    <message>
+        <source>The present settings cannot be drawn, so that there is nothing to compare with.</source>
+        <translation>当前设置无法绘制，因此没有可供比较的图片。</translation>
+    </message>
+    <message>
+        <source>%1, together with %2</source>
+        <translation>%1，以及 %2</translation>
+    </message>
+    <message>
+        <source>Draws the same picture here:</source>
+        <translation>在这里画出同一张图片的还有：</translation>
+    </message>
+    <message>
+        <source>Yours</source>
+        <translation>你的图片</translation>
+    </message>
+    <message>
+        <source>With the mistake</source>
+        <translation>有错误</translation>
+    </message>
+    <message>
+        <source>Where they differ</source>
+        <translation>不同之处</translation>
+    </message>
+    <message>
+        <source>Comparing with each mistake…</source>
+        <translation>正在与每个错误比较…</translation>
+    </message>
+    <message>
+        <source>Drop a picture that your own program drew of this scene, or choose it: it is compared with the right picture and with what each mistake draws.</source>
+        <translation>把你自己的程序为这个场景画的图片拖进来，或选择它：它会与正确的图片以及每个错误画出的图片比较。</translation>
+    </message>
+    <message>
+        <source>%1: none of these. No mistake explains the picture.</source>
+        <translation>%1：都不是。没有一个错误能解释这张图片。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Choose a picture…</source>
+        <translation>选择图片…</translation>
+    </message>
+    <message>
+        <source>The scene or its settings have changed since.</source>
+        <translation>此后场景或设置已改变。</translation>
+    </message>
+    <message>
+        <source>Compare again</source>
+        <translation>重新比较</translation>
+    </message>
+    <message>
+        <source>Show in the window</source>
+        <translation>在窗口中显示</translation>
+    </message>
+    <message>
+        <source>Switches this mistake on; a double click does so as well</source>
+        <translation>打开这个错误；双击也可以</translation>
+    </message>
+    <message>
+        <source>Fits</source>
+        <translation>符合</translation>
+    </message>
+    <message>
+        <source>Mistake</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>Pixels</source>
+        <translation>像素</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>位置</translation>
     </message>
 </context>
 </TS>

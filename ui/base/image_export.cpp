@@ -7,7 +7,9 @@
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QPageSize>
 #include <QPainter>
+#include <QPdfWriter>
 #include <QSvgGenerator>
 
 #include <cstring>
@@ -89,6 +91,29 @@ std::optional<QString> saveSvg(QSize size, const ExportTarget& target, const std
     if (!begun || !painter.end())
         return failed(target.path, QT_TRANSLATE_NOOP("Diagnostic", "the picture is empty or too large"));
     return saveBytes(inPixels(std::move(bytes), size), target);
+}
+
+std::optional<QString> savePdf(QSize size, const ExportTarget& target, const std::function<void(QPainter&)>& paint)
+{
+    if (size.isEmpty())
+        return failed(target.path, QT_TRANSLATE_NOOP("Diagnostic", "the picture is empty or too large"));
+    constexpr double kPerInch = 96;
+    constexpr double kPointsPerInch = 72;
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    QPdfWriter page(&buffer);
+    page.setResolution(int(kPerInch));
+    page.setPageSize(QPageSize(QSizeF(size) * (kPointsPerInch / kPerInch), QPageSize::Point));
+    page.setPageMargins(QMarginsF(0, 0, 0, 0));
+    page.setTitle(QStringLiteral("RasterLens"));
+    QPainter painter;
+    const bool begun = painter.begin(&page);
+    if (begun)
+        paint(painter);
+    if (!begun || !painter.end())
+        return failed(target.path, QT_TRANSLATE_NOOP("Diagnostic", "the picture is empty or too large"));
+    return saveBytes(bytes, target);
 }
 
 std::optional<QString> formatProblem(const QString& path, const QStringList& formats)

@@ -39,6 +39,12 @@ struct ExportTarget {
 [[nodiscard]] std::optional<QString> saveSvg(QSize size, const ExportTarget& target,
                                              const std::function<void(QPainter&)>& paint);
 
+/// Writes what `paint` draws as one page of PDF, a unit being 1/96 inch; pixels painted as areas stay sharp.
+///
+/// errors  a sentence in the language in use
+[[nodiscard]] std::optional<QString> savePdf(QSize size, const ExportTarget& target,
+                                             const std::function<void(QPainter&)>& paint);
+
 /// Why a file of that name is not written, as a sentence in the language in use: its suffix is none of the formats.
 [[nodiscard]] std::optional<QString> formatProblem(const QString& path, const QStringList& formats);
 

@@ -72,9 +72,6 @@ QPixmap cachedCellTile(int zoom, int samples, const OverlayOptions& options)
     return tile;
 }
 
-/// A drawing of lines and areas, not of pixels.
-bool isDrawing(const QPainter& painter) { return painter.paintEngine()->type() == QPaintEngine::SVG; }
-
 /// What moves lines of an odd width onto whole pixels of a drawing; on the screen they are moved by Qt.
 QPointF lineShift(const QPainter& painter) { return isDrawing(painter) ? QPointF(0.5, 0.5) : QPointF(0, 0); }
 
@@ -197,6 +194,12 @@ void paintPixelFrames(QPainter& painter, const CanvasTransform& transform, QSize
         paintPixelFrame(painter, *options.hoveredPixel, transform, false, options.thickLines);
     if (options.selectedPixel && transform.zoom >= kGridFromZoom / 2 && pixels.contains(*options.selectedPixel))
         paintPixelFrame(painter, *options.selectedPixel, transform, true, options.thickLines);
+}
+
+bool isDrawing(const QPainter& painter)
+{
+    const QPaintEngine::Type type = painter.paintEngine()->type();
+    return type == QPaintEngine::SVG || type == QPaintEngine::Pdf;
 }
 
 void paintCanvas(QPainter& painter, const QRect& canvas, const CanvasTransform& transform, const RenderedFrame& frame,

@@ -52,6 +52,8 @@ struct OverlayOptions {
     std::vector<const CanvasLayer*> layers; ///< from the lowest to the highest; not owned
 };
 
+/// Whether the painter makes a drawing of lines and areas (SVG, PDF) and not of pixels.
+[[nodiscard]] bool isDrawing(const QPainter& painter);
 /// Paints a picture with its grid, sample positions and pixel values, without other layers.
 ///
 /// in  `linesAt`: what stands in a pixel; empty: what the frame's shading shows

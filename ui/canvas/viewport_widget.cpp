@@ -330,19 +330,42 @@ std::optional<ViewportWidget::FigurePart> ViewportWidget::figurePart(std::option
     return FigurePart{transform, picture, size};
 }
 
-void ViewportWidget::paintFigure(QPainter& painter, const FigurePart& part) const
+std::optional<ViewportWidget::FigurePart> ViewportWidget::partInSight(std::optional<int> zoom,
+                                                                      const std::optional<QRect>& pixels) const
+{
+    if (!zoom && !pixels)
+        return figurePart(zoom);
+    const double scale = zoom ? double(*zoom) : m_transform.zoom;
+    const QRect whole(QPoint(0, 0), imageSize());
+    const QRect shown = pixels ? *pixels & whole : m_transform.pixelsIn(pane(), imageSize());
+    const QSizeF size = QSizeF(shown.size()) * scale;
+    if (shown.isEmpty() || size.width() >= kMaxFigureSide || size.height() >= kMaxFigureSide)
+        return std::nullopt;
+    const QSize closing = scale >= kGridFromZoom ? QSize(1, 1) : QSize(0, 0);
+    const CanvasTransform transform{scale, -QPointF(shown.topLeft()) * scale};
+    const QSize picture = size.toSize() + closing;
+    return FigurePart{transform, picture, picture};
+}
+
+void ViewportWidget::paintFigure(QPainter& painter, const FigurePart& part, const RenderedFrame* instead) const
 {
     OverlayOptions options = m_options;
     options.hoveredPixel.reset();
+    if (instead) {
+        options.layers.clear();
+        options.wipe.reset();
+        options.tag.clear();
+    }
     painter.fillRect(QRect(QPoint(0, 0), part.size), m_canvasColor);
     const QRect picture(QPoint(0, 0), part.picture);
-    if (!options.depthBeside) {
-        paintCanvas(painter, picture, part.transform, *m_frame, options);
+    const RenderedFrame& frame = instead ? *instead : *m_frame;
+    if (part.size == part.picture) {
+        paintCanvas(painter, picture, part.transform, frame, options);
         return;
     }
     painter.save();
     painter.setClipRect(picture);
-    paintCanvas(painter, picture, part.transform, *m_frame, options);
+    paintCanvas(painter, picture, part.transform, frame, options);
     painter.translate(part.picture.width() + kPaneGap, 0);
     painter.setClipRect(picture);
     paintDepthPicture(painter, picture, part.transform, *m_frame, m_depthShown.get(), options);

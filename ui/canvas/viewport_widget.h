@@ -72,6 +72,25 @@ public:
     [[nodiscard]] QRect depthPane() const;
     /// The depth buffer of the frame as it is shown beside it; null while it is not, or not known.
     [[nodiscard]] const std::shared_ptr<const DepthPicture>& depthShown() const { return m_depthShown; }
+    /// A part of the picture and how it is painted.
+    struct FigurePart {
+        CanvasTransform transform;
+        QSize picture; ///< canvas pixels
+        QSize size;    ///< with the depth buffer beside the picture
+    };
+    /// The visible part as it is shown, or the whole image at a zoom.
+    ///
+    /// errors  nothing without a picture, and where the figure would be too large
+    [[nodiscard]] std::optional<FigurePart> figurePart(std::optional<int> zoom) const;
+    /// The part of the picture that is in sight, as it is shown or at another zoom; or some pixels of it.
+    ///
+    /// errors  nothing without a picture, and where the figure would be too large
+    [[nodiscard]] std::optional<FigurePart> partInSight(std::optional<int> zoom,
+                                                        const std::optional<QRect>& pixels = std::nullopt) const;
+    /// Paints a part with its overlays.
+    ///
+    /// in  `instead`: another picture of the same size, without the layers that belong to the one shown; null: that one
+    void paintFigure(QPainter& painter, const FigurePart& part, const RenderedFrame* instead = nullptr) const;
 
     /// The picture with its overlays: the visible part as it is shown, or the whole image at a zoom.
     ///
@@ -109,14 +128,6 @@ protected:
 private:
     enum class Drag { None, PanCanvas, Orbit, PanCamera, Dolly, Wipe };
 
-    /// Where a figure is painted to.
-    struct FigurePart {
-        CanvasTransform transform;
-        QSize picture;
-        QSize size; ///< with the depth buffer beside the picture
-    };
-    [[nodiscard]] std::optional<FigurePart> figurePart(std::optional<int> zoom) const;
-    void paintFigure(QPainter& painter, const FigurePart& part) const;
     [[nodiscard]] Drag dragFor(const QMouseEvent& event) const;
     [[nodiscard]] bool looksLikeTheShown(const RenderedFrame& frame) const;
     [[nodiscard]] QSize imageSize() const;

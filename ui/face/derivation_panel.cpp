@@ -197,7 +197,7 @@ DerivationPanel::DerivationPanel(FaceSelection& selection, QWidget* parent)
     }
     column->addLayout(figures);
     m_view->setOpenLinks(false);
-    m_view->setMinimumHeight(160);
+    m_view->setMinimumHeight(120);
     m_view->installEventFilter(this);
     column->addWidget(m_view, 1);
     connect(m_topic, &QComboBox::currentIndexChanged, this, &DerivationPanel::asked);

@@ -1,6 +1,5 @@
 #include "ui/face/figure_view.h"
 
-#include "core/observe/names.h"
 #include "ui/base/distances.h"
 #include "ui/base/inks.h"
 #include "ui/base/theme.h"
@@ -18,7 +17,48 @@ namespace
 constexpr double kReach = 7; ///< so near the mouse has to come, in pixels
 constexpr double kPointRadius = 3;
 
+/// A number at the end of an axis, where little room is.
+QString axisNumber(double value)
+{
+    constexpr int kDigits = 3;
+    return QString::number(value, 'g', kDigits).replace(QLatin1Char('-'), QChar(0x2212));
+}
+
 } // namespace
+
+/// Puts names beside their points so that none covers another; one without room is left out.
+class FigureLabels
+{
+public:
+    FigureLabels(QPainter& painter, const QRectF& room) : m_painter(painter), m_room(room) {}
+
+    void put(QPointF at, const QString& name)
+    {
+        if (name.isEmpty())
+            return;
+        const QFontMetricsF metrics(m_painter.font());
+        const QSizeF size(metrics.horizontalAdvance(name), metrics.ascent());
+        constexpr double kAway = 5;
+        for (const QPointF& corner :
+             {QPointF(kAway, -kAway - size.height()), QPointF(-kAway - size.width(), -kAway - size.height()),
+              QPointF(kAway, kAway), QPointF(-kAway - size.width(), kAway)}) {
+            const QRectF box(at + corner, size);
+            const bool isFree = m_room.contains(box) && std::ranges::none_of(m_taken, [&](const QRectF& other) {
+                                    return other.intersects(box);
+                                });
+            if (!isFree)
+                continue;
+            m_taken.push_back(box);
+            m_painter.drawText(box, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, name);
+            return;
+        }
+    }
+
+private:
+    QPainter& m_painter;
+    QRectF m_room;
+    std::vector<QRectF> m_taken;
+};
 
 FigureView::FigureView(QWidget* parent) : QWidget(parent)
 {
@@ -49,7 +89,7 @@ void FigureView::setHovered(std::optional<std::size_t> symbol)
 QRectF FigureView::plotArea() const
 {
     const double line = QFontMetricsF(textFont(-1)).height();
-    return QRectF(rect()).adjusted(1.6 * line, 2.4 * line, -0.8 * line, -1.3 * line);
+    return QRectF(rect()).adjusted(2.4 * line, 2.2 * line, -0.9 * line, -1.3 * line);
 }
 
 QPointF FigureView::toWidget(const glm::dvec2& at) const
@@ -105,19 +145,16 @@ void FigureView::paintAxes(QPainter& painter) const
     painter.drawLine(area.topLeft(), area.bottomLeft());
     painter.drawLine(area.bottomLeft(), area.bottomRight());
     const QRectF below(area.left(), area.bottom() + 1, area.width(), height() - area.bottom());
-    painter.drawText(below, Qt::AlignLeft | Qt::AlignTop, shortNumber(m_figure.low.x));
+    painter.drawText(below, Qt::AlignLeft | Qt::AlignTop, axisNumber(m_figure.low.x));
     painter.drawText(below, Qt::AlignHCenter | Qt::AlignTop, m_figure.xName);
-    painter.drawText(below, Qt::AlignRight | Qt::AlignTop, shortNumber(m_figure.high.x));
-    painter.drawText(QRectF(0, area.top(), area.left() - 3, area.height()), Qt::AlignRight | Qt::AlignVCenter,
-                     m_figure.yName);
-    const double line = QFontMetricsF(painter.font()).height();
-    painter.drawText(QRectF(area.left() + 3, area.top() - line, area.width(), line), Qt::AlignLeft | Qt::AlignBottom,
-                     shortNumber(m_figure.high.y));
-    painter.drawText(QRectF(area.left() + 3, area.bottom() - line, area.width(), line), Qt::AlignLeft | Qt::AlignBottom,
-                     shortNumber(m_figure.low.y));
+    painter.drawText(below, Qt::AlignRight | Qt::AlignTop, axisNumber(m_figure.high.x));
+    const QRectF beside(0, area.top(), area.left() - 3, area.height());
+    painter.drawText(beside, Qt::AlignRight | Qt::AlignTop, axisNumber(m_figure.high.y));
+    painter.drawText(beside, Qt::AlignRight | Qt::AlignVCenter, m_figure.yName);
+    painter.drawText(beside, Qt::AlignRight | Qt::AlignBottom, axisNumber(m_figure.low.y));
 }
 
-void FigureView::paintStrokes(QPainter& painter) const
+void FigureView::paintStrokes(QPainter& painter, FigureLabels& labels) const
 {
     for (const FigureStroke& stroke : m_figure.strokes) {
         QPolygonF way;
@@ -128,21 +165,19 @@ void FigureView::paintStrokes(QPainter& painter) const
         painter.setPen(
             QPen(ink, isPlain ? 1.2 : 2.6, stroke.look == FigureStroke::Look::Dashed ? Qt::DashLine : Qt::SolidLine));
         painter.drawPolyline(way);
-        if (stroke.name.isEmpty() || way.isEmpty())
-            continue;
-        const QPointF middle = way.size() > 2 ? way[way.size() / 2] : (way.front() + way.back()) / 2;
-        painter.drawText(middle + QPointF(4, -4), stroke.name);
+        if (!way.isEmpty())
+            labels.put(way.size() > 2 ? way[way.size() / 2] : (way.front() + way.back()) / 2, stroke.name);
     }
 }
 
-void FigureView::paintPoints(QPainter& painter) const
+void FigureView::paintPoints(QPainter& painter, FigureLabels& labels) const
 {
     for (const FigurePoint& point : m_figure.points) {
         const QPointF at = toWidget(point.at);
         painter.setPen(inkOf(point.symbol));
         painter.setBrush(inkOf(point.symbol));
         painter.drawEllipse(at, isLit(point.symbol) ? kPointRadius + 2 : kPointRadius, kPointRadius);
-        painter.drawText(at + QPointF(5, -5), point.name);
+        labels.put(at, point.name);
     }
 }
 
@@ -152,9 +187,9 @@ void FigureView::paintEvent(QPaintEvent*)
     painter.setRenderHint(QPainter::Antialiasing);
     paintAxes(painter);
     painter.setFont(textFont(-1, true));
-    painter.setClipRect(plotArea().adjusted(-6, -10, 14, 6));
-    paintStrokes(painter);
-    paintPoints(painter);
+    FigureLabels labels(painter, QRectF(rect()));
+    paintStrokes(painter, labels);
+    paintPoints(painter, labels);
 }
 
 void FigureView::mouseMoveEvent(QMouseEvent* event)

@@ -9,6 +9,8 @@
 namespace rasterlens
 {
 
+class FigureLabels;
+
 /// Draws a figure of a derivation: what belongs to the present line is thick, and a symbol under the mouse is told.
 class FigureView : public QWidget
 {
@@ -28,8 +30,8 @@ public:
     /// The symbol whose stroke or point lies there; nothing where none is near.
     [[nodiscard]] std::optional<std::size_t> symbolAt(QPointF widget) const;
 
-    QSize sizeHint() const override { return {210, 190}; }
-    QSize minimumSizeHint() const override { return {150, 150}; }
+    QSize sizeHint() const override { return {210, 150}; }
+    QSize minimumSizeHint() const override { return {150, 140}; }
 
 Q_SIGNALS:
     void symbolHovered(std::optional<std::size_t> symbol);
@@ -44,8 +46,8 @@ private:
     [[nodiscard]] QColor inkOf(int symbol) const;
     [[nodiscard]] bool isLit(int symbol) const;
     void paintAxes(QPainter& painter) const;
-    void paintStrokes(QPainter& painter) const;
-    void paintPoints(QPainter& painter) const;
+    void paintStrokes(QPainter& painter, FigureLabels& labels) const;
+    void paintPoints(QPainter& painter, FigureLabels& labels) const;
 
     DerivationFigure m_figure;
     QString m_title;

@@ -6,7 +6,6 @@
 #include "ui/canvas/viewport_widget.h"
 #include "ui/lessons/lesson_panel.h"
 #include "ui/lessons/question_box.h"
-#include "ui/lessons/texts.h"
 
 #include <QAction>
 #include <QFileDialog>
@@ -164,7 +163,7 @@ void LessonMode::sync()
     m_mark->setEnabled(isOpen && m_panel->question().asksForPixels());
     m_level->setChecked(m_player.level() > 1);
     m_keep->setChecked(!m_answerFile.isEmpty());
-    m_dock->setTitle(isOpen ? textInUse(m_player.lesson().title) : tr("Lesson"));
+    m_dock->setTitle(tr("Lesson"));
 }
 
 void LessonMode::setAway(bool away) { m_panel->setAway(away); }

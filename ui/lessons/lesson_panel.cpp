@@ -41,10 +41,15 @@ LessonPanel::LessonPanel(LessonPlayer& player, const Actions& actions, QWidget* 
     : QFrame(parent), m_player(player)
 {
     setObjectName(QStringLiteral("lessonPanel"));
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(12, 4, 12, 10);
+    m_outer = new QBoxLayout(QBoxLayout::TopToBottom, this);
+    m_outer->setContentsMargins(12, 4, 12, 6);
+    m_outer->setSpacing(8);
+    m_title = makeText("title");
+    m_outer->addWidget(m_title);
+    m_outer->addWidget(buildButtons(actions), 0, Qt::AlignTop);
+    auto* column = m_column = new QVBoxLayout;
     column->setSpacing(8);
-    column->addWidget(buildButtons(actions));
+    m_outer->addLayout(column, 1);
     m_verdict = makeText("lessonVerdict");
     m_text = makeText("lessonText");
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -74,12 +79,15 @@ LessonPanel::LessonPanel(LessonPlayer& player, const Actions& actions, QWidget* 
 QWidget* LessonPanel::buildButtons(const Actions& actions)
 {
     auto* buttons = new QWidget;
-    auto* row = m_row = new QHBoxLayout(buttons);
-    row->setContentsMargins(0, 0, 0, 0);
+    m_rows = new QBoxLayout(QBoxLayout::LeftToRight, buttons);
+    m_rows->setContentsMargins(0, 0, 0, 0);
+    m_rows->setSpacing(4);
+    auto* row = m_row = new QHBoxLayout;
     row->setSpacing(4);
+    m_rows->addLayout(row);
     for (QAction* action : {actions.previous, actions.next}) {
         QToolButton* button = makeButton(nullptr);
-        button->setArrowType(action == actions.next ? Qt::RightArrow : Qt::LeftArrow);
+        button->setText(action == actions.next ? QStringLiteral("\u25b6") : QStringLiteral("\u25c0"));
         connect(button, &QToolButton::clicked, action, &QAction::trigger);
         const auto follow = [button, action] {
             button->setEnabled(action->isEnabled());
@@ -94,14 +102,16 @@ QWidget* LessonPanel::buildButtons(const Actions& actions)
     m_number->setObjectName(QStringLiteral("heading"));
     row->addWidget(m_number);
     row->addStretch(1);
+    auto* links = new QHBoxLayout;
+    m_rows->addLayout(links);
     m_try = makeLink();
     m_try->setFocusPolicy(Qt::TabFocus);
     connect(m_try, &QToolButton::clicked, this, &LessonPanel::tryWanted);
-    row->addWidget(m_try);
+    links->addWidget(m_try);
     m_back = makeLink();
     m_back->setFocusPolicy(Qt::TabFocus);
     connect(m_back, &QToolButton::clicked, actions.back, &QAction::trigger);
-    row->addWidget(m_back);
+    links->addWidget(m_back);
     return buttons;
 }
 
@@ -120,7 +130,9 @@ void LessonPanel::setBar(bool bar)
     if (bar) // beside the number: the picture has the height
         m_row->insertWidget(m_row->indexOf(m_number) + 1, m_score);
     else
-        static_cast<QVBoxLayout*>(layout())->insertWidget(layout()->indexOf(m_contents), m_score);
+        m_column->insertWidget(m_column->indexOf(m_contents), m_score);
+    m_outer->setDirection(bar ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_rows->setDirection(bar ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     m_question->setWide(bar);
     sync();
 }
@@ -142,6 +154,8 @@ void LessonPanel::sync()
     m_try->setVisible(isOpen && !m_away);
     m_back->setVisible(isOpen && m_away);
     m_contents->setVisible(isOpen && !m_bar);
+    m_title->setVisible(isOpen && !m_bar);
+    m_title->setText(isOpen ? textInUse(m_player.lesson().title) : QString());
     m_question->setQuestion(m_player.isAsking() ? &*m_player.slide().question : nullptr);
     m_verdict->setText(isOpen ? verdictText() : QString());
     m_verdict->setVisible(!m_verdict->text().isEmpty());

@@ -3,10 +3,12 @@
 
 #include <QFrame>
 
+class QBoxLayout;
 class QHBoxLayout;
 class QLabel;
 class QListWidget;
 class QToolButton;
+class QVBoxLayout;
 
 namespace rasterlens
 {
@@ -51,7 +53,11 @@ private:
     [[nodiscard]] QString endText() const;
 
     LessonPlayer& m_player;
+    QBoxLayout* m_outer = nullptr; ///< buttons, and what is read, below them or at their right
+    QVBoxLayout* m_column = nullptr;
+    QBoxLayout* m_rows = nullptr; ///< of the buttons
     QHBoxLayout* m_row = nullptr;
+    QLabel* m_title = nullptr;
     QLabel* m_number = nullptr;
     QLabel* m_score = nullptr;
     QLabel* m_verdict = nullptr;

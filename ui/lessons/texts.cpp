@@ -22,7 +22,7 @@ QString choiceText(const QuestionChoice& choice)
 
 QString firstSentence(const QString& text)
 {
-    static const QRegularExpression end(QStringLiteral("(?<=[.?!:])\\s|(?<=[\u3002\uff1f\uff01\uff1a])"));
+    static const QRegularExpression end(QStringLiteral("(?<=[.?!])\\s|(?<=[\u3002\uff1f\uff01])"));
     return text.section(end, 0, 0).trimmed();
 }
 

@@ -24,6 +24,7 @@ constexpr std::array kStages{Stage::Scene, Stage::Clip,  Stage::Screen, Stage::C
 constexpr int kChips = static_cast<int>(kStages.size());
 constexpr int kSpacing = 2;
 constexpr QMargins kMargins(8, 6, 8, 6);
+constexpr QMargins kBriefMargins(8, 3, 8, 3);
 constexpr int kWidthOfOneRow = 400; ///< two rows where there is less
 constexpr int kArrowWidth = 14;
 constexpr int kWidthWithArrows = 690;
@@ -86,6 +87,8 @@ public:
         updateGeometry();
         update();
     }
+
+    [[nodiscard]] bool isBrief() const { return m_brief; }
 
     void setMarked(bool on)
     {
@@ -225,7 +228,8 @@ int StageStrip::chipsInARow(int width) { return width >= kWidthOfOneRow ? kChips
 int StageStrip::heightForWidth(int width) const
 {
     const int rows = kChips / chipsInARow(width);
-    return rows * m_chips.front()->sizeHint().height() + (rows - 1) * kSpacing + kMargins.top() + kMargins.bottom();
+    const QMargins margins = m_chips.front()->isBrief() ? kBriefMargins : kMargins;
+    return rows * m_chips.front()->sizeHint().height() + (rows - 1) * kSpacing + margins.top() + margins.bottom();
 }
 
 QSize StageStrip::sizeHint() const { return {kChips * 96, heightForWidth(kWidthOfOneRow)}; }
@@ -234,7 +238,7 @@ QSize StageStrip::minimumSizeHint() const { return {kWidthOfOneRow / 2, heightFo
 
 void StageStrip::resizeEvent(QResizeEvent*)
 {
-    const QRect room = rect().marginsRemoved(kMargins);
+    const QRect room = rect().marginsRemoved(m_chips.front()->isBrief() ? kBriefMargins : kMargins);
     const int inARow = chipsInARow(width());
     const int height = m_chips.front()->sizeHint().height();
     for (int i = 0; i < kChips; ++i) {

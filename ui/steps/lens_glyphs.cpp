@@ -57,13 +57,13 @@ void paintGlyph(QPainter& painter, QPointF centre, double diameter, EdgeSign sig
 void paintLensLegend(QPainter& painter, const QRect& canvas, const QRectF& picture, const StepSetup& setup,
                      bool hasNumbers)
 {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("Lens", text); };
+    const auto translated = [](const char* text) { return QCoreApplication::translate("Lens", text); };
     const std::array<std::pair<EdgeSign, QString>, 3> signs{{
-        {EdgeSign::Plus, tr(QT_TRANSLATE_NOOP("Lens", "inside this edge"))},
-        {EdgeSign::Minus, tr(QT_TRANSLATE_NOOP("Lens", "outside it"))},
-        {EdgeSign::Zero, tr(QT_TRANSLATE_NOOP("Lens", "exactly on it"))},
+        {EdgeSign::Plus, translated(QT_TRANSLATE_NOOP("Lens", "inside this edge"))},
+        {EdgeSign::Minus, translated(QT_TRANSLATE_NOOP("Lens", "outside it"))},
+        {EdgeSign::Zero, translated(QT_TRANSLATE_NOOP("Lens", "exactly on it"))},
     }};
-    const QString number = tr(QT_TRANSLATE_NOOP("Lens", "number: E that decides, px\u00b2"));
+    const QString number = translated(QT_TRANSLATE_NOOP("Lens", "number: E that decides, px\u00b2"));
     const QFont font = textFont(-1);
     const QFontMetricsF metrics(font);
     const double row = metrics.height() * 1.3;
@@ -71,15 +71,16 @@ void paintLensLegend(QPainter& painter, const QRect& canvas, const QRectF& pictu
     double width = hasNumbers ? metrics.horizontalAdvance(number) : 0;
     for (const auto& [sign, text] : signs)
         width = std::max(width, glyph * 1.4 + metrics.horizontalAdvance(text));
-    constexpr double kPad = 10;
+    constexpr double kPad = 8;
     const int rows = 6 + (hasNumbers ? 1 : 0);
     const QSizeF size(width + 2 * kPad, rows * row + kPad);
-    constexpr double kGap = 12;
-    // Beside the picture, or nowhere: the samples count more.
+    constexpr double kGap = 8;
+    // Beside the picture and the letters at its corners, or nowhere: the samples count more.
+    const double beside = 1.4 * metrics.height();
     QRectF plate(QPointF(canvas.right() - kGap - size.width(), canvas.top() + kGap), size);
-    if (plate.left() < picture.right() + kGap)
+    if (plate.left() < picture.right() + beside)
         plate.moveLeft(canvas.left() + kGap);
-    if (plate.intersects(picture.adjusted(-kGap, 0, kGap, 0)) || plate.bottom() > canvas.bottom())
+    if (plate.intersects(picture.adjusted(-beside, 0, beside, 0)) || plate.bottom() > canvas.bottom())
         return;
     const QPalette palette = QGuiApplication::palette();
     painter.setPen(QPen(palette.color(QPalette::Mid), 1));

@@ -9,7 +9,6 @@
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QGuiApplication>
-#include <QPaintEngine>
 #include <QPainter>
 #include <QPalette>
 
@@ -40,6 +39,16 @@ QPolygonF halfOf(const QRectF& box, Distance distance)
             half << a + (b - a) * (da / (da - db));
     }
     return half;
+}
+
+/// A frame within a sample, on a light rim that any picture lets see.
+void paintFrame(QPainter& painter, const QRectF& box, const QPen& pen)
+{
+    const QRectF frame = box.adjusted(2, 2, -2, -2);
+    painter.setPen(QPen(QColor(255, 255, 255, 200), pen.widthF() + 2.4));
+    painter.drawRect(frame);
+    painter.setPen(pen);
+    painter.drawRect(frame);
 }
 
 double glyphDiameter(double cell) { return std::min(cell * 0.28, 42.0); }
@@ -169,7 +178,7 @@ void LensOverlay::paintCells(LensView& view) const
 {
     const QRect shown = view.visible(m_model->triangle().setup.bounds);
     const bool wholePixels = view.cell == std::floor(view.cell);
-    const bool vectors = view.painter.paintEngine()->type() == QPaintEngine::SVG || !wholePixels;
+    const bool vectors = isDrawing(view.painter) || !wholePixels;
     const QSize size(int(view.cell), int(view.cell));
     const QColor fill = paper().fill;
     if (m_tileSize != size || m_tilePaper != fill)
@@ -349,9 +358,9 @@ void LensOverlay::paintLine(LensView& view) const
     view.painter.setBrush(Qt::NoBrush);
     for (const glm::ivec2 candidate : {lower, upper}) {
         const bool chosen = (candidate == upper) == d.sideways;
-        view.painter.setPen(QPen(QColor(chosen ? kCanvasPlus : kCanvasMinus), view.thickness(chosen ? 3.5 : 2),
-                                 chosen ? Qt::SolidLine : Qt::DashLine));
-        view.painter.drawRect(view.box(candidate.x, candidate.y).adjusted(2, 2, -2, -2));
+        paintFrame(view.painter, view.box(candidate.x, candidate.y),
+                   QPen(QColor(chosen ? kCanvasPlus : kCanvasMinus), view.thickness(chosen ? 3.5 : 2),
+                        chosen ? Qt::SolidLine : Qt::DashLine));
     }
     glm::dvec2 ideal = centre(lower);
     ideal[1 - axis] += step->dLower() * way[1 - axis];
@@ -377,8 +386,8 @@ void LensOverlay::paintColumn(LensView& view) const
     for (int i = 0; i < column->count; ++i) {
         const int y = column->rows[std::size_t(i)];
         const bool isEnd = y == column->first() || y == column->last();
-        view.painter.setPen(QPen(QColor(isEnd ? kCanvasPlus : kCanvasMinus), view.thickness(3), Qt::SolidLine));
-        view.painter.drawRect(view.box(column->x, y).adjusted(2, 2, -2, -2));
+        paintFrame(view.painter, view.box(column->x, y),
+                   QPen(QColor(isEnd ? kCanvasPlus : kCanvasMinus), view.thickness(3)));
     }
     const QPointF below = view.box(column->x + 1, column->last() + 1).topLeft();
     if (view.cell < kGlyphsFromCell)

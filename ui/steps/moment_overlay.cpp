@@ -10,6 +10,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <numeric>
 
 namespace rasterlens
 {
@@ -79,9 +80,11 @@ QString stepLine(const FaceMoment& moment, const Rules& rules)
 
 QStringList momentLines(const FaceMoment& moment, const Rules& rules)
 {
-    QStringList lines{translated(QT_TRANSLATE_NOOP("Moment", "face %1")).arg(moment.face)};
-    if (const QString step = stepLine(moment, rules); !step.isEmpty())
-        lines.back() += QStringLiteral(": ") + step;
+    const QString step = stepLine(moment, rules);
+    QStringList lines{
+        step.isEmpty()
+            ? translated(QT_TRANSLATE_NOOP("Moment", "face %1")).arg(moment.face)
+            : translated(QT_TRANSLATE_NOOP("Moment", "face %1: %2")).arg(QString::number(moment.face), step)};
     QStringList behind;
     for (const MomentCorner& corner : moment.corners)
         if (!corner.onScreen(rules))
@@ -137,45 +140,51 @@ void MomentOverlay::paintArea(LensView& view) const
     view.painter.drawPolygon(area);
 }
 
+/// A dot for each corner, filled once it stands on the screen, and its name beside it, away from the others.
 void MomentOverlay::paintCorners(LensView& view) const
 {
-    QPointF middle;
-    int count = 0;
+    QPolygonF places;
     for (const MomentCorner& corner : m_moment->corners)
-        if (const auto place = corner.onScreen(m_rules)) {
-            middle += view.at(*place);
-            ++count;
-        }
-    middle /= std::max(count, 1);
-    const QFont font = textFont(view.options.thickLines ? 2 : 1, true);
-    const QFontMetricsF metrics(font);
-    const Paper p = paper();
-    view.painter.setFont(font);
+        if (const auto place = corner.onScreen(m_rules))
+            places << view.at(*place);
+    const QRectF extent = places.boundingRect();
+    // A face that is hardly to be seen is not to be hidden by its corners.
+    const double radius = std::clamp(std::max(extent.width(), extent.height()) / 8, 1.5, view.thickness(4.5));
+    const QPointF middle = std::accumulate(places.begin(), places.end(), QPointF()) / std::max(1, int(places.size()));
+    view.painter.setFont(textFont(view.options.thickLines ? 2 : 1, true));
     for (const MomentCorner& corner : m_moment->corners) {
         const auto place = corner.onScreen(m_rules);
         if (!place)
             continue;
         const QPointF at = view.at(*place);
-        // A corner that has not come to the screen is hollow.
-        view.painter.setPen(QPen(Qt::black, view.thickness(1.8)));
-        view.painter.setBrush(corner.snapped ? QColor(Qt::black) : QColor(Qt::white));
-        view.painter.drawEllipse(at, view.thickness(4.5), view.thickness(4.5));
+        view.painter.setPen(QPen(corner.snapped ? Qt::white : Qt::black, view.thickness(1.6)));
+        view.painter.setBrush(corner.snapped ? QColor(kCanvasPlus) : QColor(Qt::white));
+        view.painter.drawEllipse(at, radius, radius);
         const QLineF outward(middle, at);
-        const QPointF way =
-            outward.length() > 0 ? QPointF(outward.dx(), outward.dy()) / outward.length() : QPointF(0, -1);
-        const QSizeF size(metrics.horizontalAdvance(corner.name) + 10, metrics.height());
-        const QRectF room =
-            QRectF(view.canvas).adjusted(size.width() / 2, size.height() / 2, -size.width() / 2, -size.height() / 2);
-        QPointF centre = at + way * size.height();
-        centre = {std::clamp(centre.x(), room.left(), std::max(room.left(), room.right())),
-                  std::clamp(centre.y(), room.top(), std::max(room.top(), room.bottom()))};
-        const QRectF plate(centre - QPointF(size.width(), size.height()) / 2, size);
-        view.painter.setPen(Qt::NoPen);
-        view.painter.setBrush(withAlpha(p.fill, 225));
-        view.painter.drawRoundedRect(plate, 4, 4);
-        view.painter.setPen(p.ink);
-        view.painter.drawText(plate, Qt::AlignCenter, corner.name);
+        paintName(view, corner.name, at,
+                  outward.length() > 0 ? QPointF(outward.dx(), outward.dy()) / outward.length() : QPointF(0, -1));
     }
+}
+
+/// A corner's name on a plate, some way from the corner and within the canvas.
+void MomentOverlay::paintName(const LensView& view, const QString& name, QPointF corner, QPointF way)
+{
+    constexpr double kMargin = 4;
+    const QFontMetricsF metrics(view.painter.font());
+    const QSizeF size(metrics.horizontalAdvance(name) + 10, metrics.height());
+    const QRectF room = QRectF(view.canvas)
+                            .adjusted(size.width() / 2 + kMargin, size.height() / 2 + kMargin,
+                                      -size.width() / 2 - kMargin, -size.height() / 2 - kMargin);
+    QPointF centre = corner + way * size.height();
+    centre = {std::clamp(centre.x(), room.left(), std::max(room.left(), room.right())),
+              std::clamp(centre.y(), room.top(), std::max(room.top(), room.bottom()))};
+    const QRectF plate(centre - QPointF(size.width(), size.height()) / 2, size);
+    const Paper p = paper();
+    view.painter.setPen(Qt::NoPen);
+    view.painter.setBrush(withAlpha(p.fill, 225));
+    view.painter.drawRoundedRect(plate, 4, 4);
+    view.painter.setPen(p.ink);
+    view.painter.drawText(plate, Qt::AlignCenter, name);
 }
 
 } // namespace rasterlens

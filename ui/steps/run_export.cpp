@@ -1,19 +1,20 @@
 #include "ui/steps/run_export.h"
 
 #include "ui/base/image_export.h"
-#include "ui/canvas/viewport_widget.h"
 #include "ui/steps/step_session.h"
 
 #include <QDir>
+#include <QPainter>
 #include <QProgressDialog>
 
 namespace rasterlens
 {
 
 RunExport::RunExport(StepSession& session, ViewportWidget& viewport, const QString& folder, Run run, QWidget* window)
-    : QObject(window), m_session(session), m_viewport(viewport), m_folder(folder), m_run(run), m_next(run.first),
-      m_positionBefore(session.position()), m_progress(new QProgressDialog(tr("Writing the pictures\u2026"), tr("Stop"),
-                                                                           0, int(run.last - run.first + 1), window))
+    : QObject(window), m_session(session), m_viewport(viewport), m_folder(folder), m_run(run),
+      m_part(m_viewport.figurePart(run.zoom)), m_next(run.first), m_positionBefore(session.position()),
+      m_progress(
+          new QProgressDialog(tr("Writing the pictures\u2026"), tr("Stop"), 0, int(run.last - run.first + 1), window))
 {
     m_progress->setWindowModality(Qt::WindowModal);
     m_progress->setWindowTitle(tr("Export a run of steps"));
@@ -24,13 +25,24 @@ RunExport::RunExport(StepSession& session, ViewportWidget& viewport, const QStri
     m_timer.start(0);
 }
 
+QImage RunExport::picture() const
+{
+    if (!m_part)
+        return {};
+    QImage image(m_part->size, QImage::Format_RGB32);
+    if (image.isNull())
+        return {};
+    QPainter painter(&image);
+    m_viewport.paintFigure(painter, *m_part);
+    return image;
+}
+
 void RunExport::writeNext()
 {
     const int digits = int(QString::number(m_run.last).size());
     const QString name = QStringLiteral("step-%1.png").arg(m_next, digits, 10, QLatin1Char('0'));
     m_session.moveTo(m_next);
-    if (const auto error = savePicture(m_viewport.figure(m_run.zoom),
-                                       {QDir(m_folder).filePath(name), m_session.document().inputFiles()})) {
+    if (const auto error = savePicture(picture(), {QDir(m_folder).filePath(name), m_session.document().inputFiles()})) {
         finish(*error);
         return;
     }

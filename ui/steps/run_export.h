@@ -1,4 +1,6 @@
 #pragma once
+#include "ui/canvas/viewport_widget.h"
+
 #include <QObject>
 #include <QTimer>
 
@@ -11,7 +13,6 @@ namespace rasterlens
 {
 
 class StepSession;
-class ViewportWidget;
 
 /// Writes a run of steps as numbered pictures, one a turn of the event loop: the window stays alive, shows how far it
 /// is and lets the user stop it. The position is put back at the end.
@@ -38,12 +39,14 @@ Q_SIGNALS:
 
 private:
     void writeNext();
+    [[nodiscard]] QImage picture() const;
     void finish(const QString& error);
 
     StepSession& m_session;
     ViewportWidget& m_viewport;
     QString m_folder;
     Run m_run;
+    std::optional<ViewportWidget::FigurePart> m_part; ///< one for all pictures, which so have one size
     std::size_t m_next;
     std::size_t m_positionBefore;
     QTimer m_timer;

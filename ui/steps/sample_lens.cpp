@@ -6,7 +6,6 @@
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
-#include <QPaintEngine>
 #include <QPainter>
 
 #include <algorithm>
@@ -114,7 +113,7 @@ void SampleLens::paintSamples(QPainter& painter, const QRect& canvas, const Canv
                          log.columns() * qsizetype(sizeof(QRgb)), QImage::Format_RGB32);
     const QRect seen = transform.pixelsIn(canvas, m_cursor->image().size());
     painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
-    const bool vectors = painter.paintEngine()->type() == QPaintEngine::SVG;
+    const bool vectors = isDrawing(painter);
     for (const QRect& part : unresolved(log.resolvedPixels(m_cursor->positionInLog()), m_cursor->image().size())) {
         const QRect pixels = part.intersected(seen);
         if (pixels.isEmpty())

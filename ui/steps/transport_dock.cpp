@@ -360,7 +360,11 @@ void TransportDock::setBrief(bool on)
         row->insertWidget(row->indexOf(m_summary), m_scrubber, 1);
     else
         column->insertWidget(0, m_scrubber);
-    m_body->setVisible(!on);
+    // Without height in place of hidden: a dock whose widget is hidden is no wider than its title needs.
+    column->setSizeConstraint(on ? QLayout::SetNoConstraint : QLayout::SetMinAndMaxSize);
+    column->setContentsMargins(8, 0, 8, on ? 0 : 6);
+    m_body->setMinimumSize(0, 0);
+    m_body->setMaximumSize(QWIDGETSIZE_MAX, on ? 0 : QWIDGETSIZE_MAX);
     row->setContentsMargins(12, on ? 3 : 7, 10, on ? 3 : 5);
     setStyleProperty(*m_titleRow, "brief", on ? QStringLiteral("true") : QStringLiteral("false"));
     fade(false);
@@ -465,8 +469,9 @@ void TransportDock::syncLinks()
     m_scopeLink->setText(scopes[std::size_t(m_session.scope())] + opens);
     m_playLink->setText(playText() + opens);
     m_speedLink->setText(tr("speed %1 \u25be").arg(speedText(m_session.speed())));
-    for (QToolButton* link : {m_playLink, m_speedLink, m_runLink})
-        link->setVisible(m_session.isOpen());
+    m_runLink->setVisible(m_session.isOpen());
+    for (QToolButton* link : {m_playLink, m_speedLink}) // the presentation has them in its menu
+        link->setVisible(m_session.isOpen() && !m_brief);
     m_speedLink->setEnabled(m_session.playBy() != PlayBy::Seconds);
 }
 
@@ -489,13 +494,13 @@ void TransportDock::sync()
     m_notice->setVisible(!m_notice->text().isEmpty());
     m_summary->setVisible(!m_brief);
     const bool hasRoom = !m_brief && !m_isLow;
-    m_legend->setVisible(!m_isLow);
+    m_legend->setVisible(hasRoom);
     m_scopeLink->setVisible(hasRoom);
     const bool another = m_session.record() && m_session.document().settings().algorithm == Algorithm::Tiled;
     m_hint->setText(
         another ? tr("recorded by edge equation: the same pixels as tiled")
                 : tr("Space play \u00b7 \u2190 \u2192 step \u00b7 Shift row \u00b7 Ctrl face \u00b7 Ctrl+Shift stage"));
-    m_hint->setVisible((another && !m_isLow) || hasRoom);
+    m_hint->setVisible(hasRoom);
     m_scrubber->setPosition(position);
 }
 

@@ -2,7 +2,6 @@
 #include "ui/base/theme.h"
 #include "ui/truth/referee.h"
 
-#include <QPaintEngine>
 #include <QPainter>
 #include <QPixmapCache>
 
@@ -62,8 +61,6 @@ void paintSpot(QPainter& painter, QPointF at, PixelVerdict verdict, bool thick)
     else
         painter.drawRect(QRectF(at.x() - radius, at.y() - radius, 2 * radius, 2 * radius));
 }
-
-bool isDrawing(const QPainter& painter) { return painter.paintEngine()->type() == QPaintEngine::SVG; }
 
 /// What is painted again and again, as a picture.
 QPixmap cachedTile(PixelVerdict verdict, double cell, bool thick)

@@ -7,6 +7,7 @@
 #include "ui/truth/case_browser.h"
 #include "ui/truth/compare_bar.h"
 #include "ui/truth/experiment_panel.h"
+#include "ui/truth/identify_panel.h"
 #include "ui/truth/referee_bar.h"
 
 #include <QAction>
@@ -29,6 +30,7 @@ struct PanelRow {
 constexpr auto kPanels = std::to_array<PanelRow>({
     {TruthMode::Panel::Cases, "cases", QT_TRANSLATE_NOOP("rasterlens::TruthMode", "Hard cases")},
     {TruthMode::Panel::Experiment, "experiment", QT_TRANSLATE_NOOP("rasterlens::TruthMode", "Speed against error")},
+    {TruthMode::Panel::Identify, "identify", QT_TRANSLATE_NOOP("rasterlens::TruthMode", "Which mistake is mine?")},
 });
 static_assert(isClosedList(kPanels, &PanelRow::panel));
 
@@ -39,7 +41,7 @@ TruthMode::TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& 
     : m_document(document), m_viewport(viewport), m_referee(document), m_refereeLayer(m_referee),
       m_comparison(document), m_differenceLayer(m_comparison), m_refereeBar(new RefereeBar(m_referee)),
       m_compareBar(new CompareBar(document, m_comparison)), m_cases(new CaseBrowser),
-      m_experiment(new ExperimentPanel(document)), m_menu(new QMenu(&window))
+      m_experiment(new ExperimentPanel(document)), m_identify(new IdentifyPanel(document)), m_menu(new QMenu(&window))
 {
     viewport.addLayer(&m_refereeLayer);
     viewport.addLayer(&m_differenceLayer);
@@ -48,11 +50,13 @@ TruthMode::TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& 
     buildMenu(actions);
     addDock(Panel::Cases, m_cases, window);
     addDock(Panel::Experiment, m_experiment, window);
+    addDock(Panel::Identify, m_identify, window);
     connect(m_cases, &CaseBrowser::caseChosen, this, &TruthMode::showCase);
     connect(&m_referee, &Referee::changed, this, &TruthMode::openLens);
     connect(&m_cases->model(), &CaseModel::failed, this, &TruthMode::failed);
     connect(m_experiment, &ExperimentPanel::message, this, &TruthMode::message);
     connect(m_experiment, &ExperimentPanel::failed, this, &TruthMode::failed);
+    connect(m_identify, &IdentifyPanel::failed, this, &TruthMode::failed);
     connect(m_refereeBar, &RefereeBar::nextRequested, this, &TruthMode::showNextWrong);
     connect(&m_referee, &Referee::changed, this, &TruthMode::sync);
     connect(&m_comparison, &Comparison::changed, this, &TruthMode::sync);
@@ -138,7 +142,8 @@ void TruthMode::sync()
 
 bool TruthMode::isBusy() const
 {
-    return m_referee.isChecking() || m_comparison.isBusy() || m_experiment->isRunning() || m_cases->model().isBusy();
+    return m_referee.isChecking() || m_comparison.isBusy() || m_experiment->isRunning() || m_cases->model().isBusy() ||
+           m_identify->isBusy();
 }
 
 void TruthMode::showOnCanvas(const FramePtr& frame, bool isStep)

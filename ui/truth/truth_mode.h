@@ -20,17 +20,18 @@ class CaseBrowser;
 class CompareBar;
 class Dock;
 class ExperimentPanel;
+class IdentifyPanel;
 class RefereeBar;
 class ViewportWidget;
 
 /// Puts together what says how right the picture is: the referee and the comparison with their lines above the canvas
-/// and the menu Compare, the hard cases, and speed against error.
+/// and the menu Compare, the hard cases, speed against error, and the mistake that made a picture.
 class TruthMode : public QObject
 {
     Q_OBJECT
 
 public:
-    enum class Panel { Cases, Experiment };
+    enum class Panel { Cases, Experiment, Identify };
 
     /// Adds the lines to `bars` and the menu's actions to the table.
     TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& window, QVBoxLayout& bars,
@@ -43,6 +44,7 @@ public:
     [[nodiscard]] RefereeBar& refereeBar() { return *m_refereeBar; }
     [[nodiscard]] CaseBrowser& caseBrowser() { return *m_cases; }
     [[nodiscard]] ExperimentPanel& experiment() { return *m_experiment; }
+    [[nodiscard]] IdentifyPanel& identifyPanel() { return *m_identify; }
 
     /// In the order of the panels; they have no place in the window yet.
     [[nodiscard]] const std::vector<Dock*>& docks() const { return m_docks; }
@@ -98,6 +100,7 @@ private:
     CompareBar* m_compareBar;
     CaseBrowser* m_cases;
     ExperimentPanel* m_experiment;
+    IdentifyPanel* m_identify;
     std::vector<Dock*> m_docks;
     QMenu* m_menu;
     QAction* m_refereeAction = nullptr;

@@ -17,15 +17,18 @@
 #include "ui/pipeline/mistake_badge.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/pipeline_panel.h"
+#include "ui/pipeline/scene_words.h"
 #include "ui/pipeline/stage_strip.h"
 #include "ui/pipeline/statistics_panel.h"
 #include "ui/pipeline/views_bar.h"
 #include "ui/steps/step_listing.h"
 #include "ui/steps/step_mode.h"
 #include "ui/steps/transport_dock.h"
+#include "ui/truth/identify_panel.h"
 #include "ui/truth/truth_mode.h"
 #include "ui/window/action_search.h"
 #include "ui/window/dragged_file.h"
+#include "ui/window/figure_export.h"
 #include "ui/window/help_overlay.h"
 #include "ui/window/life_cycle.h"
 #include "ui/window/locate_model.h"
@@ -181,6 +184,9 @@ QWidget* MainWindow::buildCanvas()
     m_truth = std::make_unique<TruthMode>(m_document, *m_viewport, *this, *bars, m_actions);
     m_lifeCycle =
         std::make_unique<LifeCycle>(m_document, *m_stepMode, LifeCycle::Bars{m_recoveryOffer, m_filesOffer}, *this);
+    m_figures = std::make_unique<FigureExport>(m_document, *m_viewport, *m_stepMode, [this] {
+        return QStringLiteral("%1: %2").arg(sceneTitle(*m_document.scene()), sceneWords());
+    });
     m_lessons = std::make_unique<LessonMode>(*m_viewport, *this, m_actions);
     m_picture->addWidget(&m_stepMode->listing());
 
@@ -292,6 +298,9 @@ void MainWindow::connectDocument()
     connect(&m_document, &Document::loadingChanged, this, [this](bool loading, const QString& name) {
         m_activity->setText(loading ? tr("opening %1 \u2026").arg(QFileInfo(name).fileName()) : QString());
     });
+    connect(m_figures.get(), &FigureExport::finished, this, [this](const QString& path, const QString& error) {
+        reportSaved(error.isEmpty() ? std::nullopt : std::optional(error), path);
+    });
     connect(m_lifeCycle.get(), &LifeCycle::saved, this,
             [this](const QString& path) { reportSaved(std::nullopt, path); });
 }
@@ -329,6 +338,7 @@ void MainWindow::connectPanels()
     connect(m_pipelinePanel, &PipelinePanel::sceneChosen, &m_document, &Document::open);
     connect(m_pipelinePanel, &PipelinePanel::floatFailureChosen, m_truth.get(), &TruthMode::showFloatFailure);
     connect(m_pipelinePanel, &PipelinePanel::openRequested, this, &MainWindow::chooseFileToOpen);
+    connect(&m_truth->identifyPanel(), &IdentifyPanel::fileWanted, this, &MainWindow::chooseFileToIdentify);
     connect(m_copyCsv, &QToolButton::clicked, this,
             [this] { QGuiApplication::clipboard()->setText(m_statisticsPanel->asCsv()); });
     connect(m_copyJson, &QToolButton::clicked, this,
@@ -493,7 +503,7 @@ bool MainWindow::isComplete() const
 {
     return isSettled() && !m_moment->isPending() && !m_lessons->isBusy() && !m_wordsAreOld.any() &&
            !m_cards->isBusy() && !m_views->isBusy() && !m_mistakeBadge->isCounting() && !m_truth->isBusy() &&
-           !m_pipelinePanel->isBusy();
+           !m_pipelinePanel->isBusy() && !m_figures->isBusy();
 }
 
 QString MainWindow::message() const

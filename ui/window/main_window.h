@@ -35,6 +35,7 @@ class MessageBar;
 class MistakeBadge;
 class MistakesMenu;
 class PipelinePanel;
+class FigureExport;
 class FocusOrder;
 class PanelPlaces;
 class ReadoutBar;
@@ -78,6 +79,7 @@ public:
     [[nodiscard]] WindowMoment& moment() { return *m_moment; }
     [[nodiscard]] PanelPlaces& panels() { return *m_panels; }
     [[nodiscard]] FocusOrder& focusOrder() { return *m_focusOrder; }
+    [[nodiscard]] FigureExport& figures() { return *m_figures; }
     [[nodiscard]] LifeCycle& lifeCycle() { return *m_lifeCycle; }
 
     void openDefaultScene();
@@ -103,8 +105,11 @@ public:
     /// The window with the panels that float above it.
     [[nodiscard]] QImage picture();
 
+    /// Compares a picture with the present scene, with and without each mistake, in the panel for it.
+    void identifyPicture(const QString& path);
+
     /// errors  a message over the canvas; false
-    bool exportFigure(const QString& path); ///< in the format that the suffix names, also SVG
+    bool exportFigure(const QString& path); ///< in the format that the suffix names, also SVG and PDF
     bool exportFramebuffer(const QString& path);
     bool exportWindow(const QString& path);
 
@@ -166,6 +171,7 @@ private:
     void syncReadout();
     void syncTitle();
     void syncCaption();
+    [[nodiscard]] QString sceneWords() const;
 
     void updatePicture();
     [[nodiscard]] bool isShown() const;
@@ -189,6 +195,7 @@ private:
     void syncCounters();
     void reportSaved(const std::optional<QString>& error, const QString& path);
     void chooseFileToOpen();
+    void chooseFileToIdentify();
     void chooseFileToExport(const QString& title, const QString& suggestion, bool asDrawing,
                             std::function<void(const QString&)> save);
     void restoreMemory();
@@ -206,6 +213,7 @@ private:
     std::unique_ptr<StepMode> m_stepMode;
     std::unique_ptr<TruthMode> m_truth;
     std::unique_ptr<LifeCycle> m_lifeCycle;
+    std::unique_ptr<FigureExport> m_figures;
     std::unique_ptr<LessonMode> m_lessons;
     WindowMoment* m_moment = nullptr;
     Diagnostics m_lessonRemarks;      ///< to be said when the slide is shown
@@ -261,7 +269,6 @@ private:
     QAction* m_chinese = nullptr;
     QAction* m_english = nullptr;
     std::vector<QAction*> m_cameraActions;
-    std::optional<int> m_figureZoom; ///< empty: as on the screen
 
     FramePtr m_lastFrame;
     bool m_refused = false;

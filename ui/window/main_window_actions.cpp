@@ -14,6 +14,8 @@
 #include "ui/steps/transport_dock.h"
 #include "ui/truth/truth_mode.h"
 #include "ui/window/action_search.h"
+#include "ui/window/figure_export.h"
+#include "ui/window/handout_export.h"
 #include "ui/window/life_cycle.h"
 #include "ui/window/main_window.h"
 #include "ui/window/panel_places.h"
@@ -116,6 +118,7 @@ void MainWindow::buildFileMenu()
     buildSceneMenu(file.addMenu(QT_TR_NOOP("&Built-in scenes")));
     m_reload =
         file.add("file.reload", QT_TR_NOOP("Re&load from disk"), {Qt::Key_F5}, [this] { m_lifeCycle->reload(); });
+    file.add("file.identify", QT_TR_NOOP("Which &mistake is mine?\u2026"), {}, [this] { chooseFileToIdentify(); });
     file.addSeparator();
     file.add("file.save", QT_TR_NOOP("&Save session"), {Qt::CTRL | Qt::Key_S}, [this] { m_lifeCycle->save(); });
     file.add("file.save-as", QT_TR_NOOP("Save session &as\u2026"), {Qt::CTRL | Qt::SHIFT | Qt::Key_S},
@@ -154,7 +157,16 @@ void MainWindow::buildExports(ActionMenu& file)
                            [this](const QString& path) { exportFigure(path); });
     });
     file.add("file.run", QT_TR_NOOP("Export a &run of steps\u2026"), {},
-             [this] { m_stepMode->chooseRunToExport(m_figureZoom); });
+             [this] { m_stepMode->chooseRunToExport(m_figures->zoom()); });
+    file.add("file.before-after", QT_TR_NOOP("Export before and after\u2026"), {}, [this] {
+        chooseFileToExport(tr("Export before and after"), QStringLiteral("before-after.png"), true,
+                           [this](const QString& path) { m_figures->exportBeforeAfter(path); });
+    });
+    file.add("file.handout", QT_TR_NOOP("Export handout of a lesson\u2026"), {}, [this] {
+        chooseHandout(*this, m_language.kind(), [this](const QString& path, const QString& error) {
+            reportSaved(error.isEmpty() ? std::nullopt : std::optional(error), path);
+        });
+    });
     buildFigureScale(file.addMenu(QT_TR_NOOP("Figure s&cale")));
     file.add("file.framebuffer", QT_TR_NOOP("Export frame&buffer 1:1\u2026"), {Qt::CTRL | Qt::Key_F12}, [this] {
         chooseFileToExport(tr("Export framebuffer"), QStringLiteral("framebuffer.png"), false,
@@ -164,7 +176,9 @@ void MainWindow::buildExports(ActionMenu& file)
         chooseFileToExport(tr("Export window"), QStringLiteral("window.png"), false,
                            [this](const QString& path) { exportWindow(path); });
     });
-    file.add("file.copy", QT_TR_NOOP("Copy &image"), {Qt::CTRL | Qt::Key_C}, [this] {
+    file.add("file.copy", QT_TR_NOOP("&Copy figure"), {Qt::CTRL | Qt::Key_C},
+             [this] { QGuiApplication::clipboard()->setImage(m_figures->image()); });
+    file.add("file.copy-framebuffer", QT_TR_NOOP("Copy framebuffer 1:1"), {Qt::CTRL | Qt::SHIFT | Qt::Key_C}, [this] {
         if (m_lastFrame)
             QGuiApplication::clipboard()->setImage(m_lastFrame->frame.image.copy());
     });
@@ -174,13 +188,16 @@ void MainWindow::buildFigureScale(ActionMenu scale)
 {
     auto* scales = new QActionGroup(this);
     const auto addScale = [&](const QString& id, const ActionWords& words, std::optional<int> zoom) {
-        QAction* action = scales->addAction(scale.add(id, words, {}, [this, zoom] { m_figureZoom = zoom; }));
+        QAction* action = scales->addAction(scale.add(id, words, {}, [this, zoom] { m_figures->setZoom(zoom); }));
         action->setCheckable(true);
-        action->setChecked(zoom == m_figureZoom);
+        action->setChecked(zoom == m_figures->zoom());
     };
     addScale(QStringLiteral("file.scale-screen"), scale.words(QT_TR_NOOP("As on the screen")), std::nullopt);
-    for (const int zoom : {1, 2, 3, 4, 6, 8, 12, 16, 24, 32})
+    for (const int zoom : {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128})
         addScale(QStringLiteral("file.scale-%1").arg(zoom), {.name = QStringLiteral("%1\u00d7").arg(zoom)}, zoom);
+    scale.addSeparator();
+    scale.addToggle("file.figure-texts", QT_TR_NOOP("With caption, formula and legend"), {}, m_figures->hasTexts(),
+                    [this](bool on) { m_figures->setTexts(on); });
 }
 
 void MainWindow::buildEditMenu()

@@ -1,9 +1,13 @@
 // Files that the window opens, keeps and writes, and the names of those in its title.
 #include "core/io/picture_file.h"
+#include "core/io/picture_input.h"
 #include "ui/base/dock.h"
 #include "ui/base/image_export.h"
 #include "ui/base/message_bar.h"
+#include "ui/truth/identify_panel.h"
+#include "ui/truth/truth_mode.h"
 #include "ui/window/dragged_file.h"
+#include "ui/window/figure_export.h"
 #include "ui/window/life_cycle.h"
 #include "ui/window/main_window.h"
 #include "ui/window/recent_labels.h"
@@ -21,12 +25,6 @@
 
 namespace rasterlens
 {
-namespace
-{
-
-const QString kSvg = QStringLiteral("svg");
-
-} // namespace
 
 void MainWindow::fillRecentMenu()
 {
@@ -61,6 +59,24 @@ void MainWindow::chooseFileToOpen()
     dialog->setNameFilters({tr("Scenes, cases, sessions and lessons (*.obj *.case *.json)"), tr("All files (*)")});
     connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::open);
     dialog->open();
+}
+
+void MainWindow::chooseFileToIdentify()
+{
+    auto* dialog = new QFileDialog(this, tr("Which mistake is mine?"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setNameFilters(
+        {tr("Pictures and arrays (%1)").arg(QStringLiteral("*.") + pictureInputSuffixes().join(QStringLiteral(" *."))),
+         tr("All files (*)")});
+    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::identifyPicture);
+    dialog->open();
+}
+
+void MainWindow::identifyPicture(const QString& path)
+{
+    m_truth->showPanel(QStringLiteral("identify"));
+    m_truth->identifyPanel().identifyFile(path);
 }
 
 void MainWindow::keepAll()
@@ -99,7 +115,8 @@ void MainWindow::dropEvent(QDropEvent* event)
     }
     if (!acceptAsCopy(*event))
         return;
-    if (event->mimeData()->urls().size() > 1) // said once the scene is there, which takes former messages away
+    if (event->mimeData()->urls().size() > 1 &&
+        !isPictureName(file)) // said once the scene is there, which takes former messages away
         connect(
             &m_document, &Document::opened, this,
             [this](const QString& name) {
@@ -107,13 +124,16 @@ void MainWindow::dropEvent(QDropEvent* event)
                                 tr("One file at a time: %1 is opened.").arg(QFileInfo(name).fileName()));
             },
             Qt::SingleShotConnection);
-    open(file);
+    if (isPictureName(file))
+        identifyPicture(file);
+    else
+        open(file);
 }
 
 void MainWindow::chooseFileToExport(const QString& title, const QString& suggestion, bool asDrawing,
                                     std::function<void(const QString&)> save)
 {
-    const QStringList formats = pictureSuffixes() + (asDrawing ? QStringList{kSvg} : QStringList());
+    const QStringList formats = asDrawing ? FigureExport::formats() : pictureSuffixes();
     QFileDialog* dialog = newExportDialog(this, title, suggestion, formats);
     connect(dialog, &QFileDialog::fileSelected, this, std::move(save));
     dialog->open();
@@ -132,9 +152,7 @@ QImage MainWindow::picture()
 
 bool MainWindow::exportFigure(const QString& path)
 {
-    const ExportTarget target{path, m_document.inputFiles()};
-    const auto error = formatOf(path) == kSvg ? m_viewport->saveSvgFigure(m_figureZoom, target)
-                                              : savePicture(m_viewport->figure(m_figureZoom), target, {kSvg});
+    const auto error = m_figures->exportTo(path);
     reportSaved(error, path);
     return !error;
 }

@@ -82,6 +82,7 @@ void MainWindow::syncStage()
                      : isStage ? StepListing::Place::Line
                                : StepListing::Place::Below);
     const bool hasLesson = m_lessons->player().isOpen();
+    listing.setVisible(m_stepMode->session().isOpen() && (isWide || !isStage || !hasLesson)); // the slide says it
     m_caption->setVisible(isStage && !hasLesson);
     if (isStage)
         m_lessons->panel().setVisible(hasLesson);

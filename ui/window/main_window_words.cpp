@@ -65,6 +65,22 @@ void MainWindow::syncReadout()
                     at && !moment ? m_truth->comparison().at(*at) : std::nullopt, moment);
 }
 
+/// What was changed about the scene, or else what there is to see.
+QString MainWindow::sceneWords() const
+{
+    QStringList changes;
+    for (const SettingsField& field : settingsFields())
+        if (field.get(m_document.settings()) != field.get(m_document.defaults()))
+            changes << QStringLiteral("%1: %2").arg(QCoreApplication::translate("Settings", field.title),
+                                                    valueTitle(field, m_document.settings()));
+    std::vector<const Mistake*> mistakes;
+    for (const QString& id : m_document.settings().mistakes)
+        mistakes.push_back(findMistake(id));
+    if (!mistakes.empty())
+        changes << becauseWords(mistakes);
+    return changes.isEmpty() ? sceneNote(*m_document.scene()) : changes.join(QStringLiteral(" \u00b7 "));
+}
+
 /// The caption of the presentation: one sentence about the step, or else about the scene and what was changed about it.
 void MainWindow::syncCaption()
 {
@@ -77,19 +93,8 @@ QString MainWindow::stageText() const
     const StepSession& session = m_stepMode->session();
     if (session.log() && session.position() > 0)
         return stepSentence(*session.log(), session.positionInLog() - 1).toHtmlEscaped();
-    QStringList changes;
-    for (const SettingsField& field : settingsFields())
-        if (field.get(m_document.settings()) != field.get(m_document.defaults()))
-            changes << QStringLiteral("%1: %2").arg(QCoreApplication::translate("Settings", field.title),
-                                                    valueTitle(field, m_document.settings()));
-    std::vector<const Mistake*> mistakes;
-    for (const QString& id : m_document.settings().mistakes)
-        mistakes.push_back(findMistake(id));
-    if (!mistakes.empty())
-        changes << becauseWords(mistakes);
-    const QString title = sceneTitle(*m_document.scene()).toHtmlEscaped();
-    const QString text = changes.isEmpty() ? sceneNote(*m_document.scene()) : changes.join(QStringLiteral(" \u00b7 "));
-    return QStringLiteral("<b>%1</b> &nbsp; %2").arg(title, text.toHtmlEscaped());
+    return QStringLiteral("<b>%1</b> &nbsp; %2")
+        .arg(sceneTitle(*m_document.scene()).toHtmlEscaped(), sceneWords().toHtmlEscaped());
 }
 
 void MainWindow::syncTitle()

@@ -1,0 +1,128 @@
+#include "app/gui_figure.h"
+
+#include "core/base/typed_numbers.h"
+#include "core/io/file_writer.h"
+#include "core/io/picture_file.h"
+#include "core/lessons/moment.h"
+#include "ui/pipeline/canvas_views.h"
+#include "ui/truth/truth_mode.h"
+#include "ui/window/figure_export.h"
+#include "ui/window/main_window.h"
+
+#include <QApplication>
+#include <QTimer>
+
+#include <cstdio>
+
+namespace rasterlens
+{
+namespace
+{
+
+enum ExitCode { kFine = 0, kBadArguments = 2, kInvalidInput = 3 };
+
+} // namespace
+
+FigureOptions::FigureOptions()
+    : path(QStringLiteral("figure"),
+           QStringLiteral(
+               "Writes what the canvas shows as a figure with caption, formula and legend to <file> and exits: "
+               "%1.")
+               .arg(FigureExport::formats().join(QStringLiteral(", "))),
+           QStringLiteral("file")),
+      scale(QStringLiteral("figure-scale"),
+            QStringLiteral("Side of a pixel in the figure, 1 to %1; default: as on the canvas.")
+                .arg(FigureExport::kLargestZoom),
+            QStringLiteral("n")),
+      caption(QStringLiteral("caption"), QStringLiteral("Caption of the figure."), QStringLiteral("text")),
+      region(QStringLiteral("region"), QStringLiteral("The pixels that the figure shows, from x, y on; default: all."),
+             QStringLiteral("x,y,w,h")),
+      overlays(QStringLiteral("figure-overlay"),
+               QStringLiteral("What lies over the picture of the figure, with commas between: grid, samples, numbers, "
+                              "referee, none, and what --overlay takes."),
+               QStringLiteral("ids")),
+      beforeAfter(QStringLiteral("before-after"),
+                  QStringLiteral("The figure shows the picture without mistakes beside it."))
+{
+}
+
+QList<QCommandLineOption> FigureOptions::all() const { return {path, scale, caption, region, overlays, beforeAfter}; }
+
+std::optional<QString> readFigure(const QCommandLineParser& parser, const FigureOptions& options,
+                                  FigureArguments& figure)
+{
+    figure.path = parser.value(options.path);
+    if (parser.isSet(options.path) && figure.path.isEmpty())
+        return QStringLiteral("--figure needs a file");
+    if (const auto why = whyNotFormat(figure.path, FigureExport::formats()))
+        return QStringLiteral("--figure %1: %2").arg(figure.path, textOf(*why));
+    if (parser.isSet(options.caption))
+        figure.caption = parser.value(options.caption);
+    figure.beforeAfter = parser.isSet(options.beforeAfter);
+    if (parser.isSet(options.scale)) {
+        figure.scale = parser.value(options.scale).toInt();
+        if (*figure.scale < 1 || *figure.scale > FigureExport::kLargestZoom)
+            return QStringLiteral("--figure-scale takes 1 to %1").arg(FigureExport::kLargestZoom);
+    }
+    if (parser.isSet(options.region)) {
+        const auto numbers = typedNumbers(parser.value(options.region));
+        if (!numbers || numbers->size() != 4)
+            return QStringLiteral("--region takes x,y,w,h");
+        figure.region = QRectF((*numbers)[0], (*numbers)[1], (*numbers)[2], (*numbers)[3]).toRect();
+    }
+    if (!parser.isSet(options.overlays))
+        return std::nullopt;
+    figure.overlays = parser.value(options.overlays).split(QLatin1Char(','), Qt::SkipEmptyParts);
+    figure.overlays->removeAll(QStringLiteral("none"));
+    QStringList known = CanvasViews::overlayNames();
+    for (const char* id : overlayIds())
+        known << QLatin1String(id);
+    for (const QString& id : *figure.overlays)
+        if (!known.contains(id))
+            return QStringLiteral("--figure-overlay: \"%1\" is none of %2").arg(id, known.join(QStringLiteral(", ")));
+    return std::nullopt;
+}
+
+void prepareFigure(MainWindow& window, const FigureArguments& figure)
+{
+    window.figures().setZoom(figure.scale);
+    window.figures().setCaption(figure.caption);
+    window.figures().setRegion(figure.region);
+    if (!figure.overlays)
+        return;
+    OverlayOptions overlays = window.viewport().overlays();
+    overlays.grid = figure.overlays->contains(QStringLiteral("grid"));
+    overlays.sampleDots = figure.overlays->contains(QStringLiteral("samples"));
+    overlays.numbers = figure.overlays->contains(QStringLiteral("numbers"));
+    window.viewport().setOverlays(overlays);
+    window.truthMode().referee().setOn(figure.overlays->contains(QStringLiteral("referee")));
+    for (const QString& name : *figure.overlays)
+        window.canvasViews().setOverlayNamed(name, true);
+}
+
+void writeFigure(MainWindow& window, const FigureArguments& figure)
+{
+    constexpr int kWaitMs = 20;
+    QTimer::singleShot(kWaitMs, &window, [&window, figure] {
+        if (!window.isComplete()) {
+            writeFigure(window, figure);
+            return;
+        }
+        const QStringList inputs = window.document().inputFiles();
+        const bool overInput = whyNotOver(figure.path, inputs).has_value();
+        const auto end = [overInput](const QString& error) {
+            if (!error.isEmpty())
+                std::fprintf(stderr, "%s\n", qPrintable(error));
+            QApplication::exit(overInput ? kBadArguments : error.isEmpty() ? kFine : kInvalidInput);
+        };
+        if (!figure.beforeAfter) {
+            end(window.figures().exportTo(figure.path).value_or(QString()));
+            return;
+        }
+        QObject::connect(&window.figures(), &FigureExport::finished, &window,
+                         [end](const QString&, const QString& error) { end(error); });
+        window.figures().exportBeforeAfter(figure.path);
+    });
+}
+
+} // namespace rasterlens

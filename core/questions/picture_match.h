@@ -1,0 +1,114 @@
+#pragma once
+#include <QImage>
+#include <QPoint>
+#include <QRect>
+#include <QRgb>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace rasterlens
+{
+
+/// A pixel at which another picture differs from the right one.
+struct ChangedPixel {
+    std::uint32_t index; ///< row by row from the top
+    QRgb color;          ///< in the other picture
+};
+
+/// What another picture changes in the right one.
+struct PictureChange {
+    std::vector<ChangedPixel> pixels; ///< row by row
+    QRect box;                        ///< around them; empty where there are none
+};
+
+/// How well a picture that was handed in fits one that was drawn, before the noise is known.
+struct PictureFit {
+    QPoint offset;     ///< of the picture handed in, in pixels of the comparison: it lies that far right and down
+    double weight = 0; ///< of the change: its pixels, each by the square of its contrast
+    double gain = 0;   ///< the same, each pixel times how far it has gone from the right colour to the other, -1..1
+    std::array<double, 2> excess{};  ///< squared differences from both pictures: flat areas, edges
+    std::array<double, 2> count{};   ///< pixels: flat areas, edges
+    std::array<double, 2> typical{}; ///< squared difference from the other picture that half of the blocks stay below
+    int unlike = 0;                  ///< pixels that differ visibly from the other picture
+};
+
+/// The square of a difference that counts as a whole wrong pixel.
+constexpr double kWholePixel = 96.0 * 96.0;
+
+/// A picture laid over the right picture of a scene, to be compared with it and with others of its size. A place where
+/// the one is larger than the other is made smaller, so that no pixel is compared with nothing.
+class PictureComparison
+{
+public:
+    /// in  `place`: the part of the picture handed in that shows the scene; what lies outside is background
+    PictureComparison(const QImage& handedIn, const QRect& place, const QImage& right, QRgb background);
+
+    [[nodiscard]] QSize size() const { return m_right.size(); }
+    /// The picture handed in as it is compared, moved by no offset.
+    [[nodiscard]] const QImage& picture() const { return m_picture; }
+
+    /// This comparison with another colour in place of the background: that which most pixels have that should be
+    /// background. Nothing where there is no such colour.
+    [[nodiscard]] std::optional<PictureComparison> withOwnBackground() const;
+
+    /// in  a picture of the scene, as large as the right one was
+    [[nodiscard]] PictureChange changeTo(const QImage& other) const;
+
+    /// The best fit of a picture that differs from the right one by `change`, moved by at most two pixels.
+    [[nodiscard]] PictureFit fit(const PictureChange& change) const;
+
+private:
+    /// Squared differences from the right picture at an offset, by blocks of the picture.
+    struct Blocks {
+        std::array<std::vector<double>, 2> energy;
+        std::array<std::vector<double>, 2> count;
+        std::array<double, 2> energySum{};
+        std::array<double, 2> countSum{};
+        int unlike = 0;
+    };
+    [[nodiscard]] const Blocks& blocksAt(std::size_t offset) const;
+    [[nodiscard]] std::size_t blockOf(int x, int y) const;
+    [[nodiscard]] std::optional<QRgb> pictureAt(std::uint32_t index, QPoint offset) const;
+    [[nodiscard]] double closeness(const PictureChange& change, std::size_t offset, std::size_t stride) const;
+    [[nodiscard]] PictureFit fitAt(const PictureChange& change, std::size_t offset) const;
+    void markEdges();
+
+    QImage m_right;
+    QImage m_picture;
+    QRgb m_background;
+    std::vector<std::uint8_t> m_edge; ///< 1 where the right picture has an edge
+    int m_blocksAcross = 1;
+    mutable std::vector<std::optional<Blocks>> m_blocks; ///< by offset
+};
+
+/// How large differences are that are no mistake: noise, rounding, the losses of JPEG. Squared, a pixel; flat areas and
+/// edges apart.
+struct PictureNoise {
+    std::array<double, 2> typical{};
+
+    /// The noise that the best of some fits leaves.
+    [[nodiscard]] static PictureNoise of(const std::vector<PictureFit>& fits);
+};
+
+/// What is left of a score at an offset: a pixel costs one fiftieth.
+[[nodiscard]] double offsetFactor(QPoint offset);
+
+/// What of the differences from both pictures is more than noise.
+[[nodiscard]] double unexplained(const PictureFit& fit, const PictureNoise& noise);
+
+/// 1: the picture has all of the change and nothing else; 0: nothing of it. The part of the change that the picture
+/// has, in the union of the change and of what else is different.
+[[nodiscard]] double scoreOf(const PictureFit& fit, const PictureNoise& noise);
+
+/// 1: the picture is the right one; one half: it differs by as much as `smallest`, a weight.
+[[nodiscard]] double scoreOfRight(const PictureFit& fit, const PictureNoise& noise, double smallest);
+
+/// The parts of a picture that may show the scene: all of it, or less where there is a border.
+///
+/// out  the likeliest first; a rectangle may reach out of the picture
+[[nodiscard]] std::vector<QRect> placesIn(const QImage& handedIn, const QImage& right);
+
+} // namespace rasterlens

@@ -1,0 +1,240 @@
+// Figures for pages and slides: from the window and from the command line, as pixels and as drawings; handouts.
+#include "tests/cli_support.h"
+#include "tests/window_fixture.h"
+#include "ui/canvas/figure_sheet.h"
+#include "ui/steps/run_export.h"
+#include "ui/window/figure_export.h"
+
+#include <QClipboard>
+#include <QPainter>
+#include <QSignalSpy>
+#include <QSvgRenderer>
+
+using namespace rasterlens;
+using namespace rasterlens::test;
+
+namespace
+{
+
+constexpr int kMargin = 20; ///< around a figure
+
+QImage asRgb(const QImage& image) { return image.convertToFormat(QImage::Format_RGB32); }
+
+/// Whether anything is written in a part of a figure.
+bool hasInk(const QImage& image, const QRect& part)
+{
+    for (int y = part.top(); y <= part.bottom(); ++y)
+        for (int x = part.left(); x <= part.right(); ++x)
+            if (qGray(image.pixel(x, y)) < 128)
+                return true;
+    return false;
+}
+
+} // namespace
+
+class TestFigures : public WindowFixture
+{
+    Q_OBJECT
+
+private:
+    FigureExport& figures() { return m_window->figures(); }
+    QString path(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
+    bool openSquare() { return open(QStringLiteral("builtin:square-diagonal")); }
+    bool goToTie()
+    {
+        m_window->stepMode().showStep(QStringLiteral("tie"));
+        return waitFor([this] { return m_window->stepMode().session().position() > 0; }) && complete();
+    }
+    /// The command line, which draws figures with the program beside it.
+    Run figure(const QStringList& words) { return run(QStringList{QStringLiteral("figure")} + words, m_folder.path()); }
+
+private Q_SLOTS:
+    void aFigureIsThePictureWithAMarginAndTexts()
+    {
+        QVERIFY(openSquare() && goToTie());
+        viewport().selectPixel(QPoint(7, 0));
+        QVERIFY(complete());
+        figures().setZoom(48);
+        const QImage image = figures().image();
+        const QImage plain = viewport().figure(48);
+        QCOMPARE(image.copy(QRect(QPoint(kMargin, kMargin), plain.size())), plain);
+        QVERIFY(!hasInk(image, QRect(0, 0, image.width(), kMargin)));
+        QVERIFY(!hasInk(image, QRect(0, 0, kMargin, image.height())));
+        const int below = kMargin + plain.height();
+        QVERIFY(hasInk(image, QRect(kMargin, below, image.width() - 2 * kMargin, image.height() - below)));
+        // Caption, code, formula and legend need more room than a caption alone, and that more than nothing.
+        figures().setCaption(QStringLiteral("One line"));
+        QVERIFY(figures().image().height() < image.height());
+        figures().setTexts(false);
+        QCOMPARE(figures().image(), plain);
+    }
+
+    void everyZoomIsExact()
+    {
+        QVERIFY(openSquare());
+        for (const int zoom : {1, 2, 7, 24, 64, FigureExport::kLargestZoom}) {
+            figures().setZoom(zoom);
+            const QImage image = figures().image();
+            for (int y = 0; y < 8; ++y)
+                for (int x = 0; x < 8; ++x) { // beside the sample dots
+                    const QPoint inside(kMargin + x * zoom + zoom / 4, kMargin + y * zoom + zoom / 4);
+                    if (zoom < 48) // from there on numbers stand on the pixels
+                        QCOMPARE(image.pixel(inside), picture().pixel(x, y));
+                }
+            QVERIFY(image.width() >= 8 * zoom + 2 * kMargin);
+        }
+        figures().setZoom(4);
+        figures().setRegion(QRect(2, 3, 5, 4));
+        figures().setTexts(true);
+        const QImage part = figures().image();
+        QCOMPARE(part.pixel(kMargin + 1, kMargin + 1), picture().pixel(2, 3));
+        QCOMPARE(part.pixel(kMargin + 4 * 4 + 1, kMargin + 4 * 3 + 1), picture().pixel(6, 6));
+    }
+
+    void copyingTakesTheFigure()
+    {
+        QVERIFY(openSquare());
+        key(Qt::Key_C, Qt::ControlModifier);
+        QCOMPARE(asRgb(QGuiApplication::clipboard()->image()), figures().image());
+    }
+
+    /// A picture inside a drawing would be blurred by most viewers.
+    void drawingsHoldSquaresAndNoPictures()
+    {
+        QVERIFY(openSquare());
+        figures().setZoom(20);
+        QCOMPARE(figures().exportTo(path("f.svg")), std::nullopt);
+        const QByteArray svg = readFile(path("f.svg"));
+        QVERIFY(!svg.contains("<image"));
+        QSvgRenderer renderer(svg);
+        QImage drawn(renderer.defaultSize() * 3, QImage::Format_RGB32); // enlarged: still sharp
+        drawn.fill(Qt::magenta);
+        QPainter painter(&drawn);
+        renderer.render(&painter, QRectF(drawn.rect()));
+        painter.end();
+        for (int y = 0; y < 8; ++y)
+            for (int x = 0; x < 8; ++x)
+                for (const QPoint corner : {QPoint(3, 3), QPoint(18, 3), QPoint(3, 18), QPoint(18, 18)}) {
+                    const QPoint at = 3 * (QPoint(kMargin + 20 * x, kMargin + 20 * y) + corner);
+                    QCOMPARE(drawn.pixel(at), picture().pixel(x, y));
+                }
+        QCOMPARE(figures().exportTo(path("f.pdf")), std::nullopt);
+        const QByteArray pdf = readFile(path("f.pdf"));
+        QVERIFY(pdf.startsWith("%PDF-"));
+        QVERIFY(!pdf.contains("/Subtype /Image"));
+        QVERIFY(goToTie());
+        QCOMPARE(figures().exportTo(path("step.pdf")), std::nullopt);
+        QVERIFY(!readFile(path("step.pdf")).contains("/Subtype /Image"));
+    }
+
+    void beforeAndAfterStandBesideEachOther()
+    {
+        QVERIFY(openSquare());
+        const QImage right = picture();
+        QVERIFY(change([](Settings& s) { s.mistakes = {QStringLiteral("all-exclusive")}; }));
+        const QImage wrong = picture();
+        QVERIFY(right != wrong);
+        figures().setZoom(6);
+        QSignalSpy finished(&figures(), &FigureExport::finished);
+        figures().exportBeforeAfter(path("both.png"));
+        QVERIFY(finished.wait(kPatienceMs));
+        QCOMPARE(finished.front()[1].toString(), QString());
+        const QImage both = asRgb(QImage(path("both.png")));
+        const auto find = [&both](const QImage& picture, int fromX) { // the first place of a picture, 6 times as large
+            const QImage large = picture.scaled(picture.size() * 6);
+            for (int y = 0; y < 80; ++y)
+                for (int x = fromX; x + large.width() < both.width(); ++x)
+                    if (both.copy(x, y, large.width(), large.height()) == large)
+                        return x;
+            return -1;
+        };
+        const int first = find(right, 0);
+        QCOMPARE(first, kMargin);
+        QVERIFY(find(wrong, first + 48) > 0);
+    }
+
+    void framesOfARunHaveOneSize()
+    {
+        QVERIFY(openSquare() && goToTie());
+        viewport().goToPixel({0, 0}); // a close-up that would follow the steps
+        viewport().setZoom(128);
+        const std::size_t last = m_window->stepMode().session().size();
+        QVERIFY(last >= 100);
+        QSignalSpy finished(&m_window->stepMode().exportRun(m_folder.path(), {98, 101, std::nullopt}),
+                            &RunExport::finished);
+        QVERIFY(finished.wait(kPatienceMs));
+        QCOMPARE(finished.front().front().toString(), QString());
+        const QSize size = QImage(path("step-098.png")).size();
+        QVERIFY(!size.isEmpty());
+        for (const char* name : {"step-099.png", "step-100.png", "step-101.png"})
+            QCOMPARE(QImage(path(name)).size(), size);
+    }
+
+    void commandLineWritesFigures()
+    {
+        const QString scene = QStringLiteral("builtin:square-diagonal");
+        for (const char* name : {"c.png", "c.svg", "c.pdf"}) {
+            const Run made = figure({scene, QStringLiteral("--step"), QStringLiteral("tie"), QStringLiteral("--pixel"),
+                                     QStringLiteral("7,0"), QStringLiteral("--overlay"), QStringLiteral("grid"),
+                                     QStringLiteral("--figure-scale"), QStringLiteral("48"), QStringLiteral("-o"),
+                                     QLatin1String(name)});
+            QVERIFY2(made.exitCode == 0, qPrintable(made.err));
+            QVERIFY(QFile::exists(path(name)));
+        }
+        QVERIFY(QImage(path("c.png")).width() >= 8 * 48 + 2 * kMargin);
+
+        QVERIFY(openSquare() && change([](Settings& s) { s.mistakes = {QStringLiteral("all-exclusive")}; }));
+        const Run wrong = figure({scene, QStringLiteral("--mistake"), QStringLiteral("all-exclusive"),
+                                  QStringLiteral("--overlay"), QStringLiteral("none"), QStringLiteral("--figure-scale"),
+                                  QStringLiteral("4"), QStringLiteral("-o"), QStringLiteral("wrong.png")});
+        QVERIFY2(wrong.exitCode == 0, qPrintable(wrong.err));
+        const QImage image = asRgb(QImage(path("wrong.png")));
+        QCOMPARE(image.copy(kMargin, kMargin, 32, 32), picture().scaled(32, 32));
+    }
+
+    void commandLineRefuses()
+    {
+        const QString scene = QStringLiteral("builtin:square-diagonal");
+        const QString out = QStringLiteral("r.png");
+        const auto code = [&](const QStringList& words) { return figure(words).exitCode; };
+        QCOMPARE(code({scene}), 2);
+        QCOMPARE(code({scene, QStringLiteral("-o"), QStringLiteral("r.gif")}), 2);
+        QCOMPARE(code({scene, QStringLiteral("-o"), out, QStringLiteral("--step"), QStringLiteral("nowhere")}), 2);
+        QCOMPARE(code({scene, QStringLiteral("-o"), out, QStringLiteral("--step"), QStringLiteral("clip")}), 2);
+        QCOMPARE(code({scene, QStringLiteral("-o"), out, QStringLiteral("--pixel"), QStringLiteral("8,0")}), 2);
+        QCOMPARE(code({scene, QStringLiteral("-o"), out, QStringLiteral("--overlay"), QStringLiteral("lace")}), 2);
+        QCOMPARE(code({scene, QStringLiteral("-o"), out, QStringLiteral("--figure-scale"), QStringLiteral("129")}), 2);
+        QCOMPARE(code({scene, QStringLiteral("-o"), out, QStringLiteral("--region"), QStringLiteral("8,0,2,2")}), 2);
+        QCOMPARE(code({scene, QStringLiteral("-o"), out, QStringLiteral("--before-after")}), 2);
+        const Run missing = figure({QStringLiteral("none.obj"), QStringLiteral("-o"), out});
+        QCOMPARE(missing.exitCode, 3);
+        QVERIFY2(missing.err.startsWith(QStringLiteral("none.obj: ")), qPrintable(missing.err));
+        QVERIFY(!QFile::exists(path("r.png")));
+    }
+
+    void handoutsHoldEverySlide()
+    {
+        const auto handout = [this](const QString& file) {
+            return run({QStringLiteral("lesson"), QStringLiteral("handout"), QStringLiteral("top-left"),
+                        QStringLiteral("-o"), file},
+                       m_folder.path());
+        };
+        const Run made = handout(QStringLiteral("h.md"));
+        QVERIFY2(made.exitCode == 0, qPrintable(made.err));
+        const QByteArray text = readFile(path("h.md"));
+        int slides = 0;
+        while (text.contains("](h-" + QByteArray::number(slides + 1).rightJustified(2, '0') + ".png)"))
+            ++slides;
+        QVERIFY(slides >= 5);
+        QVERIFY(!text.contains('{')); // numbers stand in place of their names
+        for (int i = 1; i <= slides; ++i)
+            QVERIFY(!QImage(m_folder.filePath(QStringLiteral("h-%1.png").arg(i, 2, 10, QLatin1Char('0')))).isNull());
+        QCOMPARE(handout(QStringLiteral("h.txt")).exitCode, 2);
+        const Run pdf = handout(QStringLiteral("h.pdf"));
+        QVERIFY2(pdf.exitCode == 0, qPrintable(pdf.err));
+        QVERIFY(readFile(path("h.pdf")).startsWith("%PDF-"));
+    }
+};
+
+QTEST_MAIN(TestFigures)
+#include "test_figures.moc"

@@ -1,0 +1,534 @@
+// Which mistake is mine? Pictures that another program, another algorithm or a lossy file made, and what they are taken
+// for.
+#include "core/io/npy.h"
+#include "core/io/picture_input.h"
+#include "core/questions/identify.h"
+#include "core/render/render.h"
+#include "core/scenes/builtin_scenes.h"
+#include "core/settings/mistakes.h"
+#include "tests/cli_support.h"
+#include "tests/seed.h"
+#include "tests/student_rasterizer.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <functional>
+#include <random>
+
+using namespace rasterlens;
+using namespace rasterlens::test;
+
+namespace
+{
+
+const QTemporaryDir& folder()
+{
+    static const QTemporaryDir dir;
+    return dir;
+}
+
+Scene sceneNamed(const QString& name) { return *makeBuiltinScene(name).scene; }
+
+/// The settings of a scene in a size that many pictures can be drawn in.
+Settings smallSettings(const Scene& scene)
+{
+    Settings settings = scene.defaults;
+    const QSize most(480, 360);
+    if (scene.space == SceneSpace::Object)
+        settings.size = settings.size.scaled(most.boundedTo(settings.size), Qt::KeepAspectRatio);
+    return settings;
+}
+
+QImage drawnBy(const Scene& scene, Settings settings, const QStringList& mistakes)
+{
+    settings.mistakes = mistakes;
+    Frame frame;
+    render(scene, settings, frame);
+    return frame.image.copy();
+}
+
+QRgb backgroundOf(const Scene& scene)
+{
+    const auto channel = [](float c) { return int(std::lround(255 * c)); };
+    return qRgb(channel(scene.background.r), channel(scene.background.g), channel(scene.background.b));
+}
+
+/// Two pixels of a hundred have any colour.
+QImage withNoise(QImage image)
+{
+    std::mt19937 random(7);
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            if (random() % 100 < 2)
+                image.setPixel(x, y, 0xff000000U | (random() & 0xffffffU));
+    return image;
+}
+
+/// In the middle of an area twice as wide and high.
+QImage withBorder(const QImage& image)
+{
+    QImage large(image.size() * 2, QImage::Format_RGB32);
+    large.fill(qRgb(200, 210, 220));
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            large.setPixel(x + image.width() / 2, y + image.height() / 2, image.pixel(x, y));
+    return large;
+}
+
+/// At half the size, in the middle of an area of the full size.
+QImage halfWithBorder(const QImage& image)
+{
+    QImage large(image.size(), QImage::Format_RGB32);
+    large.fill(qRgb(250, 250, 250));
+    const QImage half = image.scaled(image.size() / 2, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    for (int y = 0; y < half.height(); ++y)
+        for (int x = 0; x < half.width(); ++x)
+            large.setPixel(x + (large.width() - half.width()) / 2, y + (large.height() - half.height()) / 2,
+                           half.pixel(x, y));
+    return large;
+}
+
+QImage oneRowDown(const QImage& image, QRgb background)
+{
+    QImage moved(image.size(), QImage::Format_RGB32);
+    moved.fill(background);
+    for (int y = 1; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            moved.setPixel(x, y, image.pixel(x, y - 1));
+    return moved;
+}
+
+QImage onWhite(QImage image, QRgb background)
+{
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            if ((image.pixel(x, y) & 0xffffffU) == (background & 0xffffffU))
+                image.setPixel(x, y, qRgb(255, 255, 255));
+    return image;
+}
+
+QByteArray tgaBytes(const QImage& image)
+{
+    QByteArray bytes(18, '\0');
+    bytes[2] = 2; // colours as they are
+    bytes[12] = char(image.width() & 255);
+    bytes[13] = char(image.width() >> 8);
+    bytes[14] = char(image.height() & 255);
+    bytes[15] = char(image.height() >> 8);
+    bytes[16] = 24;
+    bytes[17] = 0x20; // the top row first
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) {
+            const QRgb pixel = image.pixel(x, y);
+            for (const int channel : {qBlue(pixel), qGreen(pixel), qRed(pixel)})
+                bytes.append(char(channel));
+        }
+    return bytes;
+}
+
+QByteArray npyOf(const QImage& image)
+{
+    QByteArray header = QStringLiteral("{'descr': '|u1', 'fortran_order': False, 'shape': (%1, %2, 3), }")
+                            .arg(image.height())
+                            .arg(image.width())
+                            .toLatin1();
+    header.append(QByteArray(63 - (10 + header.size()) % 64, ' ')).append('\n');
+    QByteArray bytes("\x93NUMPY\x01\x00", 8);
+    bytes.append(char(header.size() & 255)).append(char(header.size() >> 8)).append(header);
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            for (const int channel : {qRed(image.pixel(x, y)), qGreen(image.pixel(x, y)), qBlue(image.pixel(x, y))})
+                bytes.append(char(channel));
+    return bytes;
+}
+
+/// Writes the picture and reads it as the program does.
+QImage throughFile(const QImage& image, const QString& suffix)
+{
+    const QString path = folder().filePath(QStringLiteral("picture.") + suffix);
+    bool written = true;
+    if (suffix == QLatin1String("tga"))
+        writeFile(path, tgaBytes(image));
+    else if (suffix == QLatin1String("npy"))
+        writeFile(path, npyOf(image));
+    else
+        written = image.save(path, nullptr, suffix == QLatin1String("jpg") ? 90 : -1);
+    const PictureLoad load = loadPicture(path);
+    if (!written || load.problem)
+        qFatal("%s: %s", qPrintable(path), load.problem ? qPrintable(textOf(*load.problem)) : "not written");
+    return load.image;
+}
+
+/// A picture and the mistake that it shows.
+struct Sample {
+    QString name;
+    QString scene;
+    Settings settings;
+    QString expected;
+    QImage image;
+};
+
+/// What happens to a picture on its way.
+struct Way {
+    const char* name;
+    QString suffix;
+    std::function<QImage(const QImage&, QRgb background)> change;
+};
+
+const std::vector<Way>& ways()
+{
+    static const std::vector<Way> all{
+        {"noise", QStringLiteral("png"), [](const QImage& i, QRgb) { return withNoise(i); }},
+        {"JPEG", QStringLiteral("jpg"), [](const QImage& i, QRgb) { return i; }},
+        {"border", QStringLiteral("bmp"), [](const QImage& i, QRgb) { return withBorder(i); }},
+        {"one row down", QStringLiteral("tga"), oneRowDown},
+        {"white background", QStringLiteral("npy"), onWhite},
+        {"half the size", QStringLiteral("png"),
+         [](const QImage& i, QRgb) { return i.width() >= 64 ? halfWithBorder(i) : withBorder(i); }},
+    };
+    return all;
+}
+
+/// The pictures of all mistakes in their scenes: drawn by another algorithm where there is one, and changed on their
+/// way.
+std::vector<Sample> lossySamples()
+{
+    std::vector<Sample> samples;
+    std::size_t number = 0;
+    for (const Mistake& mistake : mistakes()) {
+        const Scene scene = sceneNamed(QLatin1String(mistake.scene));
+        const Settings settings = smallSettings(scene);
+        Settings other = settings;
+        other.mistakes = QStringList{QLatin1String(mistake.id)};
+        for (const Algorithm algorithm : {Algorithm::EdgeWalking, Algorithm::Tiled}) {
+            other.algorithm = algorithm;
+            if (!unsupported(scene, other))
+                break;
+            other.algorithm = settings.algorithm;
+        }
+        const Way& way = ways()[number++ % ways().size()];
+        samples.push_back(
+            {QStringLiteral("%1, %2").arg(QLatin1String(mistake.id), QLatin1String(way.name)),
+             QLatin1String(mistake.scene), settings, QLatin1String(mistake.id),
+             throughFile(way.change(drawnBy(scene, other, other.mistakes), backgroundOf(scene)), way.suffix)});
+    }
+    return samples;
+}
+
+Sample byStudent(const char* sceneName, const char* expected, const StudentMistakes& mistakes,
+                 Shading shading = Shading::Gouraud)
+{
+    const Scene scene = sceneNamed(QLatin1String(sceneName));
+    Settings settings = smallSettings(scene);
+    settings.shading = shading;
+    return {QStringLiteral("%1 by a student").arg(QLatin1String(expected)), QLatin1String(sceneName), settings,
+            QLatin1String(expected), StudentRasterizer(scene, settings, mistakes).image()};
+}
+
+/// The pictures of another program.
+std::vector<Sample> studentSamples()
+{
+    using S = StudentMistakes;
+    return {
+        byStudent("square-diagonal", "none", {}),
+        byStudent("square-diagonal", "all-exclusive", {.tie = S::Tie::Exclusive}),
+        byStudent("square-diagonal", "box-one-short", {.shortBox = true}),
+        byStudent("square-diagonal", "weights-rotated", {.weights = S::Weights::Rotated}),
+        byStudent("square-diagonal", "weights-exchanged", {.weights = S::Weights::Exchanged}),
+        byStudent("square-diagonal", "y-flipped-once", {.upsideDown = true}),
+        byStudent("triangle-600", "none", {}),
+        byStudent("triangle-600", "corner-sampling", {.sample = 0}),
+        byStudent("triangle-600", "weights-exchanged", {.weights = S::Weights::Exchanged}),
+        byStudent("triangle-600", "y-flipped-once", {.upsideDown = true}),
+        byStudent("two-windings", "none", {}),
+        byStudent("two-windings", "one-winding", {.oneWinding = true}),
+        byStudent("fan", "all-exclusive", {.tie = S::Tie::Exclusive}),
+        byStudent("tiny-tiles", "none", {}),
+        byStudent("tiny-tiles", "integer-vertices", {.wholeVertices = true}),
+        byStudent("tiny-tiles", "small-area-dropped", {.smallestArea = 1}),
+        byStudent("three-layers", "none", {}),
+        byStudent("three-layers", "no-z-buffer", {.depth = S::Depth::None}),
+        byStudent("three-layers", "depth-reversed", {.depth = S::Depth::Greater}),
+        byStudent("three-layers", "depth-written-on-fail", {.depth = S::Depth::WrittenOnFail}),
+        byStudent("three-layers", "depth-cleared-to-zero", {.depth = S::Depth::ClearedToZero}),
+        byStudent("games101", "none", {}),
+        byStudent("games101", "no-z-buffer", {.depth = S::Depth::None}),
+        byStudent("games101", "depth-reversed", {.depth = S::Depth::Greater}),
+        byStudent("tile-square", "none", {}, Shading::Texture),
+        byStudent("tile-square", "affine", {.perspective = S::Perspective::Affine}, Shading::Texture),
+        byStudent("tile-square", "w-not-inverted", {.perspective = S::Perspective::TimesW}, Shading::Texture),
+        byStudent("tile-square", "corner-sampling", {.sample = 0}, Shading::Texture),
+    };
+}
+
+Identification answerTo(const Sample& sample)
+{
+    return identify(sceneNamed(sample.scene), sample.settings, sample.image);
+}
+
+/// Samples whose first match is not the mistake they were made with.
+struct Misses {
+    int right = 0;
+    QStringList unexplained; ///< the mistake is not even named as drawing the very same picture
+
+    void take(const Sample& sample, const Identification& found)
+    {
+        const MistakeMatch& best = found.matches.front();
+        const bool isFirst = best.mistake == sample.expected && found.fits();
+        right += isFirst ? 1 : 0;
+        const bool isAlike = found.fits() && best.alike.contains(sample.expected);
+        const auto own = std::ranges::find(found.matches, sample.expected, &MistakeMatch::mistake);
+        qInfo("%s %-45s %s %.3f, %s %.3f%s", isFirst ? "ok  " : "MISS", qPrintable(sample.name),
+              qPrintable(best.mistake), best.score, qPrintable(sample.expected),
+              own == found.matches.end() ? -1 : own->score, isAlike ? ", the same picture" : "");
+        if (!isFirst && !isAlike)
+            unexplained << sample.name;
+    }
+};
+
+} // namespace
+
+class TestIdentify : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void lossyPicturesFindTheirMistake();
+    void picturesOfAnotherProgramFindTheirMistake();
+    void theRightPictureIsNone();
+    void whatNothingDrawsIsNoneOfThese();
+    void twoMistakesAreBothNamed();
+    void sameColorsInAnotherPlaceAreNotTheSame();
+    void matchesSayWhereTheyDiffer();
+    void arraysAreReadAsPictures();
+    void commandLineAnswers();
+    void commandLineRefuses();
+};
+
+void TestIdentify::lossyPicturesFindTheirMistake()
+{
+    const std::vector<Sample> samples = lossySamples();
+    QVERIFY(samples.size() >= 40);
+    Misses misses;
+    for (const Sample& sample : samples)
+        misses.take(sample, answerTo(sample));
+    qInfo("%d of %zu right first", misses.right, samples.size());
+    QVERIFY(misses.right * 10 >= int(samples.size()) * 9);
+    QCOMPARE(misses.unexplained, QStringList());
+}
+
+void TestIdentify::picturesOfAnotherProgramFindTheirMistake()
+{
+    const std::vector<Sample> samples = studentSamples();
+    Misses misses;
+    for (const Sample& sample : samples)
+        misses.take(sample, answerTo(sample));
+    qInfo("%d of %zu right first", misses.right, samples.size());
+    QVERIFY(misses.right * 10 >= int(samples.size()) * 9);
+    QCOMPARE(misses.unexplained, QStringList());
+}
+
+void TestIdentify::theRightPictureIsNone()
+{
+    for (const char* name : {"square-diagonal", "triangle-600", "letter-f", "samples"}) {
+        const Scene scene = sceneNamed(QLatin1String(name));
+        const Settings settings = smallSettings(scene);
+        const QImage right = drawnBy(scene, settings, {});
+        const Identification exact = identify(scene, settings, right);
+        QCOMPARE(exact.matches.front().mistake, QLatin1String("none"));
+        QCOMPARE(exact.matches.front().score, 1.0);
+        QCOMPARE(exact.matches.front().unlike, 0);
+        QVERIFY(exact.matches.size() >= 5);
+        for (const Way& way : ways()) {
+            const QImage image = throughFile(way.change(right, backgroundOf(scene)), way.suffix);
+            const Identification found = identify(scene, settings, image);
+            QVERIFY2(found.fits(), way.name);
+            QVERIFY2(found.matches.front().mistake == QLatin1String("none"), qPrintable(found.matches.front().mistake));
+        }
+    }
+}
+
+void TestIdentify::whatNothingDrawsIsNoneOfThese()
+{
+    const Scene scene = sceneNamed(QStringLiteral("games101"));
+    const Settings settings = smallSettings(scene);
+    const QImage right = drawnBy(scene, settings, {});
+
+    const QImage other = drawnBy(sceneNamed(QStringLiteral("fan")), smallSettings(scene), {});
+    QVERIFY(!identify(scene, settings, other).fits());
+
+    QImage gone = right; // a large square is missing that no mistake takes away
+    for (int y = 100; y < 160; ++y)
+        for (int x = 100; x < 160; ++x)
+            gone.setPixel(x, y, qRgb(255, 0, 255));
+    QVERIFY(!identify(scene, settings, gone).fits());
+
+    QImage noise(settings.size, QImage::Format_RGB32);
+    std::mt19937 random(3);
+    for (int y = 0; y < noise.height(); ++y)
+        for (int x = 0; x < noise.width(); ++x)
+            noise.setPixel(x, y, 0xff000000U | (random() & 0xffffffU));
+    QVERIFY(!identify(scene, settings, noise).fits());
+}
+
+void TestIdentify::twoMistakesAreBothNamed()
+{
+    struct Pair {
+        const char* scene;
+        const char* one;
+        const char* other;
+    };
+    const std::vector<Pair> pairs{
+        {"square-diagonal", "all-exclusive", "weights-rotated"},
+        {"square-diagonal", "all-exclusive", "box-one-short"},
+        {"square-diagonal", "box-one-short", "weights-exchanged"},
+        {"triangle-600", "corner-sampling", "weights-rotated"},
+        {"triangle-600", "weights-exchanged", "y-flipped-once"},
+        {"three-layers", "no-z-buffer", "y-flipped-once"},
+        {"three-layers", "depth-written-on-fail", "box-one-short"},
+        {"lines", "missing-octant", "integer-weight"},
+        {"lines", "steep-step", "integer-weight"},
+        {"tiny-tiles", "integer-vertices", "weights-rotated"},
+        {"samples", "coverage-times-color", "one-depth-per-pixel"},
+        {"fan", "all-exclusive", "y-flipped-once"},
+        {"letter-f", "cull-reversed", "corner-sampling"},
+        {"tile-square", "affine", "y-flipped-once"},
+    };
+    QStringList missed;
+    for (const Pair& pair : pairs) {
+        const Scene scene = sceneNamed(QLatin1String(pair.scene));
+        const Settings settings = smallSettings(scene);
+        const QStringList both{QLatin1String(pair.one), QLatin1String(pair.other)};
+        const Identification found = identify(scene, settings, drawnBy(scene, settings, both));
+        const MistakeMatch& first = found.matches[0];
+        const MistakeMatch& second = found.matches[1];
+        const bool named = both.contains(first.mistake) && both.contains(second.mistake) &&
+                           first.with == second.mistake && second.with == first.mistake;
+        qInfo("%s %s: %s + %s -> %s %.3f + %s %.3f", named ? "ok  " : "MISS", pair.scene, pair.one, pair.other,
+              qPrintable(first.mistake), first.score, qPrintable(second.mistake), second.score);
+        if (!named)
+            missed << both.join(QStringLiteral(" + "));
+    }
+    QVERIFY(pairs.size() - std::size_t(missed.size()) >= 10);
+    QCOMPARE(missed, QStringList());
+}
+
+/// A score is about pixels, not about how many there are of a colour.
+void TestIdentify::sameColorsInAnotherPlaceAreNotTheSame()
+{
+    const Scene scene = sceneNamed(QStringLiteral("square-diagonal"));
+    const Settings settings = smallSettings(scene);
+    QImage other = drawnBy(scene, settings, {}); // as many holes as on the diagonal, in two columns
+    for (int y = 0; y < 8; ++y)
+        other.setPixel(y < 4 ? 1 : 6, y, qRgb(0, 0, 0));
+    const Identification found = identify(scene, settings, other);
+    const auto match = std::ranges::find(found.matches, QLatin1String("all-exclusive"), &MistakeMatch::mistake);
+    QVERIFY(match->score < 0.4);
+}
+
+void TestIdentify::matchesSayWhereTheyDiffer()
+{
+    const Scene scene = sceneNamed(QStringLiteral("square-diagonal"));
+    const Settings settings = smallSettings(scene);
+    const QImage right = drawnBy(scene, settings, {});
+    const QImage wrong = drawnBy(scene, settings, {QStringLiteral("all-exclusive")});
+    const Identification found = identify(scene, settings, wrong);
+    const MistakeMatch& best = found.matches.front();
+    int pixels = 0;
+    QRect where;
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x)
+            if (right.pixel(x, y) != wrong.pixel(x, y)) {
+                ++pixels;
+                where |= QRect(x, y, 1, 1);
+            }
+    QCOMPARE(best.mistake, QLatin1String("all-exclusive"));
+    QCOMPARE(best.score, 1.0);
+    QCOMPARE(best.pixels, pixels);
+    QCOMPARE(best.where, where);
+    QCOMPARE(best.unlike, 0);
+    QCOMPARE(settingsOf(best, found).mistakes, QStringList{QStringLiteral("all-exclusive")});
+    const auto none = std::ranges::find(found.matches, QLatin1String("none"), &MistakeMatch::mistake);
+    QCOMPARE(none->unlike, pixels);
+    QVERIFY(none->score < kLeastScore);
+    for (std::size_t i = 1; i < found.matches.size(); ++i)
+        QVERIFY(found.matches[i - 1].score >= found.matches[i].score);
+}
+
+void TestIdentify::arraysAreReadAsPictures()
+{
+    const QImage image = drawnBy(sceneNamed(QStringLiteral("square-diagonal")),
+                                 smallSettings(sceneNamed(QStringLiteral("square-diagonal"))), {});
+    QCOMPARE(throughFile(image, QStringLiteral("npy")).convertToFormat(QImage::Format_RGB32), image);
+    QCOMPARE(throughFile(image, QStringLiteral("tga")).convertToFormat(QImage::Format_RGB32), image);
+
+    const std::vector<float> grey{0.0F, 0.5F, 1.0F, 0.25F};
+    const QString path = folder().filePath(QStringLiteral("grey.npy"));
+    writeFile(path, npyBytes(std::span(grey), 2, 2));
+    const QImage read = loadPicture(path).image;
+    QCOMPARE(read.pixel(1, 0), qRgb(128, 128, 128));
+    QCOMPARE(read.pixel(0, 1), qRgb(255, 255, 255));
+
+    const std::vector<std::int32_t> ids{-1, 0, 1, 300};
+    writeFile(path, npyBytes(std::span(ids), 2, 2));
+    QVERIFY(loadPicture(path).problem);
+}
+
+void TestIdentify::commandLineAnswers()
+{
+    const QString program = QStringLiteral(RASTERLENS_CLI);
+    const QString wrong = folder().filePath(QStringLiteral("wrong.png"));
+    QCOMPARE(run({QStringLiteral("render"), QStringLiteral("builtin:square-diagonal"), QStringLiteral("--mistake"),
+                  QStringLiteral("all-exclusive"), QStringLiteral("-o"), wrong},
+                 folder().path())
+                 .exitCode,
+             0);
+    const Run json = run({QStringLiteral("identify"), wrong, QStringLiteral("--scene"),
+                          QStringLiteral("builtin:square-diagonal"), QStringLiteral("--json"), QStringLiteral("-")},
+                         folder().path());
+    QCOMPARE(json.exitCode, 0);
+    const QJsonArray matches = QJsonDocument::fromJson(json.out).object()["matches"].toArray();
+    QVERIFY(matches.size() >= 5);
+    QCOMPARE(matches[0]["mistake"].toString(), QStringLiteral("all-exclusive"));
+    QCOMPARE(matches[0]["score"].toDouble(), 1.0);
+    QCOMPARE(matches[0]["where"].toArray().size(), 4);
+    QVERIFY(matches[0]["pixels"].toInt() > 0);
+    const Run text =
+        run({QStringLiteral("identify"), wrong, QStringLiteral("--scene"), QStringLiteral("builtin:square-diagonal")},
+            folder().path());
+    QCOMPARE(text.exitCode, 0);
+    QVERIFY(text.out.contains("100.0 %  all-exclusive"));
+}
+
+void TestIdentify::commandLineRefuses()
+{
+    const QString scene = QStringLiteral("builtin:square-diagonal");
+    const auto asked = [](const QStringList& words) {
+        return run(QStringList{QStringLiteral("identify")} + words, folder().path());
+    };
+    const Run missing = asked({QStringLiteral("there-is-none.png"), QStringLiteral("--scene"), scene});
+    QCOMPARE(missing.exitCode, 3);
+    QVERIFY2(missing.err.startsWith(QStringLiteral("there-is-none.png: ")), qPrintable(missing.err));
+    writeFile(folder().filePath(QStringLiteral("text.png")), "this is no picture");
+    const Run broken = asked({QStringLiteral("text.png"), QStringLiteral("--scene"), scene});
+    QCOMPARE(broken.exitCode, 3);
+    QVERIFY2(broken.err.startsWith(QStringLiteral("text.png: ")), qPrintable(broken.err));
+    QCOMPARE(asked({QStringLiteral("text.png")}).exitCode, 2);
+    QCOMPARE(asked({QStringLiteral("text.png"), QStringLiteral("--scene"), scene, QStringLiteral("--size"),
+                    QStringLiteral("0x3")})
+                 .exitCode,
+             3); // the picture is read first
+    filled(8, 8, qRgb(1, 2, 3)).save(folder().filePath(QStringLiteral("flat.png")));
+    QCOMPARE(
+        asked({QStringLiteral("flat.png"), QStringLiteral("--scene"), QStringLiteral("builtin:nonsense")}).exitCode, 3);
+    QCOMPARE(asked({QStringLiteral("flat.png"), QStringLiteral("--scene"), scene, QStringLiteral("--size"),
+                    QStringLiteral("0x3")})
+                 .exitCode,
+             2);
+}
+
+QTEST_GUILESS_MAIN(TestIdentify)
+#include "test_identify.moc"

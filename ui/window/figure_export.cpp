@@ -1,0 +1,195 @@
+#include "ui/window/figure_export.h"
+
+#include "core/io/picture_file.h"
+#include "core/render/render.h"
+#include "ui/base/image_export.h"
+#include "ui/canvas/viewport_widget.h"
+#include "ui/steps/step_formula.h"
+#include "ui/steps/step_mode.h"
+
+#include <QPainter>
+
+#include <utility>
+
+namespace rasterlens
+{
+namespace
+{
+
+const QString kSvg = QStringLiteral("svg");
+const QString kPdf = QStringLiteral("pdf");
+
+LegendEntry lineEntry(const EdgeLook& look, const QString& text)
+{
+    return {[look](QPainter& painter, const QRectF& box) {
+                painter.setPen(QPen(QColor(look.color), 3, look.style));
+                painter.drawLine(QPointF(box.left(), box.center().y()), QPointF(box.right(), box.center().y()));
+            },
+            text};
+}
+
+LegendEntry glyphEntry(EdgeSign sign, const QString& text)
+{
+    return {[sign](QPainter& painter, const QRectF& box) {
+                paintGlyph(painter, box.center(), box.width() - 2, sign, 0, false);
+            },
+            text};
+}
+
+LegendEntry frameEntry(const QString& text)
+{
+    return {[](QPainter& painter, const QRectF& box) {
+                painter.setRenderHint(QPainter::Antialiasing, false);
+                painter.setBrush(Qt::NoBrush);
+                painter.setPen(QPen(QColor(10, 12, 16), 3, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+                painter.drawRect(box.adjusted(2, 2, -2, -2));
+            },
+            text};
+}
+
+LegendEntry dotEntry(const QString& text)
+{
+    return {[](QPainter& painter, const QRectF& box) {
+                painter.setPen(Qt::NoPen);
+                painter.setBrush(QColor(20, 24, 30));
+                painter.drawEllipse(box.center(), 3, 3);
+            },
+            text};
+}
+
+} // namespace
+
+FigureExport::FigureExport(const Document& document, const ViewportWidget& viewport, StepMode& steps,
+                           std::function<QString()> words)
+    : m_document(document), m_viewport(viewport), m_steps(steps), m_words(std::move(words)),
+      m_right(
+          [this](const FramePtr& right) {
+              Q_EMIT finished(m_path, save(beforeAfter(right), m_path).value_or(QString()));
+          },
+          [this](Lack lack) { Q_EMIT finished(m_path, tr("%1 could not be written: %2").arg(m_path, lackText(lack))); })
+{
+}
+
+QStringList FigureExport::formats() { return pictureSuffixes() + QStringList{kSvg, kPdf}; }
+
+std::vector<LegendEntry> FigureExport::legend() const
+{
+    std::vector<LegendEntry> entries;
+    const auto part = m_viewport.partInSight(m_zoom, m_region);
+    if (!part)
+        return entries;
+    const double zoom = part->transform.zoom;
+    const LensModel* lens = m_steps.lens().model();
+    if (lens) {
+        const char* names[] = {"AB", "BC", "CA"};
+        for (std::size_t i = 0; i < kEdgeLooks.size(); ++i)
+            entries.push_back(lineEntry(kEdgeLooks[i], tr("edge %1").arg(QLatin1String(names[i]))));
+        if (lens->hasSetup() && zoom / lens->log().grid() >= kGlyphsFromCell) {
+            entries.push_back(glyphEntry(EdgeSign::Plus, tr("inside of the edge")));
+            entries.push_back(glyphEntry(EdgeSign::Minus, tr("outside")));
+            entries.push_back(glyphEntry(EdgeSign::Zero, tr("on the edge: a tie")));
+        }
+    } else if (m_viewport.overlays().sampleDots && zoom >= kSampleDotsFromZoom) {
+        entries.push_back(dotEntry(tr("sample")));
+    }
+    if (const auto pixel = m_viewport.selectedPixel())
+        entries.push_back(frameEntry(tr("pixel (%1, %2)").arg(pixel->x()).arg(pixel->y())));
+    return entries;
+}
+
+FigureTexts FigureExport::texts() const
+{
+    if (!m_texts)
+        return {};
+    FigureTexts texts{m_caption.value_or(QString()), {}, legend()};
+    const StepSession& session = m_steps.session();
+    const bool isStep = session.log() != nullptr && !session.isRecording();
+    if (!m_caption) {
+        texts.caption = m_words();
+        if (isStep)
+            texts.caption += QLatin1Char('\n') + tr("Step %1 of %2").arg(session.position()).arg(session.size());
+    }
+    if (!isStep || session.positionInLog() == 0)
+        return texts;
+    const std::size_t event = session.positionInLog() - 1;
+    if (!m_caption)
+        texts.caption += QStringLiteral(": ") + stepTitle(*session.log(), event);
+    const StepExplanation explained = explainStep(*session.log(), event);
+    if (explained.line >= 0)
+        texts.formula << explained.listing[static_cast<std::size_t>(explained.line)].code.trimmed();
+    if (!explained.formula.isEmpty())
+        texts.formula << explained.formula.split(QLatin1Char('\n'));
+    return texts;
+}
+
+FigureSheet FigureExport::sheet() const
+{
+    const auto part = m_viewport.partInSight(m_zoom, m_region);
+    FigurePanel panel;
+    if (part)
+        panel = {{}, part->size, [this, part](QPainter& painter) { m_viewport.paintFigure(painter, *part); }};
+    return {{std::move(panel)}, texts()};
+}
+
+FigureSheet FigureExport::beforeAfter(const FramePtr& right) const
+{
+    const auto part = m_viewport.partInSight(m_zoom, m_region);
+    if (!part)
+        return {{FigurePanel()}, {}};
+    const FramePtr wrong = m_viewport.frame();
+    const auto panelOf = [&](const QString& title, const FramePtr& frame) {
+        return FigurePanel{title, part->size, [this, part, frame](QPainter& painter) {
+                               m_viewport.paintFigure(painter, *part, frame.get());
+                           }};
+    };
+    return {{panelOf(tr("Right"), right), panelOf(tr("With the mistake"), wrong)}, texts()};
+}
+
+QImage FigureExport::image() const
+{
+    if (m_texts)
+        return sheet().image();
+    return m_viewport.figure(m_zoom);
+}
+
+std::optional<QString> FigureExport::save(const FigureSheet& sheet, const QString& path) const
+{
+    const ExportTarget target{path, m_document.inputFiles()};
+    if (auto problem = formatProblem(path, formats()))
+        return problem;
+    const auto paint = [&sheet](QPainter& painter) { sheet.paint(painter); };
+    if (formatOf(path) == kSvg)
+        return saveSvg(sheet.size(), target, paint);
+    if (formatOf(path) == kPdf)
+        return savePdf(sheet.size(), target, paint);
+    return savePicture(sheet.image(), target);
+}
+
+std::optional<QString> FigureExport::exportTo(const QString& path) const
+{
+    const ExportTarget target{path, m_document.inputFiles()};
+    if (m_texts || formatOf(path) == kPdf)
+        return save(sheet(), path);
+    if (auto problem = formatProblem(path, formats()))
+        return problem;
+    return formatOf(path) == kSvg ? m_viewport.saveSvgFigure(m_zoom, target)
+                                  : savePicture(m_viewport.figure(m_zoom), target);
+}
+
+void FigureExport::exportBeforeAfter(const QString& path)
+{
+    m_path = path;
+    Settings settings = m_document.settings();
+    settings.mistakes.clear();
+    m_right.ask(
+        [scene = m_document.scene(), settings](const auto& turn) {
+            auto frame = std::make_shared<RenderedFrame>();
+            frame->scene = scene;
+            frame->settings = settings;
+            render(*scene, settings, frame->frame, {.depth = true, .ids = true}, turn.stop());
+            return FramePtr(frame);
+        },
+        LatestJob::Running::Interrupt);
+}
+
+} // namespace rasterlens
