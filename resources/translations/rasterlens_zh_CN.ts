@@ -3328,8 +3328,8 @@
         <translation>恰在边上</translation>
     </message>
     <message>
-        <source>number: E that decides, px²</source>
-        <translation>数字：起决定作用的 E，px²</translation>
+        <source>number: E, px²</source>
+        <translation>数字：E，px²</translation>
     </message>
 </context>
 <context>
