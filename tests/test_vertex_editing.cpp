@@ -349,7 +349,7 @@ void TestVertexEditing::switchesSayThatTheyChangeNothing()
     }));
     QVERIFY(pipeline->note(id).isEmpty());
     const QStringList lines = m_window->findChild<MistakeBadge*>()->lines();
-    QVERIFY2(lines.size() == 1 && lines[0].endsWith(QStringLiteral("are equal: 7 and 10")),
+    QVERIFY2(lines.size() == 2 && lines[1].endsWith(QStringLiteral("are equal: 7 and 10")),
              qPrintable(lines.join(u'\n')));
     QVERIFY(open(QStringLiteral("builtin:games101-tilted")));
     QVERIFY(change([](Settings& s) {
@@ -357,7 +357,7 @@ void TestVertexEditing::switchesSayThatTheyChangeNothing()
         s.mistakes = {QStringLiteral("w-lost")};
     }));
     QVERIFY(pipeline->note(id).isEmpty());
-    QVERIFY(!m_window->findChild<MistakeBadge*>()->lines()[0].contains(QStringLiteral("changes nothing")));
+    QCOMPARE(m_window->findChild<MistakeBadge*>()->lines().size(), 1);
 }
 
 QTEST_MAIN(TestVertexEditing)

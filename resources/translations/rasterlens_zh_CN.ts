@@ -8168,15 +8168,15 @@
         <translation>像素</translation>
     </message>
     <message>
-        <source>clip coordinates</source>
+        <source>clip</source>
         <translation>裁剪坐标</translation>
     </message>
     <message>
-        <source>object coordinates</source>
+        <source>object</source>
         <translation>物体坐标</translation>
     </message>
     <message>
-        <source>world coordinates</source>
+        <source>world</source>
         <translation>世界坐标</translation>
     </message>
     <message>
