@@ -504,7 +504,7 @@ void TestLens::scopeLimitsTheRecord()
 /// knows.
 void TestLens::cellsReachBeyondTheWindow()
 {
-    QVERIFY(openSmall(QStringLiteral("builtin:triangle"), {300, 240}));
+    QVERIFY(openSmall(QStringLiteral("builtin:triangle"), {600, 480}));
     for (const Algorithm algorithm : {Algorithm::EdgeEquation, Algorithm::EdgeWalking}) {
         QVERIFY(change([algorithm](Settings& s) {
             s.algorithm = algorithm;
@@ -520,9 +520,9 @@ void TestLens::cellsReachBeyondTheWindow()
             const StepSession::LookedAt& here = session().lookedAt();
             QVERIFY(here.log && here.log->size() < all->size());
             const LensModel model(*here.log, *here.begin, here.position, session().event());
-            model.setFar(session().coverage(*here.triangle(), {0, 0, 300, 240}));
-            for (int y = 0; y < 240; y += 3)
-                for (int x = 0; x < 300; x += 7) {
+            model.setFar(session().coverage(*here.triangle(), {0, 0, 600, 480}));
+            for (int y = 0; y < 480; y += 5)
+                for (int x = 0; x < 600; x += 11) {
                     const LensCell cell = model.cell(x, y);
                     const LensCell right = expected.cell(x, y);
                     QCOMPARE(cell.state, right.state);
