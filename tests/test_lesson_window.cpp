@@ -151,7 +151,8 @@ void TestLessonWindow::momentsAreReadAsTheyAreShown()
     m_window->actionTable().action("view.samples")->trigger();
     const Moment second = m_window->moment().present();
     QCOMPARE(*second.pixel, QPoint(2, 3));
-    QVERIFY(second.step && second.overlays == QStringList({"grid", "numbers"}));
+    QVERIFY(second.step && second.overlays.contains(QStringLiteral("grid")));
+    QVERIFY(!second.overlays.contains(QStringLiteral("samples")));
     for (const QString& name : CanvasViews::overlayNames())
         QVERIFY(std::ranges::any_of(overlayIds(), [&](const char* id) { return name == QLatin1String(id); }));
     for (const Moment& moment : {first, second}) {
@@ -204,7 +205,7 @@ void TestLessonWindow::answersAreTypedAndChosen()
     question().check();
     QVERIFY(complete());
     QVERIFY(!player().answered(3)->isRight);
-    QVERIFY(panel().verdict().contains(QStringLiteral("-6")));
+    QVERIFY(panel().verdict().contains(QStringLiteral("\u22126")));
     press(Qt::Key_PageDown);
     QCOMPARE(question().choiceButtons().size(), std::size_t(2));
     question().choiceButtons()[0]->click();
@@ -336,6 +337,7 @@ void TestLessonWindow::textsFollowTheLanguage()
 {
     QVERIFY(openAt(QStringLiteral("top-left"), 5, LessonPlayer::Entry::Asks));
     m_window->setLanguage(LanguageKind::Chinese);
+    QCoreApplication::processEvents(); // the window hears of it through the event loop
     QVERIFY(complete());
     const Lesson lesson = *loadLesson(QStringLiteral("top-left")).lesson;
     QCOMPARE(panel().text(), lesson.slides[4].question->text.zh);

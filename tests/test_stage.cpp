@@ -130,6 +130,7 @@ void TestStage::allMenusAreWithinReach()
 
 void TestStage::lessonsAreHeldOnTheStage()
 {
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
     QVERIFY(openStage({1024, 768}));
     QVERIFY(m_window->lessons().open(QStringLiteral("top-left")));
     QVERIFY(complete());

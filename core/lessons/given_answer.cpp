@@ -40,9 +40,10 @@ QString choiceText(const Question& question, std::size_t index)
     return choice.mistake.isEmpty() ? choice.text.en : choice.mistake;
 }
 
-/// A field of a line of CSV (RFC 4180).
+/// A field of a line of CSV (RFC 4180). Numbers have the minus sign that programs read.
 QString quoted(QString text)
 {
+    text.replace(QChar(0x2212), QLatin1Char('-'));
     const bool needs =
         text.contains(QLatin1Char(',')) || text.contains(QLatin1Char('"')) || text.contains(QLatin1Char('\n'));
     return needs ? QLatin1Char('"') + text.replace(QLatin1Char('"'), QLatin1String("\"\"")) + QLatin1Char('"') : text;
