@@ -168,14 +168,18 @@ void TestCli::badCalls_data()
             << QStringLiteral(
                    "--fov: \"%1\" is not a value of fov, which takes: the vertical angle in degrees, 0.001 to 179.9")
                    .arg(QLatin1String(fov));
-    row("render a.obj --near 2 --far 1", 2,
-        "--far: the far plane is at 1, but must lie beyond the near plane at 2: z' = n + f - nf/z runs from n to f");
-    row("render a.obj --near 1 --far 1", 2, "--far: the far plane is at 1, but must lie beyond the near plane at 1");
-    row("render a.obj --near 0", 2,
-        "--near: the near plane is at 0, but must lie before the eye, at more than 0: with n = 0, z' = n + f - nf/z is "
-        "f "
-        "for every z");
-    row("render a.obj --near -0.1 --far 5", 2, "--near: the near plane is at -0.1, but must lie before the eye");
+    for (const double near : {2.0, 1.0})
+        row(qPrintable(QStringLiteral("render a.obj --near %1 --far 1").arg(near)), 2,
+            qPrintable(
+                QStringLiteral("--far: the far plane is at 1, but must lie beyond the near plane at %1: z' = n + f - "
+                               "nf/z runs from n to f, which leaves no depth between")
+                    .arg(near)));
+    for (const char* near : {"0", "-0.1"})
+        row(qPrintable(QStringLiteral("render a.obj --near %1 --far 5").arg(QLatin1String(near))), 2,
+            qPrintable(
+                QStringLiteral("--near: the near plane is at %1, but must lie before the eye, at more than 0: with "
+                               "n = 0, z' = n + f - nf/z is f for every z, and x' = nx/z is 0 for every x")
+                    .arg(QLatin1String(near))));
     row("render a.obj --far -1", 2, "--far: the far plane is at -1, but must lie before the eye, at more than 0");
     row("render a.obj --near wide", 2,
         "--near: \"wide\" is not a value of near, which takes: a distance greater than 0");
