@@ -10,8 +10,10 @@ namespace rasterlens
 namespace
 {
 
-constexpr double kUnseen = 12.0 * 12.0;  ///< the square of a difference that is not looked at
-constexpr double kLeastWeight = 30;      ///< of a change: below it, rounding could look like it
+constexpr double kUnseen = 12.0 * 12.0; ///< the square of a difference that is not looked at
+constexpr double kLeastWeight = 30;     ///< of a change: below it, rounding could look like it
+/// Noise by flat areas and edges, in whole pixels a pixel: what differs more is another picture.
+constexpr std::array<double, 2> kMostNoise{0.05, 0.15};
 constexpr int kFarOffset = 2;            ///< pixels, in both directions
 constexpr double kOffsetPrice = 0.02;    ///< a pixel of offset costs this part of a score
 constexpr int kMostBlocks = 16;          ///< across and down
@@ -419,7 +421,8 @@ PictureNoise PictureNoise::of(const std::vector<PictureFit>& fits)
     for (std::size_t kind = 0; kind < 2; ++kind) {
         const auto least =
             std::ranges::min_element(fits, {}, [kind](const PictureFit& fit) { return fit.typical[kind]; });
-        noise.typical[kind] = least == fits.end() ? 0 : std::max(0.0, least->typical[kind]);
+        noise.typical[kind] =
+            least == fits.end() ? 0 : std::clamp(least->typical[kind], 0.0, kMostNoise[kind] * kWholePixel);
     }
     return noise;
 }
@@ -445,7 +448,9 @@ double unexplained(const PictureFit& fit, const PictureNoise& noise)
 double scoreOf(const PictureFit& fit, const PictureNoise& noise)
 {
     const double whole = fit.weight + unexplained(fit, noise);
-    const double seen = std::min(1.0, fit.weight / kLeastWeight);
+    // Where there is noise, some pixels look like anything.
+    const double noisy = std::min(1.0, 20 * std::max(noise.typical[0], noise.typical[1]) / kWholePixel);
+    const double seen = std::min(1.0, fit.weight / (kLeastWeight + 4 * kWholePixel * noisy));
     return whole > 0 ? std::clamp(offsetFactor(fit.offset) * seen * fit.gain / whole, 0.0, 1.0) : 0;
 }
 

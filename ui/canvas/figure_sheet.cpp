@@ -127,6 +127,7 @@ void FigureSheet::paint(QPainter& painter) const
                          Qt::AlignLeft | Qt::AlignTop, panel.title);
         painter.save();
         painter.translate(m_corners[i]);
+        painter.setClipRect(QRect(QPoint(0, 0), panel.size));
         panel.paint(painter);
         painter.restore();
     }
