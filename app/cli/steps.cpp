@@ -42,7 +42,7 @@ Usage usage()
     const OptionGroup input{QStringLiteral("Input:"), inputOptions()};
     return {QStringLiteral("steps"),
             QStringLiteral(
-                "rasterlens-cli steps SCENE [--face N] [--pixel x,y] [--from N] [--limit N] [--json F] [options]"),
+                "rasterlens-cli steps SCENE [--face N] [--pixel x,y] [--from N] [--limit N] [options]"),
             QStringLiteral("Draws SCENE and tells every step: vertices, clipping, facing, set-up, samples with their "
                            "edge values, depth, colour, writes.\n\n") +
                 sceneHelp(),

@@ -13,7 +13,7 @@ namespace rasterlens
 class FrameHistory
 {
 public:
-    static constexpr std::size_t kRun = 1024; ///< samples that are kept or not kept together
+    static constexpr std::size_t kRun = 128; ///< samples that are kept or not kept together
 
     /// in  the planes of the cleared frame
     explicit FrameHistory(const FramePlanes& cleared);

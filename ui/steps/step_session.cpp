@@ -297,9 +297,9 @@ void StepSession::selectPixel(std::optional<QPoint> pixel)
     if (pixel == m_selectedPixel)
         return;
     m_selectedPixel = pixel;
+    Q_EMIT selectionChanged(); // before a record begins, so that the canvas has the same pixel by then
     if (m_scope == StepScope::SelectedPixel)
         recordAnew();
-    Q_EMIT selectionChanged();
 }
 
 void StepSession::selectFace(std::optional<std::uint32_t> face)
