@@ -425,6 +425,34 @@ ExitCode startLesson(rasterlens::MainWindow& window, const Arguments& arguments)
     return kFine;
 }
 
+/// Opens what the arguments name, or what a start without any shows.
+///
+/// out  fine, or the exit code after an error message
+ExitCode openFirst(rasterlens::MainWindow& window, const Arguments& arguments, bool hasArguments)
+{
+    if (!arguments.lesson.isEmpty())
+        return startLesson(window, arguments);
+    if (!hasArguments)
+        window.openAtStart();
+    else if (arguments.scene.isEmpty())
+        window.openDefaultScene();
+    else
+        window.document().open(arguments.scene);
+    return kFine;
+}
+
+/// Compares as the arguments ask for; a slide says itself how it is compared.
+void compare(rasterlens::MainWindow& window, const Arguments& arguments)
+{
+    const bool isSlide = !arguments.lesson.isEmpty();
+    if (!isSlide || arguments.referee) {
+        window.truthMode().referee().setSpace(arguments.reference);
+        window.truthMode().referee().setOn(arguments.referee);
+    }
+    if (!isSlide || arguments.compare != rasterlens::CompareView::Off)
+        window.truthMode().comparison().setView(arguments.compare);
+}
+
 /// Does what the arguments ask for once the first picture is there. A scene named on the command line must open; later
 /// ones only leave a message in the window.
 ///
@@ -454,9 +482,7 @@ void startWith(rasterlens::MainWindow& window, const Arguments& arguments, QObje
                              window.canvasViews().setViewNamed(arguments.view);
                          for (const QString& overlay : arguments.overlays)
                              window.canvasViews().setOverlayNamed(overlay, true);
-                         window.truthMode().referee().setSpace(arguments.reference);
-                         window.truthMode().referee().setOn(arguments.referee);
-                         window.truthMode().comparison().setView(arguments.compare);
+                         compare(window, arguments);
                          if (arguments.measuredFrames > 0)
                              window.truthMode().experiment().run(arguments.measuredFrames);
                          if (!arguments.panel.isEmpty())
@@ -524,16 +550,8 @@ int main(int argc, char** argv)
 
     QObject starting;
     startWith(window, arguments, starting);
-    if (!arguments.lesson.isEmpty()) {
-        if (const ExitCode code = startLesson(window, arguments); code != kFine)
-            return code;
-    } else if (argc == 1) {
-        window.openAtStart();
-    } else if (arguments.scene.isEmpty()) {
-        window.openDefaultScene();
-    } else {
-        window.document().open(arguments.scene);
-    }
+    if (const ExitCode code = openFirst(window, arguments, argc > 1); code != kFine)
+        return code;
     window.show();
     if (arguments.presentation)
         window.setPresentation(true);

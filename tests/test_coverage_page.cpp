@@ -220,10 +220,10 @@ void TestCoveragePage::detects_data()
     plant("`key:Ctrl+G`", "`key:Ctrl+GG`");
     plant("`ctest:lines`", "`ctest:line`");
     plant("| `ctest:lines` ", "| `builtin:lines` ");
-    plant("| `ctest:lines` ", "| ");
+    plant("| `ctest:lens` |", "| |");
     plant("| Y | `builtin:covering`", "| P | `builtin:covering`");
     plant("| 0.2 |", "| 0.3 |");
-    plant("| items of the texts | 1", "| items of the texts | 2");
+    plant("| items of the texts | ", "| items of the texts | 9");
 }
 
 void TestCoveragePage::detects()

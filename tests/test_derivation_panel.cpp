@@ -134,12 +134,12 @@ void TestDerivationPanel::figuresFollowTheSliders()
     QCOMPARE(value("m"), 0.25);
     QVERIFY(panel.figures().front()->grab().toImage() != before);
     QVERIFY(panel.derived()->derivation->symbols[0].canvas.points.front() != seen);
-    // P' of the figure from the side
+    // What is seen of the far end, in the figure from the side
     FigureView& figure = *panel.figures().front();
-    const QPoint at = figure.toWidget({1, value("P'")}).toPoint();
+    const QPoint at = figure.toWidget({1, value("B'")}).toPoint();
     QTest::mouseMove(&figure, at);
     QVERIFY(waitFor([&] { return panel.hovered().has_value(); }));
-    QCOMPARE(panel.derived()->derivation->symbols[*panel.hovered()].id, QStringLiteral("P'"));
+    QCOMPARE(panel.derived()->derivation->symbols[*panel.hovered()].id, QStringLiteral("B'"));
     panel.setTopic(DerivationTopic::DepthCurve);
     QVERIFY(complete());
     QVERIFY(panel.depthSlider()->isVisible());

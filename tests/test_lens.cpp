@@ -303,7 +303,7 @@ void TestLens::walkingGoesThroughItsStages()
              QStringLiteral("alpha = (3.5 - 1) / (10 - 1) = 0.277778   xa = 7 + 0.277778\u00b7(2 - 7) = 5.61111111\n"
                             "beta = (3.5 - 1) / (7 - 1) = 0.416667   xb = 7 + 0.416667\u00b7(15 - 7) = 10.3333333")
                  .replace(QLatin1Char('-'), minus));
-    QVERIFY(crossing.listing[std::size_t(crossing.line)].code.contains(QStringLiteral("alpha = (y - y1) / (y3 - y1)")));
+    QVERIFY(crossing.listing[std::size_t(crossing.line)].code.contains(QStringLiteral("alpha = (y-y1) / (y3-y1)")));
     QVERIFY(mode().lens().model()->crossings()->upperHalf);
     const StepExplanation span = goTo(StepKind::Span, 2);
     QVERIFY(span.formula.contains(QStringLiteral("x = 6 \u2026 9")));
@@ -504,7 +504,7 @@ void TestLens::scopeLimitsTheRecord()
 /// knows.
 void TestLens::cellsReachBeyondTheWindow()
 {
-    QVERIFY(openSmall(QStringLiteral("builtin:triangle"), {300, 240}));
+    QVERIFY(openSmall(QStringLiteral("builtin:triangle"), {600, 480}));
     for (const Algorithm algorithm : {Algorithm::EdgeEquation, Algorithm::EdgeWalking}) {
         QVERIFY(change([algorithm](Settings& s) {
             s.algorithm = algorithm;
@@ -520,9 +520,9 @@ void TestLens::cellsReachBeyondTheWindow()
             const StepSession::LookedAt& here = session().lookedAt();
             QVERIFY(here.log && here.log->size() < all->size());
             const LensModel model(*here.log, *here.begin, here.position, session().event());
-            model.setFar(session().coverage(*here.triangle(), {0, 0, 300, 240}));
-            for (int y = 0; y < 240; y += 3)
-                for (int x = 0; x < 300; x += 7) {
+            model.setFar(session().coverage(*here.triangle(), {0, 0, 600, 480}));
+            for (int y = 0; y < 480; y += 5)
+                for (int x = 0; x < 600; x += 11) {
                     const LensCell cell = model.cell(x, y);
                     const LensCell right = expected.cell(x, y);
                     QCOMPARE(cell.state, right.state);

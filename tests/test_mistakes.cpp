@@ -234,27 +234,28 @@ void TestMistakes::steepLineRunsPastItsEnd()
 
 void TestMistakes::heightPlusOneStandsOutAtTheMiddleCorner()
 {
-    // The upper edge, from (4, 8) to (60, 12), crosses the rows 8 to 11 at 4 + 14 (0.5, 1.5, 2.5, 3.5) = 11, 25, 39,
-    // 53; with a height of 5 at 4 + 11.2 (0.5, 1.5, 2.5, 3.5) = 9.6, 20.8, 32, 43.2. The row below is 59 pixels long
-    // with both.
+    // The first arrow head: its upper edge, from (2, 3) to (30, 5), crosses the rows 3 and 4 at 2 + 14 (0.5, 1.5) = 9,
+    // 23, and the lower one mirrors it. With a height of 3 they are at 2 + 28 / 3 (0.5, 1.5) = 6.67, 16 and then, from
+    // (30, 5) on, at 30 - 28 / 3 (0.5, 1.5) = 25.33, 16.
     const MistakeDemo demo = mistakeDemo(mistakeOf("height-plus-one"));
     const CountedPicture right = drawCounted(demo.scene, demo.right);
     const CountedPicture mistaken = drawCounted(demo.scene, demo.mistaken);
     const auto endOf = [](const CountedPicture& picture, int row) {
         int end = 0;
-        for (int x = 0; x < 64; ++x)
-            end = picture.frame.ids[static_cast<std::size_t>(64 * row + x)] >= 0 ? x + 1 : end;
+        for (int x = 0; x < 32; ++x)
+            end = picture.frame.ids[static_cast<std::size_t>(32 * row + x)] >= 0 ? x + 1 : end;
         return end;
     };
-    const std::array<int, 5> rightEnds{11, 25, 39, 53, 59};
-    const std::array<int, 5> mistakenEnds{10, 21, 32, 43, 59};
+    const std::array<int, 4> rightEnds{9, 23, 23, 9};
+    const std::array<int, 4> mistakenEnds{7, 16, 25, 16};
     for (std::size_t i = 0; i < rightEnds.size(); ++i) {
-        QCOMPARE(endOf(right, 8 + static_cast<int>(i)), rightEnds[i]);
-        QCOMPARE(endOf(mistaken, 8 + static_cast<int>(i)), mistakenEnds[i]);
+        QCOMPARE(endOf(right, 3 + static_cast<int>(i)), rightEnds[i]);
+        QCOMPARE(endOf(mistaken, 3 + static_cast<int>(i)), mistakenEnds[i]);
     }
-    // Counted in whole numbers, row by row: 22 lost above the corner, 29 too many below it.
-    QCOMPARE(proofValue(Proof::Holes, mistaken, right), 22.0);
-    QCOMPARE(proofValue(Proof::WrongFaces, mistaken, right), 51.0);
+    // All three, counted row by row: 9 + 9 + 12 pixels lost above the middle corners, 9 + 13 + 12 too many below them.
+    QCOMPARE(proofValue(Proof::Holes, mistaken, right), 30.0);
+    QCOMPARE(proofValue(Proof::Strays, mistaken, right), 34.0);
+    QCOMPARE(proofValue(Proof::WrongFaces, mistaken, right), 64.0);
 }
 
 void TestMistakes::nudgedCutLosesTheSharedEdge()

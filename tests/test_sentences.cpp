@@ -217,9 +217,13 @@ void TestSentences::walkingByMistakeIsListedAsWalking()
     const auto log = renderSteps(scene, settings, filter);
     const auto spans = log->eventsOf(StepKind::Span);
     QVERIFY(!spans.empty());
-    const StepExplanation told = explainStep(*log, spans.front());
-    QVERIFY(told.listing[1].right.contains(QStringLiteral("ceil(xl - 0.5)")));
-    QVERIFY(told.listing[1].code.contains(QStringLiteral("(b.y - a.y + 1)")));
+    const StepExplanation crossing = explainStep(*log, log->eventsOf(StepKind::Crossing).front());
+    QCOMPARE(crossing.line, 3);
+    QVERIFY(crossing.listing[3].right.contains(QStringLiteral("alpha = (y-y1)")));
+    QVERIFY(crossing.listing[3].code.contains(QStringLiteral("(b.y - a.y + 1)")));
+    const StepExplanation span = explainStep(*log, spans.front());
+    QVERIFY(span.listing[0].right.contains(QStringLiteral("crossings(y)")));
+    QVERIFY(span.listing[0].code.contains(QStringLiteral("(b.y - a.y + 1)")));
     const LensModel model(*log, log->event(log->eventsOf(StepKind::Triangle).front()), log->size());
     const PixelRect& bounds = model.triangle().setup.bounds;
     QVERIFY(!model.cell(bounds.x, bounds.y).hasValues);

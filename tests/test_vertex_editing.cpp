@@ -88,7 +88,7 @@ void TestVertexEditing::pixelsAreTyped()
     QVERIFY(position(1) == glm::vec4(300.5F, 450, 0, 600));
     typeIn(VertexEditing::Typed::Given);
     QVERIFY(type(VertexTableModel::ObjectSpace, 1, "-400 -200 0 600"));
-    QVERIFY(corner(0, 1).screen == glm::dvec2(100, 400));
+    QVERIFY(corner(0, 1).snapped == glm::dvec2(100, 400));
 }
 
 void TestVertexEditing::anyCommaIsTaken_data()
@@ -130,8 +130,7 @@ void TestVertexEditing::refusedTextSaysWhyAndStays()
     QTest::keyClicks(edit, QStringLiteral("3, 4"));
     QVERIFY(m_window->message().isEmpty());
     QTest::keyClick(edit, Qt::Key_Return);
-    QVERIFY(complete());
-    QVERIFY(corner(0, 0).snapped == glm::dvec2(3, 4));
+    QTRY_VERIFY(corner(0, 0).snapped == glm::dvec2(3, 4));
 }
 
 void TestVertexEditing::sharedCornersMoveTogether()
@@ -146,6 +145,7 @@ void TestVertexEditing::sharedCornersMoveTogether()
     document().undo();
     QVERIFY(corner(0, 2).snapped == glm::dvec2(8, 0) && corner(1, 0).snapped == glm::dvec2(8, 0));
     QVERIFY(!document().canUndo());
+    QVERIFY(complete());
     panel().togetherBox().setChecked(false);
     QVERIFY(type(VertexTableModel::ScreenSpace, 2, "7.5, 1.25"));
     QVERIFY(corner(0, 2).snapped == glm::dvec2(7.5, 1.25));
@@ -349,7 +349,7 @@ void TestVertexEditing::switchesSayThatTheyChangeNothing()
     }));
     QVERIFY(pipeline->note(id).isEmpty());
     const QStringList lines = m_window->findChild<MistakeBadge*>()->lines();
-    QVERIFY2(lines.size() == 1 && lines[0].endsWith(QStringLiteral("are equal: 7 and 10")),
+    QVERIFY2(lines.size() == 2 && lines[1].endsWith(QStringLiteral("are equal: 7 and 10")),
              qPrintable(lines.join(u'\n')));
     QVERIFY(open(QStringLiteral("builtin:games101-tilted")));
     QVERIFY(change([](Settings& s) {
@@ -357,7 +357,7 @@ void TestVertexEditing::switchesSayThatTheyChangeNothing()
         s.mistakes = {QStringLiteral("w-lost")};
     }));
     QVERIFY(pipeline->note(id).isEmpty());
-    QVERIFY(!m_window->findChild<MistakeBadge*>()->lines()[0].contains(QStringLiteral("changes nothing")));
+    QCOMPARE(m_window->findChild<MistakeBadge*>()->lines().size(), 1);
 }
 
 QTEST_MAIN(TestVertexEditing)

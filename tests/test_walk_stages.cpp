@@ -33,14 +33,15 @@ struct Case {
     int lastRow;
 };
 
-// Sorted, named and divided by hand. An edge is named as the triangle goes round counter-clockwise on the screen.
+// Sorted, named and divided by hand. A row whose centre lies at the height of corner 1 or 3 is walked, and is empty. An
+// edge is named as the triangle goes round counter-clockwise on the screen.
 const Case kCases[]{
     {"middle corner right", {{{80, 16}, {40, 400}, {360, 208}}}, "ACB", "AB", "CA BC", true, 2, 26, 49},
     {"middle corner left", {{{320, 24}, {48, 200}, {400, 424}}}, "ABC", "CA", "AB BC", false, 3, 25, 52},
     {"clockwise", {{{320, 24}, {400, 424}, {48, 200}}}, "ACB", "BA", "AC CB", false, 3, 25, 52},
     {"flat top", {{{32, 40}, {96, 360}, {304, 40}}}, "ACB", "AB", "CA BC", true, 5, 5, 44},
     {"flat bottom", {{{168, 24}, {40, 344}, {440, 344}}}, "ABC", "CA", "AB BC", false, 3, 43, 42},
-    {"middle corner on a row's centre", {{{88, 20}, {24, 308}, {328, 116}}}, "ACB", "AB", "CA BC", true, 2, 14, 37},
+    {"middle corner on a row's centre", {{{88, 20}, {24, 308}, {328, 116}}}, "ACB", "AB", "CA BC", true, 2, 14, 38},
     {"quarters of a pixel", {{{82, 18}, {46, 398}, {358, 206}}}, "ACB", "AB", "CA BC", true, 2, 26, 49},
 };
 

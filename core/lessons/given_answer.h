@@ -16,7 +16,7 @@ namespace rasterlens
 /// An answer as it was given: the pixels that were clicked, the index of a choice, or a text that was typed.
 using GivenAnswer = std::variant<std::vector<QPoint>, std::size_t, QString>;
 
-/// Whether it is the answer. Of typed numbers whole ones must be equal, others agree within a hundredth.
+/// Whether it is the answer. Typed whole numbers must be equal, others agree within a hundredth.
 [[nodiscard]] bool isRight(const GivenAnswer& given, const Answer& answer);
 
 /// `4 of 8, 1 too many`: how many of the pixels were found.

@@ -115,6 +115,7 @@ void StepRecorder::dropPending()
         rollBack(m_triangleMark);
     if (!m_faceKept)
         rollBack(m_faceMark);
+    m_faceKept = m_triangleKept = true; // nothing is pending any more
 }
 
 void StepRecorder::beginFaceOf(std::uint32_t face)

@@ -21,9 +21,12 @@ std::optional<glm::vec4> positionAtPixel(const Scene& scene, const Settings& set
         const glm::vec4& former = scene.mesh.vertices[vertex].position;
         return glm::vec4(static_cast<float>(ndc.x * clip.w), static_cast<float>(ndc.y * clip.w), former.z, former.w);
     }
-    const glm::dmat4 objectFromClip = glm::inverse(resolved.matrices.clipFromObjectDouble);
-    const glm::dvec4 object = objectFromClip * glm::dvec4(ndc.x * clip.w, ndc.y * clip.w, clip.z, clip.w);
-    return glm::vec4(object / object.w);
+    // z of view space is kept rather than z of clip space, which has lost digits to the near plane.
+    const Matrices& matrices = resolved.matrices;
+    glm::dvec4 view = matrices.viewFromObject * glm::dvec4(scene.mesh.vertices[vertex].position);
+    view.x = ndc.x * clip.w / matrices.clipFromView[0][0];
+    view.y = ndc.y * clip.w / matrices.clipFromView[1][1];
+    return glm::vec4(glm::inverse(matrices.viewFromObject) * view);
 }
 
 } // namespace rasterlens

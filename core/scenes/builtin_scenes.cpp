@@ -189,10 +189,11 @@ constexpr BuiltinScene kScenes[] = {
      QT_TRANSLATE_NOOP("BuiltinScene",
                        "With a guard band the triangle is not clipped; the bounding box alone keeps it on the screen."),
      makeOverhang},
-    {"flat-edge", QT_TRANSLATE_NOOP("BuiltinScene", "A flat edge"),
+    {"flat-edge", QT_TRANSLATE_NOOP("BuiltinScene", "Flat edges"),
      QT_TRANSLATE_NOOP(
          "BuiltinScene",
-         "The upper edge falls by 4 rows on 56 columns. What is off by a part of a row there is off by many columns."),
+         "Three arrow heads, whose lower halves mirror the upper ones. The edges of the flattest fall by 2 "
+         "rows on 28 columns: what is off by a part of a row is off by many columns."),
      makeFlatEdge},
     {"cut-on-centres", QT_TRANSLATE_NOOP("BuiltinScene", "A cut edge through pixel centres"),
      QT_TRANSLATE_NOOP(

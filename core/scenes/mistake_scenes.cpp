@@ -138,10 +138,16 @@ Scene makeHugeTriangle()
 
 Scene makeFlatEdge()
 {
-    const QSize size(64, 64);
+    const QSize size(32, 32);
     Scene scene = clipScene(size);
-    addClipTriangle(scene.mesh, cornerAtPixel({4, 8}, size, kYellow), cornerAtPixel({8, 56}, size, kGreen),
-                    cornerAtPixel({60, 12}, size, kRed));
+    const auto addArrowHead = [&](double top, double halfHeight) {
+        addClipTriangle(scene.mesh, cornerAtPixel({2, top}, size, kYellow),
+                        cornerAtPixel({2, top + 2 * halfHeight}, size, kGreen),
+                        cornerAtPixel({30, top + halfHeight}, size, kRed));
+    };
+    addArrowHead(3, 2);
+    addArrowHead(9, 4);
+    addArrowHead(19, 6);
     return scene;
 }
 

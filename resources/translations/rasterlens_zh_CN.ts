@@ -383,12 +383,12 @@
         <translation>GAMES101 的两个三角形，每个顶点沿着通向眼睛的射线移动：覆盖的像素完全相同，但两个面的 w 是 3.5、7、14 和 10、20、5。仿射插值、丢失的 w、被校正的深度在这里都看得出来。</translation>
     </message>
     <message>
-        <source>A flat edge</source>
-        <translation>一条平缓的边</translation>
+        <source>Flat edges</source>
+        <translation>平缓的边</translation>
     </message>
     <message>
-        <source>The upper edge falls by 4 rows on 56 columns. What is off by a part of a row there is off by many columns.</source>
-        <translation>上面的边在 56 列里只下降 4 行。那里差不到一行，就会差很多列。</translation>
+        <source>Three arrow heads, whose lower halves mirror the upper ones. The edges of the flattest fall by 2 rows on 28 columns: what is off by a part of a row is off by many columns.</source>
+        <translation>三个箭头，下半部分是上半部分的镜像。最扁的那个，边在 28 列里只下降 2 行：差不到一行，就会差很多列。</translation>
     </message>
     <message>
         <source>A cut edge through pixel centres</source>
@@ -3328,8 +3328,8 @@
         <translation>恰在边上</translation>
     </message>
     <message>
-        <source>number: E that decides, px²</source>
-        <translation>数字：起决定作用的 E，px²</translation>
+        <source>number: E, px²</source>
+        <translation>数字：E，px²</translation>
     </message>
 </context>
 <context>
@@ -8168,15 +8168,15 @@
         <translation>像素</translation>
     </message>
     <message>
-        <source>clip coordinates</source>
+        <source>clip</source>
         <translation>裁剪坐标</translation>
     </message>
     <message>
-        <source>object coordinates</source>
+        <source>object</source>
         <translation>物体坐标</translation>
     </message>
     <message>
-        <source>world coordinates</source>
+        <source>world</source>
         <translation>世界坐标</translation>
     </message>
     <message>

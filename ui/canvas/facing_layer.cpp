@@ -66,9 +66,10 @@ void FacingLayer::paint(QPainter& painter, const QRect& canvas, const CanvasTran
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(textFont(0, true));
-    const QPointF corner(canvas.bottomRight() - QPoint(2, 2)); // plates are held within the canvas
-    const QRectF back = paintPlate(painter, canvas, corner, sideText(false), kBackColor);
-    paintPlate(painter, canvas.adjusted(0, 0, -int(back.width()) - 8, 0), corner, sideText(true), kFrontColor);
+    const QPointF corner(canvas.bottomRight()); // plates are held within the canvas
+    const QRect room = canvas.adjusted(6, 6, -6, -6);
+    const QRectF back = paintPlate(painter, room, corner, sideText(false), kBackColor);
+    paintPlate(painter, room.adjusted(0, 0, -int(back.width()) - 8, 0), corner, sideText(true), kFrontColor);
     painter.restore();
 }
 

@@ -82,7 +82,7 @@ void GeometryLayer::paint(QPainter& painter, const QRect& canvas, const CanvasTr
     painter.setRenderHint(QPainter::Antialiasing);
     const QRectF visible = visiblePart(canvas, transform);
     if (options.tiles)
-        paintTiles(painter, canvas, transform);
+        paintTiles(painter, canvas & transform.toCanvas(QRectF(QPointF(0, 0), m_picture)).toAlignedRect(), transform);
     if (m_faces && options.boxes)
         paintBoxes(painter, visible, transform);
     if (m_faces && options.wireframe)
@@ -94,7 +94,7 @@ void GeometryLayer::paint(QPainter& painter, const QRect& canvas, const CanvasTr
     painter.restore();
 }
 
-/// Lines between the tiles, and each tile's column and row where there is room.
+/// Lines between the tiles, and each tile's column and row where there is room; within the picture.
 void GeometryLayer::paintTiles(QPainter& painter, const QRect& canvas, const CanvasTransform& transform) const
 {
     const double side = m_tileSide * transform.zoom;

@@ -20,8 +20,12 @@ public:
     /// The face that owns the selected pixel.
     void setWinner(std::optional<std::uint32_t> face) { m_winner = face; }
     [[nodiscard]] std::optional<std::uint32_t> winner() const { return m_winner; }
-    /// in  pixels
-    void setTileSide(double side) { m_tileSide = side; }
+    /// in  pixels: the side of a tile, and the picture that is tiled
+    void setTiles(double side, QSize picture)
+    {
+        m_tileSide = side;
+        m_picture = picture;
+    }
 
     void paint(QPainter& painter, const QRect& canvas, const CanvasTransform& transform,
                const OverlayOptions& options) const override;
@@ -37,6 +41,7 @@ private:
     std::shared_ptr<const ScreenFaces> m_faces;
     std::optional<std::uint32_t> m_winner;
     double m_tileSide = 64;
+    QSize m_picture;
 };
 
 /// Where a line of equal weight crosses the edge from the corner whose weight it is, as a part of the way from there.

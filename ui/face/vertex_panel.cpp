@@ -316,26 +316,31 @@ void VertexTableModel::refresh()
 VertexPanel::VertexPanel(Document& document, FaceSelection& selection, VertexEditing& editing, QWidget* parent)
     : QWidget(parent), m_document(document), m_editing(editing),
       m_model(new VertexTableModel(document, selection, editing, this)), m_table(new QTableView),
-      m_typedName(new QLabel), m_typed(new PanelCombo), m_snapName(new QLabel), m_snap(new PanelCombo),
-      m_together(new QCheckBox), m_hint(new QLabel)
+      m_typed(new PanelCombo), m_snapName(new QLabel), m_snap(new PanelCombo), m_together(new QCheckBox),
+      m_hint(new QLabel)
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 2, 8, 6);
     column->setSpacing(6);
-    constexpr int kSpacing = 14;
+    constexpr int kSpacing = 8;
     auto* head = new FlowLayout(kSpacing);
     head->addWidget(new FacePicker(selection));
-    addSwitches(*head);
+    head->addWidget(m_typed);
     column->addLayout(head);
+    buildTable();
+    column->addWidget(m_table, 1);
+    auto* foot = new FlowLayout(kSpacing);
+    foot->addWidget(namedBox(m_snapName, m_snap));
+    foot->addWidget(m_together);
+    column->addLayout(foot);
     m_hint->setObjectName(QStringLiteral("muted"));
     m_hint->setWordWrap(true);
     column->addWidget(m_hint);
-    buildTable();
-    column->addWidget(m_table, 1);
+    connectSwitches();
     retranslate();
 }
 
-void VertexPanel::addSwitches(QLayout& head)
+void VertexPanel::connectSwitches()
 {
     m_typed->setObjectName(QStringLiteral("typedBox"));
     m_snap->setObjectName(QStringLiteral("snapBox"));
@@ -353,9 +358,6 @@ void VertexPanel::addSwitches(QLayout& head)
     connect(m_snap, &QComboBox::activated, this,
             [this] { m_editing.snap = static_cast<VertexEditing::Snap>(m_snap->currentData().toInt()); });
     connect(m_together, &QCheckBox::toggled, this, [this](bool on) { m_editing.together = on; });
-    head.addWidget(namedBox(m_typedName, m_typed));
-    head.addWidget(namedBox(m_snapName, m_snap));
-    head.addWidget(m_together);
 }
 
 void VertexPanel::buildTable()
@@ -397,9 +399,9 @@ void VertexPanel::syncSwitches()
     const QSignalBlocker snap(m_snap);
     m_typed->setItemText(m_typed->findData(int(VertexEditing::Typed::Pixels)), tr("pixels"));
     m_typed->setItemText(m_typed->findData(int(VertexEditing::Typed::Given)),
-                         scene.space == SceneSpace::Clip      ? tr("clip coordinates")
-                         : scene.mesh.origin == glm::dvec3(0) ? tr("object coordinates")
-                                                              : tr("world coordinates"));
+                         scene.space == SceneSpace::Clip      ? tr("clip")
+                         : scene.mesh.origin == glm::dvec3(0) ? tr("object")
+                                                              : tr("world"));
     m_typed->setCurrentIndex(m_typed->findData(int(m_editing.typed)));
     const int units = 1 << m_document.settings().subpixelBits;
     m_snap->setItemText(m_snap->findData(int(VertexEditing::Snap::PixelGrid)), tr("pixel grid"));
@@ -407,7 +409,7 @@ void VertexPanel::syncSwitches()
     m_snap->setItemText(m_snap->findData(int(VertexEditing::Snap::SubpixelGrid)), tr("1/%1 pixel").arg(units));
     m_snap->setCurrentIndex(m_snap->findData(int(m_editing.snap)));
     m_together->setChecked(m_editing.together);
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_typed, m_snap, m_together, m_typedName, m_snapName})
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_typed, m_snap, m_together, m_snapName})
         widget->setEnabled(isEditable(scene));
 }
 
@@ -438,10 +440,9 @@ void VertexPanel::refresh()
 
 void VertexPanel::retranslate()
 {
-    m_typedName->setText(tr("type in"));
+    m_typed->setAccessibleName(tr("type in"));
     m_snapName->setText(tr("drag to"));
     m_together->setText(tr("shared corners move together"));
-    m_typed->setAccessibleName(m_typedName->text());
     m_snap->setAccessibleName(m_snapName->text());
     m_typed->setToolTip(tr("What the numbers of a corner are that you type"));
     m_snap->setToolTip(tr("The places that a dragged corner goes to"));

@@ -13,7 +13,6 @@
 class QCheckBox;
 class QComboBox;
 class QLabel;
-class QLayout;
 class QTableView;
 
 namespace rasterlens
@@ -98,7 +97,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void addSwitches(QLayout& head);
+    void connectSwitches();
     void buildTable();
     void fitToRows();
     void syncSwitches();
@@ -109,7 +108,6 @@ private:
     VertexEditing& m_editing;
     VertexTableModel* m_model;
     QTableView* m_table;
-    QLabel* m_typedName;
     QComboBox* m_typed;
     QLabel* m_snapName;
     QComboBox* m_snap;

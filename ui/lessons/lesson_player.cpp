@@ -22,7 +22,7 @@ LessonPlayer::LessonPlayer(QObject* parent)
 
 void LessonPlayer::open(std::shared_ptr<const Lesson> lesson)
 {
-    close(); // nobody is to keep a question of the former lesson
+    close(); // a question of the former lesson would stay open
     m_answered.clear();
     m_place.lesson = std::move(lesson);
     goTo(0);

@@ -301,7 +301,7 @@ void CanvasViews::follow()
     if (m_askOwners && wantsOwners())
         m_owners = std::exchange(m_askOwners, nullptr)();
     m_geometry.setWinner(owner());
-    m_geometry.setTileSide(double(tileSide()) / sampleGrid(m_frame->settings.samples));
+    m_geometry.setTiles(double(tileSide()) / sampleGrid(m_frame->settings.samples), m_frame->frame.image.size());
     followFaces();
     followWeights();
     showFacing();

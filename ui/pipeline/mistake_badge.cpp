@@ -166,11 +166,11 @@ QStringList MistakeBadge::lines() const
             line += QStringLiteral(" \u00b7 %1 %2").arg(proofTitle(one.mistake->proof), number(one.shown));
         if (one.known && one.right != 0)
             line += tr(", right: %1").arg(number(one.right));
-        if (one.known && one.unchanged)
-            line += QStringLiteral(" \u00b7 ") + unchangedText(*one.unchanged);
         if (one.known && m_saysMoment)
             line += QStringLiteral(" \u00b7 ") + momentText(std::nullopt);
         lines << line;
+        if (one.known && one.unchanged)
+            lines << unchangedText(*one.unchanged);
     }
     if (lines.size() > kShownLines) {
         const qsizetype more = lines.size() - kShownLines + 1;

@@ -35,7 +35,7 @@ public:
     void showFor(const FramePtr& frame);
     /// While another picture than the finished one is on the canvas the badge says that it speaks of that.
     void setSaysMoment(bool on);
-    /// One line a mistake.
+    /// One line a mistake, and one more for a mistake that changes nothing.
     [[nodiscard]] QStringList lines() const;
     [[nodiscard]] bool isCounting() const { return m_result.isBusy(); }
     /// How many right pictures have been drawn, finished or not.

@@ -12,6 +12,7 @@
 #include <QPalette>
 
 #include <algorithm>
+#include <optional>
 
 namespace rasterlens
 {
@@ -54,7 +55,37 @@ void paintGlyph(QPainter& painter, QPointF centre, double diameter, EdgeSign sig
     }
 }
 
-void paintLensLegend(QPainter& painter, const QRect& canvas, const QRectF& picture, const StepSetup& setup,
+namespace
+{
+
+/// A place at the canvas's left or right border that leaves free the samples looked at and the letters of the corners.
+///
+/// in  `samples`: those within the bounds of the set-up, on the canvas
+std::optional<QRectF> placeOfLegend(const QRectF& canvas, QSizeF size, const QRectF& samples, const StepSetup& setup)
+{
+    constexpr double kGap = 8;
+    const PixelRect& bounds = setup.bounds;
+    const double scale = samples.width() / bounds.width;
+    const QRectF kept = samples.adjusted(-kGap, -kGap, kGap, kGap);
+    const double letter = 1.6 * QFontMetricsF(textFont(3, true)).height();
+    const auto isFree = [&](const QRectF& plate) {
+        const auto isUnder = [&](const glm::dvec2& vertex) {
+            const QPointF corner = samples.topLeft() + QPointF(vertex.x - bounds.x, vertex.y - bounds.y) * scale;
+            return plate.intersects(QRectF(corner - QPointF(letter, letter), QSizeF(2 * letter, 2 * letter)));
+        };
+        return canvas.contains(plate) && !plate.intersects(kept) && std::ranges::none_of(setup.vertices, isUnder);
+    };
+    const double middle = canvas.center().y() - size.height() / 2;
+    for (const double x : {canvas.right() - kGap - size.width(), canvas.left() + kGap})
+        for (const double y : {canvas.top() + kGap, middle, canvas.bottom() - kGap - size.height()})
+            if (const QRectF plate(QPointF(x, y), size); isFree(plate))
+                return plate;
+    return std::nullopt;
+}
+
+} // namespace
+
+void paintLensLegend(QPainter& painter, const QRect& canvas, const QRectF& samples, const StepSetup& setup,
                      bool hasNumbers)
 {
     const auto translated = [](const char* text) { return QCoreApplication::translate("Lens", text); };
@@ -63,7 +94,7 @@ void paintLensLegend(QPainter& painter, const QRect& canvas, const QRectF& pictu
         {EdgeSign::Minus, translated(QT_TRANSLATE_NOOP("Lens", "outside it"))},
         {EdgeSign::Zero, translated(QT_TRANSLATE_NOOP("Lens", "exactly on it"))},
     }};
-    const QString number = translated(QT_TRANSLATE_NOOP("Lens", "number: E that decides, px\u00b2"));
+    const QString number = translated(QT_TRANSLATE_NOOP("Lens", "number: E, px\u00b2"));
     const QFont font = textFont(-1);
     const QFontMetricsF metrics(font);
     const double row = metrics.height() * 1.3;
@@ -74,20 +105,15 @@ void paintLensLegend(QPainter& painter, const QRect& canvas, const QRectF& pictu
     constexpr double kPad = 8;
     const int rows = 6 + (hasNumbers ? 1 : 0);
     const QSizeF size(width + 2 * kPad, rows * row + kPad);
-    constexpr double kGap = 8;
-    // Beside the picture and the letters at its corners, or nowhere: the samples count more.
-    const double beside = 1.4 * metrics.height();
-    QRectF plate(QPointF(canvas.right() - kGap - size.width(), canvas.top() + kGap), size);
-    if (plate.left() < picture.right() + beside)
-        plate.moveLeft(canvas.left() + kGap);
-    if (plate.intersects(picture.adjusted(-beside, 0, beside, 0)) || plate.bottom() > canvas.bottom())
+    const auto plate = placeOfLegend(canvas, size, samples, setup);
+    if (!plate)
         return;
     const QPalette palette = QGuiApplication::palette();
     painter.setPen(QPen(palette.color(QPalette::Mid), 1));
     painter.setBrush(palette.color(QPalette::Base));
-    painter.drawRoundedRect(plate, 6, 6);
+    painter.drawRoundedRect(*plate, 6, 6);
     painter.setFont(font);
-    QPointF at = plate.topLeft() + QPointF(kPad, kPad / 2 + row / 2);
+    QPointF at = plate->topLeft() + QPointF(kPad, kPad / 2 + row / 2);
     const auto write = [&](double x, const QString& text) {
         painter.setPen(palette.color(QPalette::Text));
         painter.drawText(QPointF(at.x() + x, at.y() + metrics.ascent() / 2 - 1), text);

@@ -19,7 +19,7 @@ struct GlyphColors {
     QColor disc;
     QColor sign;
 };
-/// Of the application's palette; sign and disc differ by a contrast of at least 7:1.
+/// The colours in the application's palette: sign and disc differ by a contrast of at least 7:1.
 [[nodiscard]] GlyphColors glyphColors(EdgeSign sign, bool isHollow);
 
 /// A sign in a circle, whose rim has the hue of its edge: 0 AB, 1 BC, 2 CA.

@@ -41,6 +41,13 @@ QPolygonF halfOf(const QRectF& box, Distance distance)
     return half;
 }
 
+/// The samples within the bounds of a triangle, on the canvas.
+QRectF boundsOf(const LensView& view, const StepSetup& setup)
+{
+    const PixelRect& b = setup.bounds;
+    return {view.at({b.x, b.y}), view.at({b.x + b.width, b.y + b.height})};
+}
+
 /// A frame within a sample, on a light rim that any picture lets see.
 void paintFrame(QPainter& painter, const QRectF& box, const QPen& pen)
 {
@@ -104,9 +111,8 @@ void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTran
     paintCorners(view);
     paintHover(view);
     if (m_model->hasSetup() && view.cell >= kGlyphsFromCell)
-        paintLensLegend(painter, canvas,
-                        QRectF(view.at({0, 0}), view.at({m_model->log().columns(), m_model->log().rows()})),
-                        m_model->triangle().setup, view.cell >= kLensNumbersFromCell);
+        paintLensLegend(painter, canvas, boundsOf(view, m_model->triangle().setup), m_model->triangle().setup,
+                        view.cell >= kLensNumbersFromCell);
     painter.restore();
 }
 
@@ -242,8 +248,7 @@ void LensOverlay::paintNumbers(LensView& view) const
 
 void LensOverlay::paintBounds(LensView& view) const
 {
-    const PixelRect& b = m_model->triangle().setup.bounds;
-    const QRectF box(view.at({b.x, b.y}), view.at({b.x + b.width, b.y + b.height}));
+    const QRectF box = boundsOf(view, m_model->triangle().setup);
     const QRectF shown = box.intersected(QRectF(view.canvas).adjusted(-8, -8, 8, 8));
     view.painter.setBrush(Qt::NoBrush);
     view.painter.setPen(QPen(QColor(255, 255, 255, 210), view.thickness(3)));

@@ -65,8 +65,8 @@ std::array<QString, 4> walkingStagesCode()
     return {QStringLiteral("outline(AB, BC, CA);  sort by y: 1, 2, 3;"),
             QStringLiteral("long = 1 -> 3;  broken = 1 -> 2 -> 3;"),
             QStringLiteral("for (y : rows) {  up = y < y2 || y2 == y3;  i = up ? 1 : 2;  j = up ? 2 : 3;"),
-            QStringLiteral("  alpha = (y - y1) / (y3 - y1);  xa = x1 + alpha (x3 - x1);  "
-                           "beta = (y - yi) / (yj - yi);  xb = xi + beta (xj - xi);")};
+            QStringLiteral("  alpha = (y-y1) / (y3-y1);  xa = x1 + alpha (x3-x1);  "
+                           "beta = (y-yi) / (yj-yi);  xb = xi + beta (xj-xi);")};
 }
 
 /// Edge walking, what is done in a row.
@@ -169,7 +169,7 @@ int lineOf(StepKind kind)
     case StepKind::Span:
     case StepKind::Sample:
     case StepKind::LineDecision: return 1;
-    case StepKind::Halves: return 2;
+    case StepKind::Halves:
     case StepKind::Crossing: return 3;
     case StepKind::LineSample: return 0; // of a line
     case StepKind::Fragment: return 2;

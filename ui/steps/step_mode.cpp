@@ -148,7 +148,7 @@ std::vector<std::int32_t> StepMode::owners() const
 {
     const StepCursor* cursor = m_session.cursor();
     if (!cursor || cursor->log().filter().face || cursor->log().filter().pixels ||
-        (cursor->log().filter().kinds & kindBit(StepKind::Write)) == 0)
+        (cursor->log().filter().kinds & kindBit(StepKind::Write)) == 0 || cursor->log().first() > 0)
         return {};
     const StepLog& log = cursor->log();
     const QSize size = cursor->image().size();

@@ -143,7 +143,7 @@ private:
         paintPoint({xb, y + 0.5}, kCanvasBrokenEdge);
     }
 
-    /// The centre line of the row, where it crosses both edges, and the four numbers.
+    /// The centre line of the row, and where it crosses both edges.
     void paintCrossings(const RowCrossings& row) const
     {
         const double y = row.y + 0.5;
@@ -151,12 +151,6 @@ private:
         m_view.line({std::min(row.xa, row.xb) - beyond, y}, {std::max(row.xa, row.xb) + beyond, y}, QColor(kCanvasInk),
                     1.4, Qt::SolidLine);
         paintEnds(row.y, row.xa, row.xb);
-        const auto line = [](const char* name, double value) {
-            return QStringLiteral("%1 = %2").arg(QLatin1String(name), shortNumber(value));
-        };
-        paintPlate(m_view.painter, m_view.canvas, m_view.at({std::max(row.xa, row.xb), y}) + QPointF(30, 8),
-                   {line("alpha", row.alpha), line("beta", row.beta), line("xa", row.xa), line("xb", row.xb)},
-                   numberFont(0));
     }
 
     /// The samples of the row, and where the span begins and ends before and after ceil(v - 0.5).
@@ -175,7 +169,8 @@ private:
             paintPlate(m_view.painter, m_view.canvas, row.bottomLeft() + QPointF(4, 6), spanLines(span), numberFont(0));
     }
 
-    /// What the two colours are, by the numbers of the sorted corners and the names of the edges; the half of the row.
+    /// What the two colours are, by the numbers of the sorted corners and the names of the edges; the half of the row,
+    /// and the numbers of its crossings.
     void paintLegend() const
     {
         const StepTriangle& triangle = m_model.triangle();
@@ -188,6 +183,11 @@ private:
         if (const auto upper = upperHalf())
             lines << (*upper ? translated(QT_TRANSLATE_NOOP("Lens", "upper half: short edge %1")).arg(name(0, 1))
                              : translated(QT_TRANSLATE_NOOP("Lens", "lower half: short edge %1")).arg(name(1, 2)));
+        if (m_now == StepKind::Crossing) {
+            const RowCrossings& row = *m_model.crossings();
+            lines << QStringLiteral("alpha = %1   xa = %2").arg(shortNumber(row.alpha), shortNumber(row.xa))
+                  << QStringLiteral("beta = %1   xb = %2").arg(shortNumber(row.beta), shortNumber(row.xb));
+        }
         const QFont font = textFont(0);
         const double spacing = QFontMetricsF(font).lineSpacing();
         constexpr double kSwatch = 34;
@@ -196,7 +196,8 @@ private:
         QStringList indented;
         for (const QString& line : lines)
             indented << room + line;
-        const QPointF corner = QPointF(m_view.canvas.topLeft()) + QPointF(10, 10);
+        const double height = spacing * double(lines.size()) + 10;
+        const QPointF corner(m_view.canvas.left() + 10, m_view.canvas.bottom() - height - 10); // messages are above
         paintPlate(m_view.painter, m_view.canvas, corner, indented, font);
         for (int i = 0; i < 2; ++i) {
             const QPointF from = corner + QPointF(8, 5 + spacing * (i + 0.5));

@@ -193,7 +193,7 @@ QWidget* MainWindow::buildCanvas()
     m_caption = new QLabel;
     m_caption->setObjectName(QStringLiteral("caption"));
     m_caption->setWordWrap(true);
-    m_caption->setContentsMargins(16, 8, 16, 10);
+    m_caption->setContentsMargins(16, 3, 16, 4);
     m_caption->hide();
     column->addWidget(m_caption);
     return card;

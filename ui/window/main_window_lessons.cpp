@@ -13,6 +13,12 @@
 
 namespace rasterlens
 {
+namespace
+{
+
+constexpr int kRoomForPanels = 1200; ///< the width of a stage on which slides open their panels
+
+} // namespace
 
 /// The first time the program is started it explains itself.
 void MainWindow::openAtStart()
@@ -48,7 +54,8 @@ void MainWindow::offerSmallRecord()
 void MainWindow::connectLessons()
 {
     m_moment = new WindowMoment({m_document, *m_viewport, *m_stepMode, *m_truth, *m_cards, *m_pipelinePanel, m_actions,
-                                 [this] { return isSettled(); }, [this] { return m_look.presentation; }},
+                                 [this] { return isSettled(); }, [this] { return m_look.presentation; },
+                                 [this] { return !m_look.presentation || width() >= kRoomForPanels; }},
                                 this);
     LessonPlayer& player = m_lessons->player();
     // A lesson that begins asks about unsaved changes; what is tried out in it comes back by Undo.

@@ -131,7 +131,7 @@ void WindowMoment::showPanels(const Moment& moment)
     hideOthers(m_parts.cards.docks(), Cards::names());
     hideOthers(m_parts.truth.docks(), TruthMode::panelNames());
     for (const QString& name : moment.panels)
-        if (!m_parts.cards.show(name))
+        if (m_parts.hasRoom() && !m_parts.cards.show(name))
             m_parts.truth.showPanel(name);
     m_parts.pipeline.mistakes().setOpen(moment.panels.contains(kMistakes));
 }

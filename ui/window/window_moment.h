@@ -34,6 +34,7 @@ public:
         const ActionTable& actions;
         std::function<bool()> isSettled;   ///< of the window: the picture is there, and the record
         std::function<bool()> hasFewDocks; ///< the pixel card is open only while it is asked for
+        std::function<bool()> hasRoom;     ///< for panels: they would leave the canvas too little of a small stage
     };
 
     explicit WindowMoment(Parts parts, QObject* parent = nullptr);
