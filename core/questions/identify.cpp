@@ -190,13 +190,14 @@ double Search::scoreAt(const Candidate& candidate, std::size_t place, const Pict
     if (&candidate != &m_candidates.front())
         return scoreOf(candidate.fits[place], noise);
     double smallest = 8 * kWholePixel;
-    double best = 0; // of the mistakes
+    double best = 0; // of the mistakes that leave less
     for (const Candidate& other : m_candidates) {
         if (&other == &candidate)
             continue;
         if (other.fits[place].weight >= kWholePixel)
             smallest = std::min(smallest, other.fits[place].weight);
-        best = std::max(best, scoreOf(other.fits[place], noise));
+        if (other.fits[place].residual < candidate.fits[place].residual)
+            best = std::max(best, scoreOf(other.fits[place], noise));
     }
     // A mistake of low contrast may be all there is.
     return std::min(scoreOfRight(candidate.fits[place], noise, smallest), 1 - best);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <map>
 
 namespace rasterlens
@@ -10,8 +11,8 @@ namespace rasterlens
 namespace
 {
 
-constexpr double kUnseen = 12.0 * 12.0; ///< the square of a difference that is not looked at
-constexpr double kLeastWeight = 30;     ///< of a change: below it, rounding could look like it
+constexpr double kUnseen = 12.0 * 12.0;          ///< the square of a difference that is not looked at
+constexpr double kLeastWeight = kWholePixel / 4; ///< of a change: below it, rounding could look like it
 /// Noise by flat areas and edges, in whole pixels a pixel: what differs more is another picture.
 constexpr std::array<double, 2> kMostNoise{0.05, 0.15};
 constexpr int kFarOffset = 2;            ///< pixels, in both directions
@@ -36,6 +37,9 @@ double energy(QRgb a, QRgb b)
     const double square = squared(a, b);
     return square < kUnseen ? 0 : std::min(square, kWholePixel);
 }
+
+/// The squared difference, small ones too.
+double capped(QRgb a, QRgb b) { return std::min(squared(a, b), kWholePixel); }
 
 /// All offsets, the nearest first.
 const std::vector<QPoint>& offsets()
@@ -329,51 +333,42 @@ const PictureComparison::Blocks& PictureComparison::blocksAt(std::size_t offset)
             blocks.count[kind][block] += 1;
             blocks.energySum[kind] += wrong;
             blocks.countSum[kind] += 1;
+            blocks.residual += capped(shown[x + move.x()], right[x]);
             blocks.unlike += wrong > 0 ? 1 : 0;
         }
     }
     return known.emplace(std::move(blocks));
 }
 
-/// What scoreOf() would be without noise, from every `stride`th pixel of the change.
-double PictureComparison::closeness(const PictureChange& change, std::size_t offset, std::size_t stride) const
+/// How far the picture is from another one at an offset, a pixel; from every `stride`th pixel of the change.
+double PictureComparison::distance(const PictureChange& change, std::size_t offset, std::size_t stride) const
 {
     const QPoint move = offsets()[offset];
     const Blocks& blocks = blocksAt(offset);
-    double weight = 0;
-    double gain = 0;
-    double explained = 0;
+    double changed = 0;
     for (std::size_t i = 0; i < change.pixels.size(); i += stride) {
         const ChangedPixel& pixel = change.pixels[i];
-        const auto shown = pictureAt(pixel.index, move);
-        if (!shown)
-            continue;
-        const QRgb right = reinterpret_cast<const QRgb*>(m_right.constBits())[pixel.index];
-        const double contrast = squared(pixel.color, right);
-        const double way = (squared(*shown, right) - squared(*shown, pixel.color)) / contrast;
-        weight += std::min(contrast, kWholePixel);
-        gain += std::min(contrast, kWholePixel) * std::clamp(way, -1.0, 1.0);
-        const double fromRight = energy(*shown, right);
-        explained += fromRight - std::min(fromRight, energy(*shown, pixel.color));
+        if (const auto shown = pictureAt(pixel.index, move)) {
+            const QRgb right = reinterpret_cast<const QRgb*>(m_right.constBits())[pixel.index];
+            changed += capped(*shown, pixel.color) - capped(*shown, right);
+        }
     }
-    const double all = blocks.energySum[0] + blocks.energySum[1];
-    const double outside = std::max(0.0, all - explained * double(stride));
-    if (change.pixels.empty()) // the right picture
-        return offsetFactor(move) / (1 + outside / kWholePixel);
-    const double whole = weight * double(stride) + outside;
-    return whole > 0 ? offsetFactor(move) * gain * double(stride) / whole : -1;
+    const double count = blocks.countSum[0] + blocks.countSum[1];
+    return count > 0 ? (blocks.residual + changed * double(stride)) / count : kWholePixel;
 }
 
 PictureFit PictureComparison::fit(const PictureChange& change) const
 {
     const std::size_t stride = std::max<std::size_t>(1, change.pixels.size() / kSearched);
     std::size_t best = 0;
-    double bestCloseness = -2;
-    for (std::size_t offset = 0; offset < offsets().size(); ++offset)
-        if (const double close = closeness(change, offset, stride); close > bestCloseness + 1e-9) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t offset = 0; offset < offsets().size(); ++offset) {
+        const double near = distance(change, offset, stride) / offsetFactor(offsets()[offset]);
+        if (near < least - 1e-9) {
             best = offset;
-            bestCloseness = close;
+            least = near;
         }
+    }
     return fitAt(change, best);
 }
 
@@ -384,6 +379,7 @@ PictureFit PictureComparison::fitAt(const PictureChange& change, std::size_t off
     fit.offset = offsets()[offset];
     fit.excess = blocks.energySum;
     fit.count = blocks.countSum;
+    fit.residual = blocks.residual;
     fit.unlike = blocks.unlike;
     std::array<std::vector<double>, 2> left = blocks.energy; // what the other picture does not have
     for (const ChangedPixel& pixel : change.pixels) {
@@ -402,9 +398,12 @@ PictureFit PictureComparison::fitAt(const PictureChange& change, std::size_t off
         fit.weight += weight;
         fit.gain += weight * std::clamp(way, -1.0, 1.0);
         fit.excess[kind] += std::min(fromRight, fromOther) - fromRight;
+        fit.residual += capped(*shown, pixel.color) - capped(*shown, right);
         fit.unlike += (fromOther > 0 ? 1 : 0) - (fromRight > 0 ? 1 : 0);
         left[kind][blockOf(x, y)] += fromOther - fromRight;
     }
+    if (const double count = fit.count[0] + fit.count[1]; count > 0) // as if no pixel lay outside
+        fit.residual *= double(m_right.width()) * m_right.height() / count;
     for (std::size_t kind = 0; kind < 2; ++kind) {
         std::vector<double> means;
         for (std::size_t block = 0; block < left[kind].size(); ++block)
@@ -418,6 +417,8 @@ PictureFit PictureComparison::fitAt(const PictureChange& change, std::size_t off
 PictureNoise PictureNoise::of(const std::vector<PictureFit>& fits)
 {
     PictureNoise noise;
+    const auto best = std::ranges::min_element(fits, {}, &PictureFit::residual);
+    noise.least = best == fits.end() ? 0 : best->residual;
     for (std::size_t kind = 0; kind < 2; ++kind) {
         const auto least =
             std::ranges::min_element(fits, {}, [kind](const PictureFit& fit) { return fit.typical[kind]; });
@@ -442,7 +443,8 @@ double unexplained(const PictureFit& fit, const PictureNoise& noise)
     for (std::size_t kind = 0; kind < 2; ++kind)
         sum += std::max(0.0, fit.excess[kind] - fit.count[kind] * noise.typical[kind] -
                                  kSure * deviation(fit.count[kind], noise.typical[kind]));
-    return sum;
+    // No more than the best picture leaves is noise.
+    return std::max(sum, fit.residual - noise.least);
 }
 
 double scoreOf(const PictureFit& fit, const PictureNoise& noise)

@@ -32,6 +32,7 @@ struct PictureFit {
     std::array<double, 2> excess{};  ///< squared differences from both pictures: flat areas, edges
     std::array<double, 2> count{};   ///< pixels: flat areas, edges
     std::array<double, 2> typical{}; ///< squared difference from the other picture that half of the blocks stay below
+    double residual = 0;             ///< squared differences from the other picture, small ones too, over all pixels
     int unlike = 0;                  ///< pixels that differ visibly from the other picture
 };
 
@@ -67,12 +68,13 @@ private:
         std::array<std::vector<double>, 2> count;
         std::array<double, 2> energySum{};
         std::array<double, 2> countSum{};
+        double residual = 0; ///< small differences too
         int unlike = 0;
     };
     [[nodiscard]] const Blocks& blocksAt(std::size_t offset) const;
     [[nodiscard]] std::size_t blockOf(int x, int y) const;
     [[nodiscard]] std::optional<QRgb> pictureAt(std::uint32_t index, QPoint offset) const;
-    [[nodiscard]] double closeness(const PictureChange& change, std::size_t offset, std::size_t stride) const;
+    [[nodiscard]] double distance(const PictureChange& change, std::size_t offset, std::size_t stride) const;
     [[nodiscard]] PictureFit fitAt(const PictureChange& change, std::size_t offset) const;
     void markEdges();
 
@@ -88,6 +90,7 @@ private:
 /// edges apart.
 struct PictureNoise {
     std::array<double, 2> typical{};
+    double least = 0; ///< squared differences that even the best picture leaves
 
     /// The noise that the best of some fits leaves.
     [[nodiscard]] static PictureNoise of(const std::vector<PictureFit>& fits);

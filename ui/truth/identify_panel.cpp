@@ -69,7 +69,7 @@ IdentifyPanel::IdentifyPanel(Document& document, QWidget* parent)
     m_list->setRootIsDecorated(false);
     m_list->setUniformRowHeights(true);
     m_list->setAlternatingRowColors(true);
-    m_list->setMinimumHeight(110);
+    m_list->setMinimumHeight(84);
     m_list->header()->setStretchLastSection(false);
     m_list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_list->header()->setSectionResizeMode(kMistake, QHeaderView::Stretch);
@@ -304,7 +304,7 @@ void IdentifyPanel::retranslate()
     m_again->setText(tr("Compare again"));
     m_apply->setText(tr("Show in the window"));
     m_apply->setToolTip(tr("Switches this mistake on; a double click does so as well"));
-    m_list->setHeaderLabels({tr("Fits"), tr("Mistake"), tr("Pixels"), tr("Where")});
+    m_list->setHeaderLabels({tr("Fits"), tr("Mistake"), tr("Pixels") + QStringLiteral("   "), tr("Where")});
     const int chosen = m_chosen;
     fillList();
     if (chosen >= 0) {

@@ -28,7 +28,7 @@ public:
     [[nodiscard]] const std::vector<Picture>& pictures() const { return m_pictures; }
 
     QSize sizeHint() const override { return {400, 170}; }
-    QSize minimumSizeHint() const override { return {180, 110}; }
+    QSize minimumSizeHint() const override { return {180, 96}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

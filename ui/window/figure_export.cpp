@@ -1,7 +1,7 @@
 #include "ui/window/figure_export.h"
 
 #include "core/io/picture_file.h"
-#include "core/render/render.h"
+#include "core/truth/mistake_proof.h"
 #include "ui/base/image_export.h"
 #include "ui/canvas/viewport_widget.h"
 #include "ui/steps/step_formula.h"
@@ -186,7 +186,9 @@ void FigureExport::exportBeforeAfter(const QString& path)
             auto frame = std::make_shared<RenderedFrame>();
             frame->scene = scene;
             frame->settings = settings;
-            render(*scene, settings, frame->frame, {.depth = true, .ids = true}, turn.stop());
+            static_cast<CountedPicture&>(*frame) =
+                drawCounted(*scene, settings, {.depth = true, .ids = true}, turn.stop());
+            frame->counted = true;
             return FramePtr(frame);
         },
         LatestJob::Running::Interrupt);
