@@ -239,7 +239,7 @@ private Q_SLOTS:
         QVERIFY(openCase());
         verifyRefused(R"({"rasterlens": 1, "scene": "builtin:tunnel", "settings": {"culling": "front",
                          "view": {"near": 150}}})",
-                      QStringLiteral("\"near\" (150) must be smaller than \"far\" ("));
+                      QStringLiteral("the far plane is at 100, but must lie beyond the near plane at 150"));
         verifyRefused(R"({"rasterlens": 1, "scene": "builtin:cube", "settings": {"culling": "sideways"}})",
                       QStringLiteral("\"sideways\" is not a value of culling"));
     }

@@ -317,7 +317,6 @@ QWidget* TransportDock::buildTitleRow()
     row->addWidget(m_summary, 1);
     m_notice = new NoticeLabel;
     row->addWidget(m_notice);
-    row->addWidget(m_playLink = addLink(m_playMenu));
     row->addWidget(m_speedLink = addLink(m_speedMenu));
     row->addWidget(m_runLink = addLink(m_runMenu));
     return m_titleRow;
@@ -346,6 +345,7 @@ QWidget* TransportDock::buildBody()
     row->addWidget(m_legend);
     row->addWidget(m_hint, 1);
     row->addSpacing(6);
+    row->addWidget(m_playLink = addLink(m_playMenu));
     row->addWidget(m_scopeLink = addLink(m_scopeMenu));
     column->addLayout(row);
     return m_body;
@@ -470,8 +470,8 @@ void TransportDock::syncLinks()
     m_playLink->setText(playText() + opens);
     m_speedLink->setText(tr("speed %1 \u25be").arg(speedText(m_session.speed())));
     m_runLink->setVisible(m_session.isOpen());
-    for (QToolButton* link : {m_playLink, m_speedLink}) // the presentation has them in its menu
-        link->setVisible(m_session.isOpen() && !m_brief);
+    m_speedLink->setVisible(m_session.isOpen() && !m_brief); // the presentation has it in its menu
+    m_playLink->setVisible(m_session.isOpen() && !m_brief && !m_isLow);
     m_speedLink->setEnabled(m_session.playBy() != PlayBy::Seconds);
 }
 
