@@ -10,6 +10,7 @@
 #include "ui/face/clip_theatre.h"
 #include "ui/face/pixel_card.h"
 #include "ui/face/race_panel.h"
+#include "ui/pipeline/canvas_views.h"
 #include "ui/pipeline/mistake_badge.h"
 #include "ui/pipeline/stage_strip.h"
 #include "ui/pipeline/statistics_panel.h"
@@ -176,9 +177,11 @@ private Q_SLOTS:
     }
 
     /// The counted picture looks like the first: the canvas is painted once, and words are made once for each of them.
+    /// The outline of the selected pixel's face comes with the count, and is painted then.
     void aChangeIsPaintedAndSaidOnce()
     {
         QVERIFY(openSmall(QStringLiteral("builtin:tile-square")));
+        m_window->canvasViews().setOverlayNamed(QStringLiteral("outline"), false); // is known with the count only
         viewport().selectPixel(QPoint(100, 120));
         QVERIFY(complete());
         QTest::qWait(50);
@@ -196,6 +199,13 @@ private Q_SLOTS:
         QCOMPARE(paints.events, 1);
         QVERIFY2(said.events <= frames.size(), qPrintable(QString::number(said.events)));
         QCOMPARE(titled.events, 0);
+        m_window->canvasViews().setOverlayNamed(QStringLiteral("outline"), true);
+        QTest::qWait(50);
+        paints.events = 0;
+        key(Qt::Key_P);
+        QVERIFY(complete());
+        QTest::qWait(50);
+        QVERIFY2(paints.events <= 2, qPrintable(QString::number(paints.events)));
     }
 
     /// What pixels show of the counted picture is painted as soon as it is there.

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 using namespace rasterlens;
 
@@ -133,10 +134,21 @@ void TestOverlays::outlineIsThatOfTheOwner()
     const auto corners = vertexTable(*document().scene(), settings(), std::uint32_t(owner));
     const auto isOutlined = [&] {
         const QImage figure = viewport().figure(8);
+        const QColor ink(kOutlineInk);
+        const auto isYellow = [&](int x, int y) { // but for the smoothing of its rim
+            const QColor seen(figure.pixel(x, y));
+            return std::abs(seen.red() - ink.red()) + std::abs(seen.green() - ink.green()) +
+                       std::abs(seen.blue() - ink.blue()) <
+                   90;
+        };
         int yellow = 0;
         for (std::size_t i = 0; i < 3; ++i) {
             const glm::dvec2 middle = (corners[i].snapped + corners[(i + 1) % 3].snapped) * 4.0;
-            yellow += figure.pixel(int(std::lround(middle.x)), int(std::lround(middle.y))) == kOutlineInk;
+            bool found = false;
+            for (int y = -1; y <= 1; ++y)
+                for (int x = -1; x <= 1; ++x)
+                    found |= isYellow(int(std::lround(middle.x)) + x, int(std::lround(middle.y)) + y);
+            yellow += found ? 1 : 0;
         }
         return yellow == 3;
     };

@@ -22,7 +22,7 @@ const QString kPdf = QStringLiteral("pdf");
 LegendEntry lineEntry(const EdgeLook& look, const QString& text)
 {
     return {[look](QPainter& painter, const QRectF& box) {
-                painter.setPen(QPen(QColor(look.color), 3, look.style));
+                painter.setPen(QPen(QColor(look.color), 3, look.style, Qt::FlatCap));
                 painter.drawLine(QPointF(box.left(), box.center().y()), QPointF(box.right(), box.center().y()));
             },
             text};
