@@ -218,8 +218,8 @@ void TestSentences::walkingByMistakeIsListedAsWalking()
     const auto spans = log->eventsOf(StepKind::Span);
     QVERIFY(!spans.empty());
     const StepExplanation told = explainStep(*log, spans.front());
-    QVERIFY(told.listing[1].right.contains(QStringLiteral("ceil(xl - 0.5)")));
-    QVERIFY(told.listing[1].code.contains(QStringLiteral("(b.y - a.y + 1)")));
+    QVERIFY(told.listing[0].right.contains(QStringLiteral("xa, xb = crossings(y)")));
+    QVERIFY(told.listing[0].code.contains(QStringLiteral("(b.y - a.y + 1)")));
     const LensModel model(*log, log->event(log->eventsOf(StepKind::Triangle).front()), log->size());
     const PixelRect& bounds = model.triangle().setup.bounds;
     QVERIFY(!model.cell(bounds.x, bounds.y).hasValues);
