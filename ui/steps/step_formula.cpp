@@ -10,6 +10,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -181,18 +182,8 @@ int lineOf(StepKind kind)
     return -1;
 }
 
-int lineOf(const StepLog& log, std::size_t i)
-{
-    const StepEvent& event = log.event(i);
-    if (event.kind == StepKind::LineSample && log.rules().fill == Fill::Solid)
-        return 1; // of a filled column
-    const bool isRejected = event.kind == StepKind::Fate && log.payload<FateStep>(event).fate == FaceFate::Rejected;
-    const bool beginsLines = event.kind == StepKind::Triangle && log.rules().fill != Fill::Solid;
-    const bool leadsToNoSample = event.kind == StepKind::LineDecision && !becauseOf(log, i).empty();
-    if (beginsLines || leadsToNoSample)
-        return lineOf(StepKind::LineSample);
-    return lineOf(isRejected ? StepKind::ClipPlane : event.kind);
-}
+/// The line that computes crossings in the listing for a step of edge walking: its stages, or what is done in a row.
+int crossingLineOf(StepKind kind) { return kind > StepKind::Crossing ? 0 : lineOf(StepKind::Crossing); }
 
 /// The line of the listing for a step of one kind in which a mistake has its code that shows at steps of another, or
 /// -1. A mistake about crossings has it where they are computed, though it shows in what follows from them, too.
@@ -203,7 +194,31 @@ int wrongLineOf(const Mistake& mistake, StepKind kind, StepKind spoilt)
         return -1;
     if ((stepsOf(mistake) & kindBit(StepKind::Crossing)) != 0 && !isCrossing)
         return -1;
-    return isCrossing && kind > StepKind::Crossing ? 0 : lineOf(spoilt);
+    return isCrossing ? crossingLineOf(kind) : lineOf(spoilt);
+}
+
+/// Whether all that makes a step of edge walking something else than it should be are wrong crossings.
+bool hasWrongCrossings(const StepLog& log, std::size_t i)
+{
+    const auto causes = becauseOf(log, i);
+    return !causes.empty() && std::ranges::all_of(causes, [](const Mistake* mistake) {
+        return (stepsOf(*mistake) & kindBit(StepKind::Crossing)) != 0;
+    });
+}
+
+int lineOf(const StepLog& log, std::size_t i)
+{
+    const StepEvent& event = log.event(i);
+    if (event.kind == StepKind::LineSample && log.rules().fill == Fill::Solid)
+        return 1; // of a filled column
+    if ((event.kind == StepKind::Halves || event.kind == StepKind::Span) && hasWrongCrossings(log, i))
+        return crossingLineOf(event.kind);
+    const bool isRejected = event.kind == StepKind::Fate && log.payload<FateStep>(event).fate == FaceFate::Rejected;
+    const bool beginsLines = event.kind == StepKind::Triangle && log.rules().fill != Fill::Solid;
+    const bool leadsToNoSample = event.kind == StepKind::LineDecision && !becauseOf(log, i).empty();
+    if (beginsLines || leadsToNoSample)
+        return lineOf(StepKind::LineSample);
+    return lineOf(isRejected ? StepKind::ClipPlane : event.kind);
 }
 
 Listing listingFor(const StepLog& log, StepKind kind)
