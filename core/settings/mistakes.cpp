@@ -119,7 +119,7 @@ constexpr MistakeRow kRows[] = {
      QT_TRANSLATE_NOOP("Mistake", "alpha = (y - a.y) / (b.y - a.y + 1)"),
      QT_TRANSLATE_NOOP("Mistake", "It avoids dividing by zero."),
      "flat-edge",
-     Proof::WrongFaces, Change::Rises, at(Halves, Crossing),
+     Proof::WrongFaces, Change::Rises, at(Halves, Crossing, Span),
      [](Rules& r) {
          r.algorithm = Algorithm::EdgeWalking;
          r.extraEdgeHeight = 1;

@@ -170,7 +170,7 @@ int lineOf(StepKind kind)
     case StepKind::Span:
     case StepKind::Sample:
     case StepKind::LineDecision: return 1;
-    case StepKind::Halves:
+    case StepKind::Halves: return 2;
     case StepKind::Crossing: return 3;
     case StepKind::LineSample: return 0; // of a line
     case StepKind::Fragment: return 2;
