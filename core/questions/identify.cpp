@@ -23,6 +23,7 @@ constexpr std::size_t kLeastMatches = 5;
 constexpr std::size_t kFirstOfPair = 4; ///< the best single mistakes are tried with others
 constexpr double kPairPixels = 1.5e8;   ///< of all pictures with two mistakes
 constexpr double kMostPairs = 400;
+constexpr double kLargePicture = 20000;     ///< pixels
 constexpr double kMostPixels = 4096 * 4096; ///< of a picture that is compared
 constexpr double kSureScore = 0.985;        ///< no second mistake is looked for beyond, where there is no noise
 
@@ -81,6 +82,7 @@ private:
     void addPicture(const QString& id, const QImage& image);
     void choosePlace();
     void lookForPairs(Identification& found);
+    void nameTogether(QStringList pair, const PictureFit& fit, Identification& found);
     [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> pairsToTry() const;
     [[nodiscard]] std::vector<MistakeMatch> matches() const;
     void pad(std::vector<MistakeMatch>& matches) const;
@@ -281,17 +283,21 @@ std::vector<std::pair<std::size_t, std::size_t>> Search::pairsToTry() const
 
 void Search::lookForPairs(Identification& found)
 {
-    const double alone = found.matches.front().score;
-    // Noise takes its part of the change as well.
+    const auto residualOf = [this](const Candidate& candidate) { return candidate.fits[m_place].residual; };
+    const double alone = residualOf(*std::ranges::min_element(m_candidates, {}, residualOf));
+    // Noise takes its part of the change as well. In small pictures it cannot be told from a second mistake.
     const double noisy = 1.5 * std::max(m_noise.typical[0], m_noise.typical[1]) / kWholePixel;
-    if (alone >= (kSureScore - noisy) * offsetFactor(found.offset))
+    const bool isSure = found.matches.front().score >= (kSureScore - noisy) * offsetFactor(found.offset);
+    const bool isLarge = double(m_right.width()) * m_right.height() > kLargePicture;
+    if (alone < 2 * kWholePixel || (isSure && isLarge))
         return;
     const auto pairs = pairsToTry();
     m_total = m_done + static_cast<int>(pairs.size());
     const PictureComparison& comparison = m_comparisons[m_place];
-    double best = alone + std::max(0.02, 0.35 * (1 - alone));
+    constexpr double kMuch = 0.6; // of what one mistake leaves, or less, two have to leave
+    double least = std::min(kMuch * alone, alone - 2 * kWholePixel);
     QStringList bestPair;
-    int unlike = 0;
+    PictureFit bestFit;
     for (const auto& [first, second] : pairs) {
         if (m_stop.stop_requested())
             return;
@@ -299,31 +305,40 @@ void Search::lookForPairs(Identification& found)
         const Settings settings = with(ids);
         if (!unsupported(m_scene, settings)) {
             const PictureFit fit = comparison.fit(comparison.changeTo(drawn(m_scene, settings, m_stop)));
-            if (const double score = scoreOf(fit, m_noise); score > best) {
-                best = score;
+            if (fit.residual < least) {
+                least = fit.residual;
                 bestPair = ids;
-                unlike = fit.unlike;
-                found.offset = fit.offset;
+                bestFit = fit;
             }
         }
         report();
     }
-    const auto scoreOfOne = [&found](const QString& id) {
-        return std::ranges::find(found.matches, id, &MistakeMatch::mistake)->score;
+    if (!bestPair.isEmpty())
+        nameTogether(bestPair, bestFit, found);
+}
+
+/// Puts two mistakes first; what the others leave beyond these two counts against them.
+void Search::nameTogether(QStringList pair, const PictureFit& fit, Identification& found)
+{
+    m_noise.least = fit.residual;
+    for (std::size_t kind = 0; kind < 2; ++kind)
+        m_noise.typical[kind] = std::min(m_noise.typical[kind], fit.typical[kind]);
+    found.matches = matches();
+    found.offset = fit.offset;
+    const double score = scoreOf(fit, m_noise);
+    const auto matchOf = [&found](const QString& id) {
+        return std::ranges::find(found.matches, id, &MistakeMatch::mistake);
     };
-    std::ranges::stable_sort(bestPair, std::ranges::greater{}, scoreOfOne);
-    for (qsizetype i = bestPair.size() - 1; i >= 0; --i) {
-        const auto match = std::ranges::find(found.matches, bestPair[i], &MistakeMatch::mistake);
-        match->score = best;
-        match->unlike = unlike;
-        match->with = bestPair[1 - i];
+    std::ranges::stable_sort(pair, std::ranges::greater{}, [&](const QString& id) { return matchOf(id)->score; });
+    for (MistakeMatch& match : found.matches)
+        match.score = std::min(match.score, score);
+    for (qsizetype i = pair.size() - 1; i >= 0; --i) {
+        const auto match = matchOf(pair[i]);
+        match->score = score;
+        match->unlike = fit.unlike;
+        match->with = pair[1 - i];
         std::rotate(found.matches.begin(), match, match + 1);
     }
-    if (bestPair.isEmpty())
-        return;
-    const auto none = std::ranges::find(found.matches, QLatin1String(kNoMistake), &MistakeMatch::mistake);
-    none->score = std::min(none->score, 1 - best);
-    std::ranges::stable_sort(found.matches, std::ranges::greater{}, &MistakeMatch::score);
 }
 
 Identification Search::single(Places places)
