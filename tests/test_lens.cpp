@@ -292,7 +292,8 @@ void TestLens::walkingGoesThroughItsStages()
     QVERIFY(has(kCanvasLongEdge) && has(kCanvasBrokenEdge));
 
     const StepExplanation halves = goTo(StepKind::Halves);
-    QVERIFY(halves.listing[std::size_t(halves.line)].code.contains(QStringLiteral("up = y < y2 || y2 == y3")));
+    QVERIFY2(halves.listing[std::size_t(halves.line)].code.contains(QStringLiteral("up = y < y2 || y2 == y3")),
+             qPrintable(QString::number(halves.line) + halves.listing[std::size_t(halves.line)].code));
     QVERIFY2(halves.formula.contains(QStringLiteral("alpha = 0.666667, x = 3.66667")), qPrintable(halves.formula));
     QVERIFY(halves.formula.contains(QStringLiteral("rows of the upper half 1..6, of the lower half 7..9")));
 

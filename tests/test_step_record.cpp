@@ -333,8 +333,9 @@ void TestStepRecord::historyKeepsToItsMemory()
     const auto scene = builtin("piercing");
     Settings settings = scene->defaults;
     settings.size = {640, 480};
-    const auto few = recordSteps(scene, settings, {}, {}, {1000, std::size_t(1) << 18, 5000});
-    QVERIFY(few->index().history().bytes() <= std::size_t(1) << 18);
+    const auto few = recordSteps(scene, settings, {}, {}, {1000, std::size_t(1) << 20, 5000});
+    QVERIFY2(few->index().history().bytes() <= std::size_t(1) << 20,
+             qPrintable(QString::number(few->index().history().bytes())));
     const auto many = recordSteps(scene, settings, {}, {}, {1000, std::size_t(400) << 20, 5000});
     QVERIFY(many->index().history().bytes() > few->index().history().bytes());
     StepCursor a(few);

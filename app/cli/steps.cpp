@@ -41,8 +41,7 @@ Usage usage()
          value("--json", "F", "One JSON object a line into this file (- is stdout), instead of text.")}};
     const OptionGroup input{QStringLiteral("Input:"), inputOptions()};
     return {QStringLiteral("steps"),
-            QStringLiteral(
-                "rasterlens-cli steps SCENE [--face N] [--pixel x,y] [--from N] [--limit N] [options]"),
+            QStringLiteral("rasterlens-cli steps SCENE [--face N] [--pixel x,y] [--from N] [--limit N] [options]"),
             QStringLiteral("Draws SCENE and tells every step: vertices, clipping, facing, set-up, samples with their "
                            "edge values, depth, colour, writes.\n\n") +
                 sceneHelp(),

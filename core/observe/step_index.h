@@ -50,7 +50,7 @@ public:
     ///
     /// in  work: samples and faces so far
     [[nodiscard]] bool wantsPoint(std::uint64_t work) const { return work - m_workOfLastPoint >= m_workBetween; }
-    /// Keeps a resume point. Where there are too many for the memory, every second one is forgotten.
+    /// Keeps a resume point. Where there are too many for the memory, every second one is forgotten, down to two.
     void addPoint(const ResumePoint& point, std::uint64_t work, const FramePlanes& planes);
 
     [[nodiscard]] const RecordMemory& memory() const { return m_memory; }

@@ -141,6 +141,8 @@ public:
         m_report.sampleY = y * grid + grid / 2;
         m_report.rules = m_rules;
         m_margin = 1.0 + grid;
+        if (m_rules.algorithm == Algorithm::ColumnFill) // its steep edges run on beyond their ends
+            m_margin += m_rules.rows();
         m_centre = glm::dvec2(m_report.sampleX, m_report.sampleY) + 0.5;
         m_ndc = {2 * m_centre.x / m_rules.columns() - 1, 1 - 2 * m_centre.y / m_rules.rows()};
     }

@@ -62,7 +62,6 @@ constexpr int kCardGap = 7;
 constexpr int kActivityDelayMs = 150;
 constexpr int kTitleShare = 1; ///< of the line above the canvas, behind what the links need
 constexpr int kBarShare = 3;
-constexpr int kLeastTitle = 48;
 
 QToolButton* canvasLink(QAction* action)
 {
@@ -160,7 +159,6 @@ QWidget* MainWindow::buildCanvas()
     header->setContentsMargins(12, 0, 8, 0);
     header->setSpacing(2);
     m_canvasTitle = new ElidedLabel;
-    m_canvasTitle->setMinimumWidth(kLeastTitle);
     header->addWidget(m_canvasTitle, kTitleShare);
     column->addWidget(m_canvasHeader);
 
