@@ -333,11 +333,12 @@ void TestStepRecord::historyKeepsToItsMemory()
     const auto scene = builtin("piercing");
     Settings settings = scene->defaults;
     settings.size = {640, 480};
-    const auto few = recordSteps(scene, settings, {}, {}, {1000, std::size_t(1) << 20, 5000});
-    QVERIFY2(few->index().history().bytes() <= std::size_t(1) << 20,
+    const auto few = recordSteps(scene, settings, {}, {}, {1000, std::size_t(600) << 10, 5000});
+    QVERIFY2(few->index().history().bytes() <= std::size_t(600) << 10,
              qPrintable(QString::number(few->index().history().bytes())));
     const auto many = recordSteps(scene, settings, {}, {}, {1000, std::size_t(400) << 20, 5000});
-    QVERIFY(many->index().history().bytes() > few->index().history().bytes());
+    QVERIFY2(many->index().history().bytes() > few->index().history().bytes(),
+             qPrintable(QString::number(many->index().history().bytes())));
     StepCursor a(few);
     StepCursor b(many);
     Draws draws(test::seedOfRun());
