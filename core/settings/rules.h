@@ -79,7 +79,7 @@ struct Rules {
     // Clipping
     Clipping clipping = Clipping::Frustum;
     ClipZ clipZ = ClipZ::Gl;
-    double clipInset = 0;             ///< planes are moved inward so far, in clip-space units
+    double clipInset = 0;             ///< Cohen-Sutherland: pixels by which new vertices are moved inward
     bool clipKeepsCorners = true;     ///< Cohen-Sutherland: corners of the viewport inside the polygon join it
     bool clipUpdatesW = true;         ///< false: the pieces of a cut face are given the w of its three vertices
     bool continuesAfterReject = true; ///< false: the first rejected face ends the frame
