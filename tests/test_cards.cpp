@@ -460,6 +460,8 @@ void TestCards::curvesTakeTheEdge()
     QVERIFY(show("curves"));
     const auto corners = vertexTable(*document().scene(), settings(), 0);
     const CurvesPanel& curves = cards().curvesPanel();
+    QVERIFY2(std::max(curves.input().z1, curves.input().z2) > 1.5 * std::min(curves.input().z1, curves.input().z2),
+             "an edge with something to correct is shown first");
     for (int edge = 0; edge < 3; ++edge) {
         curves.edgeBox()->setCurrentIndex(edge);
         QVERIFY(curves.input().ofEdge);

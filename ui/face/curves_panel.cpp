@@ -37,6 +37,26 @@ std::vector<QPointF> points(const std::vector<CurvePoint>& curve)
     return points;
 }
 
+bool isBeforeTheEye(double z) { return z > 0 && std::isfinite(z); }
+
+/// The edge whose ends lie most unequally far away: the one with the most to correct. Edge i leads from corner i to the
+/// next.
+int mostUnequalEdge(const std::array<VertexRow, 3>& corners)
+{
+    int best = 0;
+    double most = 0;
+    for (int edge = 0; edge < 3; ++edge) {
+        const double z1 = corners[static_cast<std::size_t>(edge)].clip.w;
+        const double z2 = corners[static_cast<std::size_t>((edge + 1) % 3)].clip.w;
+        const double ratio = isBeforeTheEye(z1) && isBeforeTheEye(z2) ? std::max(z1 / z2, z2 / z1) : 0;
+        if (ratio > most) {
+            most = ratio;
+            best = edge;
+        }
+    }
+    return best;
+}
+
 QString fixed(double value)
 {
     QString text = QString::number(value, 'f', 4);
@@ -97,7 +117,10 @@ CurvesPanel::CurvesPanel(FaceSelection& selection, QWidget* parent)
         m_inARow = inARow;
         arrange();
     });
-    connect(m_edge, &QComboBox::currentIndexChanged, this, &CurvesPanel::choose);
+    connect(m_edge, &QComboBox::currentIndexChanged, this, [this] {
+        m_edgeIsChosen = true;
+        choose();
+    });
     connect(m_slider, &QSlider::valueChanged, this, &CurvesPanel::choose);
     arrange();
     retranslate();
@@ -108,6 +131,10 @@ void CurvesPanel::setCorners(const std::optional<std::array<VertexRow, 3>>& corn
     m_corners = corners;
     m_near = near;
     m_far = far;
+    if (m_corners && !m_edgeIsChosen) {
+        const QSignalBlocker blocked(m_edge);
+        m_edge->setCurrentIndex(mostUnequalEdge(*m_corners));
+    }
     choose();
 }
 
@@ -124,8 +151,7 @@ void CurvesPanel::choose()
     if (edge < kTextbook && m_corners) {
         const double z1 = (*m_corners)[static_cast<std::size_t>(edge)].clip.w;
         const double z2 = (*m_corners)[static_cast<std::size_t>((edge + 1) % 3)].clip.w;
-        const bool usable = z1 > 0 && z2 > 0 && std::isfinite(z1) && std::isfinite(z2);
-        if (usable) {
+        if (isBeforeTheEye(z1) && isBeforeTheEye(z2)) {
             m_input = {m_near, m_far, z1, z2, true};
             if (!(m_near > 0 && m_far > m_near)) {
                 m_input.near = std::min(z1, z2) / 2;

@@ -75,6 +75,7 @@ private:
     QWidget* m_board;
     QBoxLayout* m_figures; ///< both plots and the board
     bool m_inARow = true;
+    bool m_edgeIsChosen = false; ///< by hand; until then the edge with the most to correct is shown
 };
 
 } // namespace rasterlens
