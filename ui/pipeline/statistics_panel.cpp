@@ -1,6 +1,7 @@
 #include "ui/pipeline/statistics_panel.h"
 
 #include "core/render/render.h"
+#include "ui/base/elided_label.h"
 #include "ui/base/numbers.h"
 #include "ui/base/parts.h"
 #include "ui/base/step_words.h"
@@ -111,8 +112,7 @@ StatisticsPanel::StatisticsPanel(QWidget* parent) : QWidget(parent), m_rows(face
     column->setContentsMargins(12, 2, 8, 8);
     column->setSpacing(2);
     column->addLayout(buildRate());
-    m_stageTimes = mutedLabel();
-    m_stageTimes->setObjectName(QStringLiteral("mutedSmall"));
+    m_stageTimes = new ElidedLabel(QStringLiteral("mutedSmall")); // a slow frame does not widen the window
     column->addWidget(m_stageTimes);
     m_scroll = makePanelScroll();
     m_scroll->setWidget(buildCounters());

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QEvent>
+#include <QLayout>
 #include <QMainWindow>
 #include <QTimer>
 
@@ -113,6 +114,9 @@ bool PanelPlaces::isNarrow() const { return m_window.width() < kNarrowBelow; }
 void PanelPlaces::arrange()
 {
     quietly([this] {
+        // The layout is asked once all docks have their places: on the way some lie one below the other, and the window
+        // would grow for them.
+        m_window.layout()->setEnabled(false);
         noteOpen();
         m_narrow = isNarrow();
         m_window.addDockWidget(Qt::LeftDockWidgetArea, m_columns.scene);
@@ -132,6 +136,8 @@ void PanelPlaces::arrange()
             if (m_open.contains(dock))
                 front = dock;
         front->raise();
+        m_window.layout()->setEnabled(true);
+        m_window.layout()->activate();
     });
 }
 
