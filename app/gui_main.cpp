@@ -466,6 +466,10 @@ void startWith(rasterlens::MainWindow& window, const Arguments& arguments, QObje
                          if (rasterlens::hasErrors(diagnostics))
                              QApplication::exit(kInvalidInput);
                      });
+    QObject::connect(&window.stepMode(), &rasterlens::StepMode::placeMissed, &starting, [](const QString& place) {
+        printError(QStringLiteral("rasterlens: with these settings the record has no step \"%1\"").arg(place));
+        QApplication::exit(kBadArguments);
+    });
     QObject::connect(&window, &rasterlens::MainWindow::settled, &starting,
                      [&window, &starting, arguments, step = arguments.step]() mutable {
                          if (window.moment().isPending())
@@ -476,6 +480,7 @@ void startWith(rasterlens::MainWindow& window, const Arguments& arguments, QObje
                          }
                          window.disconnect(&starting);
                          window.document().disconnect(&starting);
+                         window.stepMode().disconnect(&starting);
                          if (arguments.pixel)
                              window.viewport().selectPixel(arguments.pixel);
                          if (!arguments.view.isEmpty())

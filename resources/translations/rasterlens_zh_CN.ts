@@ -7765,6 +7765,10 @@
         <translation>已写入：%1</translation>
     </message>
     <message>
+        <source>The record has no step &quot;%1&quot;: this is its end.</source>
+        <translation>记录中没有步骤“%1”：这里是记录的末尾。</translation>
+    </message>
+    <message>
         <source>The record holds no step of face %1.</source>
         <translation>记录中没有面 %1 的步骤。</translation>
     </message>

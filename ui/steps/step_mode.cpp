@@ -185,8 +185,14 @@ void StepMode::showPlace(const StepPlace& place)
         m_wanted = place;
         return;
     }
-    if (m_session.record())
-        m_session.moveTo(positionOf(place, m_session.record()).value_or(m_session.size()));
+    if (!m_session.record())
+        return;
+    const auto position = positionOf(place, m_session.record());
+    m_session.moveTo(position.value_or(m_session.size()));
+    if (position)
+        return;
+    Q_EMIT message(tr("The record has no step \"%1\": this is its end.").arg(textOf(place)));
+    Q_EMIT placeMissed(textOf(place));
 }
 
 void StepMode::showFace(quint32 face, QPoint pixel)

@@ -73,6 +73,7 @@ public:
 Q_SIGNALS:
     void frameChanged(); ///< another picture is to be shown
     void message(const QString& text);
+    void placeMissed(const QString& place); ///< a step that was asked for is not in the record, whose end is shown
 
 private:
     void syncLens();
