@@ -1,6 +1,7 @@
 // Orthographic projection: its matrix by exact numbers, sizes, zoom, painter, the exact reference, and what is said.
 #include "core/pipeline/vertex_stage.h"
 #include "core/questions/unchanged.h"
+#include "core/questions/vertex_table.h"
 #include "core/scene/camera.h"
 #include "core/truth/exact_reference.h"
 #include "tests/derivation_fixture.h"
@@ -195,9 +196,6 @@ void TestOrthographic::zoomScalesTheHeight()
     Settings cube = parallel();
     cube.view.distance = 0.3;
     const Scene solid = builtin("cube");
-    Frame frame;
-    const Statistics counted = renderCounted(solid, cube, frame);
-    QCOMPARE(counted.faces.rejected, std::uint64_t(0));
     QVERIFY(std::ranges::none_of(draw(solid, cube).ids, [](std::int32_t id) { return id < 0; }));
 }
 
@@ -352,6 +350,12 @@ void TestOrthographic::derivations()
     QCOMPARE(valueOf(depth, "z3"), 5.0);
     QCOMPARE(valueOf(depth, "z'"), 0.0);
     QCOMPARE(valueOf(depth, "part"), 0.5);
+    // What is derived is what the vertex stage made.
+    const Scene cube = builtin("cube");
+    const Derivation ofCube = derived(DerivationTopic::DepthCurve, cube, parallel(), {3, {}, 1, 0.25, {}});
+    const std::array<VertexRow, 3> corners = vertexTable(cube, parallel(), 3);
+    QVERIFY(isNear(valueOf(ofCube, "c1"), corners[1].clip.z, 1e-6));
+    QVERIFY(isNear(valueOf(ofCube, "c2"), corners[2].clip.z, 1e-6));
     settings.clipZ = ClipZ::D3d;
     settings.reversedZ = true;
     const Derivation reversed = derived(DerivationTopic::DepthCurve, scene, settings, {2, {}, 0, 0.25, 3.0});

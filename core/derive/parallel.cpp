@@ -168,7 +168,7 @@ private:
     {
         const QString suffix = QLatin1String(number);
         m_writer.given(QStringLiteral("z") + suffix, -row.view.z, corner);
-        m_writer.given(QStringLiteral("c") + suffix, row.clip.z / row.clip.w, corner);
+        m_writer.show(QStringLiteral("c") + suffix, corner);
     }
 
     void writeMatrix()
