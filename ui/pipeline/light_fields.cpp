@@ -13,10 +13,15 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include <cmath>
-
 namespace rasterlens
 {
+namespace
+{
+
+/// Three decimals are finer than a step on the ball, and short to read. No number is -0.
+glm::dvec3 rounded(const glm::dvec3& direction) { return glm::round(direction * 1000.0) / 1000.0 + 0.0; }
+
+} // namespace
 
 LightFields::LightFields(Document& document, QWidget* parent)
     : QWidget(parent), m_document(document), m_dot(new ChangeDot), m_name(new QLabel), m_edit(new QLineEdit),
@@ -69,12 +74,11 @@ void LightFields::set(const Light& light, Document::Edit edit)
     m_document.setSettings(next, edit);
 }
 
-/// Three decimals are finer than a step on the ball, and short to read.
 void LightFields::drag(const glm::dvec3& towardsView)
 {
     const Matrices matrices = cameraMatrices(*m_document.scene(), m_document.settings());
     const glm::dvec3 world = glm::transpose(glm::dmat3(matrices.viewFromObject)) * towardsView;
-    set(Light{glm::round(world * 1000.0) / 1000.0}, Document::Edit::Camera);
+    set(Light{rounded(world)}, Document::Edit::Camera);
 }
 
 std::optional<QString> LightFields::read(const QString& text, TypedField::Attempt attempt)
@@ -95,10 +99,10 @@ QString LightFields::valueText() const
 {
     const Light& light = m_document.settings().light;
     const glm::dvec3 shown =
-        light.isHead() ? cameraMatrices(*m_document.scene(), m_document.settings()).toViewer : *light.towards;
+        light.isHead() ? rounded(cameraMatrices(*m_document.scene(), m_document.settings()).toViewer) : *light.towards;
     QStringList words;
     for (int i = 0; i < 3; ++i)
-        words << (light.isHead() ? shortNumber(std::round(shown[i] * 1000) / 1000) : shortNumber(shown[i]));
+        words << shortNumber(shown[i]);
     return words.join(QStringLiteral(", "));
 }
 
