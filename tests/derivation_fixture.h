@@ -44,8 +44,8 @@ struct Question {
     DerivationPlace place;
 };
 
-/// Calls check(scene, topic, place) for the scenes of the list, for each topic and some faces, for the first face all
-/// edges.
+/// Calls check(scene, settings, question) for the scenes of the list, for each topic and some faces, for the first face
+/// all edges; scenes with a camera also for an orthographic one with a headlight.
 template <class Check>
 void forEachQuestion(Check&& check)
 {
@@ -56,10 +56,18 @@ void forEachQuestion(Check&& check)
         Settings settings = scene.defaults;
         settings.size = settings.size.boundedTo(QSize(160, 160));
         const std::size_t faces = std::min<std::size_t>(scene.mesh.faceCount(), 3);
-        for (const DerivationTopicInfo& info : derivationTopics())
-            for (std::uint32_t face = 0; face < faces; ++face)
-                for (int edge = 0; edge < (face == 0 ? 3 : 1); ++edge)
-                    check(scene, settings, Question{info.topic, {face, {}, edge, 0.25, {}}});
+        const auto askAll = [&] {
+            for (const DerivationTopicInfo& info : derivationTopics())
+                for (std::uint32_t face = 0; face < faces; ++face)
+                    for (int edge = 0; edge < (face == 0 ? 3 : 1); ++edge)
+                        check(scene, settings, Question{info.topic, {face, {}, edge, 0.25, {}}});
+        };
+        askAll();
+        if (scene.space == SceneSpace::Clip)
+            continue;
+        settings.projection = Projection::Orthographic;
+        settings.light.towards.reset();
+        askAll();
     }
 }
 

@@ -140,6 +140,9 @@ void TestCli::badCalls_data()
     row("render a.case -x", 2, "rasterlens-cli render: there is no option -x; did you mean -o?");
     row("render a.case --culling sideways", 2,
         "--culling: \"sideways\" is not a value of culling, which takes: back, front, none");
+    row("render a.case --light 0,0,0", 2, "--light: \"0,0,0\" is not a value of light, which takes: head, or three*");
+    row("render a.case --light nan,0,1", 2, "--light: \"nan,0,1\" is not a value of light*");
+    row("render a.case --light 1,2", 2, "--light: \"1,2\" is not a value of light*");
     row("render a.case --culling", 2, "rasterlens-cli render: --culling needs a value: --culling ID");
     row("render a.case --culling --size 4x4", 2, "rasterlens-cli render: --culling needs a value: --culling ID");
     row("render a.case --culling=", 2, "rasterlens-cli render: --culling needs a value: --culling ID");
@@ -466,6 +469,7 @@ void TestCli::everyOptionReachesTheSettings()
     QVERIFY(settingsOf(QStringLiteral("render --reversed-z a.obj --size 8x8")).reversedZ);
     QVERIFY(!settingsOf(QStringLiteral("render a.obj --reversed-z --reversed-z false --size 8x8")).reversedZ);
     QCOMPARE(settingsOf(QStringLiteral("render a.obj --threads auto --size 8x8")).threads, 0);
+    QVERIFY(settingsOf(QStringLiteral("render a.obj --light head --size 8x8")).light.isHead());
     const View orbit = settingsOf(QStringLiteral("render a.obj --size 8x8 --orbit -30,20.5 --fov 60")).view;
     QVERIFY(orbit.fit && orbit.yaw == -30 && orbit.pitch == 20.5 && orbit.fov == 60);
     const View eye =

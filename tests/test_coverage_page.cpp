@@ -78,6 +78,8 @@ QSet<QString> knownNames()
 bool isSetting(const QString& name)
 {
     const QStringList words = name.sliced(2).split(QLatin1Char(' '));
+    if (words.front() == QLatin1String("light"))
+        return words.size() == 2 && parseLight(words.back());
     const SettingsField* field = findSettingsField(words.front());
     Settings settings;
     return field != nullptr && words.size() == 2 && !setFromText(*field, words.back(), settings);

@@ -103,6 +103,10 @@ Settings randomSettings(const Scene& scene, QSize size, std::mt19937& random)
         if (oneOf(random, 2) && !unsupported(scene, changed))
             settings = changed;
     }
+    if (oneOf(random, 2))
+        settings.light.towards = glm::dvec3(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1));
+    else if (oneOf(random, 2))
+        settings.light.towards.reset();
     return settings;
 }
 

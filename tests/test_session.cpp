@@ -46,6 +46,8 @@ void TestSession::roundTrip()
     settings.size = {640, 480};
     settings.culling = Culling::Front;
     settings.reversedZ = true;
+    settings.projection = Projection::Orthographic;
+    settings.light.towards = glm::dvec3(-1.0 / 3, 2, 0);
     settings.view.eye = {0.1, 1.0 / 3, -1e-7};
     settings.mistakes = {QStringLiteral("all-inclusive")};
     session.settings = toJson(settings);

@@ -96,9 +96,11 @@ void TestShading::lightOnVerticesAndFaces()
         vertex.normal = normals[i];
         vertex.color = {1, 0.5F, 0};
         Varyings out{};
-        shadeVertex(vertex, Shading::Gouraud, true, out);
+        Rules rules;
+        shadeVertex(vertex, rules, out);
         QVERIFY(close({out[0], out[1], out[2]}, glm::vec3(1, 0.5F, 0) * float(expected[i])));
-        shadeVertex(vertex, Shading::Gouraud, false, out);
+        rules.lit = false;
+        shadeVertex(vertex, rules, out);
         QVERIFY(close({out[0], out[1], out[2]}, {1, 0.5F, 0}));
     }
     // A flat face takes the normal of its plane, which here is (0, 0, 1) but for the slope of z.
@@ -107,10 +109,12 @@ void TestShading::lightOnVerticesAndFaces()
     const glm::vec3 c(scene.mesh.vertices[2].position);
     const glm::dvec3 n = glm::normalize(glm::dvec3(glm::cross(b - a, c - a)));
     const float shade = float(0.2 + 0.8 * std::max(0.0, glm::dot(n, light)));
-    QCOMPARE(faceUniforms(scene, 0, Shading::Flat, true).color, packColor({shade, 0, 0}));
+    Rules flat;
+    flat.shading = Shading::Flat;
+    QCOMPARE(faceUniforms(scene, 0, flat).color, packColor({shade, 0, 0}));
     // No area, no direction: no NaN either.
     scene.mesh.indices = {0, 0, 0};
-    QCOMPARE(faceUniforms(scene, 0, Shading::Flat, true).color & 0xff000000U, 0xff000000U);
+    QCOMPARE(faceUniforms(scene, 0, flat).color & 0xff000000U, 0xff000000U);
 }
 
 void TestShading::normalsAndCoordinates()
@@ -299,9 +303,11 @@ void TestShading::varyingsAreAPrefix()
     for (const Shading s : {Shading::Flat, Shading::RandomFlat, Shading::Depth, Shading::Overdraw, Shading::TriangleId})
         QCOMPARE(varyingCount(s), 0);
     for (int s = 0; s < 10; ++s) {
+        Rules rules;
+        rules.shading = Shading(s);
         Varyings out;
         out.fill(123);
-        shadeVertex(MeshVertex(), Shading(s), true, out);
+        shadeVertex(MeshVertex(), rules, out);
         QVERIFY(varyingCount(Shading(s)) <= kMaxVaryings);
         for (std::size_t k = std::size_t(varyingCount(Shading(s))); k < out.size(); ++k)
             QCOMPARE(out[k], 123.0F);

@@ -4,10 +4,13 @@
 #include "tests/window_fixture.h"
 #include "ui/base/applicability.h"
 #include "ui/base/field_row.h"
+#include "ui/pipeline/light_ball.h"
+#include "ui/pipeline/light_fields.h"
 #include "ui/pipeline/pipeline_panel.h"
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLineEdit>
 #include <QSpinBox>
 
 #include <algorithm>
@@ -96,6 +99,7 @@ private Q_SLOTS:
         row("clipped", {}, "clipping", "guard-band");
         row("clipped", {}, "clip-z", "d3d");
         row("builtin:cube", {"shading=depth"}, "reversed-z", "true");
+        row("builtin:cube", {}, "projection", "orthographic");
         row("builtin:cube", {}, "subpixel-bits", "0");
         row("builtin:slivers", {}, "number-type", "float32");
         row("builtin:cube", {}, "culling", "none");
@@ -258,6 +262,70 @@ private Q_SLOTS:
         QCOMPARE(threads->text(), QStringLiteral("3"));
         document().undo();
         QVERIFY(settle());
+    }
+
+    void lightIsTypedSwitchedAndDragged()
+    {
+        QVERIFY(openSmall(QStringLiteral("builtin:sphere")));
+        LightFields& fields = m_window->pipelinePanel().light();
+        const QImage usual = picture();
+        const int changed = m_window->pipelinePanel().changedCount();
+        QCOMPARE(fields.edit().text(), QStringLiteral("0.3, 0.5, 1"));
+        const auto type = [&](const char* text) {
+            fields.edit().setFocus();
+            fields.edit().setText(QLatin1String(text));
+            QTest::keyClick(&fields.edit(), Qt::Key_Return);
+        };
+        for (const char* bad : {"0, 0, 0", "1, 2", "nan 0 1", "up"}) {
+            type(bad);
+            QVERIFY2(m_window->message().contains(QStringLiteral("is no direction")), bad);
+            QVERIFY(settings().light == Light());
+            QTest::keyClick(&fields.edit(), Qt::Key_Escape);
+        }
+        type("-2 0 1");
+        QVERIFY(settle());
+        QVERIFY(settings().light == Light{glm::dvec3(-2, 0, 1)});
+        QCOMPARE(m_window->pipelinePanel().changedCount(), changed + 1);
+        QVERIFY(picture() != usual);
+        fields.headBox().click();
+        QVERIFY(settings().light.isHead());
+        QVERIFY(change([](Settings& s) { s.view.yaw = 90; }));
+        QCOMPARE(fields.edit().text(), QStringLiteral("1, 0, 0")); // the eye stands there now
+        fields.headBox().click();
+        QVERIFY(settings().light == Light{glm::dvec3(-2, 0, 1)}); // what it was before
+        document().undo();
+        document().undo();
+        document().undo();
+        QVERIFY(settings().light == Light{glm::dvec3(-2, 0, 1)} && settings().view.yaw == 0);
+        // The right end of the ball is the camera's right, and a drag is one step of undo.
+        const QSize ball = fields.ball().size();
+        QTest::mousePress(&fields.ball(), Qt::LeftButton, {}, {ball.width() / 2, ball.height() / 2});
+        QTest::mouseMove(&fields.ball(), {ball.width() - 5, ball.height() / 2});
+        QTest::mouseMove(&fields.ball(), {ball.width() + 30, ball.height() / 2});
+        QTest::mouseRelease(&fields.ball(), Qt::LeftButton, {}, {ball.width() + 30, ball.height() / 2});
+        QVERIFY2(settings().light == Light{glm::dvec3(1, 0, 0)}, qPrintable(lightText(settings().light)));
+        document().undo();
+        QVERIFY(settings().light == Light{glm::dvec3(-2, 0, 1)});
+        document().undo();
+        QVERIFY(settle());
+        QVERIFY(settings().light == Light());
+        QCOMPARE(picture(), usual);
+    }
+
+    void lightAndProjectionSayWhereTheyChangeNothing()
+    {
+        QVERIFY(openSmall(QStringLiteral("builtin:square-diagonal")));
+        QVERIFY(change([](Settings& s) {
+            s.projection = Projection::Orthographic;
+            s.light.towards.reset();
+        }));
+        QTRY_COMPARE(m_window->pipelinePanel().note(QStringLiteral("projection")),
+                     QStringLiteral("changes nothing here: the scene is given in clip space: no camera projects it"));
+        QVERIFY(m_window->pipelinePanel().light().note().contains(QStringLiteral("this scene has no light")));
+        QVERIFY(openSmall(QStringLiteral("builtin:cube")));
+        QVERIFY(change([](Settings& s) { s.projection = Projection::Orthographic; }));
+        QVERIFY(m_window->pipelinePanel().note(QStringLiteral("projection")).isEmpty());
+        QVERIFY(m_window->pipelinePanel().light().note().isEmpty());
     }
 
     /// Every letter that is typed into a number appears; what is refused says why and stays until it is mended.

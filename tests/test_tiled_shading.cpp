@@ -37,6 +37,7 @@ class TestTiledShading : public QObject
 private Q_SLOTS:
     void drawsShadingsAlike_data();
     void drawsShadingsAlike();
+    void drawsMovedLightsAndParallelRays();
     void findsTexelsOnTheirBorders();
     void findsTexelsWhereCoordinatesPassZero();
     void findsTexelsOfAnyTriangle();
@@ -85,6 +86,26 @@ void TestTiledShading::drawsShadingsAlike()
             dress(scene, random);
             const QString d = compareAll(scene, settings, all, {2});
             QVERIFY2(d.isEmpty(), qPrintable(d));
+        }
+}
+
+void TestTiledShading::drawsMovedLightsAndParallelRays()
+{
+    std::mt19937 random(6);
+    Scene scene = *makeBuiltinScene("sphere").scene;
+    dress(scene, random);
+    Settings settings;
+    settings.size = {70, 40};
+    settings.view.distance = 0.7;
+    for (const Projection projection : {Projection::Perspective, Projection::Orthographic})
+        for (const Light& light :
+             {Light(), Light{glm::dvec3(-1, 0.25, 0.5)}, Light{glm::dvec3(0, 0, -1)}, Light{std::nullopt}}) {
+            settings.projection = projection;
+            settings.light = light;
+            const QString d = compareShadings(
+                scene, settings,
+                {Shading::Gouraud, Shading::Flat, Shading::Texture, Shading::Phong, Shading::Depth, Shading::Uv});
+            QVERIFY2(d.isEmpty(), qPrintable(lightText(light) + QStringLiteral(": ") + d));
         }
 }
 

@@ -250,6 +250,10 @@ QList<OptionGroup> settingsOptionGroups()
         value("--near", "N",
               QStringLiteral("Distance of the near plane, greater than 0; default: in front of the scene.")),
         value("--far", "F", QStringLiteral("Distance of the far plane, greater than N; default: behind the scene.")),
+        value("--light", "X,Y,Z|head",
+              QStringLiteral("The direction towards the light, in world space; default %1. \"head\": from the scene "
+                             "to the eye, so that the light shines along the camera's view.")
+                  .arg(lightText(Light()))),
     };
     QList<Option> pipeline = fieldOptions();
     pipeline << Option{QStringLiteral("--mistake"), Option::Kind::List, QStringLiteral("ID"),
@@ -268,6 +272,13 @@ Settings withOptions(Settings settings, const Arguments& arguments)
         settings.size = *size;
     }
     settings.view = ViewReader(settings.view, arguments).read();
+    const QString lightOption = QStringLiteral("--light");
+    if (const auto text = arguments.value(lightOption)) {
+        const auto light = parseLight(*text);
+        if (!light)
+            failValue(lightOption, *text, QStringLiteral("head, or three numbers x,y,z that are not all 0"));
+        settings.light = *light;
+    }
     for (const SettingsField& field : settingsFields())
         if (const auto text = arguments.value(optionName(field)))
             readField(field, *text, settings);

@@ -26,7 +26,8 @@ std::vector<const SettingsField*> changedFields(const Settings& settings, const 
 void remarkIfUnchanged(const Scene& scene, const Settings& settings)
 {
     const std::vector<const SettingsField*> fields = changedFields(settings, scene.defaults);
-    if (fields.empty() && settings.mistakes.empty())
+    const bool isLightMoved = settings.light != scene.defaults.light;
+    if (fields.empty() && settings.mistakes.empty() && !isLightMoved)
         return;
     const FrameFacts facts = frameFacts(scene, settings);
     const auto remark = [&](const QString& what, const Reason& why) {
@@ -39,6 +40,9 @@ void remarkIfUnchanged(const Scene& scene, const Settings& settings)
         if (const auto why = whyUnchanged(*field, settings, asked, facts))
             remark(QStringLiteral("--%1 %2").arg(QLatin1String(field->id), valueId(*field, settings)), *why);
     }
+    if (isLightMoved)
+        if (const auto why = whyLightUnchanged(scene, settings))
+            remark(QStringLiteral("--light %1").arg(lightText(settings.light)), *why);
     for (const QString& id : settings.mistakes)
         if (const Mistake* mistake = findMistake(id))
             if (const auto why = whyUnchanged(*mistake, settings, facts))

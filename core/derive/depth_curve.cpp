@@ -1,3 +1,4 @@
+#include "core/derive/parallel.h"
 #include "core/derive/place_edge.h"
 #include "core/derive/topic_list.h"
 
@@ -236,6 +237,8 @@ Derivation deriveDepthCurve(const Scene& scene, const Settings& settings, const 
         throw NoDerivation{QT_TRANSLATE_NOOP("Derive", "a scene in clip space has no distances of near and far")};
     const FaceRecord record(scene, settings, place, stop);
     requireBeforeEye(record);
+    if (record.rules().orthographic)
+        return deriveParallelDepth(record);
     return DepthCurveWriter(record).write();
 }
 

@@ -56,13 +56,26 @@ void writeHeadlight(DerivationWriter& writer)
                               "nothing."));
 }
 
-void writeLight(DerivationWriter& writer, const Scene& scene, std::uint32_t face)
+/// Where l comes from.
+Reason aboutLight(const Light& light)
 {
-    giveVector(writer, QStringLiteral("l"), glm::dvec3(lightDirection()), {});
+    if (light.isHead())
+        return QT_TRANSLATE_NOOP("Derive",
+                                 "The headlight: l is the camera's backward axis, from the scene to the eye, and has "
+                                 "length 1, so n . l is the cosine of the angle between the normal and the gaze.");
+    return QT_TRANSLATE_NOOP("Derive", "l points to the light and has length 1, so n . l is the cosine of the angle "
+                                       "between the two.");
+}
+
+void writeLight(DerivationWriter& writer, const FaceRecord& record)
+{
+    const Scene& scene = record.scene();
+    const std::uint32_t face = record.place().face;
+    Rules rules = record.rules();
+    rules.shading = Shading::Flat;
+    giveVector(writer, QStringLiteral("l"), glm::dvec3(rules.light), {});
     writer.line(formula("{n.l}"), formula("{n_x} * {l_x} + {n_y} * {l_y} + {n_z} * {l_z}"),
-                QT_TRANSLATE_NOOP("Derive",
-                                  "l points to the light and has length 1, so n . l is the cosine of the angle "
-                                  "between the two."));
+                aboutLight(record.settings().light));
     writer.compare(formula("{n.l} > 0"),
                    QT_TRANSLATE_NOOP("Derive",
                                      "Whether the light falls on the front. A program that draws faces only where it "
@@ -74,7 +87,7 @@ void writeLight(DerivationWriter& writer, const Scene& scene, std::uint32_t face
                                   "Some light is everywhere; the rest grows with the cosine, and never takes light "
                                   "away."));
     const MeshVertex& first = scene.mesh.vertices[scene.mesh.indices[3 * std::size_t(face)]];
-    const std::uint32_t color = faceUniforms(scene, face, Shading::Flat, true).color;
+    const std::uint32_t color = faceUniforms(scene, face, rules).color;
     constexpr const char* kChannels[] = {"r", "g", "b"};
     for (int i = 0; i < 3; ++i) {
         const QString channel = QLatin1String(kChannels[i]);
@@ -107,7 +120,7 @@ Derivation deriveFlatLight(const Scene& scene, const Settings& settings, const D
     if (glm::cross(glm::dvec3(corners[1].object) - a, glm::dvec3(corners[2].object) - a) == glm::dvec3(0))
         throw NoDerivation{Reason(QT_TRANSLATE_NOOP("Derive", "face %1 has no area, and so no normal"), {place.face})};
     writeNormal(writer, record);
-    writeLight(writer, scene, place.face);
+    writeLight(writer, record);
     return writer.take();
 }
 

@@ -25,11 +25,10 @@ std::span<const std::uint32_t> excerpt(std::span<const std::uint32_t> order, std
 }
 
 void writeKey(DerivationWriter& writer, const Scene& scene, const Settings& settings, std::uint32_t face,
-              std::size_t place)
+              std::size_t place, bool perspective)
 {
     const auto corners = vertexTable(scene, settings, face);
     const QString number = QString::number(face);
-    const bool perspective = scene.space == SceneSpace::Object;
     CanvasPart area = areaPart(QStringLiteral("face %1").arg(number), {});
     for (const VertexRow& corner : corners)
         area.points.push_back(corner.screen);
@@ -66,12 +65,14 @@ Derivation derivePainter(const Scene& scene, const Settings& settings, const Der
                             {QT_TRANSLATE_NOOP("Derive", "face %1 among %2"), {place.face, order.size()}});
     const std::span<const std::uint32_t> shown = excerpt(order, place.face);
     const auto first = static_cast<std::size_t>(std::ranges::find(order, shown.front()) - order.begin());
+    const bool perspective = scene.space == SceneSpace::Object && !resolved.rules.orthographic;
+    const bool rising = resolved.rules.reversedZ && !perspective;
     for (std::size_t i = 0; i < shown.size(); ++i) {
-        writeKey(writer, scene, painted, shown[i], first + i);
+        writeKey(writer, scene, painted, shown[i], first + i, perspective);
         if (i > 0)
             writer.compare(
-                formula(resolved.rules.mirrorClipZ ? "{key_%1} <= {key_%2}" : "{key_%1} >= {key_%2}",
-                        QString::number(shown[i - 1]), QString::number(shown[i])),
+                formula(rising ? "{key_%1} <= {key_%2}" : "{key_%1} >= {key_%2}", QString::number(shown[i - 1]),
+                        QString::number(shown[i])),
                 {QT_TRANSLATE_NOOP("Derive", "Face %1 is painted before face %2, which covers it wherever both lie. "
                                              "Of equal keys the one that comes first in the mesh stays first."),
                  {shown[i - 1], shown[i]}});

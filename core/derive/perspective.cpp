@@ -1,3 +1,4 @@
+#include "core/derive/parallel.h"
 #include "core/derive/place_edge.h"
 #include "core/derive/topic_list.h"
 
@@ -246,6 +247,8 @@ Derivation derivePerspective(const Scene& scene, const Settings& settings, const
     requireBeforeEye(record);
     const SampledTriangle sample = sampleOf(record, SampleNeed::Inside);
     const SampledFragment fragment = fragmentOf(record, sample, record.settings());
+    if (record.rules().orthographic)
+        return deriveParallelWeights(record, sample, fragment.numbers);
     return PerspectiveWriter(record, sample, fragment.numbers).write();
 }
 

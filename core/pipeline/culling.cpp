@@ -1,7 +1,6 @@
 #include "core/pipeline/culling.h"
 
 #include "core/pipeline/interpolation.h"
-#include "core/pipeline/shading.h"
 
 namespace rasterlens
 {
@@ -58,9 +57,9 @@ double viewFacing(const Mesh& mesh, std::uint32_t face, const glm::dvec3& eyeObj
     return glm::dot(normalOf(mesh, face), eyeObject - cornerOf(mesh, face, 0));
 }
 
-double lightFacing(const Mesh& mesh, std::uint32_t face)
+double directionFacing(const Mesh& mesh, std::uint32_t face, const glm::dvec3& towards)
 {
-    return glm::dot(normalOf(mesh, face), glm::dvec3(lightDirection()));
+    return glm::dot(normalOf(mesh, face), towards);
 }
 
 FaceFate cull(double signedArea, const Rules& rules)

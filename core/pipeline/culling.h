@@ -25,8 +25,9 @@ namespace rasterlens
 /// Twice the area of x/w and y/w, whatever the signs of w are; not a number where a w is 0.
 [[nodiscard]] double areaWithoutClipping(const ClipTriangle& triangle);
 
-/// The face's normal against the direction of the light, positive when a counter-clockwise face is lit.
-[[nodiscard]] double lightFacing(const Mesh& mesh, std::uint32_t face);
+/// The face's normal against a direction, positive when a counter-clockwise face turns towards it: the light, or the
+/// eye of an orthographic camera.
+[[nodiscard]] double directionFacing(const Mesh& mesh, std::uint32_t face, const glm::dvec3& towards);
 
 /// The face's normal against the direction from the eye, positive when a counter-clockwise face looks at the eye.
 ///

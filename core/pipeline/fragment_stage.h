@@ -86,7 +86,7 @@ public:
     void begin(const ScreenTriangle& triangle)
     {
         m_interpolation.emplace(triangle, triangle.area2, *m_rules, m_readsDepth ? DepthUse::Read : DepthUse::Ignored);
-        m_uniforms = faceUniforms(*m_scene, triangle.face, m_rules->shading, m_rules->lit);
+        m_uniforms = faceUniforms(*m_scene, triangle.face, *m_rules);
     }
 
     /// Call this after the last sample of a triangle. Nothing waits for the end here; SampleRouter::finish() does

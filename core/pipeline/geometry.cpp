@@ -88,8 +88,8 @@ Outline convexHull(std::span<const ScreenVertex> polygon, double sense)
 } // namespace
 
 FaceStages::FaceStages(const Scene& scene, const Matrices& matrices, const Rules& rules)
-    : m_scene(&scene), m_rules(rules), m_eyeObject(matrices.eyeObject), m_near(matrices.near), m_far(matrices.far),
-      m_volume(clipVolume(rules))
+    : m_scene(&scene), m_rules(rules), m_eyeObject(matrices.eyeObject), m_toViewer(matrices.toViewer),
+      m_near(matrices.near), m_far(matrices.far), m_volume(clipVolume(rules))
 {
 }
 
@@ -127,8 +127,10 @@ double FaceStages::facingElsewhere(std::uint32_t face, const Corners& corners) c
 {
     const ClipTriangle triangle{{corners[0]->clip, corners[1]->clip, corners[2]->clip}, face};
     switch (m_rules.facing) {
-    case Facing::ViewNormal: return viewFacing(m_scene->mesh, face, m_eyeObject);
-    case Facing::LightNormal: return lightFacing(m_scene->mesh, face);
+    case Facing::ViewNormal:
+        return m_rules.orthographic ? directionFacing(m_scene->mesh, face, m_toViewer)
+                                    : viewFacing(m_scene->mesh, face, m_eyeObject);
+    case Facing::LightNormal: return directionFacing(m_scene->mesh, face, glm::dvec3(m_rules.light));
     case Facing::AreaWithoutDivide: return areaWithoutDivide(triangle);
     case Facing::AreaWithoutClipping: return areaWithoutClipping(triangle);
     case Facing::ScreenArea:
@@ -158,9 +160,9 @@ std::vector<std::uint32_t> Geometry::order() const
     std::iota(order.begin(), order.end(), 0U);
     if (!m_rules.painter)
         return order;
-    // Distance: w is the depth in view space of a perspective camera; clip-space scenes have their z/w.
-    const bool perspective = m_scene->space == SceneSpace::Object;
-    const double sign = m_rules.mirrorClipZ ? -1 : 1;
+    // Distance: w is the depth in view space of a perspective camera; all others have their z/w.
+    const bool perspective = m_scene->space == SceneSpace::Object && !m_rules.orthographic;
+    const double sign = m_rules.reversedZ ? -1 : 1;
     std::vector<double> distance(order.size());
     for (const std::uint32_t face : order)
         for (std::uint32_t i = 0; i < 3; ++i) {

@@ -167,6 +167,7 @@ private:
     const Scene* m_scene;
     Rules m_rules;
     glm::dvec3 m_eyeObject;
+    glm::dvec3 m_toViewer; ///< orthographic: in place of the eye
     double m_near;
     double m_far;
     ClipVolume m_volume;

@@ -68,15 +68,19 @@ void carryMaskUv(Rules& rules)
 }
 
 /// The rules without the mistakes.
-Rules rightRules(const Settings& settings, const Scene& scene)
+Rules rightRules(const Settings& settings, const Scene& scene, const Matrices& matrices)
 {
     Rules rules;
     rules.shading = settings.shading;
     rules.textureFilter = settings.textureFilter;
     rules.lit = scene.lit && settings.fill == Fill::Solid; // lines in the shade would be lost on black
+    rules.light = lightDirection(settings.light, matrices.toViewer);
+    rules.orthographic = matrices.orthographic;
+    rules.toViewer = glm::vec3(matrices.toViewer);
     rules.varyingCount = varyingCount(settings.shading);
     if (settings.alphaTest == AlphaTest::On && hasMasks(scene))
         carryMaskUv(rules);
+    rules.reversedZ = settings.reversedZ;
     rules.mirrorClipZ = settings.reversedZ && scene.space == SceneSpace::Clip;
 
     rules.clipping = settings.clipping;
@@ -115,13 +119,16 @@ Resolved resolve(const Settings& settings, const Scene& scene)
 {
     Resolved resolved;
     resolved.matrices = cameraMatrices(scene, settings);
-    resolved.right = rightRules(settings, scene);
+    resolved.right = rightRules(settings, scene, resolved.matrices);
     resolved.rules = resolved.right;
     for (const QString& id : settings.mistakes)
         if (const Mistake* mistake = findMistake(id)) {
             mistake->apply(resolved.rules);
             resolved.mistakes.push_back(mistake);
         }
+    // Orthographic depth is linear in the distance: who takes the one for the other makes no mistake there.
+    if (resolved.rules.orthographic)
+        resolved.rules.depthIsDistance = false;
     return resolved;
 }
 

@@ -10,9 +10,8 @@ namespace rasterlens
 namespace
 {
 
-float lambert(const glm::vec3& normal)
+float lambert(const glm::vec3& normal, const glm::vec3& l)
 {
-    const glm::vec3 l = lightDirection();
     const float dot = normal.x * l.x + normal.y * l.y + normal.z * l.z;
     return kAmbient + kDiffuse * (dot > 0 ? dot : 0.0F); // what is no number gets no light
 }
@@ -112,18 +111,24 @@ glm::vec3 phong(const Rules& rules, const FaceUniforms& uniforms, const Varyings
     if (!rules.lit)
         return color;
     const glm::vec3 normal = glm::normalize(get(v, kVaryingNormal));
-    const glm::vec3 toEye = glm::normalize(eyeWorld - get(v, kVaryingPosition));
-    const glm::vec3 halfway = glm::normalize(lightDirection() + toEye);
+    const glm::vec3 toEye = rules.orthographic ? rules.toViewer : glm::normalize(eyeWorld - get(v, kVaryingPosition));
+    const glm::vec3 between = rules.light + toEye;
+    if (between == glm::vec3(0))
+        return color * lambert(normal, rules.light); // the light shines at the eye: nothing is halfway
+    const glm::vec3 halfway = glm::normalize(between);
     const float shine = std::pow(std::max(glm::dot(normal, halfway), 0.0F), uniforms.material->shininess);
-    return color * lambert(normal) + uniforms.material->specular * shine;
+    return color * lambert(normal, rules.light) + uniforms.material->specular * shine;
 }
 
 } // namespace
 
-glm::vec3 lightDirection()
+glm::vec3 lightDirection(const Light& light, const glm::dvec3& toViewer)
 {
-    static const glm::vec3 direction = glm::vec3(glm::normalize(glm::dvec3(0.3, 0.5, 1)));
-    return direction;
+    if (light.isHead())
+        return glm::vec3(toViewer);
+    const glm::dvec3 size = glm::abs(*light.towards);
+    return glm::vec3(
+        glm::normalize(*light.towards / std::max({size.x, size.y, size.z}))); // 1e-300, 0, 0 is a direction
 }
 
 int varyingCount(Shading shading)
@@ -143,9 +148,9 @@ int varyingCount(Shading shading)
     return 0;
 }
 
-void shadeVertex(const MeshVertex& vertex, Shading shading, bool lit, Varyings& out)
+void shadeVertex(const MeshVertex& vertex, const Rules& rules, Varyings& out)
 {
-    switch (shading) {
+    switch (rules.shading) {
     case Shading::Phong:
         put(out, kVaryingNormal, vertex.normal);
         put(out, kVaryingPosition, glm::vec3(vertex.position));
@@ -157,7 +162,9 @@ void shadeVertex(const MeshVertex& vertex, Shading shading, bool lit, Varyings& 
         out[kVaryingUv] = vertex.uv.x;
         out[kVaryingUv + 1] = vertex.uv.y;
         [[fallthrough]];
-    case Shading::Gouraud: put(out, kVaryingColor, lit ? vertex.color * lambert(vertex.normal) : vertex.color); break;
+    case Shading::Gouraud:
+        put(out, kVaryingColor, rules.lit ? vertex.color * lambert(vertex.normal, rules.light) : vertex.color);
+        break;
     case Shading::Normals: put(out, 0, vertex.normal); break;
     case Shading::Uv:
         out[0] = vertex.uv.x;
@@ -171,14 +178,14 @@ void shadeVertex(const MeshVertex& vertex, Shading shading, bool lit, Varyings& 
     }
 }
 
-FaceUniforms faceUniforms(const Scene& scene, std::uint32_t face, Shading shading, bool lit)
+FaceUniforms faceUniforms(const Scene& scene, std::uint32_t face, const Rules& rules)
 {
     FaceUniforms uniforms;
     const Mesh& mesh = scene.mesh;
-    switch (shading) {
+    switch (rules.shading) {
     case Shading::Flat: {
         const glm::vec3 color = mesh.vertices[mesh.indices[3 * face]].color;
-        uniforms.color = packColor(lit ? color * lambert(faceNormal(mesh, face)) : color);
+        uniforms.color = packColor(rules.lit ? color * lambert(faceNormal(mesh, face), rules.light) : color);
         break;
     }
     case Shading::RandomFlat: uniforms.color = colorOfId(face * 2654435761U + 12345U); break;
@@ -189,7 +196,7 @@ FaceUniforms faceUniforms(const Scene& scene, std::uint32_t face, Shading shadin
         uniforms.material = &scene.materials[material];
         if (uniforms.material->texture >= 0)
             uniforms.texture = &scene.textures[static_cast<std::size_t>(uniforms.material->texture)];
-        else if (shading == Shading::Texture)
+        else if (rules.shading == Shading::Texture)
             uniforms.texture = &plainTexture(scene);
         break;
     }

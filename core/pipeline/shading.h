@@ -16,7 +16,9 @@ constexpr int kVaryingNormal = 5;   ///< phong
 constexpr int kVaryingPosition = 8; ///< world space: phong
 
 /// Towards the light, world space, unit length.
-[[nodiscard]] glm::vec3 lightDirection();
+///
+/// in  towards the eye: where the headlight is
+[[nodiscard]] glm::vec3 lightDirection(const Light& light, const glm::dvec3& toViewer);
 
 /// How many floats this shading interpolates.
 [[nodiscard]] int varyingCount(Shading shading);
@@ -27,9 +29,9 @@ constexpr float kDiffuse = 0.8F;
 
 /// What the vertex stage computes for this shading: colour (gouraud, texture), attributes (the others).
 ///
-/// in      `lit`: the colour of gouraud and texture is the vertex's own times the light on it
-/// source  ambient 0.2 and diffuse 0.8 * max(0, n . l), l = normalize(0.3, 0.5, 1) in world space
-void shadeVertex(const MeshVertex& vertex, Shading shading, bool lit, Varyings& out);
+/// in      `rules.lit`: the colour of gouraud and texture is the vertex's own times the light on it
+/// source  ambient 0.2 and diffuse 0.8 * max(0, n . l), l = rules.light
+void shadeVertex(const MeshVertex& vertex, const Rules& rules, Varyings& out);
 
 /// What is the same for all fragments of a face.
 struct FaceUniforms {
@@ -38,8 +40,8 @@ struct FaceUniforms {
     const Material* material = nullptr;
 };
 
-/// in  `lit`: the colour of flat is that of the face's first corner times the light on the face
-[[nodiscard]] FaceUniforms faceUniforms(const Scene& scene, std::uint32_t face, Shading shading, bool lit);
+/// in  `rules.lit`: the colour of flat is that of the face's first corner times the light on the face
+[[nodiscard]] FaceUniforms faceUniforms(const Scene& scene, std::uint32_t face, const Rules& rules);
 
 /// Whether this face's colours depend on the gradient.
 [[nodiscard]] inline bool needsUvGradient(const Rules& rules, const FaceUniforms& uniforms)

@@ -23,7 +23,7 @@ ClipVertex shadedVertex(const Scene& scene, const Matrices& matrices, const Rule
         positionClip.z = rules.clipZ == ClipZ::Gl ? -positionClip.z : positionClip.w - positionClip.z;
     ClipVertex out;
     out.positionClip = positionClip;
-    shadeVertex(vertex, rules.shading, rules.lit, out.varyings);
+    shadeVertex(vertex, rules, out.varyings);
     return out;
 }
 

@@ -139,18 +139,22 @@ FrameFacts frameFacts(const Scene& scene, const Settings& settings, const std::s
     facts.noneOutside = !heard.someCut && !heard.someLost;
     facts.allFront = heard.someFront && !heard.someBack;
     facts.allBack = heard.someBack && !heard.someFront;
+    facts.noCamera = scene.space == SceneSpace::Clip;
+    facts.orthographic = resolved.matrices.orthographic;
     facts.noMask = std::ranges::none_of(scene.materials, [](const Material& material) { return material.mask >= 0; });
     return facts;
 }
 
 bool canBeUnchanged(const SettingsField& field)
 {
-    return isOneOf(field.id, "interpolation", "clipping", "culling", "alpha-test");
+    return isOneOf(field.id, "projection", "interpolation", "clipping", "culling", "alpha-test");
 }
 
 std::optional<Reason> whyUnchanged(const SettingsField& field, const Settings& one, const Settings& other,
                                    const FrameFacts& facts)
 {
+    if (isOneOf(field.id, "projection") && facts.noCamera)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "the scene is given in clip space: no camera projects it"));
     if (isOneOf(field.id, "interpolation"))
         return whenEqualW(facts);
     if (isOneOf(field.id, "clipping"))
@@ -162,12 +166,38 @@ std::optional<Reason> whyUnchanged(const SettingsField& field, const Settings& o
     return std::nullopt;
 }
 
+std::optional<Reason> whyLightUnchanged(const Scene& scene, const Settings& settings)
+{
+    const Resolved resolved = resolve(settings, scene);
+    if (resolved.rules.facing == Facing::LightNormal)
+        return std::nullopt;
+    if (!scene.lit)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "this scene has no light: its colours are shown as they are"));
+    if (!resolved.rules.lit)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "lines and points are drawn without light"));
+    switch (settings.shading) {
+    case Shading::Gouraud:
+    case Shading::Flat:
+    case Shading::Texture:
+    case Shading::Phong: return std::nullopt;
+    case Shading::RandomFlat:
+    case Shading::Depth:
+    case Shading::Normals:
+    case Shading::Uv:
+    case Shading::Overdraw:
+    case Shading::TriangleId: break;
+    }
+    return Reason(QT_TRANSLATE_NOOP("Diagnostic", "this shading asks for no light"));
+}
+
 std::optional<Reason> whyUnchanged(const Mistake& mistake, const Settings& settings, const FrameFacts& facts)
 {
     const char* id = mistake.id;
     std::optional<Reason> why = whenNotAsked(id, settings);
     if (!why && isOneOf(id, "affine", "w-lost", "w-not-inverted", "z-corrected", "w-before-clipping"))
         why = whenEqualW(facts);
+    if (isOneOf(id, "view-z-linear") && facts.orthographic)
+        why = Reason(QT_TRANSLATE_NOOP("Diagnostic", "the depth of an orthographic camera is linear in the distance"));
     if (!why && isOneOf(id, "no-near-clip", "any-vertex-inside", "near-far-reject", "cut-corners",
                         "return-for-continue", "w-before-clipping"))
         why = whenNoneOutside(facts);

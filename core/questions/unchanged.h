@@ -20,6 +20,8 @@ struct FrameFacts {
     bool allFront = false;         ///< each face that has an area is a front face
     bool allBack = false;          ///< each face that has an area is a back face
     bool noMask = false;           ///< no material has a mask
+    bool noCamera = false;         ///< the scene is given in clip space
+    bool orthographic = false;     ///< the camera is
 
     static constexpr std::size_t kMostNamed = 3;
 };
@@ -39,6 +41,9 @@ struct FrameFacts {
 /// in  the settings with the one value and with the other
 [[nodiscard]] std::optional<Reason> whyUnchanged(const SettingsField& field, const Settings& one, const Settings& other,
                                                  const FrameFacts& facts);
+
+/// Why another light gives the same picture: a text of the context "Diagnostic"; nothing where it may differ.
+[[nodiscard]] std::optional<Reason> whyLightUnchanged(const Scene& scene, const Settings& settings);
 
 /// Why a mistake does not change the picture; nothing where it may.
 ///

@@ -46,18 +46,63 @@ Frame3 fitted(const View& view, const BoundingSphere& bounds, double distance)
     return {right, up, back, target + distance * back};
 }
 
-/// Rows z and w of a perspective projection: z_clip = a * z_view + b, w = -z_view.
+/// Row z of a projection: z_clip = a * z_view + b. Perspective has w = -z_view, orthographic w = 1.
 struct DepthRow {
     double a;
     double b;
 };
 
-DepthRow depthRow(double n, double f, const Settings& settings)
+DepthRow perspectiveDepth(double n, double f, const Settings& settings)
 {
     if (settings.clipZ == ClipZ::D3d)
         return settings.reversedZ ? DepthRow{n / (f - n), f * n / (f - n)} : DepthRow{-f / (f - n), -f * n / (f - n)};
     const DepthRow gl{-(f + n) / (f - n), -2 * f * n / (f - n)};
     return settings.reversedZ ? DepthRow{-gl.a, -gl.b} : gl;
+}
+
+DepthRow orthographicDepth(double n, double f, const Settings& settings)
+{
+    if (settings.clipZ == ClipZ::D3d)
+        return settings.reversedZ ? DepthRow{1 / (f - n), f / (f - n)} : DepthRow{-1 / (f - n), -n / (f - n)};
+    const DepthRow gl{-2 / (f - n), -(f + n) / (f - n)};
+    return settings.reversedZ ? DepthRow{-gl.a, -gl.b} : gl;
+}
+
+/// Distances of the near and the far plane.
+struct Planes {
+    double near;
+    double far;
+};
+
+/// Planes in front of the eye and round the sphere.
+Planes planesRound(const BoundingSphere& bounds, double toCenter)
+{
+    return {std::max(toCenter - 1.1 * bounds.radius, 0.01 * bounds.radius), toCenter + 1.1 * bounds.radius};
+}
+
+/// The planes moved apart until the whole sphere lies between them, also where it reaches behind the eye.
+///
+/// in   the distance of the centre along the gaze
+Planes withAllOf(const Planes& planes, const BoundingSphere& bounds, double alongGaze)
+{
+    return {std::min(planes.near, alongGaze - 1.1 * bounds.radius),
+            std::max(planes.far, alongGaze + 1.1 * bounds.radius)};
+}
+
+/// in   h: half the height of the picture at distance 1
+glm::dmat4 perspective(double h, double aspect, const Planes& planes, const Settings& settings)
+{
+    const DepthRow z = perspectiveDepth(planes.near, planes.far, settings);
+    return {glm::dvec4(1 / (h * aspect), 0, 0, 0), glm::dvec4(0, 1 / h, 0, 0), glm::dvec4(0, 0, z.a, -1),
+            glm::dvec4(0, 0, z.b, 0)};
+}
+
+/// in   h: half the height of the picture, at every distance
+glm::dmat4 orthographic(double h, double aspect, const Planes& planes, const Settings& settings)
+{
+    const DepthRow z = orthographicDepth(planes.near, planes.far, settings);
+    return {glm::dvec4(1 / (h * aspect), 0, 0, 0), glm::dvec4(0, 1 / h, 0, 0), glm::dvec4(0, 0, z.a, 0),
+            glm::dvec4(0, 0, z.b, 1)};
 }
 
 } // namespace
@@ -73,15 +118,21 @@ Matrices cameraMatrices(const Scene& scene, const Settings& settings)
     const double fitDistance = bounds.radius / std::sin(halfAngle) * view.distance;
     const Frame3 frame = view.fit ? fitted(view, bounds, fitDistance) : lookAt(view, scene.mesh.origin);
 
+    m.orthographic = settings.projection == Projection::Orthographic;
+    m.toViewer = frame.back;
+
     const double toCenter = view.fit ? fitDistance : glm::length(frame.eye - bounds.center);
-    m.near = view.near.value_or(std::max(toCenter - 1.1 * bounds.radius, 0.01 * bounds.radius));
-    m.far = std::max(view.far.value_or(toCenter + 1.1 * bounds.radius), m.near * 1.001);
+    Planes planes = planesRound(bounds, toCenter);
+    if (m.orthographic)
+        planes = withAllOf(planes, bounds, view.fit ? fitDistance : glm::dot(frame.eye - bounds.center, frame.back));
+    m.near = view.near.value_or(planes.near);
+    m.far = std::max(view.far.value_or(planes.far), m.near * 1.001);
 
     const double h = std::tan(halfAngle);
     const double aspect = double(settings.size.width()) / settings.size.height();
-    const DepthRow z = depthRow(m.near, m.far, settings);
-    m.clipFromView = {glm::dvec4(1 / (h * aspect), 0, 0, 0), glm::dvec4(0, 1 / h, 0, 0), glm::dvec4(0, 0, z.a, -1),
-                      glm::dvec4(0, 0, z.b, 0)};
+    const double toTarget = view.fit ? fitDistance : glm::length(view.eye - view.target);
+    m.clipFromView = m.orthographic ? orthographic(toTarget > 0 ? h * toTarget : h, aspect, {m.near, m.far}, settings)
+                                    : perspective(h, aspect, {m.near, m.far}, settings);
     m.viewFromObject = viewFromObject(frame);
     m.clipFromObjectDouble = m.clipFromView * m.viewFromObject;
     m.clipFromObject = glm::mat4(m.clipFromObjectDouble);

@@ -72,9 +72,14 @@ struct Rules {
     Shading shading = Shading::Gouraud;
     TextureFilter textureFilter = TextureFilter::Nearest;
     bool lit = true;
-    int varyingCount = 3;     ///< floats a vertex hands to the fragments; what no shader reads is not carried
+    /// Towards the light, world space, unit length. What stands here is normalize(0.3, 0.5, 1).
+    glm::vec3 light{0.259160519F, 0.431934208F, 0.863868415F};
+    bool orthographic = false;   ///< all look along one direction, and w is 1: there is no distance in it
+    glm::vec3 toViewer{0, 0, 1}; ///< orthographic: from everywhere towards the eye, world space, unit length
+    int varyingCount = 3;        ///< floats a vertex hands to the fragments; what no shader reads is not carried
     int maskUv = -1;          ///< where among them the coordinates of masks are; -1: no face is tested against a mask
     bool mirrorClipZ = false; ///< reversed z for a scene that brings its own clip coordinates
+    bool reversedZ = false;   ///< z of clip space falls with the distance
 
     // Clipping
     Clipping clipping = Clipping::Frustum;

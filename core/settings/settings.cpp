@@ -1,11 +1,14 @@
 #include "core/settings/settings.h"
 
 #include "core/base/closed_list.h"
+#include "core/base/typed_numbers.h"
 #include "core/settings/view_planes.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
+#include <QLocale>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -60,6 +63,8 @@ constexpr auto kDepthOrders =
                            {"after-shading", QT_TRANSLATE_NOOP("Settings", "After shading")}});
 constexpr auto kClipZs = std::to_array<Choice>({{"gl", QT_TRANSLATE_NOOP("Settings", "-w to w (OpenGL)")},
                                                 {"d3d", QT_TRANSLATE_NOOP("Settings", "0 to w (Direct3D)")}});
+constexpr auto kProjections = std::to_array<Choice>({{"perspective", QT_TRANSLATE_NOOP("Settings", "Perspective")},
+                                                     {"orthographic", QT_TRANSLATE_NOOP("Settings", "Orthographic")}});
 constexpr auto kVisibilities =
     std::to_array<Choice>({{"z-buffer", QT_TRANSLATE_NOOP("Settings", "Z-buffer")},
                            {"painter", QT_TRANSLATE_NOOP("Settings", "Painter's algorithm")},
@@ -157,6 +162,11 @@ constexpr SettingsField flag(const char* id, Stage stage, const char* title, con
 using S = Settings;
 
 constexpr SettingsField kFields[] = {
+    choice<&S::projection>(
+        "projection", Stage::Clip, kProjections, QT_TRANSLATE_NOOP("Settings", "Projection"),
+        QT_TRANSLATE_NOOP("Settings",
+                          "Orthographic: w is 1 everywhere, distant things are as large as near ones, and what lies at "
+                          "the camera's target keeps its size. A scene in clip space is projected already.")),
     choice<&S::clipping>("clipping", Stage::Clip, kClippings, QT_TRANSLATE_NOOP("Settings", "Clipping"),
                          QT_TRANSLATE_NOOP("Settings", "What happens to triangles that leave the view volume.")),
     choice<&S::clipZ>("clip-z", Stage::Clip, kClipZs, QT_TRANSLATE_NOOP("Settings", "Depth range in clip space"),
@@ -255,7 +265,22 @@ Reason valueList(const SettingsField& field)
     return ids.join(QStringLiteral(", "));
 }
 
+const QString kHeadlight = QStringLiteral("head");
+constexpr double kLongest = 1e30; // of a direction, along each axis
+
+/// Whether a direction towards the light is one.
+bool isDirection(const glm::dvec3& v)
+{
+    const auto isShort = [](double d) { return std::abs(d) <= kLongest; }; // false for what is no number
+    return isShort(v.x) && isShort(v.y) && isShort(v.z) && v != glm::dvec3(0);
+}
+
 QJsonArray toArray(glm::dvec3 v) { return {v.x, v.y, v.z}; }
+
+QJsonValue lightToJson(const Light& light)
+{
+    return light.isHead() ? QJsonValue(kHeadlight) : QJsonValue(toArray(*light.towards));
+}
 
 QJsonObject viewToJson(const View& view)
 {
@@ -345,6 +370,21 @@ struct Reader {
             errors.push_back(std::move(*why));
     }
 
+    void light(const QJsonValue& value, Light& out)
+    {
+        const std::size_t errorsBefore = errors.size();
+        glm::dvec3 towards{};
+        if (value.isArray())
+            vector(QStringLiteral("light"), value, towards);
+        if (value.isString() && value.toString() == kHeadlight)
+            out.towards.reset();
+        else if (value.isArray() && isDirection(towards))
+            out.towards = towards;
+        else if (errors.size() == errorsBefore)
+            errors.emplace_back(QT_TRANSLATE_NOOP(
+                "Diagnostic", "\"light\" takes \"head\" or an array of three numbers that are not all 0"));
+    }
+
     void mistakes(const QJsonValue& value, QStringList& out)
     {
         if (!value.isArray()) {
@@ -418,6 +458,7 @@ QJsonObject toJson(const Settings& settings)
 {
     QJsonObject json{{"size", QStringLiteral("%1x%2").arg(settings.size.width()).arg(settings.size.height())},
                      {"view", viewToJson(settings.view)},
+                     {"light", lightToJson(settings.light)},
                      {"mistakes", QJsonArray::fromStringList(settings.mistakes)}};
     for (const SettingsField& field : kFields) {
         const QString key = QString::fromLatin1(field.id);
@@ -447,6 +488,8 @@ SettingsParse settingsFromJson(const QJsonObject& json, const Settings& base)
                 reader.view(it.value().toObject(), settings.view);
             else
                 reader.errors.emplace_back(QT_TRANSLATE_NOOP("Diagnostic", "\"view\" takes an object"));
+        } else if (it.key() == QLatin1String("light")) {
+            reader.light(it.value(), settings.light);
         } else if (it.key() == QLatin1String("mistakes")) {
             reader.mistakes(it.value(), settings.mistakes);
         } else if (const SettingsField* field = findSettingsField(it.key())) {
@@ -470,6 +513,27 @@ std::optional<QSize> parseSize(const QString& text)
     if (!goodWidth || !goodHeight || !inRange(size.width()) || !inRange(size.height()))
         return std::nullopt;
     return size;
+}
+
+std::optional<Light> parseLight(const QString& text)
+{
+    if (text == kHeadlight)
+        return Light{std::nullopt};
+    const auto numbers = typedNumbers(text);
+    if (!numbers || numbers->size() != 3)
+        return std::nullopt;
+    const glm::dvec3 towards((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+    return isDirection(towards) ? std::optional(Light{towards}) : std::nullopt;
+}
+
+QString lightText(const Light& light)
+{
+    if (light.isHead())
+        return kHeadlight;
+    QStringList words;
+    for (int i = 0; i < 3; ++i)
+        words << QString::number((*light.towards)[i], 'g', QLocale::FloatingPointShortest);
+    return words.join(QLatin1Char(','));
 }
 
 } // namespace rasterlens

@@ -28,6 +28,7 @@ enum class DepthTest { Less, LessEqual, Greater, Always, None };
 enum class DepthFormat { Float32, Unorm24, Unorm16 };
 enum class DepthOrder { BeforeShading, AfterShading };
 enum class ClipZ { Gl, D3d };
+enum class Projection { Perspective, Orthographic };
 enum class Visibility { ZBuffer, Painter, SubmissionOrder };
 enum class Interpolation { Perspective, Affine };
 enum class AttributePath { Planes, EdgeThenSpan };
@@ -65,11 +66,22 @@ struct View {
     friend bool operator==(const View&, const View&) = default;
 };
 
+/// Where the light comes from; it is the same direction everywhere.
+struct Light {
+    /// Towards the light, world space, any length but 0; empty: the headlight, which shines along the camera's view.
+    std::optional<glm::dvec3> towards = glm::dvec3(0.3, 0.5, 1);
+
+    [[nodiscard]] bool isHead() const { return !towards; }
+    friend bool operator==(const Light&, const Light&) = default;
+};
+
 /// The value a user edits. Default-constructed = correct graphics.
 /// A lesson, a command-line run, a benchmark row, a test case and an undo step are each one Settings.
 struct Settings {
     QSize size{1920, 1080}; ///< viewport in pixels, 1..16384 each
     View view;
+    Light light;
+    Projection projection = Projection::Perspective; ///< of the camera; a scene in clip space has none
     Algorithm algorithm = Algorithm::EdgeEquation;
     NumberType numberType = NumberType::Fixed;
     int subpixelBits = 8; ///< 0..8
@@ -126,7 +138,7 @@ struct SettingsField {
     void (*set)(Settings&, int); ///< in: minimum <= value <= maximum
 };
 
-/// Every field but size, view and mistakes, in pipeline order.
+/// Every field but size, view, light and mistakes, in pipeline order.
 [[nodiscard]] std::span<const SettingsField> settingsFields();
 [[nodiscard]] const SettingsField* findSettingsField(const QString& id);
 
@@ -138,7 +150,8 @@ struct SettingsField {
 /// errors  names the field and the values it takes, a text of the context "Diagnostic"; `settings` is then unchanged
 [[nodiscard]] std::optional<Reason> setFromText(const SettingsField& field, const QString& text, Settings& settings);
 
-/// All fields, also those at their default. `size` is "WxH", `view` an object, `mistakes` an array.
+/// All fields, also those at their default. `size` is "WxH", `view` an object, `light` "head" or three
+/// numbers, `mistakes` an array.
 [[nodiscard]] QJsonObject toJson(const Settings& settings);
 
 /// Reads what toJson writes; keys that are absent keep the value of `base`.
@@ -153,6 +166,12 @@ struct SettingsParse {
 
 /// "WIDTHxHEIGHT" with 1..16384 each, or nothing.
 [[nodiscard]] std::optional<QSize> parseSize(const QString& text);
+
+/// "head", or three numbers x,y,z that are not all 0, or nothing.
+[[nodiscard]] std::optional<Light> parseLight(const QString& text);
+
+/// The text that parseLight() reads.
+[[nodiscard]] QString lightText(const Light& light);
 
 /// The side of the sample grid: 1, 2, 3 or 4.
 [[nodiscard]] constexpr int sampleGrid(Samples samples) { return static_cast<int>(samples) + 1; }

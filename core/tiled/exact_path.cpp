@@ -119,7 +119,7 @@ void shadeExactly(const FrameJob& job, const VisibleTriangle& visible, const Blo
 {
     const ScreenTriangle triangle = screenTriangle(job, *visible.chunk, visible.source);
     const FaceInterpolation interpolation(triangle, triangle.area2, job.rules);
-    const FaceUniforms uniforms = faceUniforms(*job.scene, triangle.face, job.rules.shading, job.rules.lit);
+    const FaceUniforms uniforms = faceUniforms(*job.scene, triangle.face, job.rules);
     for (unsigned lanes = share.lanes; lanes != 0; lanes &= lanes - 1) {
         const int lane = std::countr_zero(lanes);
         const int x = origin.x + blockColumn(share.block) * kBlockSide + lane % kBlockSide;

@@ -63,8 +63,7 @@ HWY_INLINE std::uint32_t VisiblePlace(const FrameJob& job, std::uint32_t number,
     const void* varyings = job.interpolatesColor() ? &colors
                            : job.interpolates()    ? FetchVaryings(shading, chunk, colors.extra)
                                                    : nullptr;
-    worker.visible.push_back(
-        {source, &chunk, varyings, faceUniforms(*job.scene, faceOf(chunk, source), shading, job.rules.lit)});
+    worker.visible.push_back({source, &chunk, varyings, faceUniforms(*job.scene, faceOf(chunk, source), job.rules)});
     return place;
 }
 

@@ -112,12 +112,14 @@ struct NormalShader {
 struct PhongShader {
     static constexpr std::size_t kVaryings = kPhongVaryings;
     explicit PhongShader(const FrameJob& j)
-        : job(j), toLight(Spread(lightDirection())), eye(Spread(glm::vec3(j.matrices.eyeObject)))
+        : job(j), toLight(Spread(j.rules.light)), eye(Spread(glm::vec3(j.matrices.eyeObject))),
+          toViewer(Spread(j.rules.toViewer))
     {
     }
     const FrameJob& job;
     VectorLanes toLight;
     VectorLanes eye;
+    VectorLanes toViewer; ///< orthographic: in place of the eye
 
     static HWY_INLINE VectorLanes Spread(const glm::vec3& v)
     {
@@ -133,7 +135,7 @@ struct PhongShader {
             return true;
         const VectorLanes toEye = ToEye(lanes);
         const auto directed = hn::And(hn::And(HaveDirection(lanes.vectorAt(kVaryingNormal)), HaveDirection(toEye)),
-                                      HaveDirection(Add(toLight, Normalize(toEye))));
+                                      HaveDirection(Add(toLight, UnitToEye(toEye))));
         const Material& material = *lanes.triangle.uniforms.material;
         const float specular = material.specular.x + material.specular.y + material.specular.z;
         return material.shininess >= 1 && std::isfinite(material.shininess) && std::isfinite(specular) &&
@@ -150,8 +152,15 @@ struct PhongShader {
 
     HWY_INLINE VectorLanes ToEye(const ShaderLanes<kVaryings>& lanes) const
     {
+        if (job.rules.orthographic)
+            return toViewer;
         const VectorLanes position = lanes.vectorAt(kVaryingPosition);
         return {hn::Sub(eye.x, position.x), hn::Sub(eye.y, position.y), hn::Sub(eye.z, position.z)};
+    }
+
+    HWY_INLINE VectorLanes UnitToEye(const VectorLanes& toEye) const
+    {
+        return job.rules.orthographic ? toEye : Normalize(toEye);
     }
 
     /// Ambient, diffuse and specular light on a surface.
@@ -161,7 +170,7 @@ struct PhongShader {
         const Material& material = *lanes.triangle.uniforms.material;
         const Floats zero = hn::Zero(tag);
         const VectorLanes normal = Normalize(lanes.vectorAt(kVaryingNormal));
-        const VectorLanes halfway = Normalize(Add(toLight, Normalize(ToEye(lanes))));
+        const VectorLanes halfway = Normalize(Add(toLight, UnitToEye(ToEye(lanes))));
         const Floats diffuse = hn::Mul(hn::Set(tag, kDiffuse), hn::Max(Dot(normal, toLight), zero));
         const Floats shine = Power(hn::Max(Dot(normal, halfway), zero), hn::Set(tag, material.shininess));
         const RgbLanes color = Scale(surface, hn::Add(hn::Set(tag, kAmbient), diffuse));

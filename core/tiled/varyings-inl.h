@@ -47,7 +47,7 @@ HWY_INLINE void StageFaceVaryings(const FrameJob& job, std::uint32_t face, std::
         const std::size_t vertex = mesh.indices[3 * std::size_t(face) + k];
         const MeshVertex& v = mesh.vertices[vertex];
         Varyings varyings;
-        shadeVertex(v, job.rules.shading, job.rules.lit, varyings);
+        shadeVertex(v, job.rules, varyings);
         stage.w[k][lane] = job.colors != nullptr ? job.colors[vertex].w : v.position.w;
         for (std::size_t i = 0; i < kCount; ++i)
             stage.value[k][i][lane] = varyings[i];

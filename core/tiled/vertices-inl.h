@@ -92,7 +92,7 @@ HWY_INLINE void ColorVertices(const FrameJob& job, const float* floats, HalfInts
     constexpr HalfFloatTag tag;
     constexpr std::size_t kNormal = offsetof(MeshVertex, normal) / sizeof(float);
     constexpr std::size_t kColor = offsetof(MeshVertex, color) / sizeof(float);
-    const glm::vec3 light = lightDirection();
+    const glm::vec3& light = job.rules.light;
     const auto load = [&](std::size_t offset) HWY_ATTR { return hn::GatherIndex(tag, floats + offset, at); };
     const HalfFloats dot = hn::Add(
         hn::Add(hn::Mul(load(kNormal), hn::Set(tag, light.x)), hn::Mul(load(kNormal + 1), hn::Set(tag, light.y))),

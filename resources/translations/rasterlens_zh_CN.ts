@@ -1369,6 +1369,78 @@
         <source>A mistake is on: the new end is drawn this far off the border.</source>
         <translation>有错误打开：新端点画在离边界这么远的里面。</translation>
     </message>
+    <message>
+        <source>The headlight: l is the camera&apos;s backward axis, from the scene to the eye, and has length 1, so n . l is the cosine of the angle between the normal and the gaze.</source>
+        <translation>头灯：l 是相机朝后的轴，从场景指向眼睛，长度为 1，所以 n . l 是法线与视线夹角的余弦。</translation>
+    </message>
+    <message>
+        <source>An orthographic camera: the rays are parallel, and w is 1 at both ends of the edge. The divide by w changes nothing.</source>
+        <translation>正交相机：光线互相平行，这条边两端的 w 都是 1。除以 w 什么也不改变。</translation>
+    </message>
+    <message>
+        <source>Parallel rays divide the edge in space as its picture is divided: the part of the way in space is m itself.</source>
+        <translation>平行光线在空间中分割这条边，与屏幕上的分割相同：空间中的比例就是 m 本身。</translation>
+    </message>
+    <message>
+        <source>The formula of perspective says the same where both w are equal.</source>
+        <translation>两个 w 相等时，透视公式给出同样的结果。</translation>
+    </message>
+    <message>
+        <source>Over a face. All three w are 1: they do not differ.</source>
+        <translation>在一个面上。三个 w 都是 1：没有差别。</translation>
+    </message>
+    <message>
+        <source>At the pixel 1 / w is the sum of the weights on the screen, 1.</source>
+        <translation>在这个像素处，1 / w 是屏幕上权重之和，即 1。</translation>
+    </message>
+    <message>
+        <source>The weights in space are those on the screen: there is nothing to correct, and affine interpolation is right.</source>
+        <translation>空间中的权重就是屏幕上的权重：无需校正，仿射插值是正确的。</translation>
+    </message>
+    <message>
+        <source>From the side: the rays are parallel, the screen is the near plane</source>
+        <translation>从侧面看：光线平行，屏幕是近平面</translation>
+    </message>
+    <message>
+        <source>An orthographic matrix scales and moves z, the distance in front of the eye, so that near comes to c_n and far to c_f. Its last row is (0, 0, 0, 1): w is 1, and the divide changes nothing.</source>
+        <translation>正交矩阵缩放并平移 z（眼睛前方的距离），使近平面到 c_n，远平面到 c_f。它的最后一行是 (0, 0, 0, 1)：w 为 1，除法什么也不改变。</translation>
+    </message>
+    <message>
+        <source>Near comes to c_n...</source>
+        <translation>近平面到 c_n……</translation>
+    </message>
+    <message>
+        <source>...and far to c_f.</source>
+        <translation>……远平面到 c_f。</translation>
+    </message>
+    <message>
+        <source>End %1 of the edge: z&apos; is linear in the distance.</source>
+        <translation>这条边的端点 %1：z&apos; 随距离线性变化。</translation>
+    </message>
+    <message>
+        <source>A point of the edge: a parts of end 1, 1 - a of end 2. On the screen it divides the edge in the same way.</source>
+        <translation>边上的一点：端点 1 占 a 份，端点 2 占 1 - a 份。它在屏幕上以同样的比例分割这条边。</translation>
+    </message>
+    <message>
+        <source>Its z&apos;, by the same weights.</source>
+        <translation>它的 z&apos;，用同样的权重。</translation>
+    </message>
+    <message>
+        <source>The same from its distance: on the screen both are linear, and neither is to be corrected.</source>
+        <translation>由它的距离得到同样的值：两者在屏幕上都是线性的，都无需校正。</translation>
+    </message>
+    <message>
+        <source>A distance of free choice; half-way from near to far unless another is asked for.</source>
+        <translation>可自由选择的距离；没有另外指定时，取近平面与远平面的正中。</translation>
+    </message>
+    <message>
+        <source>The part of the way from near to far at which it comes to lie: half-way stays half-way, and equal steps of distance stay equal.</source>
+        <translation>它落在从近到远的哪个比例处：正中仍在正中，相等的距离步长仍然相等。</translation>
+    </message>
+    <message>
+        <source>z&apos; over z: a straight line</source>
+        <translation>z&apos; 随 z 变化：一条直线</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostic</name>
@@ -2187,6 +2259,30 @@
     <message>
         <source>%1 x %2 pixels are too many to compare; at most %3 million</source>
         <translation>%1 x %2 像素太多，无法比较；至多 %3 百万</translation>
+    </message>
+    <message>
+        <source>the scene is given in clip space: no camera projects it</source>
+        <translation>场景以裁剪空间给出：没有相机来投影它</translation>
+    </message>
+    <message>
+        <source>this scene has no light: its colours are shown as they are</source>
+        <translation>这个场景没有光照：颜色按原样显示</translation>
+    </message>
+    <message>
+        <source>lines and points are drawn without light</source>
+        <translation>线和点绘制时不受光照</translation>
+    </message>
+    <message>
+        <source>this shading asks for no light</source>
+        <translation>这种着色不使用光照</translation>
+    </message>
+    <message>
+        <source>the depth of an orthographic camera is linear in the distance</source>
+        <translation>正交相机的深度随距离线性变化</translation>
+    </message>
+    <message>
+        <source>&quot;light&quot; takes &quot;head&quot; or an array of three numbers that are not all 0</source>
+        <translation>&quot;light&quot; 的值是 &quot;head&quot;，或由三个不全为 0 的数组成的数组</translation>
     </message>
 </context>
 <context>
@@ -4675,6 +4771,22 @@
         <source>Super-sampling: every sample keeps its own colour and depth, and the box filter averages them. This is not MSAA, which also tests coverage and depth at every sample, but shades a face only once a pixel.</source>
         <translation>超采样：每个采样点保存自己的颜色和深度，再用盒式滤波求平均。这不是 MSAA：MSAA 也在每个采样点测试覆盖和深度，但一个面在每个像素里只着色一次。</translation>
     </message>
+    <message>
+        <source>Perspective</source>
+        <translation>透视</translation>
+    </message>
+    <message>
+        <source>Orthographic</source>
+        <translation>正交</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>投影</translation>
+    </message>
+    <message>
+        <source>Orthographic: w is 1 everywhere, distant things are as large as near ones, and what lies at the camera&apos;s target keeps its size. A scene in clip space is projected already.</source>
+        <translation>正交：w 处处为 1，远处的物体与近处的一样大，位于相机目标处的物体大小不变。裁剪空间中的场景已经投影过了。</translation>
+    </message>
 </context>
 <context>
     <name>StatisticsPanel</name>
@@ -5911,6 +6023,10 @@
         <source>A was not drawn: %1</source>
         <translation>A 未能绘制：%1</translation>
     </message>
+    <message>
+        <source>Towards the light</source>
+        <translation>指向光源</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::CurvesPanel</name>
@@ -6005,6 +6121,10 @@
     <message>
         <source>Textbook: n .1, f 50, z 1..10</source>
         <translation>教科书：n .1, f 50, z 1..10</translation>
+    </message>
+    <message>
+        <source>The camera is orthographic: w is 1, n is m, and z&apos; is linear in the distance. The numbers of the textbook are shown.</source>
+        <translation>相机是正交的：w 为 1，n 就是 m，z&apos; 随距离线性变化。这里显示教科书中的数。</translation>
     </message>
 </context>
 <context>
@@ -6497,10 +6617,6 @@
         <translation>导出窗口</translation>
     </message>
     <message>
-        <source>Copy &amp;image</source>
-        <translation>复制图像(&amp;I)</translation>
-    </message>
-    <message>
         <source>&amp;Quit</source>
         <translation>退出(&amp;Q)</translation>
     </message>
@@ -6831,6 +6947,10 @@
     <message>
         <source>Pictures and arrays (%1)</source>
         <translation>图片和数组 (%1)</translation>
+    </message>
+    <message>
+        <source>towards the light: %1</source>
+        <translation>指向光源：%1</translation>
     </message>
 </context>
 <context>
@@ -8492,6 +8612,37 @@
     <message>
         <source>Where</source>
         <translation>位置</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::LightFields</name>
+    <message>
+        <source>&quot;%1&quot; is no direction. Write three numbers x, y, z that are not all 0.</source>
+        <translation>&quot;%1&quot; 不是方向。请写出三个不全为 0 的数 x, y, z。</translation>
+    </message>
+    <message>
+        <source>Towards the light</source>
+        <translation>指向光源</translation>
+    </message>
+    <message>
+        <source>The direction from the scene to the light: x, y, z in world space. Its length does not matter.</source>
+        <translation>从场景指向光源的方向：世界空间中的 x, y, z。长度无关紧要。</translation>
+    </message>
+    <message>
+        <source>Headlight</source>
+        <translation>头灯</translation>
+    </message>
+    <message>
+        <source>The light shines along the camera&apos;s view and turns with it.</source>
+        <translation>光沿着相机的视线照射，并随相机转动。</translation>
+    </message>
+    <message>
+        <source>Drag the bright side of the ball. With Shift the light comes from behind it.</source>
+        <translation>拖动球的亮面。按住 Shift 时，光从球的后面照来。</translation>
+    </message>
+    <message>
+        <source>Put back what the scene asks for</source>
+        <translation>恢复场景要求的值</translation>
     </message>
 </context>
 </TS>

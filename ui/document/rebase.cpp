@@ -42,6 +42,8 @@ Settings Rebase::settings(const Settings& edited) const
         result.size = now.size;
     if (edited.view == before.view)
         result.view = now.view;
+    if (edited.light == before.light)
+        result.light = now.light;
     if (edited.mistakes == before.mistakes)
         result.mistakes = now.mistakes;
     return result;

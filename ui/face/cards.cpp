@@ -197,7 +197,7 @@ void Cards::refresh()
         std::optional<std::array<VertexRow, 3>> corners;
         if (m_selection.count() > 0)
             corners = vertexTable(scene, m_document.settings(), m_selection.face());
-        m_curvesPanel->setCorners(corners, matrices.near, matrices.far);
+        m_curvesPanel->setCorners(corners, matrices);
     }
     askFace();
     askDerivation();

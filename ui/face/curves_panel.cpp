@@ -126,11 +126,12 @@ CurvesPanel::CurvesPanel(FaceSelection& selection, QWidget* parent)
     retranslate();
 }
 
-void CurvesPanel::setCorners(const std::optional<std::array<VertexRow, 3>>& corners, double near, double far)
+void CurvesPanel::setCorners(const std::optional<std::array<VertexRow, 3>>& corners, const Matrices& matrices)
 {
     m_corners = corners;
-    m_near = near;
-    m_far = far;
+    m_near = matrices.near;
+    m_far = matrices.far;
+    m_isOrthographic = matrices.orthographic;
     if (m_corners && !m_edgeIsChosen) {
         const QSignalBlocker blocked(m_edge);
         m_edge->setCurrentIndex(mostUnequalEdge(*m_corners));
@@ -148,7 +149,11 @@ void CurvesPanel::choose()
     m_input = {};
     const int edge = m_edge->currentIndex();
     m_note->clear();
-    if (edge < kTextbook && m_corners) {
+    if (edge < kTextbook && m_corners && m_isOrthographic) {
+        m_note->setText(
+            tr("The camera is orthographic: w is 1, n is m, and z' is linear in the distance. The numbers of "
+               "the textbook are shown."));
+    } else if (edge < kTextbook && m_corners) {
         const double z1 = (*m_corners)[static_cast<std::size_t>(edge)].clip.w;
         const double z2 = (*m_corners)[static_cast<std::size_t>((edge + 1) % 3)].clip.w;
         if (isBeforeTheEye(z1) && isBeforeTheEye(z2)) {

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/questions/vertex_table.h"
+#include "core/scene/camera.h"
 #include "core/truth/perspective_curves.h"
 #include "ui/face/face_picker.h"
 
@@ -35,8 +36,8 @@ class CurvesPanel : public QWidget
 public:
     explicit CurvesPanel(FaceSelection& selection, QWidget* parent = nullptr);
 
-    /// Nothing: no face. near and far are 0 where the scene has no camera.
-    void setCorners(const std::optional<std::array<VertexRow, 3>>& corners, double near, double far);
+    /// Nothing: no face. near and far of the matrices are 0 where the scene has no camera.
+    void setCorners(const std::optional<std::array<VertexRow, 3>>& corners, const Matrices& matrices);
 
     [[nodiscard]] QComboBox* edgeBox() const { return m_edge; }
     [[nodiscard]] QSlider* slider() const { return m_slider; }
@@ -65,6 +66,7 @@ private:
     std::optional<std::array<VertexRow, 3>> m_corners;
     double m_near = 0;
     double m_far = 0;
+    bool m_isOrthographic = false;
     CurveInput m_input;
     QComboBox* m_edge;
     QSlider* m_slider;

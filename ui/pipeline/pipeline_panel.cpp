@@ -7,6 +7,7 @@
 #include "ui/base/case_note.h"
 #include "ui/base/field_row.h"
 #include "ui/base/parts.h"
+#include "ui/pipeline/light_fields.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/number_dial.h"
 #include "ui/pipeline/plane_fields.h"
@@ -114,6 +115,8 @@ QWidget* PipelinePanel::buildSwitches()
         for (const SettingsField& field : settingsFields())
             if (field.stage == stage)
                 group->addWidget(addRow(field));
+        if (stage == Stage::Shade)
+            addLight(group);
     }
     column->addStretch(1);
     return content;
@@ -195,6 +198,14 @@ void PipelinePanel::addPlanes(QVBoxLayout* group)
     connect(m_planes, &PlaneFields::invalidInput, this, &PipelinePanel::invalidInput);
     connect(m_planes, &PlaneFields::inputMended, this, &PipelinePanel::inputMended);
     group->addWidget(m_planes);
+}
+
+void PipelinePanel::addLight(QVBoxLayout* group)
+{
+    m_light = new LightFields(m_document);
+    connect(m_light, &LightFields::invalidInput, this, &PipelinePanel::invalidInput);
+    connect(m_light, &LightFields::inputMended, this, &PipelinePanel::inputMended);
+    group->addWidget(m_light);
 }
 
 /// Scenes in which coverage by float32 edge functions is wrong and that by fixed point is right.
@@ -307,7 +318,8 @@ int PipelinePanel::changedCount() const
 {
     const Settings& now = m_document.settings();
     const Settings& defaults = m_document.defaults();
-    int changed = (now.size != defaults.size) + !(now.view == defaults.view) + (now.mistakes != defaults.mistakes);
+    int changed = (now.size != defaults.size) + !(now.view == defaults.view) + (now.light != defaults.light) +
+                  (now.mistakes != defaults.mistakes);
     for (const SettingsField& field : settingsFields())
         changed += field.get(now) != field.get(defaults);
     return changed;
@@ -359,6 +371,7 @@ void PipelinePanel::syncSettings()
         row->sync(settings, defaults, refused);
     m_notes->refresh();
     m_planes->sync();
+    m_light->sync();
     {
         const QSignalBlocker blocked(m_sizeBox);
         const QString text = sizeText(settings.size);
@@ -388,6 +401,7 @@ void PipelinePanel::retranslate()
     for (FieldRow* row : m_rows)
         row->retranslate();
     m_planes->retranslate();
+    m_light->retranslate();
     syncScene();
     syncSettings();
 }

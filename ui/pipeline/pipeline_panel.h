@@ -22,6 +22,7 @@ namespace rasterlens
 {
 
 class FieldRow;
+class LightFields;
 class MistakesSection;
 class NumberDial;
 class PlaneFields;
@@ -51,6 +52,7 @@ public:
     [[nodiscard]] QComboBox* sceneBox() const { return m_sceneBox; }
     [[nodiscard]] QComboBox* sizeBox() const { return m_sizeBox; }
     [[nodiscard]] PlaneFields& planes() { return *m_planes; }
+    [[nodiscard]] LightFields& light() { return *m_light; }
     /// What is said about a field's value below its switch; empty where there is nothing to say.
     [[nodiscard]] QString note(const QString& fieldId) const;
     /// Whether something that is said about a value is still being computed.
@@ -80,6 +82,7 @@ private:
     void addSize(QVBoxLayout* group);
     void addNumberDial(QVBoxLayout* group);
     void addPlanes(QVBoxLayout* group);
+    void addLight(QVBoxLayout* group);
     void fillFailureMenu();
     void syncScene();
     void showNote();
@@ -104,6 +107,7 @@ private:
     std::vector<FieldRow*> m_rows;
     NumberDial* m_dial = nullptr;
     PlaneFields* m_planes = nullptr;
+    LightFields* m_light = nullptr;
     UnchangedNotes* m_notes = nullptr;
     QToolButton* m_floatFailures = nullptr;
     QMenu* m_failureMenu = nullptr;

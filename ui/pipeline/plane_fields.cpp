@@ -77,7 +77,9 @@ std::optional<QString> PlaneFields::read(std::size_t which, const QString& text,
         const Matrices inUse = cameraMatrices(*m_document.scene(), m_document.settings());
         View view = m_document.settings().view;
         distance(view, which) = typed;
-        if (const auto why = whyNotPlanes(view.near.value_or(inUse.near), view.far.value_or(inUse.far)))
+        // The near plane that an orthographic camera chooses itself may lie behind the eye.
+        const auto near = view.near || inUse.near > 0 ? view.near.value_or(inUse.near) : view.near;
+        if (const auto why = whyNotPlanes(near, view.far.value_or(inUse.far)))
             return textOf(*why, [](const char* words) { return QCoreApplication::translate("Diagnostic", words); });
     }
     if (attempt == TypedField::Attempt::Take && text != valueText(which)) {

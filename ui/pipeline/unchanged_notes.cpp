@@ -19,6 +19,7 @@ Settings geometryOf(const Settings& settings)
     Settings geometry;
     geometry.size = settings.size;
     geometry.view = settings.view;
+    geometry.projection = settings.projection;
     geometry.numberType = settings.numberType;
     geometry.subpixelBits = settings.subpixelBits;
     geometry.samples = settings.samples;

@@ -258,6 +258,8 @@ std::vector<Comparison::SettingsDifference> Comparison::settingsDifferences() co
     std::vector<SettingsDifference> differences;
     if (a.mistakes != b.mistakes)
         differences.push_back({tr("Mistakes"), mistakesText(a), mistakesText(b)});
+    if (a.light != b.light)
+        differences.push_back({tr("Towards the light"), lightText(a.light), lightText(b.light)});
     for (const SettingsField& field : settingsFields())
         if (field.get(a) != field.get(b))
             differences.push_back(

@@ -73,6 +73,8 @@ QString MainWindow::sceneWords() const
         if (field.get(m_document.settings()) != field.get(m_document.defaults()))
             changes << QStringLiteral("%1: %2").arg(QCoreApplication::translate("Settings", field.title),
                                                     valueTitle(field, m_document.settings()));
+    if (m_document.settings().light != m_document.defaults().light)
+        changes << tr("towards the light: %1").arg(lightText(m_document.settings().light));
     std::vector<const Mistake*> mistakes;
     for (const QString& id : m_document.settings().mistakes)
         mistakes.push_back(findMistake(id));
