@@ -4,7 +4,9 @@
 #include "core/io/file_writer.h"
 #include "core/io/picture_file.h"
 #include "core/lessons/moment.h"
+#include "core/lessons/step_run.h"
 #include "ui/pipeline/canvas_views.h"
+#include "ui/steps/step_mode.h"
 #include "ui/truth/truth_mode.h"
 #include "ui/window/figure_export.h"
 #include "ui/window/main_window.h"
@@ -20,6 +22,26 @@ namespace
 {
 
 enum ExitCode { kFine = 0, kBadArguments = 2, kInvalidInput = 3 };
+
+/// Reads the options about an animation.
+///
+/// out  why one of them is refused
+std::optional<QString> readRun(const QCommandLineParser& parser, const FigureOptions& options, FigureArguments& figure)
+{
+    if (parser.isSet(options.steps)) {
+        figure.steps = stepRunFromText(parser.value(options.steps));
+        if (!figure.steps || figure.path.isEmpty())
+            return QStringLiteral("--figure-steps takes FIRST-LAST, as 10-60, and needs --figure");
+    }
+    if (parser.isSet(options.frameTime)) {
+        figure.milliseconds = parser.value(options.frameTime).toInt();
+        if (*figure.milliseconds < GifWriter::kLeastMilliseconds || *figure.milliseconds > GifWriter::kMostMilliseconds)
+            return QStringLiteral("--frame-time takes %1 to %2")
+                .arg(GifWriter::kLeastMilliseconds)
+                .arg(GifWriter::kMostMilliseconds);
+    }
+    return std::nullopt;
+}
 
 } // namespace
 
@@ -42,11 +64,23 @@ FigureOptions::FigureOptions()
                               "referee, none, and what --overlay takes."),
                QStringLiteral("ids")),
       beforeAfter(QStringLiteral("before-after"),
-                  QStringLiteral("The figure shows the picture without mistakes beside it."))
+                  QStringLiteral("The figure shows the picture without mistakes beside it.")),
+      steps(QStringLiteral("figure-steps"),
+            QStringLiteral("The figures of these steps as an animated GIF: --figure names a .gif then."),
+            QStringLiteral("first-last")),
+      frameTime(QStringLiteral("frame-time"),
+                QStringLiteral("Milliseconds of each step in it, %1 to %2; default %3.")
+                    .arg(GifWriter::kLeastMilliseconds)
+                    .arg(GifWriter::kMostMilliseconds)
+                    .arg(RunAnimation::kUsualMilliseconds),
+                QStringLiteral("ms"))
 {
 }
 
-QList<QCommandLineOption> FigureOptions::all() const { return {path, scale, caption, region, overlays, beforeAfter}; }
+QList<QCommandLineOption> FigureOptions::all() const
+{
+    return {path, scale, caption, region, overlays, beforeAfter, steps, frameTime};
+}
 
 std::optional<QString> readFigure(const QCommandLineParser& parser, const FigureOptions& options,
                                   FigureArguments& figure)
@@ -54,7 +88,10 @@ std::optional<QString> readFigure(const QCommandLineParser& parser, const Figure
     figure.path = parser.value(options.path);
     if (parser.isSet(options.path) && figure.path.isEmpty())
         return QStringLiteral("--figure needs a file");
-    if (const auto why = whyNotFormat(figure.path, FigureExport::formats()))
+    if (const auto why = readRun(parser, options, figure))
+        return why;
+    const QStringList formats = figure.steps ? QStringList{QStringLiteral("gif")} : FigureExport::formats();
+    if (const auto why = whyNotFormat(figure.path, formats))
         return QStringLiteral("--figure %1: %2").arg(figure.path, textOf(*why));
     if (parser.isSet(options.caption))
         figure.caption = parser.value(options.caption);
@@ -115,13 +152,25 @@ void writeFigure(MainWindow& window, const FigureArguments& figure)
                 std::fprintf(stderr, "%s\n", qPrintable(error));
             QApplication::exit(overInput ? kBadArguments : error.isEmpty() ? kFine : kInvalidInput);
         };
-        if (!figure.beforeAfter) {
+        if (figure.steps && figure.steps->second > window.stepMode().session().size()) {
+            std::fprintf(stderr, "--figure-steps: the record has the steps 0 to %zu\n",
+                         window.stepMode().session().size());
+            QApplication::exit(kBadArguments);
+            return;
+        }
+        if (!figure.beforeAfter && !figure.steps) {
             end(window.figures().exportTo(figure.path).value_or(QString()));
             return;
         }
         QObject::connect(&window.figures(), &FigureExport::finished, &window,
                          [end](const QString&, const QString& error) { end(error); });
-        window.figures().exportBeforeAfter(figure.path);
+        if (figure.steps)
+            window.figures().exportRun(figure.path,
+                                       {figure.steps->first, figure.steps->second,
+                                        figure.milliseconds.value_or(RunAnimation::kUsualMilliseconds)},
+                                       &window);
+        else
+            window.figures().exportBeforeAfter(figure.path);
     });
 }
 

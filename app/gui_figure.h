@@ -5,7 +5,9 @@
 #include <QString>
 #include <QStringList>
 
+#include <cstddef>
 #include <optional>
+#include <utility>
 
 namespace rasterlens
 {
@@ -20,6 +22,8 @@ struct FigureArguments {
     std::optional<QRect> region;         ///< pixels; nothing: all of the picture
     std::optional<QStringList> overlays; ///< ids; nothing: those that the window starts with
     bool beforeAfter = false;
+    std::optional<std::pair<std::size_t, std::size_t>> steps; ///< an animation of this run
+    std::optional<int> milliseconds;                          ///< of each step in it
 };
 
 /// The options of the program about it.
@@ -30,6 +34,8 @@ struct FigureOptions {
     QCommandLineOption region;
     QCommandLineOption overlays;
     QCommandLineOption beforeAfter;
+    QCommandLineOption steps;
+    QCommandLineOption frameTime;
 
     FigureOptions();
     [[nodiscard]] QList<QCommandLineOption> all() const;
@@ -45,7 +51,7 @@ struct FigureOptions {
 void prepareFigure(MainWindow& window, const FigureArguments& figure);
 
 /// Writes the figure as soon as all in it is computed, and ends the program: with 0; 2 where an input would be
-/// overwritten; 3 where the file cannot be written.
+/// overwritten, and where the record has no such steps; 3 where the file cannot be written.
 void writeFigure(MainWindow& window, const FigureArguments& figure);
 
 } // namespace rasterlens

@@ -14,6 +14,7 @@
 #include "ui/truth/experiment_panel.h"
 #include "ui/truth/truth_mode.h"
 #include "ui/window/end_signals.h"
+#include "ui/window/guide_window.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_moment.h"
 
@@ -65,6 +66,7 @@ struct Arguments {
     int slide = 1;     ///< counted from 1
     bool asks = false; ///< the slide's question is open
     bool presentation = false;
+    bool guide = false;
 };
 
 QStringList panelNames()
@@ -167,15 +169,18 @@ struct Options {
                              QStringLiteral("n")};
     QCommandLineOption ask{QStringLiteral("ask"), QStringLiteral("Leaves the question of the slide open.")};
     QCommandLineOption presentation{QStringLiteral("presentation"), QStringLiteral("Opens the presentation (F11).")};
+    QCommandLineOption guide{QStringLiteral("guide"),
+                             QStringLiteral("Opens the guide; a --screenshot is one of its window then.")};
     QCommandLineOption keys{
         QStringLiteral("keys"),
         QStringLiteral("Prints the keys as a table in Markdown, in English or in --language, and exits.")};
 
     [[nodiscard]] QList<QCommandLineOption> all() const
     {
-        return QList<QCommandLineOption>{
-                   help, version,  screenshot, windowSize, language, theme,   panel,  topic, view, overlay,      pixel,
-                   step, identify, referee,    reference,  compare,  measure, lesson, slide, ask,  presentation, keys} +
+        return QList<QCommandLineOption>{help,     version, screenshot,   windowSize, language, theme,
+                                         panel,    topic,   view,         overlay,    pixel,    step,
+                                         identify, referee, reference,    compare,    measure,  lesson,
+                                         slide,    ask,     presentation, guide,      keys} +
                figure.all();
     }
 };
@@ -297,6 +302,7 @@ std::optional<QString> readAll(const QCommandLineParser& parser, const Options& 
         return QStringLiteral("more than one scene given");
     arguments.scene = parser.positionalArguments().value(0);
     arguments.keys = parser.isSet(options.keys);
+    arguments.guide = parser.isSet(options.guide);
     arguments.identify = parser.value(options.identify);
     arguments.screenshot = parser.value(options.screenshot);
     if (parser.isSet(options.screenshot) && arguments.screenshot.isEmpty())
@@ -361,11 +367,19 @@ void takeScreenshot(rasterlens::MainWindow& window, const QString& path)
         }
         const QStringList inputs = window.document().inputFiles();
         const bool overInput = rasterlens::whyNotOver(path, inputs).has_value();
-        const auto error = rasterlens::savePicture(window.picture(), {path, inputs, true});
+        const QImage picture = window.guide().isVisible() ? window.guide().grab().toImage() : window.picture();
+        const auto error = rasterlens::savePicture(picture, {path, inputs, true});
         if (error)
             printError(*error);
         QApplication::exit(overInput ? kBadArguments : error ? kInvalidInput : kFine);
     });
+}
+
+void openGuide(rasterlens::MainWindow& window, const Arguments& arguments)
+{
+    window.guide().open();
+    if (arguments.windowSize)
+        window.guide().resize(*arguments.windowSize);
 }
 
 /// Prints the list of keys, which a window in memory knows.
@@ -498,6 +512,8 @@ void startWith(rasterlens::MainWindow& window, const Arguments& arguments, QObje
                              window.cards().derivationPanel().setTopic(*arguments.topic);
                              openPanel(window, QStringLiteral("derive"));
                          }
+                         if (arguments.guide)
+                             openGuide(window, arguments);
                          if (!arguments.screenshot.isEmpty())
                              takeScreenshot(window, arguments.screenshot);
                          if (!arguments.figure.path.isEmpty()) {

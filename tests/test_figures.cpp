@@ -6,6 +6,7 @@
 #include "ui/window/figure_export.h"
 
 #include <QClipboard>
+#include <QImageReader>
 #include <QPainter>
 #include <QSignalSpy>
 #include <QSvgRenderer>
@@ -28,6 +29,31 @@ bool hasInk(const QImage& image, const QRect& part)
             if (qGray(image.pixel(x, y)) < 128)
                 return true;
     return false;
+}
+
+std::vector<QImage> framesOf(const QString& path)
+{
+    QImageReader reader(path);
+    std::vector<QImage> frames;
+    for (QImage frame = reader.read(); !frame.isNull(); frame = reader.read())
+        frames.push_back(asRgb(frame));
+    return frames;
+}
+
+/// What 256 colours in place of a figure's many may make of a channel.
+constexpr int kPaletteError = 40;
+
+int error(const QImage& a, const QImage& b)
+{
+    int most = a.size() == b.size() ? 0 : 255;
+    for (int y = 0; y < std::min(a.height(), b.height()); ++y)
+        for (int x = 0; x < std::min(a.width(), b.width()); ++x) {
+            const QRgb p = a.pixel(x, y);
+            const QRgb q = b.pixel(x, y);
+            most = std::max(
+                {most, std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)), std::abs(qBlue(p) - qBlue(q))});
+        }
+    return most;
 }
 
 } // namespace
@@ -168,6 +194,88 @@ private Q_SLOTS:
         QVERIFY(!size.isEmpty());
         for (const char* name : {"step-099.png", "step-100.png", "step-101.png"})
             QCOMPARE(QImage(path(name)).size(), size);
+    }
+
+    /// The single figures of a run, each on a sheet as large as the largest of them.
+    void animationsHoldTheFigures()
+    {
+        QVERIFY(openSquare() && goToTie());
+        figures().setZoom(20);
+        QSignalSpy finished(&figures(), &FigureExport::finished);
+        const std::size_t position = m_window->stepMode().session().position();
+        figures().exportRun(path("run.gif"), {36, 42, 120}, m_window.get());
+        QVERIFY(finished.wait(kPatienceMs));
+        QCOMPARE(finished.front()[1].toString(), QString());
+        QCOMPARE(m_window->stepMode().session().position(), position);
+        const std::vector<QImage> frames = framesOf(path("run.gif"));
+        QCOMPARE(frames.size(), std::size_t(7));
+        QSize size;
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            m_window->stepMode().session().moveTo(36 + i);
+            size = size.expandedTo(figures().size());
+        }
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            m_window->stepMode().session().moveTo(36 + i);
+            const QImage figure = figures().imageOn(size);
+            QCOMPARE(frames[i].size(), size);
+            QVERIFY(error(frames[i], figure) <= kPaletteError);
+        }
+        QVERIFY(frames[3] != frames[4]);
+    }
+
+    /// A figure of few colours loses none of them.
+    void animationsOfFewColorsAreExact()
+    {
+        QVERIFY(openSquare() && goToTie());
+        viewport().setOverlays({});
+        figures().setTexts(false);
+        figures().setZoom(8);
+        QSignalSpy finished(&figures(), &FigureExport::finished);
+        figures().exportRun(path("few.gif"), {300, 306, 100}, m_window.get());
+        QVERIFY(finished.wait(kPatienceMs));
+        QCOMPARE(finished.front()[1].toString(), QString());
+        const std::vector<QImage> frames = framesOf(path("few.gif"));
+        QCOMPARE(frames.size(), std::size_t(7));
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            m_window->stepMode().session().moveTo(300 + i);
+            QCOMPARE(frames[i], figures().image());
+        }
+    }
+
+    void commandLineWritesAnimations()
+    {
+        const auto made = [this](const QStringList& words) {
+            return figure(QStringList{QStringLiteral("builtin:square-diagonal"), QStringLiteral("--figure-scale"),
+                                      QStringLiteral("24"), QStringLiteral("-o")} +
+                          words);
+        };
+        const auto option = [](const char* name, const char* value) {
+            return QStringList{QLatin1String(name), QLatin1String(value)};
+        };
+        const Run run = made(QStringList{QStringLiteral("c.gif")} + option("--steps", "38-41"));
+        QVERIFY2(run.exitCode == 0, qPrintable(run.err));
+        const std::vector<QImage> frames = framesOf(path("c.gif"));
+        QCOMPARE(frames.size(), std::size_t(4));
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            const QByteArray number = QByteArray::number(int(38 + i));
+            QCOMPARE(made(QStringList{QStringLiteral("one.png")} + option("--step", number.constData())).exitCode, 0);
+            const QImage one = asRgb(QImage(path("one.png")));
+            QVERIFY(error(frames[i].copy(one.rect()), one) <= kPaletteError);
+        }
+        const auto refused = [&](const QStringList& words, const char* why) {
+            const Run run = made(words);
+            return run.exitCode == 2 && run.err.contains(QLatin1String(why));
+        };
+        const QStringList gif{QStringLiteral("r.gif")};
+        QVERIFY(refused(gif, "--steps FIRST-LAST is expected"));
+        QVERIFY(refused(QStringList{QStringLiteral("r.png")} + option("--steps", "1-2"), "gif"));
+        QVERIFY(refused(gif + option("--steps", "9-3"), "no run of steps"));
+        QVERIFY(refused(gif + option("--steps", "3-9999"), "the record has the steps 0 to 341"));
+        QVERIFY(refused(gif + option("--steps", "3-99999"), "at most 5000 pictures"));
+        QVERIFY(refused(gif + option("--steps", "3-9") + option("--step", "3"), "cannot be combined"));
+        QVERIFY(refused(gif + option("--steps", "3-9") + option("--frame-time", "5"), "--frame-time"));
+        QVERIFY(refused(QStringList{QStringLiteral("r.png")} + option("--frame-time", "50"), "needs --steps"));
+        QVERIFY(!QFile::exists(path("r.gif")) && !QFile::exists(path("r.png")));
     }
 
     void commandLineWritesFigures()

@@ -1,6 +1,7 @@
 #include "core/scenes/load_scene.h"
 // Session files: what is saved comes back; broken ones are named with their line. And loadScene's choice of a reader.
 #include "core/io/session.h"
+#include "core/lessons/moment.h"
 #include "core/scenes/builtin_scenes.h"
 #include "scene_files.h"
 
@@ -20,6 +21,7 @@ class TestSession : public QObject
 
 private Q_SLOTS:
     void roundTrip();
+    void viewsNeedNoCaption();
     void pathsAreRelativeToTheFile();
     void savedWholeOrNotAtAll();
     void broken_data();
@@ -390,6 +392,16 @@ void TestSession::checker()
     QCOMPARE(checker.texels[32], 0xff283c78U);
     QCOMPARE(checker.texels[32 * 512], 0xff283c78U);
     QCOMPARE(checker.texels[32 * 512 + 32], 0xffe6e6e6U);
+}
+
+/// Only slides of lessons have a caption.
+void TestSession::viewsNeedNoCaption()
+{
+    const auto view = QJsonDocument::fromJson(R"({"pixel": [3, 4], "overlay": ["wireframe"], "step": "tie"})").object();
+    const SessionViewLoad load = sessionView(view, QStringLiteral("moment.json"));
+    QVERIFY2(load.diagnostics.empty(), qPrintable(load.diagnostics.empty() ? QString() : load.diagnostics[0].text()));
+    QCOMPARE(load.moment.pixel, std::optional(QPoint(3, 4)));
+    QVERIFY(load.moment.caption.en.isEmpty());
 }
 
 QTEST_GUILESS_MAIN(TestSession)

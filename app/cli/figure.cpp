@@ -6,8 +6,10 @@
 #include "app/cli/verbs.h"
 #include "app/cli/window_program.h"
 #include "core/base/typed_numbers.h"
+#include "core/io/gif_writer.h"
 #include "core/io/picture_file.h"
 #include "core/lessons/moment.h"
+#include "core/lessons/step_run.h"
 #include "core/render/steps.h"
 
 #include <algorithm>
@@ -37,9 +39,15 @@ Usage usage()
     };
     const OptionGroup figure{
         QStringLiteral("Figure:"),
-        {value("-o", "FILE", QStringLiteral("The figure: png, ppm, bmp, jpg, svg or pdf. Required.")),
+        {value("-o", "FILE", QStringLiteral("The figure: png, ppm, bmp, jpg, svg or pdf; gif with --steps. Required.")),
          value("--step", "WHERE",
                QStringLiteral("Shows a step of the drawing with the signs of the edges: %1.").arg(stepPlaceHelp())),
+         value("--steps", "FIRST-LAST",
+               QStringLiteral("The figures of these steps, one after the other, as an animated GIF.")),
+         value("--frame-time", "MS",
+               QStringLiteral("With --steps: how long each of them is shown, %1 to %2 milliseconds; default 250.")
+                   .arg(GifWriter::kLeastMilliseconds)
+                   .arg(GifWriter::kMostMilliseconds)),
          value("--pixel", "X,Y", QStringLiteral("Selects a pixel, counted from the top left.")),
          value("--region", "X,Y,W,H", QStringLiteral("The pixels that are shown; default: the whole picture.")),
          value(
@@ -61,7 +69,8 @@ Usage usage()
     return {
         QStringLiteral("figure"),
         QStringLiteral("rasterlens-cli figure SCENE [--step WHERE] [--pixel x,y] [--overlay ids] -o F.png|svg|pdf "
-                       "[options]"),
+                       "[options]\n"
+                       "       rasterlens-cli figure SCENE --steps FIRST-LAST [--frame-time MS] -o F.gif [options]"),
         QStringLiteral("Writes what the canvas of the window shows as a figure: the picture, its pixels enlarged, "
                        "with a margin, a caption, the formula of the step and a legend. The program rasterlens draws "
                        "it, without a display.\n\n") +
@@ -77,8 +86,13 @@ QString outputPath(const Arguments& arguments)
     const auto path = arguments.value(QStringLiteral("-o"));
     if (!path)
         failArguments(QStringLiteral("rasterlens-cli figure: -o FILE is missing"));
+    const QString gif = QStringLiteral("gif");
+    const bool isRun = arguments.has(QStringLiteral("--steps"));
+    if (!isRun && formatOf(*path) == gif)
+        failArguments(QStringLiteral("%1: a GIF is an animation; --steps FIRST-LAST is expected beside it").arg(*path));
     if (const auto problem =
-            whyNotFormat(*path, pictureSuffixes() + QStringList{QStringLiteral("svg"), QStringLiteral("pdf")}))
+            whyNotFormat(*path, isRun ? QStringList{gif}
+                                      : pictureSuffixes() + QStringList{QStringLiteral("svg"), QStringLiteral("pdf")}))
         failArguments(QStringLiteral("%1: %2").arg(*path, textOf(*problem)));
     checkOutputs({*path});
     return *path;
@@ -104,6 +118,38 @@ std::size_t stepOption(const QString& text, const Input& input)
     if (!position)
         failArguments(QStringLiteral("--step: with these settings the record has no step \"%1\"").arg(text));
     return *position;
+}
+
+/// What the program with the window is told of an animation.
+QStringList runWords(const Arguments& arguments, const Input& input)
+{
+    const auto milliseconds = wholeOption(arguments, QStringLiteral("--frame-time"), GifWriter::kLeastMilliseconds,
+                                          GifWriter::kMostMilliseconds);
+    const auto text = arguments.value(QStringLiteral("--steps"));
+    if (!text) {
+        if (milliseconds)
+            failArguments(QStringLiteral("--frame-time: needs --steps beside it"));
+        return {};
+    }
+    for (const char* other : {"--step", "--before-after"})
+        if (arguments.has(QLatin1String(other)))
+            failArguments(QStringLiteral("--steps: cannot be combined with %1").arg(QLatin1String(other)));
+    const auto run = stepRunFromText(*text);
+    if (!run)
+        failArguments(QStringLiteral("--steps: \"%1\" is no run of steps; expected: FIRST-LAST, as 10-60").arg(*text));
+    if (run->second - run->first >= GifWriter::kMostPictures)
+        failArguments(QStringLiteral("--steps: an animation has at most %1 pictures; %2 are %3")
+                          .arg(GifWriter::kMostPictures)
+                          .arg(*text)
+                          .arg(run->second - run->first + 1));
+    const std::shared_ptr<const Scene> scene(std::shared_ptr<const Scene>(), &input.scene); // lent
+    const std::size_t size = recordSteps(scene, input.settings)->size();
+    if (run->second > size)
+        failArguments(QStringLiteral("--steps: with these settings the record has the steps 0 to %1").arg(size));
+    QStringList words{QStringLiteral("--step"), QString::number(run->first), QStringLiteral("--figure-steps"), *text};
+    if (milliseconds)
+        words << QStringLiteral("--frame-time") << QString::number(*milliseconds);
+    return words;
 }
 
 /// The value of `--region`, or the whole picture.
@@ -141,6 +187,7 @@ QStringList windowWords(const Arguments& arguments, const Input& input, const QS
           << QString::number(scale ? int(*scale) : scaleFor(region.size()));
     if (const auto text = arguments.value(QStringLiteral("--step")))
         words << QStringLiteral("--step") << QString::number(stepOption(*text, input));
+    words << runWords(arguments, input);
     if (const auto pixel = pixelOption(arguments, input.settings.size))
         words << QStringLiteral("--pixel") << QStringLiteral("%1,%2").arg(pixel->x()).arg(pixel->y());
     if (const auto text = arguments.value(QStringLiteral("--overlay")))

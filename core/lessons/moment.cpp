@@ -271,11 +271,13 @@ QStringList momentKeys()
 
 SessionViewLoad sessionView(QJsonObject view, const QString& file)
 {
-    view[QLatin1String("caption")] = toJson(TwoTexts()); // which only lessons have
+    view[QLatin1String("caption")] =
+        toJson(TwoTexts{QStringLiteral("-"), QStringLiteral("-")}); // only lessons have one
     const JsonLines lines{QByteArray()};
     DiagnosticSink sink(file);
     const Moment scene; // is open already
     Moment moment = Reader(JsonFields(view, {}, lines, sink), QDir(), &scene).read();
+    moment.caption = {};
     Diagnostics found = sink.take();
     for (Diagnostic& diagnostic : found) {
         diagnostic.severity = Severity::Warning; // the scene opens all the same

@@ -2261,6 +2261,14 @@
         <translation>%1 x %2 像素太多，无法比较；至多 %3 百万</translation>
     </message>
     <message>
+        <source>an animation has at most %1 pictures</source>
+        <translation>一个动画最多有 %1 张图</translation>
+    </message>
+    <message>
+        <source>the animation becomes larger than %1 million bytes</source>
+        <translation>动画超过了 %1 百万字节</translation>
+    </message>
+    <message>
         <source>the scene is given in clip space: no camera projects it</source>
         <translation>场景以裁剪空间给出：没有相机来投影它</translation>
     </message>
@@ -3268,7 +3276,7 @@
     </message>
     <message>
         <source>Two corners with w = 0, whole pixels: a tie of a cut corner decides seven pixels.</source>
-        <translation>两个角的 w = 0，整像素：一个切出的角的平局决定七个像素。</translation>
+        <translation>两个角的 w = 0，整像素：一个切出的角恰在边上时归谁，决定七个像素。</translation>
     </message>
     <message>
         <source>A corner behind the eye, and a cut corner exactly half way between two points of the grid.</source>
@@ -3318,6 +3326,766 @@
         <source>A fan whose rim reaches the largest float, with w from 1/2 to 2 * 10^38: each pixel once.</source>
         <translation>边缘伸展到最大浮点数的扇形，w 从 1/2 到 2 * 10^38：每个像素一次。</translation>
     </message>
+    <message>
+        <source>edges four quarters</source>
+        <translation>边：四等分</translation>
+    </message>
+    <message>
+        <source>edges rows on centres</source>
+        <translation>边：水平边过像素中心</translation>
+    </message>
+    <message>
+        <source>edges columns on centres</source>
+        <translation>边：竖直边过像素中心</translation>
+    </message>
+    <message>
+        <source>edges slope half</source>
+        <translation>边：斜率二分之一</translation>
+    </message>
+    <message>
+        <source>edges slope quarter</source>
+        <translation>边：斜率四分之一</translation>
+    </message>
+    <message>
+        <source>edges slope minus half</source>
+        <translation>边：斜率负二分之一</translation>
+    </message>
+    <message>
+        <source>edges slope three quarters</source>
+        <translation>边：斜率四分之三</translation>
+    </message>
+    <message>
+        <source>edges slope minus eighth</source>
+        <translation>边：斜率负八分之一</translation>
+    </message>
+    <message>
+        <source>edges grid on centres</source>
+        <translation>边：网格线过像素中心</translation>
+    </message>
+    <message>
+        <source>edges strip both windings</source>
+        <translation>边：两种环绕方向的条带</translation>
+    </message>
+    <message>
+        <source>edges one unit below centres</source>
+        <translation>边：比中心低一个单位</translation>
+    </message>
+    <message>
+        <source>edges one unit right of centres</source>
+        <translation>边：比中心偏右一个单位</translation>
+    </message>
+    <message>
+        <source>edges same face six orders</source>
+        <translation>边：同一个面的六种顶点顺序</translation>
+    </message>
+    <message>
+        <source>fan 5 hub on centre</source>
+        <translation>扇形：5 片，轴心在像素中心</translation>
+    </message>
+    <message>
+        <source>fan 12 hub on corner</source>
+        <translation>扇形：12 片，轴心在像素角上</translation>
+    </message>
+    <message>
+        <source>fan 32 mixed winding</source>
+        <translation>扇形：32 片，环绕方向混合</translation>
+    </message>
+    <message>
+        <source>fan 48 hub off centre</source>
+        <translation>扇形：48 片，轴心偏离中心</translation>
+    </message>
+    <message>
+        <source>fan 96 slivers</source>
+        <translation>扇形：96 条细片</translation>
+    </message>
+    <message>
+        <source>fan hub on left edge</source>
+        <translation>扇形：轴心在左边界上</translation>
+    </message>
+    <message>
+        <source>fan closed polygon</source>
+        <translation>扇形：闭合多边形</translation>
+    </message>
+    <message>
+        <source>sliver right of centre</source>
+        <translation>细片：在中心右侧</translation>
+    </message>
+    <message>
+        <source>sliver on centre</source>
+        <translation>细片：正在中心上</translation>
+    </message>
+    <message>
+        <source>sliver left of centre</source>
+        <translation>细片：在中心左侧</translation>
+    </message>
+    <message>
+        <source>sliver around centre</source>
+        <translation>细片：跨过中心</translation>
+    </message>
+    <message>
+        <source>sliver horizontal top</source>
+        <translation>细片：水平，上边</translation>
+    </message>
+    <message>
+        <source>sliver horizontal bottom</source>
+        <translation>细片：水平，下边</translation>
+    </message>
+    <message>
+        <source>sliver stack</source>
+        <translation>细片：叠成一摞</translation>
+    </message>
+    <message>
+        <source>sliver diagonal pair</source>
+        <translation>细片：对角的一对</translation>
+    </message>
+    <message>
+        <source>sliver two units at one end</source>
+        <translation>细片：一端宽两个单位</translation>
+    </message>
+    <message>
+        <source>needle 4096 window</source>
+        <translation>细针：4096 像素的窗口</translation>
+    </message>
+    <message>
+        <source>needle diagonal 16384</source>
+        <translation>细针：16384 像素的对角线</translation>
+    </message>
+    <message>
+        <source>needle tip on centre</source>
+        <translation>细针：针尖在像素中心</translation>
+    </message>
+    <message>
+        <source>needle star</source>
+        <translation>细针：星形</translation>
+    </message>
+    <message>
+        <source>huge four quadrants 1e9</source>
+        <translation>极大：四个象限，1e9</translation>
+    </message>
+    <message>
+        <source>huge four quadrants 1e20</source>
+        <translation>极大：四个象限，1e20</translation>
+    </message>
+    <message>
+        <source>huge four quadrants 3e38</source>
+        <translation>极大：四个象限，3e38</translation>
+    </message>
+    <message>
+        <source>huge half plane 1e9</source>
+        <translation>极大：半平面，1e9</translation>
+    </message>
+    <message>
+        <source>huge cover 3e38</source>
+        <translation>极大：盖满画面，3e38</translation>
+    </message>
+    <message>
+        <source>huge mixed scales</source>
+        <translation>极大：大小混合</translation>
+    </message>
+    <message>
+        <source>huge w</source>
+        <translation>极大：w 很大</translation>
+    </message>
+    <message>
+        <source>huge neighbours 1e6</source>
+        <translation>极大：相邻的面，1e6</translation>
+    </message>
+    <message>
+        <source>zero collinear through centres</source>
+        <translation>零面积：共线，过像素中心</translation>
+    </message>
+    <message>
+        <source>zero points</source>
+        <translation>零面积：缩成点</translation>
+    </message>
+    <message>
+        <source>zero after snapping small</source>
+        <translation>零面积：对齐之后，小三角形</translation>
+    </message>
+    <message>
+        <source>zero after snapping long</source>
+        <translation>零面积：对齐之后，长三角形</translation>
+    </message>
+    <message>
+        <source>zero after snapping exact</source>
+        <translation>零面积：对齐之后，精确值</translation>
+    </message>
+    <message>
+        <source>zero becomes area</source>
+        <translation>零面积：变得有面积</translation>
+    </message>
+    <message>
+        <source>zero huge line</source>
+        <translation>零面积：极长的线</translation>
+    </message>
+    <message>
+        <source>nan in each place</source>
+        <translation>NaN：在每个位置</translation>
+    </message>
+    <message>
+        <source>inf in each place</source>
+        <translation>无穷大：在每个位置</translation>
+    </message>
+    <message>
+        <source>nan everywhere</source>
+        <translation>NaN：处处都是</translation>
+    </message>
+    <message>
+        <source>inf w is not the origin</source>
+        <translation>无穷大：w 无穷大不是原点</translation>
+    </message>
+    <message>
+        <source>largest float</source>
+        <translation>最大的浮点数</translation>
+    </message>
+    <message>
+        <source>denormal smallest steps</source>
+        <translation>非规格化数：最小的步长</translation>
+    </message>
+    <message>
+        <source>denormal w only</source>
+        <translation>非规格化数：只有 w</translation>
+    </message>
+    <message>
+        <source>denormal offset</source>
+        <translation>非规格化数：偏移</translation>
+    </message>
+    <message>
+        <source>negative zero everywhere</source>
+        <translation>负零：处处都是</translation>
+    </message>
+    <message>
+        <source>negative zero w</source>
+        <translation>负零：w</translation>
+    </message>
+    <message>
+        <source>t junction on the edge</source>
+        <translation>T 形接头：在边上</translation>
+    </message>
+    <message>
+        <source>t junction crack</source>
+        <translation>T 形接头：裂缝</translation>
+    </message>
+    <message>
+        <source>t junction overlap</source>
+        <translation>T 形接头：重叠</translation>
+    </message>
+    <message>
+        <source>t junction repaired</source>
+        <translation>T 形接头：已修补</translation>
+    </message>
+    <message>
+        <source>on planes left and right</source>
+        <translation>在平面上：左和右</translation>
+    </message>
+    <message>
+        <source>on near plane all</source>
+        <translation>在近平面上：全部</translation>
+    </message>
+    <message>
+        <source>on far plane all</source>
+        <translation>在远平面上：全部</translation>
+    </message>
+    <message>
+        <source>on far plane lequal</source>
+        <translation>在远平面上：小于或等于</translation>
+    </message>
+    <message>
+        <source>on near plane one edge</source>
+        <translation>在近平面上：一条边</translation>
+    </message>
+    <message>
+        <source>on near plane one corner cut</source>
+        <translation>在近平面上：一个角被裁掉</translation>
+    </message>
+    <message>
+        <source>on volume corner</source>
+        <translation>在视景体的角上</translation>
+    </message>
+    <message>
+        <source>just outside left</source>
+        <translation>刚好在左边之外</translation>
+    </message>
+    <message>
+        <source>w zero one corner</source>
+        <translation>w 为零：一个顶点</translation>
+    </message>
+    <message>
+        <source>w zero two corners</source>
+        <translation>w 为零：两个顶点</translation>
+    </message>
+    <message>
+        <source>w zero all</source>
+        <translation>w 为零：全部</translation>
+    </message>
+    <message>
+        <source>w zero origin</source>
+        <translation>w 为零：原点</translation>
+    </message>
+    <message>
+        <source>w zero neighbours</source>
+        <translation>w 为零：相邻的面</translation>
+    </message>
+    <message>
+        <source>w negative one corner</source>
+        <translation>w 为负：一个顶点</translation>
+    </message>
+    <message>
+        <source>w negative two corners</source>
+        <translation>w 为负：两个顶点</translation>
+    </message>
+    <message>
+        <source>w negative all mirrored</source>
+        <translation>w 为负：全部，镜像</translation>
+    </message>
+    <message>
+        <source>w negative tiny</source>
+        <translation>w 为负：极小</translation>
+    </message>
+    <message>
+        <source>w negative culled</source>
+        <translation>w 为负：被剔除</translation>
+    </message>
+    <message>
+        <source>outside but covers</source>
+        <translation>在外却盖住画面</translation>
+    </message>
+    <message>
+        <source>outside passes the corner</source>
+        <translation>在外：擦过一角</translation>
+    </message>
+    <message>
+        <source>outside cuts the corner</source>
+        <translation>在外：切过一角</translation>
+    </message>
+    <message>
+        <source>outside six planes</source>
+        <translation>在外：六个平面</translation>
+    </message>
+    <message>
+        <source>eye in the plane</source>
+        <translation>眼睛在面所在的平面上</translation>
+    </message>
+    <message>
+        <source>eye in the plane behind too</source>
+        <translation>眼睛在面所在的平面上，也有身后的部分</translation>
+    </message>
+    <message>
+        <source>eye nearly in the plane</source>
+        <translation>眼睛几乎在面所在的平面上</translation>
+    </message>
+    <message>
+        <source>eye at small w</source>
+        <translation>眼睛近处，w 很小</translation>
+    </message>
+    <message>
+        <source>depth n0.1 f100 z50 float32</source>
+        <translation>深度：n 0.1，f 100，z 50，float32</translation>
+    </message>
+    <message>
+        <source>depth n0.1 f100 z50 unorm24</source>
+        <translation>深度：n 0.1，f 100，z 50，unorm24</translation>
+    </message>
+    <message>
+        <source>depth n0.1 f100 z50 unorm16</source>
+        <translation>深度：n 0.1，f 100，z 50，unorm16</translation>
+    </message>
+    <message>
+        <source>depth n0.1 f10000 z1000 float32</source>
+        <translation>深度：n 0.1，f 10000，z 1000，float32</translation>
+    </message>
+    <message>
+        <source>depth n0.1 f10000 z1000 unorm24</source>
+        <translation>深度：n 0.1，f 10000，z 1000，unorm24</translation>
+    </message>
+    <message>
+        <source>depth n0.1 f10000 z1000 unorm16</source>
+        <translation>深度：n 0.1，f 10000，z 1000，unorm16</translation>
+    </message>
+    <message>
+        <source>depth n1em05 f1e06 z1 float32</source>
+        <translation>深度：n 1e-5，f 1e6，z 1，float32</translation>
+    </message>
+    <message>
+        <source>depth n1em05 f1e06 z1 unorm24</source>
+        <translation>深度：n 1e-5，f 1e6，z 1，unorm24</translation>
+    </message>
+    <message>
+        <source>depth n1em05 f1e06 z1 unorm16</source>
+        <translation>深度：n 1e-5，f 1e6，z 1，unorm16</translation>
+    </message>
+    <message>
+        <source>depth reversed d3d float32</source>
+        <translation>深度：反向 z，D3D，float32</translation>
+    </message>
+    <message>
+        <source>depth reversed gl float32</source>
+        <translation>深度：反向 z，OpenGL，float32</translation>
+    </message>
+    <message>
+        <source>depth ratio 1e11</source>
+        <translation>深度：远近比 1e11</translation>
+    </message>
+    <message>
+        <source>depth ratio 1e11 reversed d3d</source>
+        <translation>深度：远近比 1e11，反向 z，D3D</translation>
+    </message>
+    <message>
+        <source>depth codes unorm16</source>
+        <translation>深度：unorm16 的编码</translation>
+    </message>
+    <message>
+        <source>depth codes unorm24</source>
+        <translation>深度：unorm24 的编码</translation>
+    </message>
+    <message>
+        <source>coplanar twice less</source>
+        <translation>共面：画两次，小于</translation>
+    </message>
+    <message>
+        <source>coplanar twice lequal</source>
+        <translation>共面：画两次，小于或等于</translation>
+    </message>
+    <message>
+        <source>coplanar other diagonal</source>
+        <translation>共面：另一条对角线</translation>
+    </message>
+    <message>
+        <source>coplanar decal</source>
+        <translation>共面：贴花</translation>
+    </message>
+    <message>
+        <source>piercing on centres</source>
+        <translation>穿插：交线过像素中心</translation>
+    </message>
+    <message>
+        <source>piercing cycle</source>
+        <translation>穿插：成环</translation>
+    </message>
+    <message>
+        <source>piercing perspective</source>
+        <translation>穿插：透视</translation>
+    </message>
+    <message>
+        <source>depth one ulp apart</source>
+        <translation>深度：相差一个 ulp</translation>
+    </message>
+    <message>
+        <source>depth denormal apart</source>
+        <translation>深度：相差一个非规格化数</translation>
+    </message>
+    <message>
+        <source>depth greater</source>
+        <translation>深度：大于</translation>
+    </message>
+    <message>
+        <source>depth none</source>
+        <translation>深度：不测试</translation>
+    </message>
+    <message>
+        <source>depth limits</source>
+        <translation>深度：取值的两端</translation>
+    </message>
+    <message>
+        <source>perspective ratio 10</source>
+        <translation>透视：w 之比 10</translation>
+    </message>
+    <message>
+        <source>perspective ratio 100</source>
+        <translation>透视：w 之比 100</translation>
+    </message>
+    <message>
+        <source>perspective ratio 1000</source>
+        <translation>透视：w 之比 1000</translation>
+    </message>
+    <message>
+        <source>perspective ratio 10000</source>
+        <translation>透视：w 之比 10000</translation>
+    </message>
+    <message>
+        <source>perspective constant</source>
+        <translation>透视：常量</translation>
+    </message>
+    <message>
+        <source>perspective three w</source>
+        <translation>透视：三个不同的 w</translation>
+    </message>
+    <message>
+        <source>perspective across w zero</source>
+        <translation>透视：跨过 w = 0</translation>
+    </message>
+    <message>
+        <source>perspective affine when flat</source>
+        <translation>透视：平行于屏幕时就是仿射</translation>
+    </message>
+    <message>
+        <source>cancellation one unit inside</source>
+        <translation>相消：在内一个单位</translation>
+    </message>
+    <message>
+        <source>cancellation one unit outside</source>
+        <translation>相消：在外一个单位</translation>
+    </message>
+    <message>
+        <source>cancellation on the edge</source>
+        <translation>相消：恰在边上</translation>
+    </message>
+    <message>
+        <source>cancellation big offset</source>
+        <translation>相消：大偏移</translation>
+    </message>
+    <message>
+        <source>drift edge 16384</source>
+        <translation>漂移：边，16384 像素</translation>
+    </message>
+    <message>
+        <source>drift steep 16384</source>
+        <translation>漂移：陡边，16384 像素</translation>
+    </message>
+    <message>
+        <source>drift colour 10000</source>
+        <translation>漂移：颜色，10000 像素</translation>
+    </message>
+    <message>
+        <source>drift depth 16384</source>
+        <translation>漂移：深度，16384 像素</translation>
+    </message>
+    <message>
+        <source>clip nine corners 1</source>
+        <translation>裁剪：九个角，之一</translation>
+    </message>
+    <message>
+        <source>clip nine corners 2</source>
+        <translation>裁剪：九个角，之二</translation>
+    </message>
+    <message>
+        <source>clip nine corners 3</source>
+        <translation>裁剪：九个角，之三</translation>
+    </message>
+    <message>
+        <source>clip nine corners d3d</source>
+        <translation>裁剪：九个角，D3D</translation>
+    </message>
+    <message>
+        <source>clip eight corners</source>
+        <translation>裁剪：八个角</translation>
+    </message>
+    <message>
+        <source>neighbours side planes</source>
+        <translation>相邻的面：侧平面</translation>
+    </message>
+    <message>
+        <source>neighbours side planes mixed winding</source>
+        <translation>相邻的面：侧平面，环绕方向混合</translation>
+    </message>
+    <message>
+        <source>neighbours far out</source>
+        <translation>相邻的面：远在外面</translation>
+    </message>
+    <message>
+        <source>neighbours near plane</source>
+        <translation>相邻的面：近平面</translation>
+    </message>
+    <message>
+        <source>neighbours far plane</source>
+        <translation>相邻的面：远平面</translation>
+    </message>
+    <message>
+        <source>neighbours ground through eye</source>
+        <translation>相邻的面：穿过眼睛的地面</translation>
+    </message>
+    <message>
+        <source>viewport 1x1</source>
+        <translation>视口：1x1</translation>
+    </message>
+    <message>
+        <source>viewport 1x16384</source>
+        <translation>视口：1x16384</translation>
+    </message>
+    <message>
+        <source>viewport 3x5</source>
+        <translation>视口：3x5</translation>
+    </message>
+    <message>
+        <source>viewport 2x2</source>
+        <translation>视口：2x2</translation>
+    </message>
+    <message>
+        <source>viewport 17x13</source>
+        <translation>视口：17x13</translation>
+    </message>
+    <message>
+        <source>viewport 255x1</source>
+        <translation>视口：255x1</translation>
+    </message>
+    <message>
+        <source>viewport 127x63</source>
+        <translation>视口：127x63</translation>
+    </message>
+    <message>
+        <source>viewport 1x257</source>
+        <translation>视口：1x257</translation>
+    </message>
+    <message>
+        <source>viewport 16384x2</source>
+        <translation>视口：16384x2</translation>
+    </message>
+    <message>
+        <source>cull front</source>
+        <translation>剔除：正面</translation>
+    </message>
+    <message>
+        <source>cull flipped by snapping</source>
+        <translation>剔除：因对齐而翻转</translation>
+    </message>
+    <message>
+        <source>cull none mesh</source>
+        <translation>剔除：不剔除，网格</translation>
+    </message>
+    <message>
+        <source>cull back mesh</source>
+        <translation>剔除：背面，网格</translation>
+    </message>
+    <message>
+        <source>snap bits 0</source>
+        <translation>对齐：0 位</translation>
+    </message>
+    <message>
+        <source>snap bits 1</source>
+        <translation>对齐：1 位</translation>
+    </message>
+    <message>
+        <source>snap bits 2</source>
+        <translation>对齐：2 位</translation>
+    </message>
+    <message>
+        <source>snap bits 3</source>
+        <translation>对齐：3 位</translation>
+    </message>
+    <message>
+        <source>snap bits 5</source>
+        <translation>对齐：5 位</translation>
+    </message>
+    <message>
+        <source>snap bits 0 mesh</source>
+        <translation>对齐：0 位，网格</translation>
+    </message>
+    <message>
+        <source>snap half to even</source>
+        <translation>对齐：半数取偶</translation>
+    </message>
+    <message>
+        <source>exact thirds</source>
+        <translation>精确：三分之一</translation>
+    </message>
+    <message>
+        <source>exact moves one pixel</source>
+        <translation>精确：差一个像素</translation>
+    </message>
+    <message>
+        <source>snapped moves one pixel</source>
+        <translation>对齐：差一个像素</translation>
+    </message>
+    <message>
+        <source>exact near cut</source>
+        <translation>精确：近平面裁剪</translation>
+    </message>
+    <message>
+        <source>samples 2x2</source>
+        <translation>采样：2x2</translation>
+    </message>
+    <message>
+        <source>samples 3x3</source>
+        <translation>采样：3x3</translation>
+    </message>
+    <message>
+        <source>samples 4x4</source>
+        <translation>采样：4x4</translation>
+    </message>
+    <message>
+        <source>samples 4x4 shared edge</source>
+        <translation>采样：4x4，公共边</translation>
+    </message>
+    <message>
+        <source>d3d near at zero</source>
+        <translation>D3D：近平面在零</translation>
+    </message>
+    <message>
+        <source>d3d behind near</source>
+        <translation>D3D：在近平面后面</translation>
+    </message>
+    <message>
+        <source>d3d cut at zero</source>
+        <translation>D3D：在零处裁剪</translation>
+    </message>
+    <message>
+        <source>clear colour</source>
+        <translation>背景颜色</translation>
+    </message>
+    <message>
+        <source>drift float32 missing</source>
+        <translation>漂移：float32，缺失</translation>
+    </message>
+    <message>
+        <source>drift float32 extra</source>
+        <translation>漂移：float32，多余</translation>
+    </message>
+    <message>
+        <source>snap folds cut face</source>
+        <translation>对齐：被裁剪的面折叠</translation>
+    </message>
+    <message>
+        <source>clip tie extra</source>
+        <translation>裁剪：恰在边上，多余</translation>
+    </message>
+    <message>
+        <source>clip tie missing</source>
+        <translation>裁剪：恰在边上，缺失</translation>
+    </message>
+    <message>
+        <source>clip tie behind eye</source>
+        <translation>裁剪：恰在边上，眼睛后面</translation>
+    </message>
+    <message>
+        <source>clip tie 1e7</source>
+        <translation>裁剪：恰在边上，1e7</translation>
+    </message>
+    <message>
+        <source>clip 1e8</source>
+        <translation>裁剪：1e8</translation>
+    </message>
+    <message>
+        <source>clip 1e10 d3d</source>
+        <translation>裁剪：1e10，D3D</translation>
+    </message>
+    <message>
+        <source>clip 1e15</source>
+        <translation>裁剪：1e15</translation>
+    </message>
+    <message>
+        <source>clip 1e15 fine grid</source>
+        <translation>裁剪：1e15，细网格</translation>
+    </message>
+    <message>
+        <source>clip 1e20 nothing</source>
+        <translation>裁剪：1e20，什么也没剩下</translation>
+    </message>
+    <message>
+        <source>clip 1e30</source>
+        <translation>裁剪：1e30</translation>
+    </message>
+    <message>
+        <source>clip largest</source>
+        <translation>裁剪：最大值</translation>
+    </message>
+    <message>
+        <source>clip largest quarter</source>
+        <translation>裁剪：最大值，四分之一</translation>
+    </message>
+    <message>
+        <source>clip largest neighbours</source>
+        <translation>裁剪：最大值，相邻的面</translation>
+    </message>
 </context>
 <context>
     <name>ImageExport</name>
@@ -3353,7 +4121,7 @@
     </message>
     <message>
         <source>tie</source>
-        <translation>平局</translation>
+        <translation>恰在边上</translation>
     </message>
     <message>
         <source>ours</source>
@@ -3373,7 +4141,7 @@
     </message>
     <message>
         <source>tie: %1, %2</source>
-        <translation>平局: %1，%2</translation>
+        <translation>恰在边上：%1，%2</translation>
     </message>
     <message>
         <source>no edge: the list of y is empty</source>
@@ -5007,7 +5775,7 @@
     </message>
     <message>
         <source>tie</source>
-        <translation>平局</translation>
+        <translation>恰在边上</translation>
     </message>
     <message>
         <source>row %1</source>
@@ -5329,11 +6097,11 @@
     </message>
     <message>
         <source>inside, tie</source>
-        <translation>在内，平局</translation>
+        <translation>在内，恰在边上</translation>
     </message>
     <message>
         <source>outside, tie</source>
-        <translation>在外，平局</translation>
+        <translation>在外，恰在边上</translation>
     </message>
     <message>
         <source>inside</source>
@@ -5946,7 +6714,7 @@
     </message>
     <message>
         <source>Wipe</source>
-        <translation>划分</translation>
+        <translation>卷帘对比</translation>
     </message>
     <message>
         <source>A left of the line, B right of it; drag the line (S)</source>
@@ -6340,6 +7108,21 @@
     <message>
         <source>linear on the screen</source>
         <translation>屏幕上线性</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::GuideWindow</name>
+    <message>
+        <source>Guide to RasterLens</source>
+        <translation>RasterLens 指南</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>指南</translation>
     </message>
 </context>
 <context>
@@ -6949,6 +7732,18 @@
         <translation>图片和数组 (%1)</translation>
     </message>
     <message>
+        <source>Export a run as &amp;GIF…</source>
+        <translation>导出一段步骤为 GIF(&amp;G)…</translation>
+    </message>
+    <message>
+        <source>&amp;Guide</source>
+        <translation>指南(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Export a run as GIF</source>
+        <translation>导出一段步骤为 GIF</translation>
+    </message>
+    <message>
         <source>towards the light: %1</source>
         <translation>指向光源：%1</translation>
     </message>
@@ -7252,7 +8047,7 @@
     </message>
     <message>
         <source>Opens a scene with float32 and has the referee check it</source>
-        <translation>用 float32 打开一个场景，并请裁判核对</translation>
+        <translation>用 float32 打开一个场景，并用精确基准核对</translation>
     </message>
     <message>
         <source>No material of this scene has a texture: a checkerboard stands for it.</source>
@@ -7323,7 +8118,7 @@
     </message>
     <message>
         <source>%1, lost the tie: %2</source>
-        <translation>%1，平局落败：%2</translation>
+        <translation>%1，恰在边上，不归本面：%2</translation>
     </message>
     <message>
         <source>failed depth: not %1 %2 %3</source>
@@ -7359,7 +8154,7 @@
     </message>
     <message>
         <source>won the tie on %1: %2</source>
-        <translation>%1 上平局获胜：%2</translation>
+        <translation>恰在边 %1 上，归本面：%2</translation>
     </message>
     <message>
         <source>%1 over %2</source>
@@ -7665,7 +8460,7 @@
     <name>rasterlens::RefereeBar</name>
     <message>
         <source>Referee</source>
-        <translation>裁判</translation>
+        <translation>精确基准</translation>
     </message>
     <message>
         <source>Every sample against the exact reference: integers of any length, no rounding anywhere</source>
@@ -7681,7 +8476,7 @@
     </message>
     <message>
         <source>Send the referee off (V)</source>
-        <translation>请裁判离场（V）</translation>
+        <translation>关闭精确基准（V）</translation>
     </message>
     <message>
         <source>from object space</source>
@@ -7721,6 +8516,21 @@
     <message>
         <source>There is not enough memory for a picture of this size: it takes %1, and %2 are free.</source>
         <translation>内存不足，无法绘制这么大的图像：需要 %1，可用 %2。</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::RunAnimation</name>
+    <message>
+        <source>Drawing the steps…</source>
+        <translation>正在绘制各步骤…</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Export a run as GIF</source>
+        <translation>导出一段步骤为 GIF</translation>
     </message>
 </context>
 <context>
@@ -7988,7 +8798,7 @@
     </message>
     <message>
         <source>&amp;Tie</source>
-        <translation>平局(&amp;T)</translation>
+        <translation>恰在边上(&amp;T)</translation>
     </message>
     <message>
         <source>&amp;Depth test fails</source>
@@ -8048,7 +8858,7 @@
     </message>
     <message>
         <source>tie</source>
-        <translation>平局</translation>
+        <translation>恰在边上</translation>
     </message>
     <message>
         <source>depth fail</source>
@@ -8211,7 +9021,7 @@
     <name>rasterlens::TruthMode</name>
     <message>
         <source>&amp;Exact referee</source>
-        <translation>精确裁判(&amp;E)</translation>
+        <translation>精确基准(&amp;E)</translation>
     </message>
     <message>
         <source>&amp;Next wrong pixel</source>
@@ -8219,7 +9029,7 @@
     </message>
     <message>
         <source>&amp;Wipe between A and B</source>
-        <translation>在 A 与 B 之间划分(&amp;W)</translation>
+        <translation>A 与 B 卷帘对比(&amp;W)</translation>
     </message>
     <message>
         <source>&amp;Blink A and B</source>
@@ -8384,7 +9194,7 @@
     </message>
     <message>
         <source>snapped  pixels</source>
-        <translation>吸附后  像素</translation>
+        <translation>对齐后  像素</translation>
     </message>
     <message>
         <source>depth  0..1</source>

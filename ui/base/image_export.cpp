@@ -2,6 +2,7 @@
 
 #include "core/io/file_writer.h"
 #include "core/io/picture_file.h"
+#include "ui/base/theme.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
@@ -23,11 +24,6 @@ namespace
 QString inWords(const Reason& reason)
 {
     return textOf(reason, [](const char* text) { return QCoreApplication::translate("Diagnostic", text); });
-}
-
-QString failed(const QString& path, const Reason& why)
-{
-    return QCoreApplication::translate("ImageExport", "%1 could not be written: %2").arg(path, inWords(why));
 }
 
 /// The line of a file dialog for the format with that suffix.
@@ -53,14 +49,32 @@ QByteArray inPixels(QByteArray svg, QSize size)
     return svg;
 }
 
+/// The drawing with all families of each font. Qt names the first alone, and a viewer draws Chinese texts with what it
+/// finds then.
+QByteArray withFamilies(QByteArray svg)
+{
+    const QByteArray name(" font-family=\"");
+    QByteArray others;
+    for (const QString& family : textFont(0).families().mid(1))
+        others += ", " + family.toUtf8();
+    for (qsizetype at = svg.indexOf(name); at >= 0; at = svg.indexOf(name, at + 1))
+        svg.insert(svg.indexOf('"', at + name.size()), others);
+    return svg;
+}
+
 } // namespace
+
+QString notWritten(const QString& path, const Reason& why)
+{
+    return QCoreApplication::translate("ImageExport", "%1 could not be written: %2").arg(path, inWords(why));
+}
 
 std::optional<QString> saveBytes(const QByteArray& bytes, const ExportTarget& target)
 {
     if (const auto why = whyNotOver(target.path, target.inputs))
-        return failed(target.path, *why);
+        return notWritten(target.path, *why);
     if (const auto why = writeFile(target.path, bytes, target.waits ? NoReader::Wait : NoReader::Refuse))
-        return failed(target.path, *why);
+        return notWritten(target.path, *why);
     return std::nullopt;
 }
 
@@ -69,13 +83,13 @@ std::optional<QString> savePicture(const QImage& image, const ExportTarget& targ
     if (auto problem = formatProblem(target.path, pictureSuffixes() + otherFormats))
         return problem;
     const PictureBytes picture = pictureBytes(image, formatOf(target.path));
-    return picture.problem ? failed(target.path, *picture.problem) : saveBytes(picture.bytes, target);
+    return picture.problem ? notWritten(target.path, *picture.problem) : saveBytes(picture.bytes, target);
 }
 
 std::optional<QString> saveSvg(QSize size, const ExportTarget& target, const std::function<void(QPainter&)>& paint)
 {
     if (size.isEmpty())
-        return failed(target.path, QT_TRANSLATE_NOOP("Diagnostic", "the picture is empty or too large"));
+        return notWritten(target.path, QT_TRANSLATE_NOOP("Diagnostic", "the picture is empty or too large"));
     QByteArray bytes;
     QBuffer buffer(&bytes);
     QSvgGenerator drawing;
@@ -89,14 +103,14 @@ std::optional<QString> saveSvg(QSize size, const ExportTarget& target, const std
     if (begun)
         paint(painter);
     if (!begun || !painter.end())
-        return failed(target.path, QT_TRANSLATE_NOOP("Diagnostic", "the picture is empty or too large"));
-    return saveBytes(inPixels(std::move(bytes), size), target);
+        return notWritten(target.path, QT_TRANSLATE_NOOP("Diagnostic", "the picture is empty or too large"));
+    return saveBytes(withFamilies(inPixels(std::move(bytes), size)), target);
 }
 
 std::optional<QString> savePdf(QSize size, const ExportTarget& target, const std::function<void(QPainter&)>& paint)
 {
     if (size.isEmpty())
-        return failed(target.path, QT_TRANSLATE_NOOP("Diagnostic", "the picture is empty or too large"));
+        return notWritten(target.path, QT_TRANSLATE_NOOP("Diagnostic", "the picture is empty or too large"));
     constexpr double kPerInch = 96;
     constexpr double kPointsPerInch = 72;
     QByteArray bytes;
@@ -112,14 +126,14 @@ std::optional<QString> savePdf(QSize size, const ExportTarget& target, const std
     if (begun)
         paint(painter);
     if (!begun || !painter.end())
-        return failed(target.path, QT_TRANSLATE_NOOP("Diagnostic", "the picture is empty or too large"));
+        return notWritten(target.path, QT_TRANSLATE_NOOP("Diagnostic", "the picture is empty or too large"));
     return saveBytes(bytes, target);
 }
 
 std::optional<QString> formatProblem(const QString& path, const QStringList& formats)
 {
     const auto why = whyNotFormat(path, formats);
-    return why ? std::optional(failed(path, *why)) : std::nullopt;
+    return why ? std::optional(notWritten(path, *why)) : std::nullopt;
 }
 
 QFileDialog* newExportDialog(QWidget* parent, const QString& title, const QString& suggestion,

@@ -1,4 +1,6 @@
 #pragma once
+#include "core/base/reason.h"
+
 #include <QByteArray>
 #include <QImage>
 #include <QString>
@@ -20,6 +22,11 @@ struct ExportTarget {
     QStringList inputs; ///< files whose place the export must not take: those the picture is made of
     bool waits = false; ///< for a program that reads from a pipe; a window is not to stand still
 };
+
+/// That a file could not be written, as a sentence in the language in use.
+///
+/// in  why: of the context "Diagnostic"
+[[nodiscard]] QString notWritten(const QString& path, const Reason& why);
 
 /// Writes a finished file whole or not at all.
 ///

@@ -30,7 +30,7 @@ QString sceneTitle(const Scene& scene)
         return QCoreApplication::translate("BuiltinScene", it->title);
     if (const auto it = findScene(stress, scene.id, QLatin1String("stress:")); it != stress.end())
         return QCoreApplication::translate("StressScene", it->title);
-    return scene.title.isEmpty() ? QFileInfo(scene.id).fileName() : scene.title;
+    return scene.title.isEmpty() ? QFileInfo(scene.id).fileName() : caseTitle(scene.title);
 }
 
 QString sceneNote(const Scene& scene)

@@ -1,5 +1,6 @@
 #include "ui/steps/step_mode.h"
 
+#include "core/lessons/step_run.h"
 #include "ui/canvas/viewport_widget.h"
 #include "ui/steps/step_listing.h"
 #include "ui/steps/transport_dock.h"
@@ -7,7 +8,6 @@
 #include <QFileDialog>
 #include <QInputDialog>
 #include <QMainWindow>
-#include <QRegularExpression>
 
 #include <algorithm>
 #include <utility>
@@ -220,6 +220,20 @@ RunExport& StepMode::exportRun(const QString& folder, RunExport::Run run)
 
 void StepMode::chooseRunToExport(std::optional<int> zoom)
 {
+    chooseRun(tr("Export a run of steps"), [this, zoom](std::size_t first, std::size_t last) {
+        auto* folder = new QFileDialog(&m_window, tr("Folder for the pictures"));
+        folder->setAttribute(Qt::WA_DeleteOnClose);
+        folder->setFileMode(QFileDialog::Directory);
+        folder->setOption(QFileDialog::ShowDirsOnly);
+        connect(folder, &QFileDialog::fileSelected, this, [=, this](const QString& path) {
+            exportRun(path, {first, last, zoom});
+        });
+        folder->open();
+    });
+}
+
+void StepMode::chooseRun(const QString& title, std::function<void(std::size_t first, std::size_t last)> chosen)
+{
     if (!m_session.log()) {
         Q_EMIT message(tr("Nothing is recorded."));
         return;
@@ -227,27 +241,16 @@ void StepMode::chooseRunToExport(std::optional<int> zoom)
     constexpr std::size_t kSuggested = 50;
     auto* range = new QInputDialog(&m_window);
     range->setAttribute(Qt::WA_DeleteOnClose);
-    range->setWindowTitle(tr("Export a run of steps"));
+    range->setWindowTitle(title);
     range->setLabelText(tr("First and last step, for example 10-60:"));
     const std::size_t first = m_session.position();
     range->setTextValue(QStringLiteral("%1-%2").arg(first).arg(std::min(first + kSuggested, m_session.size())));
-    connect(range, &QInputDialog::textValueSelected, this, [this, zoom](const QString& text) {
-        static const QRegularExpression pattern(QStringLiteral("^\\s*(\\d+)\\s*-\\s*(\\d+)\\s*$"));
-        const auto match = pattern.match(text);
-        const qulonglong first = match.captured(1).toULongLong();
-        const qulonglong last = match.captured(2).toULongLong();
-        if (!match.hasMatch() || first > last || last > m_session.size()) {
+    connect(range, &QInputDialog::textValueSelected, this, [this, chosen = std::move(chosen)](const QString& text) {
+        const auto run = stepRunFromText(text);
+        if (run && run->second <= m_session.size())
+            chosen(run->first, run->second);
+        else
             Q_EMIT message(tr("\"%1\" is no run of steps 0 to %2.").arg(text).arg(m_session.size()));
-            return;
-        }
-        auto* folder = new QFileDialog(&m_window, tr("Folder for the pictures"));
-        folder->setAttribute(Qt::WA_DeleteOnClose);
-        folder->setFileMode(QFileDialog::Directory);
-        folder->setOption(QFileDialog::ShowDirsOnly);
-        connect(folder, &QFileDialog::fileSelected, this, [=, this](const QString& path) {
-            exportRun(path, {std::size_t(first), std::size_t(last), zoom});
-        });
-        folder->open();
     });
     range->open();
 }

@@ -9,6 +9,7 @@
 #include <QObject>
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 class QMainWindow;
@@ -69,6 +70,8 @@ public:
 
     /// Asks for the range and the folder.
     void chooseRunToExport(std::optional<int> zoom);
+    /// Asks for the first and the last step of a run; a message instead where nothing is recorded.
+    void chooseRun(const QString& title, std::function<void(std::size_t first, std::size_t last)> chosen);
 
 Q_SIGNALS:
     void frameChanged(); ///< another picture is to be shown

@@ -1,5 +1,6 @@
 #include "ui/truth/case_browser.h"
 
+#include "ui/base/case_note.h"
 #include "ui/base/flow_layout.h"
 #include "ui/base/inks.h"
 #include "ui/base/parts.h"
@@ -75,7 +76,7 @@ protected:
         if (m_failing && !one.fails())
             return false;
         return std::ranges::all_of(m_words, [&](const QString& word) {
-            const QString all = one.name + one.note + one.noteText() + one.expectationsText();
+            const QString all = one.name + caseTitle(one.name) + one.note + one.noteText() + one.expectationsText();
             return all.contains(word, Qt::CaseInsensitive);
         });
     }
@@ -123,10 +124,7 @@ public:
                                 .toRect();
         painter->setFont(textFont(-1, true));
         painter->setPen(option.palette.color(QPalette::Text));
-        const QString number = one.name.section(QLatin1Char('_'), 0, 0);
-        const QString title = one.name.section(QLatin1Char('_'), 1).replace(QLatin1Char('_'), QLatin1Char(' '));
-        painter->drawText(words, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
-                          QStringLiteral("%1 %2").arg(number, title));
+        painter->drawText(words, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, caseTitle(one.name));
         for (std::size_t i = 0; i < CaseModel::kVariants.size(); ++i)
             paintSign(*painter, signBox(option.rect, i), option.palette, one, i);
         painter->restore();
@@ -305,7 +303,7 @@ void CaseBrowser::describe(const QModelIndex& listed)
         return text.toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br/>"));
     };
     m_detail->setText(QStringLiteral("<p><b>%1</b></p><p>%2</p><p><b>%3</b><br/>%4</p>%5")
-                          .arg(one.name.toHtmlEscaped(), lines(one.noteText()), tr("What must hold:"),
+                          .arg(caseTitle(one.name).toHtmlEscaped(), lines(one.noteText()), tr("What must hold:"),
                                lines(one.expectationsText()), reasonText(one)));
 }
 

@@ -72,10 +72,21 @@ FigureExport::FigureExport(const Document& document, const ViewportWidget& viewp
 
 QStringList FigureExport::formats() { return pictureSuffixes() + QStringList{kSvg, kPdf}; }
 
+std::optional<ViewportWidget::FigurePart> FigureExport::partOfSheet() const
+{
+    return m_part ? m_part : m_viewport.partInSight(m_zoom, m_region);
+}
+
+/// Without texts, a figure at a zoom is the whole picture.
+std::optional<ViewportWidget::FigurePart> FigureExport::partWithoutTexts() const
+{
+    return m_part ? m_part : m_viewport.figurePart(m_zoom);
+}
+
 std::vector<LegendEntry> FigureExport::legend() const
 {
     std::vector<LegendEntry> entries;
-    const auto part = m_viewport.partInSight(m_zoom, m_region);
+    const auto part = partOfSheet();
     if (!part)
         return entries;
     const double zoom = part->transform.zoom;
@@ -124,7 +135,7 @@ FigureTexts FigureExport::texts() const
 
 FigureSheet FigureExport::sheet() const
 {
-    const auto part = m_viewport.partInSight(m_zoom, m_region);
+    const auto part = partOfSheet();
     FigurePanel panel;
     if (part)
         panel = {{}, part->size, [this, part](QPainter& painter) { m_viewport.paintFigure(painter, *part); }};
@@ -133,7 +144,7 @@ FigureSheet FigureExport::sheet() const
 
 FigureSheet FigureExport::beforeAfter(const FramePtr& right) const
 {
-    const auto part = m_viewport.partInSight(m_zoom, m_region);
+    const auto part = partOfSheet();
     if (!part)
         return {{FigurePanel()}, {}};
     const FramePtr wrong = m_viewport.frame();
@@ -145,11 +156,38 @@ FigureSheet FigureExport::beforeAfter(const FramePtr& right) const
     return {{panelOf(tr("Right"), right), panelOf(tr("With the mistake"), wrong)}, texts()};
 }
 
-QImage FigureExport::image() const
+QImage FigureExport::image() const { return imageOn(size()); }
+
+QSize FigureExport::size() const
 {
     if (m_texts)
-        return sheet().image();
-    return m_viewport.figure(m_zoom);
+        return sheet().size();
+    const auto part = partWithoutTexts();
+    return part ? part->size : QSize();
+}
+
+QImage FigureExport::imageWithoutTexts() const
+{
+    const auto part = partWithoutTexts();
+    QImage image(part ? part->size : QSize(), QImage::Format_RGB32);
+    if (image.isNull())
+        return {};
+    QPainter painter(&image);
+    m_viewport.paintFigure(painter, *part);
+    return image;
+}
+
+QImage FigureExport::imageOn(QSize size) const
+{
+    const QImage figure = m_texts ? sheet().image() : imageWithoutTexts();
+    if (figure.isNull() || figure.size() == size)
+        return figure;
+    QImage image(size, QImage::Format_RGB32);
+    if (image.isNull())
+        return {};
+    image.fill(Qt::white);
+    QPainter(&image).drawImage(0, 0, figure);
+    return image;
 }
 
 std::optional<QString> FigureExport::save(const FigureSheet& sheet, const QString& path) const
@@ -174,6 +212,18 @@ std::optional<QString> FigureExport::exportTo(const QString& path) const
         return problem;
     return formatOf(path) == kSvg ? m_viewport.saveSvgFigure(m_zoom, target)
                                   : savePicture(m_viewport.figure(m_zoom), target);
+}
+
+void FigureExport::exportRun(const QString& path, const RunAnimation::Run& run, QWidget* window)
+{
+    m_part = m_texts ? partOfSheet() : partWithoutTexts();
+    const RunAnimation::Figure figure{[this] { return size(); }, [this](QSize sheet) { return imageOn(sheet); }};
+    auto* animation = new RunAnimation(figure, m_steps.session(), run, {path, m_document.inputFiles()}, window);
+    connect(animation, &RunAnimation::finished, this, [this, path](const QString& error, bool stopped) {
+        m_part.reset();
+        if (!stopped)
+            Q_EMIT finished(path, error);
+    });
 }
 
 void FigureExport::exportBeforeAfter(const QString& path)

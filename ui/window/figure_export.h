@@ -1,8 +1,10 @@
 #pragma once
 #include "ui/base/latest_result.h"
 #include "ui/canvas/figure_sheet.h"
+#include "ui/canvas/viewport_widget.h"
 #include "ui/document/document.h"
 #include "ui/document/render_worker.h"
+#include "ui/window/run_animation.h"
 
 #include <QObject>
 #include <QRect>
@@ -14,7 +16,6 @@ namespace rasterlens
 {
 
 class StepMode;
-class ViewportWidget;
 
 /// Makes figures for pages and slides of what the canvas shows: the part in sight, at a chosen size of its pixels, with
 /// a margin and, below it, a caption, the formula of the present step and a legend.
@@ -43,11 +44,19 @@ public:
     [[nodiscard]] static QStringList formats();
 
     [[nodiscard]] QImage image() const;
+    /// The size of image(); empty without a picture.
+    [[nodiscard]] QSize size() const;
+    /// image() on a white sheet of that size, in its upper left corner.
+    [[nodiscard]] QImage imageOn(QSize size) const;
     /// errors  a sentence in the language in use
     [[nodiscard]] std::optional<QString> exportTo(const QString& path) const;
     /// Draws the picture without the present mistakes on a background thread and puts both beside each other;
     /// finished() follows.
     void exportBeforeAfter(const QString& path);
+    /// Writes the figures of a run of steps as an animated GIF; finished() follows, unless the user stops it.
+    ///
+    /// in  the steps are recorded; run: as RunAnimation takes it
+    void exportRun(const QString& path, const RunAnimation::Run& run, QWidget* window);
     [[nodiscard]] bool isBusy() const { return m_right.isBusy(); }
 
 Q_SIGNALS:
@@ -55,6 +64,9 @@ Q_SIGNALS:
     void finished(const QString& path, const QString& error);
 
 private:
+    [[nodiscard]] std::optional<ViewportWidget::FigurePart> partOfSheet() const;
+    [[nodiscard]] std::optional<ViewportWidget::FigurePart> partWithoutTexts() const;
+    [[nodiscard]] QImage imageWithoutTexts() const;
     [[nodiscard]] FigureSheet sheet() const;
     [[nodiscard]] FigureSheet beforeAfter(const FramePtr& right) const;
     [[nodiscard]] FigureTexts texts() const;
@@ -67,6 +79,7 @@ private:
     std::function<QString()> m_words;
     std::optional<int> m_zoom;
     std::optional<QRect> m_region;
+    std::optional<ViewportWidget::FigurePart> m_part; ///< that of an animation, wherever the canvas goes
     bool m_texts = true;
     std::optional<QString> m_caption;
     QString m_path; ///< of the pictures before and after

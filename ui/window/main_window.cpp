@@ -29,6 +29,7 @@
 #include "ui/window/action_search.h"
 #include "ui/window/dragged_file.h"
 #include "ui/window/figure_export.h"
+#include "ui/window/guide_window.h"
 #include "ui/window/help_overlay.h"
 #include "ui/window/life_cycle.h"
 #include "ui/window/locate_model.h"
@@ -88,6 +89,7 @@ MainWindow::MainWindow(Memory memory, QWidget* parent) : QMainWindow(parent), m_
     buildMenus();
     buildStatusBar();
     m_help = new HelpOverlay(this);
+    m_guide = new GuideWindow(this);
     m_search = new ActionSearch(m_actions, *this);
     connectParts();
     buildFocus();

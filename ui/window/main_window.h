@@ -28,6 +28,7 @@ class ActionSearch;
 class CanvasViews;
 class Cards;
 class Dock;
+class GuideWindow;
 class HelpOverlay;
 class LessonMode;
 class LifeCycle;
@@ -65,6 +66,7 @@ public:
     [[nodiscard]] StatisticsPanel& statisticsPanel() { return *m_statisticsPanel; }
     [[nodiscard]] StageStrip& stageStrip() { return *m_stageStrip; }
     [[nodiscard]] HelpOverlay& helpOverlay() { return *m_help; }
+    [[nodiscard]] GuideWindow& guide() { return *m_guide; }
     [[nodiscard]] ActionSearch& actionSearch() { return *m_search; }
     [[nodiscard]] const ActionTable& actionTable() const { return m_actions; }
     [[nodiscard]] Cards& cards() { return *m_cards; }
@@ -196,6 +198,7 @@ private:
     void reportSaved(const std::optional<QString>& error, const QString& path);
     void chooseFileToOpen();
     void chooseFileToIdentify();
+    void chooseRunToAnimate();
     void chooseFileToExport(const QString& title, const QString& suggestion, bool asDrawing,
                             std::function<void(const QString&)> save);
     void restoreMemory();
@@ -232,6 +235,7 @@ private:
     MessageBar* m_filesOffer = nullptr;
     MessageBar* m_unsupported = nullptr; ///< why the present settings are not drawn
     HelpOverlay* m_help = nullptr;
+    GuideWindow* m_guide = nullptr;
     ActionSearch* m_search = nullptr;
     QWidget* m_canvasHeader = nullptr;
     QBoxLayout* m_picture = nullptr; ///< the canvas, and the listing below or beside it

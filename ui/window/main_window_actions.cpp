@@ -15,6 +15,7 @@
 #include "ui/truth/truth_mode.h"
 #include "ui/window/action_search.h"
 #include "ui/window/figure_export.h"
+#include "ui/window/guide_window.h"
 #include "ui/window/handout_export.h"
 #include "ui/window/life_cycle.h"
 #include "ui/window/main_window.h"
@@ -158,6 +159,7 @@ void MainWindow::buildExports(ActionMenu& file)
     });
     file.add("file.run", QT_TR_NOOP("Export a &run of steps\u2026"), {},
              [this] { m_stepMode->chooseRunToExport(m_figures->zoom()); });
+    file.add("file.run-gif", QT_TR_NOOP("Export a run as &GIF\u2026"), {}, [this] { chooseRunToAnimate(); });
     file.add("file.before-after", QT_TR_NOOP("Export before and after\u2026"), {}, [this] {
         chooseFileToExport(tr("Export before and after"), QStringLiteral("before-after.png"), true,
                            [this](const QString& path) { m_figures->exportBeforeAfter(path); });
@@ -332,6 +334,7 @@ void MainWindow::buildMistakesMenu()
 void MainWindow::buildHelpMenu()
 {
     ActionMenu help = addMenu(ActionSection::Window, QT_TR_NOOP("&Help"));
+    help.add("help.guide", QT_TR_NOOP("&Guide"), {Qt::SHIFT | Qt::Key_F1}, [this] { m_guide->open(); });
     help.add("help.search", QT_TR_NOOP("&Search for an action\u2026"), {Qt::CTRL | Qt::SHIFT | Qt::Key_P},
              [this] { m_search->toggle(); });
     help.add("help.keys", QT_TR_NOOP("&Keys and their states"), {Qt::Key_H, Qt::Key_F1}, [this] { toggleHelp(); });
@@ -372,6 +375,7 @@ void MainWindow::retranslate()
     m_truth->retranslate();
     m_lessons->retranslate();
     m_lifeCycle->retranslate();
+    m_guide->setLanguage(m_language.kind());
     m_pipelineDock->setTitle(tr("Scene"));
     m_statisticsDock->setTitle(tr("Statistics"));
     m_copyCsv->setToolTip(tr("Copy the counters as CSV"));

@@ -4,6 +4,7 @@
 #include "ui/base/dock.h"
 #include "ui/base/image_export.h"
 #include "ui/base/message_bar.h"
+#include "ui/steps/step_mode.h"
 #include "ui/truth/identify_panel.h"
 #include "ui/truth/truth_mode.h"
 #include "ui/window/dragged_file.h"
@@ -137,6 +138,18 @@ void MainWindow::chooseFileToExport(const QString& title, const QString& suggest
     QFileDialog* dialog = newExportDialog(this, title, suggestion, formats);
     connect(dialog, &QFileDialog::fileSelected, this, std::move(save));
     dialog->open();
+}
+
+void MainWindow::chooseRunToAnimate()
+{
+    m_stepMode->chooseRun(tr("Export a run as GIF"), [this](std::size_t first, std::size_t last) {
+        QFileDialog* dialog =
+            newExportDialog(this, tr("Export a run as GIF"), QStringLiteral("run.gif"), {QStringLiteral("gif")});
+        connect(dialog, &QFileDialog::fileSelected, this, [=, this](const QString& path) {
+            m_figures->exportRun(path, {first, last}, this);
+        });
+        dialog->open();
+    });
 }
 
 QImage MainWindow::picture()
