@@ -19,5 +19,7 @@ inline unsigned seedOfRun()
 /// How many of `all` random cases this build draws: under the sanitizers, which are ten times slower, a fifth. The
 /// kinds of cases stay: what is repeated to meet rarer numbers is repeated less.
 constexpr int casesOfBuild(int all) { return RASTERLENS_SANITIZED ? std::max(1, all / 5) : all; }
+/// Which rows of a long table this build tests: each, or every fifth.
+constexpr std::size_t everyOfBuild() { return RASTERLENS_SANITIZED ? 5 : 1; }
 
 } // namespace rasterlens::test

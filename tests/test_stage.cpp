@@ -1,6 +1,7 @@
 // The stage for a lecture: the picture first, one caption, all menus within reach; and what a first start and a session
 // show.
 #include "core/lessons/lesson.h"
+#include "tests/seed.h"
 #include "ui/lessons/lesson_mode.h"
 #include "ui/lessons/lesson_panel.h"
 #include "ui/steps/step_listing.h"
@@ -87,7 +88,7 @@ void TestStage::thePictureDoesNotMoveFromStepToStep()
     QVERIFY(openStage({1024, 768}));
     const QRect place = viewport().geometry();
     const CanvasTransform transform = viewport().transform();
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < test::casesOfBuild(60); ++i) {
         key(Qt::Key_Right);
         QVERIFY(complete());
         QCoreApplication::processEvents();

@@ -196,7 +196,7 @@ void TestStepRecord::isTheLog()
     Draws draws(seed);
     const auto scenes = builtinScenes();
     int longRecords = 0;
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < test::casesOfBuild(300); ++i) {
         const auto scene = builtin(scenes[std::size_t(i) % scenes.size()].name);
         if (scene->mesh.faceCount() > 3000)
             continue;
@@ -224,7 +224,7 @@ void TestStepRecord::isTheLog()
         cursor.moveTo(log.size());
         QVERIFY2(difference(log, cursor) == nullptr, what.constData());
     }
-    QVERIFY(longRecords > 20);
+    QVERIFY(longRecords > test::casesOfBuild(20));
 }
 
 void TestStepRecord::stepsAsTheLog()
@@ -279,8 +279,9 @@ void TestStepRecord::stopsWhereTheLogStops()
 void TestStepRecord::wholeScenes_data()
 {
     QTest::addColumn<QString>("name");
-    for (const BuiltinScene& scene : builtinScenes())
-        QTest::newRow(scene.name) << QString::fromLatin1(scene.name);
+    const auto scenes = builtinScenes();
+    for (std::size_t i = 0; i < scenes.size(); i += test::everyOfBuild())
+        QTest::newRow(scenes[i].name) << QString::fromLatin1(scenes[i].name);
 }
 
 /// Every scene at its own size, to the end.
