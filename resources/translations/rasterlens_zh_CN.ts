@@ -2217,6 +2217,17 @@
     </message>
 </context>
 <context>
+    <name>HandoutExport</name>
+    <message>
+        <source>Handout of a lesson</source>
+        <translation>课程讲义</translation>
+    </message>
+    <message>
+        <source>Lesson:</source>
+        <translation>课程：</translation>
+    </message>
+</context>
+<context>
     <name>HardCase</name>
     <message>
         <source>%1 pixels are covered</source>
@@ -4195,6 +4206,13 @@
     <message>
         <source>not in front of the eye: %1</source>
         <translation>不在眼睛前方：%1</translation>
+    </message>
+</context>
+<context>
+    <name>PageExport</name>
+    <message>
+        <source>Export page</source>
+        <translation>导出网页</translation>
     </message>
 </context>
 <context>
@@ -6212,6 +6230,49 @@
     </message>
 </context>
 <context>
+    <name>rasterlens::FigureExport</name>
+    <message>
+        <source>%1 could not be written: %2</source>
+        <translation>无法写入 %1：%2</translation>
+    </message>
+    <message>
+        <source>edge %1</source>
+        <translation>边 %1</translation>
+    </message>
+    <message>
+        <source>inside of the edge</source>
+        <translation>在边的内侧</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>在外侧</translation>
+    </message>
+    <message>
+        <source>on the edge: a tie</source>
+        <translation>恰在边上</translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation>采样点</translation>
+    </message>
+    <message>
+        <source>pixel (%1, %2)</source>
+        <translation>像素 (%1, %2)</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>第 %1 步，共 %2 步</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>正确</translation>
+    </message>
+    <message>
+        <source>With the mistake</source>
+        <translation>有错误</translation>
+    </message>
+</context>
+<context>
     <name>rasterlens::GeometryLayer</name>
     <message>
         <source>perspective</source>
@@ -6220,6 +6281,93 @@
     <message>
         <source>linear on the screen</source>
         <translation>屏幕上线性</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::IdentifyPanel</name>
+    <message>
+        <source>The right picture</source>
+        <translation>正确的图片</translation>
+    </message>
+    <message>
+        <source>The picture cannot be compared: %1.</source>
+        <translation>无法比较这张图片：%1。</translation>
+    </message>
+    <message>
+        <source>The present settings cannot be drawn, so that there is nothing to compare with.</source>
+        <translation>当前设置无法绘制，因此没有可供比较的图片。</translation>
+    </message>
+    <message>
+        <source>%1, together with %2</source>
+        <translation>%1，以及 %2</translation>
+    </message>
+    <message>
+        <source>Draws the same picture here:</source>
+        <translation>在这里画出同一张图片的还有：</translation>
+    </message>
+    <message>
+        <source>Yours</source>
+        <translation>你的图片</translation>
+    </message>
+    <message>
+        <source>With the mistake</source>
+        <translation>有错误</translation>
+    </message>
+    <message>
+        <source>Where they differ</source>
+        <translation>不同之处</translation>
+    </message>
+    <message>
+        <source>Comparing with each mistake…</source>
+        <translation>正在与每个错误比较…</translation>
+    </message>
+    <message>
+        <source>Drop a picture that your own program drew of this scene, or choose it: it is compared with the right picture and with what each mistake draws.</source>
+        <translation>把你自己的程序为这个场景画的图片拖进来，或选择它：它会与正确的图片以及每个错误画出的图片比较。</translation>
+    </message>
+    <message>
+        <source>%1: none of these. No mistake explains the picture.</source>
+        <translation>%1：都不是。没有一个错误能解释这张图片。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Choose a picture…</source>
+        <translation>选择图片…</translation>
+    </message>
+    <message>
+        <source>The scene or its settings have changed since.</source>
+        <translation>此后场景或设置已改变。</translation>
+    </message>
+    <message>
+        <source>Compare again</source>
+        <translation>重新比较</translation>
+    </message>
+    <message>
+        <source>Show in the window</source>
+        <translation>在窗口中显示</translation>
+    </message>
+    <message>
+        <source>Switches this mistake on; a double click does so as well</source>
+        <translation>打开这个错误；双击也可以</translation>
+    </message>
+    <message>
+        <source>Fits</source>
+        <translation>符合</translation>
+    </message>
+    <message>
+        <source>Mistake</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>Pixels</source>
+        <translation>像素</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>位置</translation>
     </message>
 </context>
 <context>
@@ -6495,10 +6643,6 @@
     <message>
         <source>Export window</source>
         <translation>导出窗口</translation>
-    </message>
-    <message>
-        <source>Copy &amp;image</source>
-        <translation>复制图像(&amp;I)</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -6811,6 +6955,10 @@
     <message>
         <source>Export handout of a lesson…</source>
         <translation>导出课程讲义…</translation>
+    </message>
+    <message>
+        <source>Export pa&amp;ge for browsers…</source>
+        <translation>导出网页(&amp;G)…</translation>
     </message>
     <message>
         <source>&amp;Copy figure</source>
@@ -8347,147 +8495,6 @@
     <message>
         <source>More</source>
         <translation>更多</translation>
-    </message>
-</context>
-<context>
-    <name>HandoutExport</name>
-    <message>
-        <source>Handout of a lesson</source>
-        <translation>课程讲义</translation>
-    </message>
-    <message>
-        <source>Lesson:</source>
-        <translation>课程：</translation>
-    </message>
-</context>
-<context>
-    <name>rasterlens::FigureExport</name>
-    <message>
-        <source>%1 could not be written: %2</source>
-        <translation>无法写入 %1：%2</translation>
-    </message>
-    <message>
-        <source>edge %1</source>
-        <translation>边 %1</translation>
-    </message>
-    <message>
-        <source>inside of the edge</source>
-        <translation>在边的内侧</translation>
-    </message>
-    <message>
-        <source>outside</source>
-        <translation>在外侧</translation>
-    </message>
-    <message>
-        <source>on the edge: a tie</source>
-        <translation>恰在边上</translation>
-    </message>
-    <message>
-        <source>sample</source>
-        <translation>采样点</translation>
-    </message>
-    <message>
-        <source>pixel (%1, %2)</source>
-        <translation>像素 (%1, %2)</translation>
-    </message>
-    <message>
-        <source>Step %1 of %2</source>
-        <translation>第 %1 步，共 %2 步</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>正确</translation>
-    </message>
-    <message>
-        <source>With the mistake</source>
-        <translation>有错误</translation>
-    </message>
-</context>
-<context>
-    <name>rasterlens::IdentifyPanel</name>
-    <message>
-        <source>The right picture</source>
-        <translation>正确的图片</translation>
-    </message>
-    <message>
-        <source>The picture cannot be compared: %1.</source>
-        <translation>无法比较这张图片：%1。</translation>
-    </message>
-    <message>
-        <source>The present settings cannot be drawn, so that there is nothing to compare with.</source>
-        <translation>当前设置无法绘制，因此没有可供比较的图片。</translation>
-    </message>
-    <message>
-        <source>%1, together with %2</source>
-        <translation>%1，以及 %2</translation>
-    </message>
-    <message>
-        <source>Draws the same picture here:</source>
-        <translation>在这里画出同一张图片的还有：</translation>
-    </message>
-    <message>
-        <source>Yours</source>
-        <translation>你的图片</translation>
-    </message>
-    <message>
-        <source>With the mistake</source>
-        <translation>有错误</translation>
-    </message>
-    <message>
-        <source>Where they differ</source>
-        <translation>不同之处</translation>
-    </message>
-    <message>
-        <source>Comparing with each mistake…</source>
-        <translation>正在与每个错误比较…</translation>
-    </message>
-    <message>
-        <source>Drop a picture that your own program drew of this scene, or choose it: it is compared with the right picture and with what each mistake draws.</source>
-        <translation>把你自己的程序为这个场景画的图片拖进来，或选择它：它会与正确的图片以及每个错误画出的图片比较。</translation>
-    </message>
-    <message>
-        <source>%1: none of these. No mistake explains the picture.</source>
-        <translation>%1：都不是。没有一个错误能解释这张图片。</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
-        <source>Choose a picture…</source>
-        <translation>选择图片…</translation>
-    </message>
-    <message>
-        <source>The scene or its settings have changed since.</source>
-        <translation>此后场景或设置已改变。</translation>
-    </message>
-    <message>
-        <source>Compare again</source>
-        <translation>重新比较</translation>
-    </message>
-    <message>
-        <source>Show in the window</source>
-        <translation>在窗口中显示</translation>
-    </message>
-    <message>
-        <source>Switches this mistake on; a double click does so as well</source>
-        <translation>打开这个错误；双击也可以</translation>
-    </message>
-    <message>
-        <source>Fits</source>
-        <translation>符合</translation>
-    </message>
-    <message>
-        <source>Mistake</source>
-        <translation>错误</translation>
-    </message>
-    <message>
-        <source>Pixels</source>
-        <translation>像素</translation>
-    </message>
-    <message>
-        <source>Where</source>
-        <translation>位置</translation>
     </message>
 </context>
 </TS>
