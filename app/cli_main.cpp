@@ -23,6 +23,7 @@ constexpr Verb kVerbs[] = {
     {"why", "say why a pixel is what it is", runWhy},
     {"derive", "derive a formula with the numbers of a face", runDerive},
     {"figure", "write a figure with caption, formula and legend", runFigure},
+    {"page", "write one HTML file that shows every step", runPage},
     {"identify", "say which mistake made a picture", runIdentify},
     {"lesson", "list, print and check lessons", runLesson},
 };

@@ -1,4 +1,5 @@
 #include "app/gui_figure.h"
+#include "app/gui_page.h"
 #include "core/base/typed_numbers.h"
 #include "core/io/file_writer.h"
 #include "core/io/picture_file.h"
@@ -49,6 +50,7 @@ struct Arguments {
     QString step;
     QString identify;
     rasterlens::FigureArguments figure;
+    rasterlens::PageArguments page;
     std::optional<QSize> windowSize;
     QString panel;
     std::optional<rasterlens::DerivationTopic> topic;
@@ -161,6 +163,7 @@ struct Options {
         QStringLiteral("view")};
 
     rasterlens::FigureOptions figure;
+    rasterlens::PageOptions page;
     QCommandLineOption lesson{QStringLiteral("lesson"),
                               QStringLiteral("Opens a lesson: the id of a built-in one, or a .json file."),
                               QStringLiteral("name")};
@@ -181,7 +184,7 @@ struct Options {
                                          panel,    topic,   view,         overlay,    pixel,    step,
                                          identify, referee, reference,    compare,    measure,  lesson,
                                          slide,    ask,     presentation, guide,      keys} +
-               figure.all();
+               figure.all() + page.all();
     }
 };
 
@@ -318,6 +321,13 @@ std::optional<QString> readAll(const QCommandLineParser& parser, const Options& 
         return why;
     if (const auto why = rasterlens::readFigure(parser, options.figure, arguments.figure))
         return why;
+    if (const auto why = rasterlens::readPage(parser, options.page, arguments.page))
+        return why;
+    arguments.page.scene = arguments.scene;
+    arguments.page.step = arguments.step;
+    arguments.page.chosen = arguments.pixel;
+    if (!arguments.page.path.isEmpty() && arguments.scene.isEmpty())
+        return QStringLiteral("--page needs a scene");
     if (const auto why = readLesson(parser, options, arguments))
         return why;
     return readTruth(parser, options, arguments);
@@ -542,7 +552,7 @@ int main(int argc, char** argv)
     if (!parsed.arguments)
         return parsed.exitCode;
     const Arguments& arguments = *parsed.arguments;
-    for (const QString& path : {arguments.screenshot, arguments.figure.path})
+    for (const QString& path : {arguments.screenshot, arguments.figure.path, arguments.page.path})
         if (const auto why = rasterlens::whyNotWritable(path); why && !path.isEmpty()) {
             printError(QStringLiteral("%1: cannot be written: %2").arg(path, rasterlens::textOf(*why)));
             return kInvalidInput;
@@ -553,6 +563,10 @@ int main(int argc, char** argv)
 
     if (arguments.keys)
         return printKeys(argc, argv, arguments);
+    if (!arguments.page.path.isEmpty()) {
+        const QCoreApplication application(argc, argv);
+        return rasterlens::writePage(arguments.page);
+    }
     choosePlatform();
     QApplication application(argc, argv);
     rasterlens::useSettingsFormat();

@@ -1,9 +1,12 @@
 // Figures for pages and slides: from the window and from the command line, as pixels and as drawings; handouts.
 #include "tests/cli_support.h"
+#include "tests/page_support.h"
 #include "tests/window_fixture.h"
 #include "ui/canvas/figure_sheet.h"
 #include "ui/steps/run_export.h"
+#include "ui/steps/step_mode.h"
 #include "ui/window/figure_export.h"
+#include "ui/window/page_export.h"
 
 #include <QClipboard>
 #include <QImageReader>
@@ -318,6 +321,27 @@ private Q_SLOTS:
         QCOMPARE(missing.exitCode, 3);
         QVERIFY2(missing.err.startsWith(QStringLiteral("none.obj: ")), qPrintable(missing.err));
         QVERIFY(!QFile::exists(path("r.png")));
+    }
+
+    void aPageShowsWhatTheWindowShows()
+    {
+        QVERIFY(openSquare());
+        m_window->stepMode().showStep(QStringLiteral("39"));
+        m_window->viewport().selectPixel(QPoint(3, 4));
+        QVERIFY(settle());
+        QString said = QStringLiteral("no answer yet");
+        writePage(*m_window, {document().session(), {}}, QStringLiteral(RASTERLENS_CLI), path("page.html"),
+                  [&said](const QString&, const QString& error) { said = error; });
+        QTRY_VERIFY_WITH_TIMEOUT(said != QLatin1String("no answer yet"), 60'000);
+        QCOMPARE(said, QString());
+        const QJsonObject start = dataOf(readFile(path("page.html")))[QStringLiteral("start")].toObject();
+        QCOMPARE(start[QStringLiteral("step")].toInt(), 38); // the event just before the position
+        QCOMPARE(start[QStringLiteral("pixel")].toArray(), (QJsonArray{3, 4}));
+        said = QStringLiteral("no answer yet");
+        writePage(*m_window, {document().session(), {}}, QStringLiteral(RASTERLENS_CLI), path("no/page.html"),
+                  [&said](const QString&, const QString& error) { said = error; });
+        QTRY_VERIFY_WITH_TIMEOUT(said != QLatin1String("no answer yet"), 60'000);
+        QVERIFY2(said.contains(QLatin1String("cannot be written")), qPrintable(said));
     }
 
     void handoutsHoldEverySlide()

@@ -21,6 +21,7 @@ ExitCode runFigure(const QStringList& words);
 ExitCode runIdentify(const QStringList& words);
 ExitCode runInfo(const QStringList& words);
 ExitCode runLesson(const QStringList& words);
+ExitCode runPage(const QStringList& words);
 ExitCode runRender(const QStringList& words);
 ExitCode runSteps(const QStringList& words);
 ExitCode runWhy(const QStringList& words);

@@ -16,21 +16,23 @@ namespace rasterlens::cli
 namespace
 {
 
-/// A session keeps the vertices that lie elsewhere than in the scene's file.
-std::map<std::uint32_t, glm::dvec4> movedSinceLoading(const Scene& scene)
+/// A session keeps the vertices that lie elsewhere, or have another colour, than in the scene's file.
+void addEditsSinceLoading(Session& session, const Scene& scene)
 {
     LoadOptions options;
     options.size = scene.defaults.size;
     const SceneLoad original = loadScene(scene.id, options);
     if (!original.scene || original.scene->mesh.vertices.size() != scene.mesh.vertices.size())
-        return {};
-    return movedVertices(original.scene->mesh, scene.mesh);
+        return;
+    session.vertices = movedVertices(original.scene->mesh, scene.mesh);
+    session.colors = recoloredVertices(original.scene->mesh, scene.mesh);
 }
 
 QString absoluteId(const Scene& scene)
 {
-    const bool isFile =
-        !scene.id.startsWith(QLatin1String("builtin:")) && !scene.id.startsWith(QLatin1String("stress:"));
+    const bool isFile = !scene.id.startsWith(QLatin1String("builtin:")) &&
+                        !scene.id.startsWith(QLatin1String("stress:")) &&
+                        !scene.id.startsWith(QLatin1String(":/")); // a scene of a built-in lesson
     return isFile ? QFileInfo(scene.id).absoluteFilePath() : scene.id;
 }
 
@@ -76,7 +78,7 @@ ExitCode runWindowProgram(const Scene& scene, const Settings& settings, const QS
     Session state;
     state.scene = absoluteId(scene);
     state.settings = toJson(settings);
-    state.vertices = movedSinceLoading(scene);
+    addEditsSinceLoading(state, scene);
     if (const auto problem = saveSession(state, session))
         failInput(QStringLiteral("%1: cannot be written: %2").arg(session, textOf(*problem)));
     return runWindowProgram(QStringList{session} + words);

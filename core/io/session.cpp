@@ -25,7 +25,8 @@ constexpr int kFormatVersion = 1;
 /// Scenes made by code have names that are not paths.
 bool isPath(const QString& scene)
 {
-    return !scene.startsWith(QLatin1String("builtin:")) && !scene.startsWith(QLatin1String("stress:"));
+    return !scene.startsWith(QLatin1String("builtin:")) && !scene.startsWith(QLatin1String("stress:")) &&
+           !scene.startsWith(QLatin1String(":/")); // a scene of a built-in lesson
 }
 
 int lineOf(const QByteArray& text, qsizetype offset)

@@ -5062,6 +5062,13 @@
     </message>
 </context>
 <context>
+    <name>PageExport</name>
+    <message>
+        <source>Export page</source>
+        <translation>导出网页</translation>
+    </message>
+</context>
+<context>
     <name>Settings</name>
     <message>
         <source>Edge equation</source>
@@ -7710,6 +7717,10 @@
     <message>
         <source>Export handout of a lesson…</source>
         <translation>导出课程讲义…</translation>
+    </message>
+    <message>
+        <source>Export pa&amp;ge for browsers…</source>
+        <translation>导出网页(&amp;G)…</translation>
     </message>
     <message>
         <source>&amp;Copy figure</source>

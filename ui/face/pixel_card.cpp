@@ -223,6 +223,13 @@ WhyWords whyWords(const WhyReport& report, const WhyFace& face)
     return words;
 }
 
+QString whyAnswer(const WhyReport& report)
+{
+    return report.visibleFace
+               ? PixelCard::tr("%1 is seen").arg(faceName(*report.visibleFace, report.lineOf(*report.visibleFace)))
+               : PixelCard::tr("background: no face was written");
+}
+
 PixelCard::PixelCard(QWidget* parent) : QWidget(parent)
 {
     auto* column = new QVBoxLayout(this);
@@ -258,10 +265,7 @@ void PixelCard::setSaysMoment(bool on)
 
 QString PixelCard::answer() const
 {
-    const QString seen =
-        m_report->visibleFace
-            ? tr("%1 is seen").arg(faceName(*m_report->visibleFace, m_report->lineOf(*m_report->visibleFace)))
-            : tr("background: no face was written");
+    const QString seen = whyAnswer(*m_report);
     return m_saysMoment ? seen + QStringLiteral(" \u00b7 ") + momentText(std::nullopt) : seen;
 }
 

@@ -27,6 +27,8 @@ struct WhyWords {
 
 /// The verdict of core in the language of the window.
 [[nodiscard]] WhyWords whyWords(const WhyReport& report, const WhyFace& face);
+/// Which face is seen at the pixel.
+[[nodiscard]] QString whyAnswer(const WhyReport& report);
 
 /// Why a pixel is what it is: every face that could concern it with its verdict. A click on a row asks for its step.
 class PixelCard : public QWidget

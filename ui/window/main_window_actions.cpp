@@ -19,6 +19,7 @@
 #include "ui/window/handout_export.h"
 #include "ui/window/life_cycle.h"
 #include "ui/window/main_window.h"
+#include "ui/window/page_export.h"
 #include "ui/window/panel_places.h"
 #include "ui/window/window_placement.h"
 
@@ -168,6 +169,13 @@ void MainWindow::buildExports(ActionMenu& file)
         chooseHandout(*this, m_language.kind(), [this](const QString& path, const QString& error) {
             reportSaved(error.isEmpty() ? std::nullopt : std::optional(error), path);
         });
+    });
+    file.add("file.page", QT_TR_NOOP("Export pa&ge for browsers\u2026"), {}, [this] {
+        const LessonPlayer& player = m_lessons->player();
+        choosePage(*this, {m_document.session(), player.isOpen() ? player.lesson().file : QString()},
+                   [this](const QString& path, const QString& error) {
+                       reportSaved(error.isEmpty() ? std::nullopt : std::optional(error), path);
+                   });
     });
     buildFigureScale(file.addMenu(QT_TR_NOOP("Figure s&cale")));
     file.add("file.framebuffer", QT_TR_NOOP("Export frame&buffer 1:1\u2026"), {Qt::CTRL | Qt::Key_F12}, [this] {

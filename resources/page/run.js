@@ -1,0 +1,147 @@
+// A run: what happened while a frame was drawn. Its events are the objects of the step log, one after the other. A
+// *position* k is the moment after k events; 0 is the cleared frame. The *number* of an event is that of the step log:
+// position k stands just after the event with the number k - 1.
+class Run {
+  constructor(saved) {
+    Object.assign(this, saved);
+    this.steps = saved.steps.map(([title, sentence, formula, code, line]) => ({ title, sentence, formula, code, line }));
+    this.position = 0;
+    this.touched = null; // the pixels that have changed since the picture was drawn last; null: perhaps all
+    this.color = new Int32Array(this.samples).fill(colorOf(this.clear[0]));
+    this.depth = new Array(this.samples).fill(this.clear[1]);
+    if (this.base) {
+      this.color = pixelsOf(this.base);
+      this.depth.fill(null);
+    }
+    this.finishedColors = this.finished ? pixelsOf(this.finished) : null;
+    this.otherColors = this.other ? pixelsOf(this.other) : null;
+    this.hasSamples = this.events.some(event => event.event === "sample");
+    this.findTriangles();
+    this.readChanges();
+  }
+
+  get size() { return this.events.length; }
+  // A still has the picture of a moment, not the way to it.
+  get isStill() { return Boolean(this.base); }
+  // The last event that happened; null at position 0.
+  get event() { return this.position === 0 ? null : this.events[this.position - 1]; }
+  // Of the last event, as the step log counts.
+  get number() { return this.first + this.position - 1; }
+  positionOf(number) { return Math.max(0, Math.min(this.size, number - this.first + 1)); }
+
+  // For each event, the events that made the triangle at work and its edge functions; -1 where there is none.
+  findTriangles() {
+    this.triangleOf = [];
+    this.setupOf = [];
+    let triangle = -1;
+    let setup = -1;
+    this.events.forEach((event, i) => {
+      const begins = event.event === "vertex" || event.event === "triangle" || event.face === undefined;
+      if (begins)
+        triangle = setup = -1;
+      if (event.event === "triangle")
+        triangle = i;
+      if (event.event === "setup" && event.edges)
+        setup = i;
+      this.triangleOf.push(triangle);
+      this.setupOf.push(setup);
+    });
+  }
+
+  // The list of changed samples gets what was there before, so that it can be gone through both ways.
+  readChanges() {
+    this.changesUpTo = new Array(this.size + 1).fill(0);
+    const color = this.color.slice();
+    const depth = this.depth.slice();
+    this.changes = this.changes.map(([event, sample, newColor, newDepth]) => {
+      const change = { sample, color: colorOf(newColor), depth: newDepth, oldColor: color[sample], oldDepth: depth[sample] };
+      color[sample] = change.color;
+      depth[sample] = change.depth;
+      ++this.changesUpTo[event + 1];
+      return change;
+    });
+    for (let k = 1; k <= this.size; ++k)
+      this.changesUpTo[k] += this.changesUpTo[k - 1];
+  }
+
+  pixelOf(sample) {
+    return Math.floor(Math.floor(sample / this.columns) / this.grid) * this.width + Math.floor(sample % this.columns / this.grid);
+  }
+
+  moveTo(position) {
+    position = this.isStill ? this.size : Math.max(0, Math.min(this.size, position));
+    const from = this.changesUpTo[this.position];
+    const to = this.changesUpTo[position];
+    for (let i = Math.min(from, to); this.touched && i < Math.max(from, to); ++i)
+      this.touched.push(this.pixelOf(this.changes[i].sample));
+    for (let i = from; i < to; ++i) {
+      this.color[this.changes[i].sample] = this.changes[i].color;
+      this.depth[this.changes[i].sample] = this.changes[i].depth;
+    }
+    for (let i = from; i-- > to;) {
+      this.color[this.changes[i].sample] = this.changes[i].oldColor;
+      this.depth[this.changes[i].sample] = this.changes[i].oldDepth;
+    }
+    this.position = position;
+  }
+
+  // 0xRRGGBB of a pixel at this position: with several samples their mean, as the program shows it.
+  pixelColor(x, y) {
+    const index = y * this.width + x;
+    if (this.isStill)
+      return this.color[index];
+    if (this.finishedColors && this.position > 0 && index < this.resolved[this.position - 1])
+      return this.finishedColors[index];
+    const grid = this.grid;
+    let red = 0, green = 0, blue = 0;
+    for (let row = y * grid; row < (y + 1) * grid; ++row)
+      for (let column = x * grid; column < (x + 1) * grid; ++column) {
+        const sample = this.color[row * this.columns + column];
+        red += sample >> 16 & 255;
+        green += sample >> 8 & 255;
+        blue += sample & 255;
+      }
+    const half = grid * grid >> 1; // the mean is rounded
+    const mean = sum => Math.floor((sum + half) / (grid * grid));
+    return mean(red) << 16 | mean(green) << 8 | mean(blue);
+  }
+
+  // The depth that the sample nearest the pixel's centre stores; null where the page does not have it.
+  pixelDepth(x, y) {
+    const middle = this.grid >> 1;
+    return this.depth[(y * this.grid + middle) * this.columns + x * this.grid + middle];
+  }
+
+  // The events at a pixel, ascending.
+  eventsAt(x, y) {
+    const found = [];
+    this.events.forEach((event, i) => {
+      if (event.x !== undefined && Math.floor(event.x / this.grid) === x && Math.floor(event.y / this.grid) === y)
+        found.push(i);
+    });
+    return found;
+  }
+
+  // The event that tested the sample which an event is about; -1 where there is none.
+  testOf(i) {
+    const event = this.events[i];
+    for (let j = i; j >= 0 && this.triangleOf[j] === this.triangleOf[i]; --j) {
+      const other = this.events[j];
+      if (other.event === "sample" && other.x === event.x && other.y === event.y)
+        return j;
+    }
+    return -1;
+  }
+}
+
+function colorOf(text) { return parseInt(text.slice(1), 16); }
+function colorText(color) { return "#" + color.toString(16).padStart(6, "0"); }
+
+// Pixels that are saved as a list of runs: how many, colour, how many, colour ..
+function pixelsOf(saved) {
+  const pixels = [];
+  for (let i = 0; i < saved.length; i += 2)
+    for (let n = 0; n < saved[i]; ++n)
+      pixels.push(colorOf(saved[i + 1]));
+  return Int32Array.from(pixels);
+}
