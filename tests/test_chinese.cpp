@@ -2,6 +2,7 @@
 #include "tests/cli_support.h"
 #include "tests/window_fixture.h"
 #include "ui/base/case_note.h"
+#include "ui/base/plot_theme.h"
 #include "ui/base/theme.h"
 #include "ui/face/cards.h"
 #include "ui/truth/truth_mode.h"
@@ -13,8 +14,6 @@
 #include <QRawFont>
 #include <QTextBlock>
 #include <QTextLayout>
-
-#include <qcustomplot.h>
 
 using namespace rasterlens;
 using namespace rasterlens::test;
