@@ -202,19 +202,24 @@ int differing(const QImage& a, const QImage& b)
     return count;
 }
 
-/// What a mistake draws, by another algorithm where that one makes the mistake as well.
+/// What a mistake draws, by another algorithm where that one makes the mistake as well: where it does not draw what a
+/// right program draws that computes in doubles.
 QImage drawnOtherwise(const Scene& scene, const Settings& settings, const QString& mistake)
 {
     const QImage right = drawnBy(scene, settings, {});
     const QImage usual = drawnBy(scene, settings, {mistake});
     Settings other = settings;
+    other.numberType = NumberType::Float64;
+    const QImage inDoubles = unsupported(scene, other) ? right : drawnBy(scene, other, {});
+    const int changed = std::min(differing(usual, right), differing(usual, inDoubles));
+    other = settings;
     other.mistakes = QStringList{mistake};
     for (const Algorithm algorithm : {Algorithm::EdgeWalking, Algorithm::Tiled}) {
         other.algorithm = algorithm;
         if (unsupported(scene, other))
             continue;
         const QImage drawn = drawnBy(scene, other, {mistake});
-        if (10 * differing(drawn, usual) < differing(usual, right))
+        if (10 * differing(drawn, usual) < changed)
             return drawn;
     }
     return usual;
@@ -280,6 +285,12 @@ std::vector<Sample> studentSamples()
         byStudent("tile-square", "affine", {.perspective = S::Perspective::Affine}, Shading::Texture),
         byStudent("tile-square", "w-not-inverted", {.perspective = S::Perspective::TimesW}, Shading::Texture),
         byStudent("tile-square", "corner-sampling", {.sample = 0}, Shading::Texture),
+        byStudent("triangle", "y-flipped-once", {.upsideDown = true}),
+        byStudent("games101-tilted", "affine", {.perspective = S::Perspective::Affine}),
+        byStudent("painter-cycle", "corner-sampling", {.sample = 0}),
+        byStudent("fan", "none", {.sample = 0.4997}), // as if vertices were rounded otherwise
+        byStudent("fan", "none", {.sample = 0.5003}),
+        byStudent("piercing", "no-z-buffer", {.depth = S::Depth::None}),
     };
 }
 
@@ -335,9 +346,8 @@ void TestIdentify::lossyPicturesFindTheirMistake()
     for (const Sample& sample : samples)
         misses.take(sample, answerTo(sample));
     qInfo("%d of %zu right first", misses.right, samples.size());
-    QVERIFY(misses.right * 10 >= int(samples.size()) * 9);
-    QVERIFY2(misses.unexplained.size() * 20 <= int(samples.size()),
-             qPrintable(misses.unexplained.join(QLatin1Char(' '))));
+    QVERIFY(misses.right >= 48);
+    QCOMPARE(misses.unexplained, QStringList());
 }
 
 /// Another program rounds and shades in its own way, which looks like a mistake where the mistake changes little.
@@ -348,12 +358,13 @@ void TestIdentify::picturesOfAnotherProgramFindTheirMistake()
     for (const Sample& sample : samples)
         misses.take(sample, answerTo(sample));
     qInfo("%d of %zu right first", misses.right, samples.size());
-    QVERIFY(misses.right * 4 >= int(samples.size()) * 3);
+    QVERIFY(misses.right * 10 >= int(samples.size()) * 9);
+    QCOMPARE(misses.unexplained, QStringList());
 }
 
 void TestIdentify::theRightPictureIsNone()
 {
-    for (const char* name : {"square-diagonal", "triangle-600", "letter-f", "samples"}) {
+    for (const char* name : {"square-diagonal", "triangle-600", "letter-f", "samples", "fan"}) {
         const Scene scene = sceneNamed(QLatin1String(name));
         const Settings settings = smallSettings(scene);
         const QImage right = drawnBy(scene, settings, {});
@@ -363,10 +374,6 @@ void TestIdentify::theRightPictureIsNone()
         QCOMPARE(exact.matches.front().unlike, 0);
         QVERIFY(exact.matches.size() >= 5);
         for (const Way& way : ways()) {
-            const bool isGrained =
-                QLatin1String(way.name) == QLatin1String("noise") || QLatin1String(way.name) == QLatin1String("JPEG");
-            if (isGrained && scene.id == QLatin1String("builtin:samples"))
-                continue; // the grain is more than most mistakes change there
             const QImage image = throughFile(way.change(right, backgroundOf(scene)), way.suffix);
             const Identification found = identify(scene, settings, image);
             QVERIFY2(found.fits(), way.name);
@@ -389,6 +396,10 @@ void TestIdentify::whatNothingDrawsIsNoneOfThese()
         for (int x = 100; x < 160; ++x)
             gone.setPixel(x, y, qRgb(255, 0, 255));
     QVERIFY(!identify(scene, settings, gone).fits());
+
+    QImage inverted = right;
+    inverted.invertPixels();
+    QVERIFY(!identify(scene, settings, inverted).fits());
 
     QImage noise(settings.size, QImage::Format_RGB32);
     std::mt19937 random(3);
@@ -426,17 +437,20 @@ void TestIdentify::twoMistakesAreBothNamed()
         const Scene scene = sceneNamed(QLatin1String(pair.scene));
         const Settings settings = smallSettings(scene);
         const QStringList both{QLatin1String(pair.one), QLatin1String(pair.other)};
-        const Identification found = identify(scene, settings, drawnBy(scene, settings, both));
+        const QImage image = drawnBy(scene, settings, both);
+        const Identification found = identify(scene, settings, image);
         const MistakeMatch& first = found.matches[0];
         const MistakeMatch& second = found.matches[1];
-        const bool named = both.contains(first.mistake) && both.contains(second.mistake) &&
-                           first.with == second.mistake && second.with == first.mistake;
+        const bool isHidden = image == drawnBy(scene, settings, both.mid(0, 1)); // the second one cannot be seen
+        const bool named =
+            isHidden ? first.mistake == both.first() && first.with.isEmpty()
+                     : both.contains(first.mistake) && both.contains(second.mistake) && first.with == second.mistake;
         qInfo("%s %s: %s + %s -> %s %.3f + %s %.3f", named ? "ok  " : "MISS", pair.scene, pair.one, pair.other,
               qPrintable(first.mistake), first.score, qPrintable(second.mistake), second.score);
         if (!named)
             missed << both.join(QStringLiteral(" + "));
     }
-    QVERIFY(pairs.size() - std::size_t(missed.size()) >= 10);
+    QCOMPARE(missed, QStringList());
 }
 
 /// A score is about pixels, not about how many there are of a colour.

@@ -5,22 +5,21 @@
 #include <cstdlib>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <utility>
 
 namespace rasterlens
 {
 namespace
 {
 
-constexpr double kUnseen = 12.0 * 12.0;          ///< the square of a difference that is not looked at
-constexpr double kLeastWeight = kWholePixel / 4; ///< of a change: below it, rounding could look like it
-/// Noise by flat areas and edges, in whole pixels a pixel: what differs more is another picture.
-constexpr std::array<double, 2> kMostNoise{0.05, 0.15};
-constexpr int kFarOffset = 2;            ///< pixels, in both directions
-constexpr double kOffsetPrice = 0.02;    ///< a pixel of offset costs this part of a score
-constexpr int kMostBlocks = 16;          ///< across and down
-constexpr int kSmallestBlock = 4;        ///< pixels across and down
-constexpr std::size_t kSearched = 30000; ///< pixels of a change that are looked at for each offset
-constexpr int kSameColor = 40;           ///< difference of a channel up to which a border has one colour
+constexpr double kUnseen = 12.0 * 12.0; ///< the square of a difference that is not looked at
+constexpr int kFarOffset = 2;           ///< pixels, in both directions
+constexpr double kOffsetPrice = 0.02;   ///< a pixel of offset costs this part of a score
+constexpr int kMostBlocks = 16;         ///< across and down
+constexpr int kSmallestBlock = 4;       ///< pixels across and down
+constexpr std::size_t kSearched = 8000; ///< pixels of a change that are looked at for each offset
+constexpr int kSameColor = 40;          ///< difference of a channel up to which a border has one colour
 
 /// The square of the distance of two colours, the mean of the three channels.
 double squared(QRgb a, QRgb b)
@@ -193,14 +192,14 @@ QRect centred(QSize size, QSize outer)
     return {QPoint((outer.width() - size.width()) / 2, (outer.height() - size.height()) / 2), size};
 }
 
-/// The middle of the values; 0 without any.
-double median(std::vector<double> values)
+/// The value that this part of the values stays below; 0 without any.
+double quantile(std::vector<double> values, double part)
 {
     if (values.empty())
         return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(part * double(values.size()));
+    std::ranges::nth_element(values, place);
+    return *place;
 }
 
 } // namespace
@@ -218,6 +217,7 @@ PictureComparison::PictureComparison(const QImage& handedIn, const QRect& place,
     m_picture = inSize(flattened(shown, background), size);
     m_blocksAcross = std::clamp(std::min(size.width(), size.height()) / kSmallestBlock, 1, kMostBlocks);
     m_blocks.resize(offsets().size());
+    m_means.resize(offsets().size());
     markEdges();
 }
 
@@ -271,6 +271,46 @@ std::optional<PictureComparison> PictureComparison::withOwnBackground() const
                 row[x] = m_background;
     }
     return comparison;
+}
+
+PictureComparison PictureComparison::withRight(const QImage& right) const
+{
+    PictureComparison comparison = *this;
+    comparison.m_right = inSize(right, size());
+    std::ranges::fill(comparison.m_blocks, std::nullopt);
+    std::ranges::fill(comparison.m_means, std::nullopt);
+    return comparison;
+}
+
+double PictureComparison::leaves(const QImage& other) const
+{
+    const QImage picture = inSize(other, size());
+    double sum = 0;
+    for (int y = 0; y < m_right.height(); ++y)
+        for (int x = 0; x < m_right.width(); ++x)
+            sum += capped(rowOf(m_picture, y)[x], rowOf(picture, y)[x]);
+    return sum;
+}
+
+QImage PictureComparison::nearest(const std::vector<QImage>& pictures, QPoint offset) const
+{
+    QImage result = inSize(pictures.front(), size());
+    const QRect both = m_right.rect() & m_right.rect().translated(-offset);
+    for (std::size_t i = 1; i < pictures.size(); ++i) {
+        if (pictures[i].isNull())
+            continue;
+        const QImage other = inSize(pictures[i], size());
+        for (int y = both.top(); y <= both.bottom(); ++y) {
+            auto* row = reinterpret_cast<QRgb*>(result.scanLine(y));
+            const QRgb* shown = rowOf(m_picture, y + offset.y());
+            const QRgb* otherRow = rowOf(other, y);
+            for (int x = both.left(); x <= both.right(); ++x)
+                if (row[x] != otherRow[x] &&
+                    capped(shown[x + offset.x()], otherRow[x]) < capped(shown[x + offset.x()], row[x]))
+                    row[x] = otherRow[x];
+        }
+    }
+    return result;
 }
 
 std::size_t PictureComparison::blockOf(int x, int y) const
@@ -340,11 +380,30 @@ const PictureComparison::Blocks& PictureComparison::blocksAt(std::size_t offset)
     return known.emplace(std::move(blocks));
 }
 
+/// What the picture leaves of the right one at an offset, a pixel.
+const PictureComparison::Mean& PictureComparison::meanAt(std::size_t offset) const
+{
+    std::optional<Mean>& known = m_means[offset];
+    if (known)
+        return *known;
+    const QPoint move = offsets()[offset];
+    const QRect both = m_right.rect() & m_right.rect().translated(-move);
+    double sum = 0;
+    for (int y = both.top(); y <= both.bottom(); ++y) {
+        const QRgb* right = rowOf(m_right, y);
+        const QRgb* shown = rowOf(m_picture, y + move.y());
+        for (int x = both.left(); x <= both.right(); ++x)
+            sum += capped(shown[x + move.x()], right[x]);
+    }
+    const double pixels = double(both.width()) * both.height();
+    return known.emplace(Mean{pixels > 0 ? sum / pixels : kWholePixel, pixels});
+}
+
 /// How far the picture is from another one at an offset, a pixel; from every `stride`th pixel of the change.
 double PictureComparison::distance(const PictureChange& change, std::size_t offset, std::size_t stride) const
 {
     const QPoint move = offsets()[offset];
-    const Blocks& blocks = blocksAt(offset);
+    const Mean& mean = meanAt(offset);
     double changed = 0;
     for (std::size_t i = 0; i < change.pixels.size(); i += stride) {
         const ChangedPixel& pixel = change.pixels[i];
@@ -353,23 +412,33 @@ double PictureComparison::distance(const PictureChange& change, std::size_t offs
             changed += capped(*shown, pixel.color) - capped(*shown, right);
         }
     }
-    const double count = blocks.countSum[0] + blocks.countSum[1];
-    return count > 0 ? (blocks.residual + changed * double(stride)) / count : kWholePixel;
+    return mean.pixels > 0 ? mean.left + changed * double(stride) / mean.pixels : kWholePixel;
 }
 
 PictureFit PictureComparison::fit(const PictureChange& change) const
 {
-    const std::size_t stride = std::max<std::size_t>(1, change.pixels.size() / kSearched);
-    std::size_t best = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t offset = 0; offset < offsets().size(); ++offset) {
-        const double near = distance(change, offset, stride) / offsetFactor(offsets()[offset]);
-        if (near < least - 1e-9) {
-            best = offset;
-            least = near;
-        }
+    constexpr std::size_t kFinalists = 4; // of which all pixels are looked at
+    std::size_t stride = std::max<std::size_t>(1, change.pixels.size() / kSearched);
+    std::vector<std::size_t> order(offsets().size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto near = [&](std::size_t offset) {
+        return distance(change, offset, stride) / offsetFactor(offsets()[offset]);
+    };
+    const auto sortFirst = [&](std::size_t count) {
+        std::vector<std::pair<double, std::size_t>> found;
+        for (std::size_t i = 0; i < count; ++i)
+            found.emplace_back(near(order[i]), order[i]);
+        // Offsets that are equally near but for the last digits stay in their order.
+        std::ranges::sort(found, {}, [](const auto& f) { return std::pair(std::round(f.first * 1e6), f.second); });
+        for (std::size_t i = 0; i < count; ++i)
+            order[i] = found[i].second;
+    };
+    sortFirst(order.size());
+    if (stride > 1) {
+        stride = 1;
+        sortFirst(kFinalists);
     }
-    return fitAt(change, best);
+    return fitAt(change, order.front());
 }
 
 PictureFit PictureComparison::fitAt(const PictureChange& change, std::size_t offset) const
@@ -396,7 +465,9 @@ PictureFit PictureComparison::fitAt(const PictureChange& change, std::size_t off
         const int x = static_cast<int>(pixel.index) % m_right.width();
         const int y = static_cast<int>(pixel.index) / m_right.width();
         fit.weight += weight;
-        fit.gain += weight * std::clamp(way, -1.0, 1.0);
+        // Nearer to the other colour, but far from both, is neither.
+        const double like = way > 0 ? 1 - fromOther / kWholePixel : 1;
+        fit.gain += weight * like * std::clamp(way, -1.0, 1.0);
         fit.excess[kind] += std::min(fromRight, fromOther) - fromRight;
         fit.residual += capped(*shown, pixel.color) - capped(*shown, right);
         fit.unlike += (fromOther > 0 ? 1 : 0) - (fromRight > 0 ? 1 : 0);
@@ -409,59 +480,40 @@ PictureFit PictureComparison::fitAt(const PictureChange& change, std::size_t off
         for (std::size_t block = 0; block < left[kind].size(); ++block)
             if (blocks.count[kind][block] >= kSmallestBlock)
                 means.push_back(left[kind][block] / blocks.count[kind][block]);
-        fit.typical[kind] = median(std::move(means));
+        fit.typical[kind] = quantile(std::move(means), 0.5);
     }
+    // Where few pixels are hit, most small blocks have none of them. What is in all flat areas is at edges too.
+    std::vector<double> wide = left[0];
+    std::vector<double> count = blocks.count[0];
+    if (fit.count[0] < fit.count[1]) // hardly any flat areas
+        for (std::size_t block = 0; block < wide.size(); ++block) {
+            wide[block] += left[1][block];
+            count[block] += blocks.count[1][block];
+        }
+    fit.typical[0] = std::max(fit.typical[0], spread(wide, count));
+    fit.typical[1] = std::max(fit.typical[1], fit.typical[0]);
     return fit;
 }
 
-PictureNoise PictureNoise::of(const std::vector<PictureFit>& fits)
+/// What three of four large blocks have at least, a pixel: four blocks across and down.
+double PictureComparison::spread(const std::vector<double>& energy, const std::vector<double>& count) const
 {
-    PictureNoise noise;
-    const auto best = std::ranges::min_element(fits, {}, &PictureFit::residual);
-    noise.least = best == fits.end() ? 0 : best->residual;
-    for (std::size_t kind = 0; kind < 2; ++kind) {
-        const auto least =
-            std::ranges::min_element(fits, {}, [kind](const PictureFit& fit) { return fit.typical[kind]; });
-        noise.typical[kind] =
-            least == fits.end() ? 0 : std::clamp(least->typical[kind], 0.0, kMostNoise[kind] * kWholePixel);
+    constexpr std::size_t kAcross = 4;
+    constexpr double kPart = 0.25;
+    constexpr double kLeastCount = 4.0 * kSmallestBlock * kSmallestBlock;
+    const auto across = static_cast<std::size_t>(m_blocksAcross);
+    std::array<double, kAcross * kAcross> sums{};
+    std::array<double, kAcross * kAcross> counts{};
+    for (std::size_t block = 0; block < energy.size(); ++block) {
+        const std::size_t large = block / across * kAcross / across * kAcross + block % across * kAcross / across;
+        sums[large] += energy[block];
+        counts[large] += count[block];
     }
-    return noise;
-}
-
-namespace
-{
-
-/// The standard deviation of the sum over `count` pixels, at most: noise of whole pixels deviates most.
-double deviation(double count, double typical) { return std::sqrt(count * typical * kWholePixel); }
-
-} // namespace
-
-double unexplained(const PictureFit& fit, const PictureNoise& noise)
-{
-    constexpr double kSure = 3; // standard deviations
-    double sum = 0;
-    for (std::size_t kind = 0; kind < 2; ++kind)
-        sum += std::max(0.0, fit.excess[kind] - fit.count[kind] * noise.typical[kind] -
-                                 kSure * deviation(fit.count[kind], noise.typical[kind]));
-    // No more than the best picture leaves is noise.
-    return std::max(sum, fit.residual - noise.least);
-}
-
-double scoreOf(const PictureFit& fit, const PictureNoise& noise)
-{
-    const double whole = fit.weight + unexplained(fit, noise);
-    // Where there is noise, some pixels look like anything.
-    const double noisy = std::min(1.0, 20 * std::max(noise.typical[0], noise.typical[1]) / kWholePixel);
-    const double seen = std::min(1.0, fit.weight / (kLeastWeight + 4 * kWholePixel * noisy));
-    return whole > 0 ? std::clamp(offsetFactor(fit.offset) * seen * fit.gain / whole, 0.0, 1.0) : 0;
-}
-
-double scoreOfRight(const PictureFit& fit, const PictureNoise& noise, double smallest)
-{
-    double half = std::min(smallest, 8 * kWholePixel) / 2;
-    for (std::size_t kind = 0; kind < 2; ++kind)
-        half += deviation(fit.count[kind], noise.typical[kind]) / 2;
-    return offsetFactor(fit.offset) * half / (half + unexplained(fit, noise));
+    std::vector<double> means;
+    for (std::size_t large = 0; large < sums.size(); ++large)
+        if (counts[large] >= kLeastCount)
+            means.push_back(sums[large] / counts[large]);
+    return quantile(std::move(means), kPart);
 }
 
 std::vector<QRect> placesIn(const QImage& handedIn, const QImage& right)

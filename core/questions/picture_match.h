@@ -31,7 +31,7 @@ struct PictureFit {
     double gain = 0;   ///< the same, each pixel times how far it has gone from the right colour to the other, -1..1
     std::array<double, 2> excess{};  ///< squared differences from both pictures: flat areas, edges
     std::array<double, 2> count{};   ///< pixels: flat areas, edges
-    std::array<double, 2> typical{}; ///< squared difference from the other picture that half of the blocks stay below
+    std::array<double, 2> typical{}; ///< squared difference from the other picture that is spread all over it, a pixel
     double residual = 0;             ///< squared differences from the other picture, small ones too, over all pixels
     int unlike = 0;                  ///< pixels that differ visibly from the other picture
 };
@@ -55,6 +55,16 @@ public:
     /// background. Nothing where there is no such colour.
     [[nodiscard]] std::optional<PictureComparison> withOwnBackground() const;
 
+    /// This comparison with another right picture, which has the same size.
+    [[nodiscard]] PictureComparison withRight(const QImage& right) const;
+
+    /// The squared differences from a picture of the scene, without moving anything.
+    [[nodiscard]] double leaves(const QImage& other) const;
+
+    /// A picture that has at each pixel the colour of that one of some pictures of the scene which is nearest to the
+    /// picture handed in at that offset, the first of those equally near. In the size of the comparison.
+    [[nodiscard]] QImage nearest(const std::vector<QImage>& pictures, QPoint offset) const;
+
     /// in  a picture of the scene, as large as the right one was
     [[nodiscard]] PictureChange changeTo(const QImage& other) const;
 
@@ -71,11 +81,18 @@ private:
         double residual = 0; ///< small differences too
         int unlike = 0;
     };
+    /// Squared differences from the right picture at an offset, a pixel.
+    struct Mean {
+        double left = 0;
+        double pixels = 0; ///< of the right picture that lie in the other one
+    };
+    [[nodiscard]] const Mean& meanAt(std::size_t offset) const;
     [[nodiscard]] const Blocks& blocksAt(std::size_t offset) const;
     [[nodiscard]] std::size_t blockOf(int x, int y) const;
     [[nodiscard]] std::optional<QRgb> pictureAt(std::uint32_t index, QPoint offset) const;
     [[nodiscard]] double distance(const PictureChange& change, std::size_t offset, std::size_t stride) const;
     [[nodiscard]] PictureFit fitAt(const PictureChange& change, std::size_t offset) const;
+    [[nodiscard]] double spread(const std::vector<double>& energy, const std::vector<double>& count) const;
     void markEdges();
 
     QImage m_right;
@@ -84,30 +101,11 @@ private:
     std::vector<std::uint8_t> m_edge; ///< 1 where the right picture has an edge
     int m_blocksAcross = 1;
     mutable std::vector<std::optional<Blocks>> m_blocks; ///< by offset
-};
-
-/// How large differences are that are no mistake: noise, rounding, the losses of JPEG. Squared, a pixel; flat areas and
-/// edges apart.
-struct PictureNoise {
-    std::array<double, 2> typical{};
-    double least = 0; ///< squared differences that even the best picture leaves
-
-    /// The noise that the best of some fits leaves.
-    [[nodiscard]] static PictureNoise of(const std::vector<PictureFit>& fits);
+    mutable std::vector<std::optional<Mean>> m_means;    ///< by offset
 };
 
 /// What is left of a score at an offset: a pixel costs one fiftieth.
 [[nodiscard]] double offsetFactor(QPoint offset);
-
-/// What of the differences from both pictures is more than noise.
-[[nodiscard]] double unexplained(const PictureFit& fit, const PictureNoise& noise);
-
-/// 1: the picture has all of the change and nothing else; 0: nothing of it. The part of the change that the picture
-/// has, in the union of the change and of what else is different.
-[[nodiscard]] double scoreOf(const PictureFit& fit, const PictureNoise& noise);
-
-/// 1: the picture is the right one; one half: it differs by as much as `smallest`, a weight.
-[[nodiscard]] double scoreOfRight(const PictureFit& fit, const PictureNoise& noise, double smallest);
 
 /// The parts of a picture that may show the scene: all of it, or less where there is a border.
 ///
