@@ -299,6 +299,16 @@ Identification answerTo(const Sample& sample)
     return identify(sceneNamed(sample.scene), sample.settings, sample.image);
 }
 
+/// All of a list; under the sanitizers every fifth.
+template <class T>
+std::vector<T> someOfBuild(const std::vector<T>& all)
+{
+    std::vector<T> some;
+    for (std::size_t i = 0; i < all.size(); i += everyOfBuild())
+        some.push_back(all[i]);
+    return some;
+}
+
 /// Samples whose first match is not the mistake they were made with.
 struct Misses {
     int right = 0;
@@ -340,20 +350,20 @@ private Q_SLOTS:
 
 void TestIdentify::lossyPicturesFindTheirMistake()
 {
-    const std::vector<Sample> samples = lossySamples();
-    QVERIFY(samples.size() >= 40);
+    const std::vector<Sample> samples = someOfBuild(lossySamples());
+    QVERIFY(int(samples.size()) >= casesOfBuild(40));
     Misses misses;
     for (const Sample& sample : samples)
         misses.take(sample, answerTo(sample));
     qInfo("%d of %zu right first", misses.right, samples.size());
-    QVERIFY(misses.right >= 48);
+    QVERIFY(misses.right + 2 >= int(samples.size()));
     QCOMPARE(misses.unexplained, QStringList());
 }
 
 /// Another program rounds and shades in its own way, which looks like a mistake where the mistake changes little.
 void TestIdentify::picturesOfAnotherProgramFindTheirMistake()
 {
-    const std::vector<Sample> samples = studentSamples();
+    const std::vector<Sample> samples = someOfBuild(studentSamples());
     Misses misses;
     for (const Sample& sample : samples)
         misses.take(sample, answerTo(sample));
@@ -364,7 +374,8 @@ void TestIdentify::picturesOfAnotherProgramFindTheirMistake()
 
 void TestIdentify::theRightPictureIsNone()
 {
-    for (const char* name : {"square-diagonal", "triangle-600", "letter-f", "samples", "fan"}) {
+    const std::vector<const char*> names{"square-diagonal", "triangle-600", "letter-f", "samples", "fan"};
+    for (const char* name : someOfBuild(names)) {
         const Scene scene = sceneNamed(QLatin1String(name));
         const Settings settings = smallSettings(scene);
         const QImage right = drawnBy(scene, settings, {});
@@ -433,7 +444,7 @@ void TestIdentify::twoMistakesAreBothNamed()
         {"tile-square", "affine", "y-flipped-once"},
     };
     QStringList missed;
-    for (const Pair& pair : pairs) {
+    for (const Pair& pair : someOfBuild(pairs)) {
         const Scene scene = sceneNamed(QLatin1String(pair.scene));
         const Settings settings = smallSettings(scene);
         const QStringList both{QLatin1String(pair.one), QLatin1String(pair.other)};
