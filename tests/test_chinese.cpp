@@ -7,6 +7,7 @@
 #include "ui/face/cards.h"
 #include "ui/truth/truth_mode.h"
 #include "ui/window/figure_export.h"
+#include "ui/window/guide_view.h"
 #include "ui/window/guide_window.h"
 
 #include <QFontDatabase>

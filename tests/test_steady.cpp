@@ -117,7 +117,7 @@ private Q_SLOTS:
             const Eye before = eye();
             const int transport = m_window->stepMode().transport().height();
             // Half of the steps from the beginning, half of them spread over the record.
-            const auto half = std::size_t(casesOfBuild(250));
+            const auto half = std::size_t(test::casesOfBuild(250));
             const std::size_t stride = std::max<std::size_t>(session.size() / half, 1);
             for (std::size_t i = 0; i < 2 * half; ++i) {
                 session.moveTo(std::min(i < half ? i : (i - half) * stride, session.size()));
