@@ -176,7 +176,7 @@ function showEventsHere(rows, events) {
     return;
   const box = element("div", "row", say("eventsHere"));
   for (const i of events.slice(0, kMost)) {
-    const jump = button(`${shown.run.first + i}  ${textOf(shown.run.steps[i].title)}`, () => goTo(i + 1));
+    const jump = button(`${shown.run.first + i + 1}  ${textOf(shown.run.steps[i].title)}`, () => goTo(i + 1));
     jump.disabled = i + 1 === shown.run.position;
     box.append(jump);
   }
@@ -216,10 +216,11 @@ function showTransport() {
   for (const id of ["last", "step-on"])
     byId(id).disabled = run.position === run.size;
   byId("play").disabled = run.size === 0 || run.isStill;
-  const last = run.first + run.size - 1;
-  byId("counter").textContent = run.isStill ? (run.event ? say("oneStep", run.number) : say("counterStill"))
+  // As the window counts: step N is the moment after N events.
+  const last = run.first + run.size;
+  byId("counter").textContent = run.isStill ? (run.event ? say("oneStep", run.number + 1) : say("counterStill"))
     : run.size === 0 ? say("counterNone")
-    : run.position === 0 ? say("counterStart", last) : say("counter", run.number, last);
+    : run.position === 0 ? say("counterStart", last) : say("counter", run.number + 1, last);
   scrubber.setAttribute("aria-valuetext", byId("counter").textContent);
   drawPips();
 }
