@@ -20,8 +20,10 @@ constexpr std::size_t kFirstOfPair = 4; ///< the best single mistakes are tried 
 constexpr double kPairPixels = 6e7;     ///< of all pictures with two mistakes
 constexpr double kMostPairs = 400;
 constexpr double kLargePicture = 20000; ///< pixels
-constexpr double kRoundedScore = 0.95;  ///< of the right picture, if pixels had to be rounded otherwise
-constexpr double kRoundedPrice = 0.2;   ///< what such a pixel costs, of a wrong one
+constexpr int kBestQuality = 98;        ///< of a JPEG that differs from the picture it was made of
+constexpr int kLeastQuality = 50;
+constexpr double kRoundedScore = 0.95; ///< of the right picture, if pixels had to be rounded otherwise
+constexpr double kRoundedPrice = 0.2;  ///< what such a pixel costs, of a wrong one
 
 QByteArray fingerprint(const QImage& image)
 {
@@ -109,11 +111,17 @@ int MistakeSearch::jpegQuality() const
     const QImage image = m_drawings.of(isRight ? QStringList() : best.mistakes.mid(0, 1));
     if (image.size() != m_picture.size())
         return 0;
-    const PictureComparison& comparison = m_comparisons.front().front();
-    double least = kLess * comparison.leaves(image);
+    // The middle of the picture tells as much, if it is cut where blocks of a JPEG begin.
+    constexpr int kBlock = 16;
+    constexpr int kMost = 256;
+    const auto start = [](int length) { return std::max(0, (length - kMost) / 2 / kBlock * kBlock); };
+    const QRect middle = image.rect() & QRect(start(image.width()), start(image.height()), kMost, kMost);
+    const QImage part = image.copy(middle);
+    const PictureComparison comparison(m_picture.copy(middle), part.rect(), part, backgroundOf(m_drawings.scene()));
+    double least = kLess * comparison.leaves(part);
     int found = 0;
-    for (const int quality : {95, 90, 85, 80, 75, 60}) {
-        const double left = comparison.leaves(throughJpeg(image, quality));
+    for (int quality = kBestQuality; quality >= kLeastQuality && !m_stop.stop_requested(); --quality) {
+        const double left = comparison.leaves(throughJpeg(part, quality));
         if (left < least) {
             least = left;
             found = quality;
