@@ -1,11 +1,12 @@
 // The window in Chinese: the forms of characters that mainland China uses, wherever they are written, and names.
-#include "tests/cli_support.h"
 #include "tests/window_fixture.h"
 #include "ui/base/case_note.h"
+#include "ui/base/plot_theme.h"
 #include "ui/base/theme.h"
 #include "ui/face/cards.h"
 #include "ui/truth/truth_mode.h"
 #include "ui/window/figure_export.h"
+#include "ui/window/guide_view.h"
 #include "ui/window/guide_window.h"
 
 #include <QFontDatabase>
@@ -13,8 +14,6 @@
 #include <QRawFont>
 #include <QTextBlock>
 #include <QTextLayout>
-
-#include <qcustomplot.h>
 
 using namespace rasterlens;
 using namespace rasterlens::test;
@@ -142,7 +141,9 @@ private Q_SLOTS:
         speakChinese();
         const QString path = m_folder.filePath(QStringLiteral("zh.svg"));
         QCOMPARE(m_window->figures().exportTo(path), std::nullopt);
-        const QByteArray svg = readFile(path);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray svg = file.readAll();
         const auto texts = svg.count("font-family=");
         QVERIFY(texts > 3);
         for (qsizetype at = svg.indexOf("font-family="); at >= 0; at = svg.indexOf("font-family=", at + 1)) {
