@@ -71,7 +71,7 @@ private:
     std::set<QString> m_paths;
     std::set<QString> m_words;
     std::set<QString> m_lessons;
-    std::map<QString, QString> m_help; ///< by program and verb
+    static inline std::map<QString, QString> s_help; ///< by program and verb; it never changes
     QStringList m_problems;
 
     void report(const QString& what, const QString& name) { m_problems << QStringLiteral("%1: %2").arg(what, name); }
@@ -199,7 +199,7 @@ private:
 
     const QString& help(const QString& program, const QString& verb)
     {
-        QString& text = m_help[program + verb];
+        QString& text = s_help[program + verb];
         if (text.isEmpty()) {
             const QStringList words = verb.isEmpty() ? QStringList() : QStringList{verb};
             text = QString::fromUtf8(run(words + QStringList{QStringLiteral("--help")}, m_root, program).out);

@@ -53,7 +53,7 @@ QByteArray inPixels(QByteArray svg, QSize size)
 /// finds then.
 QByteArray withFamilies(QByteArray svg)
 {
-    const QByteArray name(" font-family=\"");
+    const QByteArray name("font-family=\"");
     QByteArray others;
     for (const QString& family : textFont(0).families().mid(1))
         others += ", " + family.toUtf8();

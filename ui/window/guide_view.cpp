@@ -109,7 +109,7 @@ void GuideView::layOutCode()
     std::vector<std::pair<int, int>> places;
     for (QTextBlock block = document()->begin(); block.isValid(); block = block.next())
         for (auto part = block.begin(); !part.atEnd(); ++part)
-            if (part.fragment().charFormat().fontFixedPitch())
+            if (part.fragment().charFormat().hasProperty(QTextFormat::FontFamilies)) // nothing but code has any
                 places.emplace_back(part.fragment().position(), part.fragment().length());
     QTextCursor cursor(document());
     for (const auto& [position, length] : places) {

@@ -92,7 +92,9 @@ void GuideWindow::open()
     }
     if (m_view->page().isEmpty())
         showPage(guideName());
-    show();
+    const int place = m_view->verticalScrollBar()->value();
+    show(); // which brings the cursor of the text into sight, at the first time
+    m_view->verticalScrollBar()->setValue(place);
     raise();
     activateWindow();
     m_view->setFocus();
