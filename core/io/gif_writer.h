@@ -12,9 +12,8 @@ namespace rasterlens
 
 /// Makes an animated GIF of pictures that come one after the other, and is repeated for ever.
 ///
-/// exact   where the first picture has at most 256 colours and what changes from one to the next at most 255; else by
-/// the
-///         palette of withPalette()
+/// exact   where the first picture has at most 256 colours and what changes from one to the next at most 255; else the
+///         palette is that of withPalette()
 /// cost    only what changes is stored
 /// source  GIF89a; written by giflib
 class GifWriter
