@@ -166,9 +166,9 @@ private Q_SLOTS:
         const auto height = [this] { return QFontMetricsF(view().document()->defaultFont()).height(); };
         const double usual = height();
         m_window->setPresentation(true);
-        QVERIFY(height() > 1.5 * usual);
+        QVERIFY(waitFor([&] { return height() > 1.5 * usual; }));
         m_window->setPresentation(false);
-        QCOMPARE(height(), usual);
+        QVERIFY(waitFor([&] { return height() == usual; }));
     }
 
     /// A picture is never enlarged: its pixels would blur.

@@ -41,6 +41,14 @@ GuideView::GuideView(QWidget* parent) : QTextBrowser(parent)
     setOpenLinks(false);
     setFrameShape(NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    m_layOutSoon.setSingleShot(true);
+    m_layOutSoon.setInterval(0);
+    connect(&m_layOutSoon, &QTimer::timeout, this, [this] {
+        const auto heading = headingInSight();
+        layOut();
+        if (heading)
+            showHeading(*heading);
+    });
 }
 
 bool GuideView::hasPage(const QString& name)
@@ -54,23 +62,32 @@ void GuideView::setPage(const QString& name)
     if (!file.open(QIODevice::ReadOnly))
         qFatal("the document %s is missing in the resources of this program", qPrintable(name));
     m_page = name;
-    setMarkdown(QString::fromUtf8(file.readAll()));
+    m_text = QString::fromUtf8(file.readAll());
     layOut();
-    finishLayout();
     verticalScrollBar()->setValue(0);
 }
 
 /// Qt lays out what is in sight alone, and knows no place below it before.
 void GuideView::finishLayout() const { static_cast<void>(document()->size()); }
 
-/// The look that Markdown does not tell, in the present fonts and colours.
+/// Makes the document anew, with the look that Markdown does not tell, in the present fonts and colours. It is shown
+/// when it is whole: a document in sight breaks its lines with every change.
 void GuideView::layOut()
 {
-    document()->setDocumentMargin(kMargin);
+    m_layOutSoon.stop();
+    const QTextDocument* former = m_document;
+    m_document = new QTextDocument(this);
+    m_document->setUndoRedoEnabled(false);
+    m_document->setDefaultFont(font());
+    m_document->setDocumentMargin(kMargin);
+    m_document->setMarkdown(m_text);
     layOutBlocks();
     layOutCode();
     layOutTables();
-    fitPictures();
+    addPictures();
+    setDocument(m_document);
+    delete former;
+    finishLayout();
 }
 
 void GuideView::layOutBlocks()
@@ -78,7 +95,7 @@ void GuideView::layOutBlocks()
     constexpr double kLine = 125; // percent
     const double line = fontMetrics().lineSpacing();
     m_headings.clear();
-    for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
+    for (QTextBlock block = m_document->begin(); block.isValid(); block = block.next()) {
         const int level = block.blockFormat().headingLevel();
         QTextCursor cursor(block);
         if (level > 0)
@@ -107,11 +124,11 @@ void GuideView::layOutCode()
     format.setFontFamilies(numberFont().families());
     format.setBackground(palette().color(QPalette::AlternateBase));
     std::vector<std::pair<int, int>> places;
-    for (QTextBlock block = document()->begin(); block.isValid(); block = block.next())
+    for (QTextBlock block = m_document->begin(); block.isValid(); block = block.next())
         for (auto part = block.begin(); !part.atEnd(); ++part)
             if (part.fragment().charFormat().hasProperty(QTextFormat::FontFamilies)) // nothing but code has any
                 places.emplace_back(part.fragment().position(), part.fragment().length());
-    QTextCursor cursor(document());
+    QTextCursor cursor(m_document);
     for (const auto& [position, length] : places) {
         cursor.setPosition(position);
         cursor.setPosition(position + length, QTextCursor::KeepAnchor);
@@ -125,7 +142,7 @@ void GuideView::layOutCode()
 
 void GuideView::layOutTables()
 {
-    for (QTextFrame* frame : document()->rootFrame()->childFrames())
+    for (QTextFrame* frame : m_document->rootFrame()->childFrames())
         if (auto* table = qobject_cast<QTextTable*>(frame)) {
             QTextTableFormat format = table->format();
             format.setBorder(1);
@@ -165,25 +182,17 @@ QImage GuideView::original(const QString& name)
     return place->second;
 }
 
-QVariant GuideView::loadResource(int type, const QUrl& name)
-{
-    if (type == QTextDocument::ImageResource)
-        return fitted(original(name.toString()), columnWidth());
-    return {};
-}
-
 /// Pictures for the present width of the column and the present screen.
-void GuideView::fitPictures()
+void GuideView::addPictures()
 {
-    for (QTextBlock block = document()->begin(); block.isValid(); block = block.next())
+    for (QTextBlock block = m_document->begin(); block.isValid(); block = block.next())
         for (auto part = block.begin(); !part.atEnd(); ++part) {
             const QTextCharFormat format = part.fragment().charFormat();
             if (!format.isImageFormat())
                 continue;
             const QString name = format.toImageFormat().name();
-            document()->addResource(QTextDocument::ImageResource, QUrl(name), fitted(original(name), columnWidth()));
+            m_document->addResource(QTextDocument::ImageResource, QUrl(name), fitted(original(name), columnWidth()));
         }
-    document()->markContentsDirty(0, document()->characterCount());
 }
 
 void GuideView::resizeEvent(QResizeEvent* event)
@@ -192,8 +201,11 @@ void GuideView::resizeEvent(QResizeEvent* event)
     QTextBrowser::resizeEvent(event);
     const int spare = width() - kMostColumn - 2 * static_cast<int>(kMargin);
     setViewportMargins(std::max(0, spare / 2), 0, std::max(0, spare / 2), 0);
-    fitPictures();
-    if (heading && event->oldSize().width() != event->size().width())
+    if (!m_document || event->oldSize().width() == event->size().width())
+        return;
+    addPictures();
+    m_document->markContentsDirty(0, m_document->characterCount());
+    if (heading)
         showHeading(*heading);
 }
 
@@ -201,12 +213,8 @@ void GuideView::changeEvent(QEvent* event)
 {
     QTextBrowser::changeEvent(event);
     const bool isLook = event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange;
-    if (!isLook || m_page.isEmpty())
-        return;
-    const auto heading = headingInSight();
-    setPage(m_page);
-    if (heading)
-        showHeading(*heading);
+    if (isLook && m_document)
+        m_layOutSoon.start();
 }
 
 QString GuideView::anchorOf(const QString& heading)

@@ -2,6 +2,7 @@
 #include <QImage>
 #include <QString>
 #include <QTextBrowser>
+#include <QTimer>
 
 #include <map>
 #include <optional>
@@ -43,7 +44,6 @@ public:
     [[nodiscard]] QImage fitted(const QImage& picture, int columnWidth) const;
 
 protected:
-    QVariant loadResource(int type, const QUrl& name) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
 
@@ -53,11 +53,14 @@ private:
     void layOutBlocks();
     void layOutTables();
     void layOutCode();
-    void fitPictures();
+    void addPictures();
     [[nodiscard]] int columnWidth() const;
     [[nodiscard]] QImage original(const QString& name);
 
     QString m_page;
+    QString m_text;                      ///< of the page, in Markdown
+    QTextDocument* m_document = nullptr; ///< of the page
+    QTimer m_layOutSoon;                 ///< fonts and colours change several at a time
     std::vector<Heading> m_headings;
     std::map<QString, QImage> m_pictures; ///< as they are in the resources
 };
