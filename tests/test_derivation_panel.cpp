@@ -5,6 +5,7 @@
 #include "ui/face/derivation_panel.h"
 #include "ui/face/figure_view.h"
 
+#include <QComboBox>
 #include <QSlider>
 #include <QTextBrowser>
 
@@ -142,7 +143,11 @@ void TestDerivationPanel::figuresFollowTheSliders()
     QCOMPARE(panel.derived()->derivation->symbols[*panel.hovered()].id, QStringLiteral("B'"));
     panel.setTopic(DerivationTopic::DepthCurve);
     QVERIFY(complete());
-    QVERIFY(panel.depthSlider()->isVisible());
+    QVERIFY(panel.depthSlider()->isVisible() && panel.edgeBox()->isVisible());
+    panel.setTopic(DerivationTopic::Painter);
+    QVERIFY2(!panel.edgeBox()->isVisible(), "a topic without an edge asks for none");
+    panel.setTopic(DerivationTopic::DepthCurve);
+    QVERIFY(complete());
     const double middle = value("z");
     panel.depthSlider()->setValue(750);
     QVERIFY(complete());

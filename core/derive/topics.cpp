@@ -12,14 +12,14 @@ namespace
 {
 
 constexpr auto kTopics = std::to_array<DerivationTopicInfo>({
-    {DerivationTopic::Bresenham, "bresenham", QT_TRANSLATE_NOOP("Derive", "Bresenham's decision")},
-    {DerivationTopic::EdgeFunction, "edge-function", QT_TRANSLATE_NOOP("Derive", "Edge function")},
+    {DerivationTopic::Bresenham, "bresenham", QT_TRANSLATE_NOOP("Derive", "Bresenham's decision"), true},
+    {DerivationTopic::EdgeFunction, "edge-function", QT_TRANSLATE_NOOP("Derive", "Edge function"), true},
     {DerivationTopic::Bounds, "bounds", QT_TRANSLATE_NOOP("Derive", "The bounding box")},
     {DerivationTopic::Inside, "inside", QT_TRANSLATE_NOOP("Derive", "Inside, asked in four forms")},
     {DerivationTopic::Barycentric, "barycentric", QT_TRANSLATE_NOOP("Derive", "Barycentric weights, five ways")},
-    {DerivationTopic::Perspective, "perspective", QT_TRANSLATE_NOOP("Derive", "Perspective-correct weights")},
-    {DerivationTopic::DepthCurve, "depth-curve", QT_TRANSLATE_NOOP("Derive", "The curve of depth")},
-    {DerivationTopic::Cut, "cut", QT_TRANSLATE_NOOP("Derive", "Cut of an edge by the planes")},
+    {DerivationTopic::Perspective, "perspective", QT_TRANSLATE_NOOP("Derive", "Perspective-correct weights"), true},
+    {DerivationTopic::DepthCurve, "depth-curve", QT_TRANSLATE_NOOP("Derive", "The curve of depth"), true},
+    {DerivationTopic::Cut, "cut", QT_TRANSLATE_NOOP("Derive", "Cut of an edge by the planes"), true},
     {DerivationTopic::CohenSutherland, "cohen-sutherland",
      QT_TRANSLATE_NOOP("Derive", "Cohen-Sutherland, edge by edge")},
     {DerivationTopic::TwoPoint, "two-point", QT_TRANSLATE_NOOP("Derive", "Along the edges, then along the span")},

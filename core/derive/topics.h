@@ -28,8 +28,9 @@ enum class DerivationTopic {
 /// A row of the table of topics.
 struct DerivationTopicInfo {
     DerivationTopic topic;
-    const char* id;    ///< stable: command line, JSON
-    const char* title; ///< QT_TRANSLATE_NOOP("Derive", ...)
+    const char* id;      ///< stable: command line, JSON
+    const char* title;   ///< QT_TRANSLATE_NOOP("Derive", ...)
+    bool ofEdge = false; ///< it is about one edge of the face
 };
 [[nodiscard]] std::span<const DerivationTopicInfo> derivationTopics();
 [[nodiscard]] const DerivationTopicInfo& infoOf(DerivationTopic topic);

@@ -97,12 +97,16 @@ CurvesPanel::CurvesPanel(FaceSelection& selection, QWidget* parent)
     head->addWidget(new FacePicker(selection));
     m_edge->addItems({QString(), QString(), QString(), QString()});
     head->addWidget(m_edge);
-    head->addWidget(m_sliderName);
     m_slider->setRange(0, kSliderSteps);
     m_slider->setValue(kSliderSteps / 2);
     m_slider->setPageStep(kSliderSteps / 20);
     m_slider->setFixedWidth(150);
-    head->addWidget(m_slider);
+    auto* pair = new QWidget; // the name never stands in another line than its slider
+    auto* row = new QHBoxLayout(pair);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(m_sliderName);
+    row->addWidget(m_slider);
+    head->addWidget(pair);
     m_note->setObjectName(QStringLiteral("muted"));
     m_note->setWordWrap(true);
     column->addLayout(head);

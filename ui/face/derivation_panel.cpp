@@ -10,6 +10,7 @@
 
 #include <QCoreApplication>
 #include <QEvent>
+#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPainter>
@@ -181,8 +182,12 @@ DerivationPanel::DerivationPanel(FaceSelection& selection, QWidget* parent)
         slider->setValue(kSliderSteps / 2);
         slider->setPageStep(kSliderSteps / 20);
         slider->setFixedWidth(kSliderWidth);
-        head->addWidget(name);
-        head->addWidget(slider);
+        auto* pair = new QWidget; // a name never stands in another line than its slider
+        auto* row = new QHBoxLayout(pair);
+        row->setContentsMargins(0, 0, 0, 0);
+        row->addWidget(name);
+        row->addWidget(slider);
+        head->addWidget(pair);
         connect(slider, &QSlider::valueChanged, this, &DerivationPanel::asked);
     }
     column->addLayout(head);
@@ -236,7 +241,7 @@ void DerivationPanel::setDerived(std::shared_ptr<const Derived> derived)
     const bool isSameTopic = now != nullptr && before && before->derivation && before->derivation->topic == now->topic;
     if (!isSameTopic || m_line >= now->lines.size())
         m_line = 0;
-    showSliders();
+    showFields();
     showFigures();
     showText();
     showFigure();
@@ -331,14 +336,13 @@ void DerivationPanel::showFigures()
     }
 }
 
-void DerivationPanel::showSliders()
+void DerivationPanel::showFields()
 {
     const bool hasM = topic() == DerivationTopic::Perspective || topic() == DerivationTopic::DepthCurve;
     const bool hasDepth = topic() == DerivationTopic::DepthCurve;
-    m_mName->setVisible(hasM);
-    m_m->setVisible(hasM);
-    m_depthName->setVisible(hasDepth);
-    m_depth->setVisible(hasDepth);
+    m_edge->setVisible(infoOf(topic()).ofEdge);
+    m_m->parentWidget()->setVisible(hasM);
+    m_depth->parentWidget()->setVisible(hasDepth);
     m_mName->setText(QStringLiteral("m = %1").arg(m(), 0, 'f', 3));
     const Derivation* shown = derivation();
     const DerivationSymbol* z = hasDepth && shown != nullptr ? shown->find("z") : nullptr;
@@ -481,7 +485,7 @@ void DerivationPanel::retranslate()
     m_depth->setAccessibleName(tr("Part of the way from near to far"));
     for (QSlider* slider : {m_m, m_depth})
         slider->setToolTip(slider->accessibleName());
-    showSliders();
+    showFields();
     showFigures();
     showText();
     showFigure();

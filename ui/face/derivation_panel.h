@@ -72,6 +72,7 @@ public:
 
     [[nodiscard]] const DerivationLayer& layer() const { return m_layer; }
     [[nodiscard]] QTextBrowser* view() const { return m_view; }
+    [[nodiscard]] QComboBox* edgeBox() const { return m_edge; }
     [[nodiscard]] QSlider* mSlider() const { return m_m; }
     [[nodiscard]] QSlider* depthSlider() const { return m_depth; }
     /// The views of the figures; a derivation with fewer figures hides the last ones.
@@ -99,7 +100,7 @@ private:
     void lightSymbols();
     void showFigure();
     void showFigures();
-    void showSliders();
+    void showFields();
     void retranslate();
 
     /// Where a symbol stands in the text.
