@@ -144,7 +144,9 @@ void TestDerivationPanel::figuresFollowTheSliders()
     panel.setTopic(DerivationTopic::DepthCurve);
     QVERIFY(complete());
     QVERIFY(panel.depthSlider()->isVisible() && panel.edgeBox()->isVisible());
+    QVERIFY(panel.depthSlider()->parentWidget()->width() >= panel.depthSlider()->geometry().right());
     panel.setTopic(DerivationTopic::Painter);
+    QVERIFY(complete());
     QVERIFY2(!panel.edgeBox()->isVisible(), "a topic without an edge asks for none");
     panel.setTopic(DerivationTopic::DepthCurve);
     QVERIFY(complete());

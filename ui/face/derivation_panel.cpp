@@ -347,6 +347,9 @@ void DerivationPanel::showFields()
     const Derivation* shown = derivation();
     const DerivationSymbol* z = hasDepth && shown != nullptr ? shown->find("z") : nullptr;
     m_depthName->setText(z != nullptr ? QStringLiteral("z = ") + shortNumber(z->value) : QStringLiteral("z"));
+    for (const QSlider* slider : {m_m, m_depth})
+        slider->parentWidget()->layout()->activate(); // the row has room for the new texts at once
+    layout()->activate();
 }
 
 /// Where each symbol stands in the text.
