@@ -35,6 +35,7 @@ private Q_SLOTS:
     void oldSessionsLeaveTheViewAlone();
     void rOffersASmallPicture();
     void theFirstStartOpensTheFirstLesson();
+    void aComparisonDoesNotWidenTheWindow();
 
 private:
     QLabel* caption() { return m_window->findChild<QLabel*>(QStringLiteral("caption")); }
@@ -237,6 +238,29 @@ void TestStage::theFirstStartOpensTheFirstLesson()
     m_window->openAtStart();
     QVERIFY(complete());
     QVERIFY(!m_window->lessons().player().isOpen());
+}
+
+/// Beside a lesson and the statistics, in either language, a comparison leaves the window narrow enough for two
+/// columns.
+void TestStage::aComparisonDoesNotWidenTheWindow()
+{
+    for (const LanguageKind language : {LanguageKind::English, LanguageKind::Chinese}) {
+        m_window->setLanguage(language);
+        m_window->resize(1000, 740);
+        QVERIFY(m_window->lessons().open(QStringLiteral("perspective")));
+        QVERIFY(complete());
+        m_window->lessons().player().next();
+        QVERIFY(complete());
+        for (const bool onStage : {false, true, false}) {
+            m_window->setPresentation(onStage);
+            QTest::qWait(100);
+            QVERIFY(complete());
+            QVERIFY2(m_window->minimumSizeHint().width() < 900,
+                     qPrintable(QString::number(m_window->minimumSizeHint().width())));
+            m_window->lessons().player().next();
+            QVERIFY(complete());
+        }
+    }
 }
 
 QTEST_MAIN(TestStage)

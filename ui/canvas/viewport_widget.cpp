@@ -118,8 +118,14 @@ bool ViewportWidget::isOnWipe(QPointF canvas) const
 
 void ViewportWidget::moveWipe(double column)
 {
-    m_wipe.at = std::clamp(m_transform.toImage(QPointF(column, 0)).x() / imageSize().width(), 0.0, 1.0);
-    m_options.wipe = m_wipe;
+    setWipeAt(m_transform.toImage(QPointF(column, 0)).x() / imageSize().width());
+}
+
+void ViewportWidget::setWipeAt(double at)
+{
+    m_wipe.at = std::clamp(at, 0.0, 1.0);
+    if (m_options.wipe)
+        m_options.wipe = m_wipe;
     update();
 }
 

@@ -40,6 +40,8 @@ public:
     void setThickLines(bool on);
     /// Another picture in the left part, and the name of the one shown where there are several.
     void setCompared(const FramePtr& left, const QString& tag);
+    /// Where the wipe ends, as a fraction of the picture's width.
+    void setWipeAt(double at);
     /// in  painted over the picture and the layers before it, also in figures; until it is removed
     void addLayer(const CanvasLayer* layer);
     void removeLayer(const CanvasLayer* layer);

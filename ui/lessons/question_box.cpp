@@ -97,6 +97,8 @@ void QuestionBox::setQuestion(const Question* question)
     m_marked.clear();
     m_field->clear();
     retranslate();
+    if (!m_field->isHidden())
+        m_field->setFocus(); // what is typed is the answer, and no key of the canvas
     Q_EMIT markedChanged();
 }
 

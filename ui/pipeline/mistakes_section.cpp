@@ -215,8 +215,11 @@ MistakesMenu::MistakesMenu(Document& document, const Language& language, ActionM
     menu.addSeparator();
     constexpr std::size_t kEach = 10;
     const auto all = mistakes();
-    for (std::size_t first = 0; first < all.size(); first += kEach) {
-        const auto some = all.subspan(first, std::min(kEach, all.size() - first));
+    for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
+        end = std::min(first + kEach, all.size());
+        while (end < all.size() && QLatin1String(all[end].number) == QLatin1String(all[end - 1].number))
+            ++end; // forms of one mistake stay together
+        const auto some = all.subspan(first, end - first);
         const QString range =
             QStringLiteral("%1 \u2013 %2").arg(QLatin1String(some.front().number), QLatin1String(some.back().number));
         addRange(some, menu.addMenu({.name = range}), show.addMenu({.name = range}));

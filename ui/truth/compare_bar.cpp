@@ -1,6 +1,7 @@
 #include "ui/truth/compare_bar.h"
 
 #include "ui/base/field_row.h"
+#include "ui/base/flow_layout.h"
 #include "ui/base/parts.h"
 #include "ui/base/theme.h"
 
@@ -18,6 +19,12 @@
 
 namespace rasterlens
 {
+namespace
+{
+
+constexpr int kGap = 4; ///< pixels between the parts of the bar
+
+} // namespace
 
 /// The colours of the difference with the steps they stand for.
 class HeatLegend : public QWidget
@@ -66,24 +73,21 @@ CompareBar::CompareBar(Document& document, Comparison& comparison, QWidget* pare
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 2, 8, 4);
     column->setSpacing(2);
-    auto* row = new QHBoxLayout;
-    row->setSpacing(0);
     m_title->setObjectName(QStringLiteral("groupHeading"));
     m_with->setObjectName(QStringLiteral("compareWith"));
     m_with->addItems({QString(), QString(), QString()});
     m_amplification->setObjectName(QStringLiteral("amplification"));
     for (int factor = 1; factor <= Comparison::kMostAmplification; factor *= 2)
         m_amplification->addItem(QStringLiteral("\u00d7%1").arg(factor), factor);
-    row->addWidget(m_title);
-    row->addSpacing(6);
-    row->addWidget(m_with, 1);
-    row->addSpacing(4);
-    for (QToolButton* button : {m_pin, m_swap})
+    auto* with = new QWidget;
+    auto* pair = new QHBoxLayout(with);
+    pair->setContentsMargins(0, 0, 0, 0);
+    pair->addWidget(m_title);
+    pair->addWidget(m_with);
+    auto* row = new FlowLayout(kGap); // beside a lesson and the statistics it has not the room of one line
+    row->addWidget(with);
+    for (QToolButton* button : {m_pin, m_swap, m_wipe, m_blink, m_heat, m_close})
         row->addWidget(button);
-    row->addSpacing(4);
-    for (QToolButton* button : {m_wipe, m_blink, m_heat})
-        row->addWidget(button);
-    row->addWidget(m_close);
     column->addLayout(row);
     auto* scale = new QHBoxLayout;
     scale->addWidget(m_amplification);

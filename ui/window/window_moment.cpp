@@ -19,6 +19,9 @@ namespace rasterlens
 namespace
 {
 
+/// Nearly all of the picture is that with the mistake, which the moment speaks of; the line can be dragged.
+constexpr double kWipeOfMoments = 0.1;
+
 const QString kMistakes = QStringLiteral("mistakes");
 const QString kReferee = QStringLiteral("referee");
 const QString kNone = QStringLiteral("none");
@@ -97,6 +100,7 @@ void WindowMoment::begin(const Moment& moment)
     m_isOpen = true;
     if (moment.compare.view == MomentCompare::View::Off)
         m_parts.truth.comparison().setView(CompareView::Off);
+    m_parts.viewport.setWipeAt(kWipeOfMoments);
     showOverlays(moment);
     showPanels(moment);
     if (moment.step)
