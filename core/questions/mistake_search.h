@@ -21,8 +21,9 @@ class MistakeSearch
 public:
     enum class Places { Whole, All }; ///< where the scene is looked for in the picture handed in
 
-    /// in  `quality`: of the JPEG that the picture handed in has been, 1..100; 0 if it has been none. What is drawn is
-    ///     compared as such a JPEG.
+    /// in  `quality`: of the JPEG that the picture handed in has been, 1..100; 0 if it has been none. The search makes
+    /// a
+    ///     JPEG of that quality of every drawing before it compares the two.
     MistakeSearch(SceneDrawings& drawings, const QImage& picture, int quality, const IdentifyProgress& progress,
                   std::stop_token stop);
 

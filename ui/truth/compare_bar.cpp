@@ -76,6 +76,7 @@ CompareBar::CompareBar(Document& document, Comparison& comparison, QWidget* pare
     m_title->setObjectName(QStringLiteral("groupHeading"));
     m_with->setObjectName(QStringLiteral("compareWith"));
     m_with->addItems({QString(), QString(), QString()});
+    m_with->setSizeAdjustPolicy(QComboBox::AdjustToContents); // the language changes them
     m_amplification->setObjectName(QStringLiteral("amplification"));
     for (int factor = 1; factor <= Comparison::kMostAmplification; factor *= 2)
         m_amplification->addItem(QStringLiteral("\u00d7%1").arg(factor), factor);
