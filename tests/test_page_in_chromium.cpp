@@ -171,7 +171,7 @@ private Q_SLOTS:
                                     .array();
         QCOMPARE(told.size(), 6);
         QVERIFY2(told[0].toString().contains(QStringLiteral("|start")), qPrintable(told[0].toString()));
-        QVERIFY2(told[1].toString().contains(QStringLiteral("|step 1 of")), qPrintable(told[1].toString()));
+        QVERIFY2(told[1].toString().contains(QStringLiteral("|step 2 of")), qPrintable(told[1].toString()));
         QVERIFY2(told[2].toString().contains(QStringLiteral("Click the pixels")), qPrintable(told[2].toString()));
         QVERIFY2(told[3].toString().contains(QStringLiteral("8 marked")), qPrintable(told[3].toString()));
         QVERIFY2(told[4].toString().contains(QStringLiteral("Right:")), qPrintable(told[4].toString()));
