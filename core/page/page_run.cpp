@@ -124,7 +124,7 @@ int PageTables::addCode(const PageStepWords& english, const PageStepWords& chine
         listing << QJsonArray{texts.add({english.code[i].code, chinese.code[i].code}),
                               texts.add({english.code[i].right, chinese.code[i].right})};
     for (qsizetype i = 0; i < codes.size(); ++i)
-        if (codes[i] == listing)
+        if (codes[i].toArray() == listing)
             return static_cast<int>(i);
     codes << listing;
     return static_cast<int>(codes.size() - 1);
