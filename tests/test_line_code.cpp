@@ -37,7 +37,7 @@ void TestLineCode::loopsAreThoseOfTheOctant()
         QCOMPARE(aside != 0, d.sideways);
         const QString u = d.steep ? QStringLiteral("y") : QStringLiteral("x");
         const QString v = d.steep ? QStringLiteral("x") : QStringLiteral("y");
-        // Of the decision, and of both samples beside it.
+        // The loop is told of the decision and of the sample after it.
         for (const std::size_t at : {std::size_t(i), *next}) {
             const StepExplanation told = explainStep(*log, at);
             const QString loop = told.listing[0].code;

@@ -211,7 +211,7 @@ void TestUnchanged::samplesTellOfTiesAndDepths()
              QStringLiteral("no depth is exactly the one that it is compared with"));
     QCOMPARE(reasonOf("depth-test", int(DepthTest::Greater), games), QString());
     QCOMPARE(reasonOf("visibility", int(Visibility::SubmissionOrder), games), QString());
-    // The same face twice: its depths are met again.
+    // A face that is sent twice meets its own depths.
     Scene twice = make("triangle");
     for (std::size_t i = 0; i < 3; ++i)
         twice.mesh.indices.push_back(twice.mesh.indices[i]);
