@@ -26,6 +26,10 @@ void copyOfPixels(const StepCursor& cursor, std::span<const T> samples, T* to)
     const int grid = cursor.log().grid();
     const auto columns = std::size_t(cursor.log().columns());
     const QSize size = cursor.image().size();
+    if (grid == 1) {
+        std::copy_n(samples.begin(), pixelCount(cursor.image()), to);
+        return;
+    }
     for (int y = 0; y < size.height(); ++y)
         for (int x = 0; x < size.width(); ++x)
             *to++ = samples[std::size_t(y * grid + grid / 2) * columns + std::size_t(x * grid + grid / 2)];
