@@ -203,7 +203,7 @@ DerivationPanel::DerivationPanel(FaceSelection& selection, QWidget* parent)
     column->addLayout(figures);
     m_view->setOpenLinks(false);
     m_view->setMinimumHeight(80);
-    m_view->setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+    m_view->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // the text keeps the width it is broken at
     m_view->installEventFilter(this);
     column->addWidget(m_view, 1);
     connect(m_topic, &QComboBox::currentIndexChanged, this, &DerivationPanel::asked);
