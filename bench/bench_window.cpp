@@ -1,4 +1,5 @@
 // How long the window keeps its user waiting, measured in the program: start, orbit, overlay, jumps in the record.
+#include "core/scenes/builtin_scenes.h"
 #include "ui/canvas/viewport_widget.h"
 #include "ui/pipeline/statistics_panel.h"
 #include "ui/steps/step_mode.h"
@@ -7,11 +8,13 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QMouseEvent>
 #include <QPainter>
 
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <random>
 
 using namespace rasterlens;
@@ -29,6 +32,32 @@ void report(const char* what, Times ms)
 }
 
 double msOf(const QElapsedTimer& clock) { return double(clock.nsecsElapsed()) / 1e6; }
+
+/// Processor time so far, of all threads or of this one.
+double processorMs(clockid_t of = CLOCK_PROCESS_CPUTIME_ID)
+{
+    timespec time{};
+    clock_gettime(of, &time);
+    return 1e3 * double(time.tv_sec) + double(time.tv_nsec) / 1e6;
+}
+
+/// Memory of the process that is resident, in MB; 0 where the system does not tell.
+double residentMb()
+{
+    QFile file(QStringLiteral("/proc/self/status"));
+    if (!file.open(QIODevice::ReadOnly))
+        return 0;
+    for (const QByteArray& line : file.readAll().split('\n'))
+        if (line.startsWith("VmRSS:"))
+            return line.sliced(6).trimmed().split(' ').first().toDouble() / 1024;
+    return 0;
+}
+
+double median(Times values)
+{
+    std::ranges::nth_element(values, values.begin() + std::ptrdiff_t(values.size() / 2));
+    return values[values.size() / 2];
+}
 
 template <class Condition>
 void waitFor(Condition&& done)
@@ -73,36 +102,53 @@ double paintMs(ViewportWidget& viewport, QImage& target)
     return msOf(clock);
 }
 
-/// Jumps to anywhere in the record, each with the repaint of a canvas full of pixels 16 wide.
-Times jumps(MainWindow& window, int count)
+/// What jumps to anywhere in the record take, each with the repaint of the canvas.
+struct Jumps {
+    Times ms;
+    Times processorMs; ///< of all threads: Qt scales pictures in several
+    Times moveMs;      ///< of this thread, to the position and up to the new picture
+    Times paintMs;     ///< of this thread, the canvas
+};
+
+Jumps jumps(MainWindow& window, int count)
 {
     StepSession& session = window.stepMode().session();
     ViewportWidget& viewport = window.viewport();
     QImage target(viewport.size(), QImage::Format_RGB32);
     std::mt19937 random(1);
     std::uniform_int_distribution<std::size_t> anywhere(0, session.size());
-    Times ms;
+    Jumps jumps;
     for (int i = 0; i < count; ++i) {
         QElapsedTimer clock;
         clock.start();
+        const double before = processorMs();
+        const double ownBefore = processorMs(CLOCK_THREAD_CPUTIME_ID);
         session.moveTo(anywhere(random));
+        const double ownMoved = processorMs(CLOCK_THREAD_CPUTIME_ID);
         paintMs(viewport, target);
-        ms.push_back(msOf(clock));
+        jumps.ms.push_back(msOf(clock));
+        jumps.processorMs.push_back(processorMs() - before);
+        jumps.moveMs.push_back(ownMoved - ownBefore);
+        jumps.paintMs.push_back(processorMs(CLOCK_THREAD_CPUTIME_ID) - ownMoved);
         QCoreApplication::processEvents();
     }
-    return ms;
+    return jumps;
 }
 
 /// What recording makes the user wait for, in ms.
 struct Recording {
-    double ready;        ///< from R until the first step can be taken
-    double longestPause; ///< between two turns of the event loop in the meantime
+    double ready = 0;          ///< from R until the first step can be taken
+    double processorReady = 0; ///< of all threads
+    double longestPause = 0;   ///< between two turns of the event loop in the meantime
+    double residentMb = 0;     ///< by which the process has grown
 };
 
 Recording recordFrame(MainWindow& window)
 {
     StepSession& session = window.stepMode().session();
-    Recording ms{0, 0};
+    Recording ms;
+    const double residentBefore = residentMb();
+    const double processorBefore = processorMs();
     QElapsedTimer whole;
     QElapsedTimer turn;
     whole.start();
@@ -114,8 +160,63 @@ Recording recordFrame(MainWindow& window)
         QCoreApplication::processEvents();
     } while (session.isRecording());
     ms.ready = msOf(whole);
+    ms.processorReady = processorMs() - processorBefore;
+    ms.residentMb = residentMb() - residentBefore;
     ms.longestPause = std::max(ms.longestPause, msOf(turn));
     return ms;
+}
+
+void openScene(MainWindow& window, const QString& scene, QSize size)
+{
+    window.document().open(scene);
+    waitFor([&] { return !window.document().isLoading() && window.isSettled(); });
+    Settings settings = window.document().settings();
+    settings.size = size;
+    window.document().setSettings(settings);
+    waitFor([&] { return window.isSettled(); });
+}
+
+/// A row for each scene: how long its record takes, what it weighs, and jumps in it.
+void measureRecords(MainWindow& window, const QStringList& scenes, QSize size)
+{
+    std::printf("%-22s %10s %7s %7s %6s %6s %8s %8s %8s %8s %8s\n", "record, 1920x1080", "events", "ready", "cpu",
+                "index", "grown", "jump", "min", "cpu", "move", "paint");
+    for (const QString& scene : scenes) {
+        openScene(window, scene, size);
+        StepSession& session = window.stepMode().session();
+        const Recording recording = recordFrame(window);
+        constexpr int kJumps = 30;
+        const Jumps there = jumps(window, kJumps);
+        std::printf("%-22s %10zu %7.0f %7.0f %6zu %6.0f %8.2f %8.2f %8.2f %8.2f %8.2f\n",
+                    scene.section(QLatin1Char('/'), -1).toUtf8().constData(), session.size(), recording.ready,
+                    recording.processorReady, session.record() ? session.record()->index().bytes() >> 20 : 0,
+                    recording.residentMb, median(there.ms), std::ranges::min(there.ms), median(there.processorMs),
+                    median(there.moveMs), median(there.paintMs));
+        std::fflush(stdout);
+        session.close();
+    }
+}
+
+/// The edge-sign lens over a canvas full of pixels 16 wide, and jumps with it.
+void measureLens(MainWindow& window)
+{
+    window.document().open(QStringLiteral("builtin:covering"));
+    waitFor([&] { return !window.document().isLoading() && window.isSettled(); });
+    StepSession& session = window.stepMode().session();
+    session.open();
+    waitFor([&] { return !session.isRecording(); });
+    ViewportWidget& viewport = window.viewport();
+    viewport.setParent(nullptr);
+    viewport.resize(1920, 1080);
+    viewport.setZoom(16);
+    session.moveTo(session.size() / 2);
+    QImage target(viewport.size(), QImage::Format_RGB32);
+    Times paints;
+    for (int i = 0; i < 50; ++i)
+        paints.push_back(paintMs(viewport, target));
+    report("lens on 1920x1080 canvas pixels of 16x: one paint", paints);
+    std::printf("record of builtin:covering: %zu events\n", session.size());
+    report("jump anywhere in it, with that paint", jumps(window, 100).ms);
 }
 
 } // namespace
@@ -130,6 +231,8 @@ int main(int argc, char** argv)
     QCommandLineParser parser;
     parser.addHelpOption();
     parser.addPositionalArgument("SCENE", "what is orbited and recorded, for example stanford-bunny.obj");
+    const QCommandLineOption records("records", "Records SCENE and all built-in scenes, a row each; nothing else.");
+    parser.addOption(records);
     parser.process(application);
     const QString scene = parser.positionalArguments().value(0, QStringLiteral("builtin:teapot"));
 
@@ -143,12 +246,16 @@ int main(int argc, char** argv)
     waitFor([&] { return shown; });
     report("start to the first picture of the built-in scene", {msOf(start)});
 
-    window.document().open(scene);
-    waitFor([&] { return !window.document().isLoading() && window.isSettled(); });
-    Settings settings = window.document().settings();
-    settings.size = {1920, 1080};
-    window.document().setSettings(settings);
-    waitFor([&] { return window.isSettled(); });
+    constexpr QSize kSize(1920, 1080);
+    if (parser.isSet(records)) {
+        QStringList scenes{scene};
+        for (const BuiltinScene& entry : builtinScenes())
+            scenes << QStringLiteral("builtin:") + QLatin1String(entry.name);
+        scenes.removeDuplicates();
+        measureRecords(window, scenes, kSize);
+        return 0;
+    }
+    openScene(window, scene, kSize);
     const QByteArray name = scene.section(QLatin1Char('/'), -1).toUtf8();
     report(("orbiting " + name + " at 1920x1080: move to picture").constData(), orbit(window, 60));
     waitFor([&] { return window.isSettled(); });
@@ -158,24 +265,9 @@ int main(int argc, char** argv)
     report(("recording " + name + ": longest pause of the window").constData(), {recording.longestPause});
     std::printf("record of %s: %zu events, index of %zu MB\n", name.constData(), session.size(),
                 session.record() ? session.record()->index().bytes() >> 20 : 0);
-    report("jump anywhere in it, with a paint", jumps(window, 100));
+    report("jump anywhere in it, with a paint", jumps(window, 100).ms);
     session.close();
 
-    window.document().open(QStringLiteral("builtin:covering"));
-    waitFor([&] { return !window.document().isLoading() && window.isSettled(); });
-    session.open();
-    waitFor([&] { return !session.isRecording(); });
-    ViewportWidget& viewport = window.viewport();
-    viewport.setParent(nullptr);
-    viewport.resize(1920, 1080);
-    viewport.setZoom(16);
-    session.moveTo(session.size() / 2);
-    QImage target(viewport.size(), QImage::Format_RGB32);
-    Times paints;
-    for (int i = 0; i < 50; ++i)
-        paints.push_back(paintMs(viewport, target));
-    report("lens on 1920x1080 canvas pixels of 16x: one paint", paints);
-    std::printf("record of builtin:covering: %zu events\n", session.size());
-    report("jump anywhere in it, with that paint", jumps(window, 100));
+    measureLens(window);
     return 0;
 }

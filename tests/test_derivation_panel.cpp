@@ -31,6 +31,7 @@ private Q_SLOTS:
     void linesAndSymbolsLightTheFigure();
     void symbolsAreFoundInThePicture();
     void figuresFollowTheSliders();
+    void firstEdgeIsTheMostUnequal();
 };
 
 /// Every topic, at the selected pixel: the text of the panel holds what core derives, or says why there is nothing.
@@ -93,6 +94,7 @@ void TestDerivationPanel::symbolsAreFoundInThePicture()
     QVERIFY(show("derive"));
     DerivationPanel& panel = cards().derivationPanel();
     panel.setTopic(DerivationTopic::EdgeFunction);
+    panel.edgeBox()->setCurrentIndex(2); // AC, as it leads counter-clockwise
     QVERIFY(complete());
     const auto& derivation = *panel.derived()->derivation;
     const auto idAt = [&](QPointF point) {
@@ -137,10 +139,11 @@ void TestDerivationPanel::figuresFollowTheSliders()
     QVERIFY(panel.derived()->derivation->symbols[0].canvas.points.front() != seen);
     // What is seen of the far end, in the figure from the side
     FigureView& figure = *panel.figures().front();
-    const QPoint at = figure.toWidget({1, value("B'")}).toPoint();
+    const QString seenEnd = QStringLiteral("BCA").mid(*panel.derived()->edge, 1) + QLatin1Char('\'');
+    const QPoint at = figure.toWidget({1, value(qPrintable(seenEnd))}).toPoint();
     QTest::mouseMove(&figure, at);
     QVERIFY(waitFor([&] { return panel.hovered().has_value(); }));
-    QCOMPARE(panel.derived()->derivation->symbols[*panel.hovered()].id, QStringLiteral("B'"));
+    QCOMPARE(panel.derived()->derivation->symbols[*panel.hovered()].id, seenEnd);
     panel.setTopic(DerivationTopic::DepthCurve);
     QVERIFY(complete());
     QVERIFY(panel.depthSlider()->isVisible() && panel.edgeBox()->isVisible());
@@ -155,6 +158,30 @@ void TestDerivationPanel::figuresFollowTheSliders()
     QVERIFY(complete());
     QVERIFY(std::abs(value("z") - (value("n") + 0.75 * (value("f") - value("n")))) < 1e-9);
     QVERIFY(value("z") > middle);
+}
+
+/// Perspective is shown along an edge that has some, until the user chooses another one.
+void TestDerivationPanel::firstEdgeIsTheMostUnequal()
+{
+    QVERIFY(open(QStringLiteral("builtin:tile-square"))); // AB lies straight before the eye
+    QVERIFY(show("derive"));
+    DerivationPanel& panel = cards().derivationPanel();
+    panel.edgeBox()->setCurrentIndex(2); // the user's choice
+    panel.setTopic(DerivationTopic::Perspective);
+    QVERIFY(complete());
+    QCOMPARE(panel.edge(), std::optional(2));
+    const auto value = [&](const char* id) { return panel.derived()->derivation->find(id)->value; };
+    QVERIFY(std::abs(value("Z1") - value("Z2")) > 1);
+    FaceSelection selection;
+    DerivationPanel fresh(selection);
+    QCOMPARE(fresh.edge(), std::optional<int>());
+    const Derived derived = derive(DerivationTopic::Perspective, *document().scene(), settings(), {});
+    fresh.setDerived(std::make_shared<const Derived>(derived));
+    QVERIFY(derived.edge && *derived.edge > 0);
+    QCOMPARE(fresh.edgeBox()->currentIndex(), *derived.edge);
+    QCOMPARE(fresh.edge(), std::optional<int>());
+    fresh.edgeBox()->setCurrentIndex(0);
+    QCOMPARE(fresh.edge(), std::optional(0));
 }
 
 QTEST_MAIN(TestDerivationPanel)

@@ -1,10 +1,14 @@
 // Derivations of the bounding box, the forms of the inside test and transparent faces; the figures of derivations.
 #include "core/derive/derive.h"
+#include "core/questions/vertex_table.h"
 #include "tests/derivation_fixture.h"
 #include "tests/derived_numbers.h"
 #include "tests/support.h"
 
 #include <QTest>
+
+#include <algorithm>
+#include <cmath>
 
 using namespace rasterlens;
 using namespace rasterlens::test;
@@ -50,6 +54,8 @@ private Q_SLOTS:
     void matrixByHand();
     void slipsByHand();
     void sideViewIsTrue();
+    void edgeOfTheTopicsChoice();
+    void logarithmicAxis();
     void curvesOfPerspective();
     void curveOfDepth();
     void behindTheEye();
@@ -267,6 +273,47 @@ void TestDerivationTopics::sideViewIsTrue()
                     QVERIFY(point.x >= figure.low.x && point.x <= figure.high.x * (1 + 1e-12));
         }
     }
+}
+
+void TestDerivationTopics::edgeOfTheTopicsChoice()
+{
+    const Scene tiles = builtin("tile-square");
+    const auto corners = vertexTable(tiles, tiles.defaults, 0);
+    QCOMPARE(corners[0].clip.w, corners[1].clip.w);
+    for (const DerivationTopic topic : {DerivationTopic::Perspective, DerivationTopic::DepthCurve}) {
+        const Derived found = derive(topic, tiles, tiles.defaults, {});
+        QVERIFY(found.edge && *found.edge > 0);
+        const auto from = std::size_t(*found.edge);
+        const double z1 = corners[from].clip.w;
+        const double z2 = corners[(from + 1) % 3].clip.w;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double ratio = corners[i].clip.w / corners[(i + 1) % 3].clip.w;
+            QVERIFY(std::max(ratio, 1 / ratio) <= std::max(z1 / z2, z2 / z1));
+        }
+        QCOMPARE(derive(topic, tiles, tiles.defaults, {0, {}, 0, 0.5, {}}).edge, std::optional(0));
+    }
+    QCOMPARE(derive(DerivationTopic::Cut, tiles, tiles.defaults, {}).edge, std::optional(0));
+    QCOMPARE(derive(DerivationTopic::Painter, tiles, tiles.defaults, {0, {}, 1, 0.5, {}}).edge, std::optional<int>());
+}
+
+void TestDerivationTopics::logarithmicAxis()
+{
+    DerivationFigure figure;
+    figure.low = {-100, 0};
+    figure.high = {100, 1};
+    QCOMPARE(figure.partOfWidth(50), 0.75);
+    QCOMPARE(figure.xAt(0.75), 50.0);
+    figure.logFrom = 0.1;
+    QCOMPARE(figure.partOfWidth(-100), 0.0);
+    QCOMPARE(figure.partOfWidth(0), 0.5);
+    QCOMPARE(figure.partOfWidth(100), 1.0);
+    // Equal ratios have equal room, and 0.1 has as much as the first e-fold beyond it.
+    const auto room = [&](double from, double to) { return figure.partOfWidth(to) - figure.partOfWidth(from); };
+    QVERIFY(isNear(room(0.1, 1), room(10, 100), 1e-12));
+    QVERIFY(isNear(room(-100, -10), room(1, 10), 1e-12));
+    QVERIFY(isNear(room(0, 0.1), room(0.1, 0.1 * std::exp(1)), 1e-12));
+    for (const double x : {-100.0, -3.0, -0.1, -0.05, 0.0, 0.02, 0.1, 7.0, 100.0})
+        QVERIFY(isNear(figure.xAt(figure.partOfWidth(x)), x, 1e-12 * std::abs(x) + 1e-15));
 }
 
 void TestDerivationTopics::curvesOfPerspective()

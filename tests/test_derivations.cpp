@@ -118,7 +118,7 @@ void TestDerivations::edgeFunctionByRationals()
     const Vector c{400, 500};
     const Settings settings = scene.defaults;
     for (const QPoint& pixel : {QPoint(250, 350), QPoint(299, 499), QPoint(120, 390), QPoint(400, 100)}) {
-        const Derivation d = derived(DerivationTopic::EdgeFunction, scene, settings, {0, pixel, 0, 0.5, {}});
+        const Derivation d = derived(DerivationTopic::EdgeFunction, scene, settings, {0, pixel, 2, 0.5, {}});
         const Vector p{Rational(2 * pixel.x() + 1, 2), Rational(2 * pixel.y() + 1, 2)};
         // Twice an area, positive where the corners and P run counter-clockwise with y up.
         const auto twice = [&](const Vector& from, const Vector& to, const Vector& at) -> Rational {
@@ -142,7 +142,7 @@ void TestDerivations::edgeFunctionByHand()
     // 100 * 100.5 - 300 * 200.5 + 110000 = 10050 - 60150 + 110000 = 59900. F is its negative.
     const Scene scene = builtin("triangle-600");
     const Derivation d =
-        derived(DerivationTopic::EdgeFunction, scene, scene.defaults, {0, QPoint(100, 200), 0, 0.5, {}});
+        derived(DerivationTopic::EdgeFunction, scene, scene.defaults, {0, QPoint(100, 200), 2, 0.5, {}});
     QCOMPARE(valueOf(d, "a_AC"), 100.0);
     QCOMPARE(valueOf(d, "b_AC"), -300.0);
     QCOMPARE(valueOf(d, "c_AC"), 110000.0);

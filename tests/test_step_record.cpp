@@ -84,6 +84,8 @@ const char* difference(const StepCursor& a, const StepCursor& b)
     const auto bits = [](float depth) { return std::bit_cast<std::uint32_t>(depth); };
     if (!std::ranges::equal(a.sampleDepths(), b.sampleDepths(), {}, bits, bits))
         return "depths";
+    if (!std::ranges::equal(a.sampleOwners(), b.sampleOwners()))
+        return "owners";
     if (!(a.counters() == b.counters()))
         return "counters";
     if (a.position() != b.position())
@@ -111,6 +113,7 @@ public:
     }
 
     QImage image;
+    std::vector<std::int32_t> owners;
     Statistics counters;
     std::size_t count = 0;
 
@@ -155,6 +158,7 @@ private:
         if (++count != m_position)
             return;
         image = m_frame->image.copy();
+        owners = m_frame->ids;
         counters = statistics();
     }
 
@@ -169,7 +173,7 @@ Snapshot freshRun(const Scene& scene, const Settings& settings, std::size_t posi
     Frame frame;
     const Resolved resolved = resolve(settings, scene);
     Snapshot snapshot(resolved.rules, frame, clearedPixel(scene, resolved.rules), position);
-    drawScene(scene, resolved, frame, {}, snapshot, std::stop_token());
+    drawScene(scene, resolved, frame, {.ids = true}, snapshot, std::stop_token());
     return snapshot;
 }
 
@@ -296,11 +300,12 @@ void TestStepRecord::wholeScenes()
     const qint64 readyMs = time.elapsed();
     QVERIFY(!record->truncated());
     Frame frame;
-    const Statistics statistics = renderCounted(*scene, settings, frame);
+    const Statistics statistics = renderCounted(*scene, settings, frame, {.ids = true});
     StepCursor cursor(record);
     cursor.moveTo(record->size());
     QCOMPARE(cursor.lastEvent()->kind, StepKind::End);
     QVERIFY(cursor.image() == frame.image);
+    QVERIFY(settings.samples != Samples::One || std::ranges::equal(cursor.sampleOwners(), frame.ids));
     QVERIFY(cursor.counters() == statistics);
 
     Draws draws(test::seedOfRun());
@@ -313,6 +318,7 @@ void TestStepRecord::wholeScenes()
         cursor.moveTo(position);
         QVERIFY(cursor.counters() == fresh.counters);
         QVERIFY(!isPlain || cursor.image() == fresh.image);
+        QVERIFY(!isPlain || std::ranges::equal(cursor.sampleOwners(), fresh.owners));
     }
     QCOMPARE(record->size(), events + 1); // and End
     constexpr std::size_t kMostBytes = std::size_t(110) << 20;
@@ -334,8 +340,8 @@ void TestStepRecord::historyKeepsToItsMemory()
     const auto scene = builtin("piercing");
     Settings settings = scene->defaults;
     settings.size = {640, 480};
-    const auto few = recordSteps(scene, settings, {}, {}, {1000, std::size_t(600) << 10, 5000});
-    QVERIFY2(few->index().history().bytes() <= std::size_t(600) << 10,
+    const auto few = recordSteps(scene, settings, {}, {}, {1000, std::size_t(900) << 10, 5000});
+    QVERIFY2(few->index().history().bytes() <= std::size_t(900) << 10,
              qPrintable(QString::number(few->index().history().bytes())));
     const auto many = recordSteps(scene, settings, {}, {}, {1000, std::size_t(400) << 20, 5000});
     QVERIFY2(many->index().history().bytes() > few->index().history().bytes(),

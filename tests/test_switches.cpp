@@ -1,5 +1,6 @@
 // Every switch of the pipeline panel reaches its field and is seen in the picture or its counters. One window serves
 // all.
+#include "core/questions/without_effect.h"
 #include "core/render/render.h"
 #include "tests/window_fixture.h"
 #include "ui/base/applicability.h"

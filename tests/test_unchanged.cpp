@@ -1,5 +1,6 @@
 #include "core/questions/unchanged.h"
 // Why a switch changes nothing: what is said holds in every scene, and is said where the classroom's scenes need it.
+#include "core/questions/without_effect.h"
 #include "core/render/render.h"
 #include "core/scenes/builtin_scenes.h"
 #include "core/truth/mistake_proof.h"
@@ -33,19 +34,20 @@ Frame drawn(const Scene& scene, const Settings& settings)
     return frame;
 }
 
-/// Equal in every pixel; depths may differ by the rounding of their weights.
+/// Equal in every pixel; depths of what is drawn may differ by the rounding of their weights.
 bool looksAlike(const Frame& a, const Frame& b)
 {
     constexpr float kRounding = 1e-6F;
-    const auto isNear = [](float one, float other) { return std::abs(one - other) <= kRounding; };
-    return a.image == b.image && a.ids == b.ids && a.coverage == b.coverage &&
-           std::ranges::equal(a.depth, b.depth, isNear);
+    for (std::size_t i = 0; i < a.ids.size(); ++i)
+        if (a.ids[i] >= 0 && !(std::abs(a.depth[i] - b.depth[i]) <= kRounding))
+            return false;
+    return a.image == b.image && a.ids == b.ids && a.coverage == b.coverage;
 }
 
 QString reasonOf(const char* mistake, const Scene& scene)
 {
-    const auto why =
-        whyUnchanged(*findMistake(QLatin1String(mistake)), scene.defaults, frameFacts(scene, scene.defaults));
+    const auto why = whyUnchanged(*findMistake(QLatin1String(mistake)), scene.defaults,
+                                  frameFacts(scene, scene.defaults, FactsOf::Samples));
     return why ? textOf(*why) : QString();
 }
 
@@ -54,7 +56,7 @@ QString reasonOf(const char* fieldId, int value, const Scene& scene)
     const SettingsField& field = *findSettingsField(QLatin1String(fieldId));
     Settings other = scene.defaults;
     field.set(other, value);
-    const auto why = whyUnchanged(field, other, scene.defaults, frameFacts(scene, scene.defaults));
+    const auto why = whyUnchanged(field, other, scene.defaults, frameFacts(scene, scene.defaults, factsFor(field)));
     return why ? textOf(*why) : QString();
 }
 
@@ -79,6 +81,10 @@ private Q_SLOTS:
     void tiltedTwinShowsWhatGames101Hides();
     void aCutFaceTakesTheReasonAway();
     void aBackFaceTakesTheReasonAway();
+    void samplesTellOfTiesAndDepths();
+    void settingsTakeFactsOfSamplesAway();
+    void fieldsWithoutEffectHaveNone_data() { addRowForEachScene(); }
+    void fieldsWithoutEffectHaveNone();
 };
 
 void TestUnchanged::whatIsSaidHolds()
@@ -86,7 +92,7 @@ void TestUnchanged::whatIsSaidHolds()
     QFETCH(QString, name);
     const Scene scene = *makeBuiltinScene(name).scene;
     const Settings settings = smallSettings(scene);
-    const FrameFacts facts = frameFacts(scene, settings);
+    const FrameFacts facts = frameFacts(scene, settings, FactsOf::Samples);
     const Frame right = drawn(scene, settings);
     for (const SettingsField& field : settingsFields()) {
         if (!canBeUnchanged(field))
@@ -94,8 +100,10 @@ void TestUnchanged::whatIsSaidHolds()
         for (int value = field.minimum; value <= field.maximum; ++value) {
             Settings other = settings;
             field.set(other, value);
-            if (whyUnchanged(field, other, settings, facts) && !unsupported(scene, other))
-                QVERIFY2(looksAlike(drawn(scene, other), right), field.choices[std::size_t(value)].id);
+            if (whyUnchanged(field, other, settings, facts) && !unsupported(scene, other)) {
+                const QByteArray what = QByteArray(field.id) + " " + valueId(field, other).toUtf8();
+                QVERIFY2(looksAlike(drawn(scene, other), right), what.constData());
+            }
         }
     }
     for (const Mistake& mistake : mistakes()) {
@@ -179,6 +187,87 @@ void TestUnchanged::aBackFaceTakesTheReasonAway()
     Scene shownFromBehind = scene;
     shownFromBehind.defaults.culling = Culling::Front;
     QCOMPARE(reasonOf("culling", int(Culling::None), shownFromBehind), QStringLiteral("every face is a back face"));
+}
+
+void TestUnchanged::samplesTellOfTiesAndDepths()
+{
+    // The diagonal of the square goes through centres of samples, and one face covers each of them.
+    const Scene square = make("square-diagonal");
+    QCOMPARE(reasonOf("tie-rule", int(TieRule::Inclusive), square), QString());
+    QCOMPARE(reasonOf("all-inclusive", square), QString());
+    QCOMPARE(reasonOf("depth-test", int(DepthTest::Greater), square),
+             QStringLiteral("no sample is covered by two faces"));
+    QCOMPARE(reasonOf("visibility", int(Visibility::Painter), square),
+             QStringLiteral("no sample is covered by two faces"));
+    // A sixteenth of a pixel to the right no centre lies on an edge. The 8 pixels are 2 wide in clip space.
+    Scene moved = square;
+    for (MeshVertex& vertex : moved.mesh.vertices)
+        vertex.position.x += 2.0F / 8 / 16;
+    QCOMPARE(reasonOf("tie-rule", int(TieRule::Inclusive), moved), QStringLiteral("no sample lies exactly on an edge"));
+    QCOMPARE(reasonOf("all-exclusive", moved), QStringLiteral("no sample lies exactly on an edge"));
+    // Two faces, one before the other, of different depths everywhere.
+    const Scene games = make("games101");
+    QCOMPARE(reasonOf("depth-test", int(DepthTest::LessEqual), games),
+             QStringLiteral("no depth is exactly the one that it is compared with"));
+    QCOMPARE(reasonOf("depth-test", int(DepthTest::Greater), games), QString());
+    QCOMPARE(reasonOf("visibility", int(Visibility::SubmissionOrder), games), QString());
+    // A face that is sent twice meets its own depths.
+    Scene twice = make("triangle");
+    for (std::size_t i = 0; i < 3; ++i)
+        twice.mesh.indices.push_back(twice.mesh.indices[i]);
+    if (!twice.mesh.faceMaterial.empty())
+        twice.mesh.faceMaterial.push_back(twice.mesh.faceMaterial.front());
+    QCOMPARE(reasonOf("depth-test", int(DepthTest::LessEqual), twice), QString());
+}
+
+void TestUnchanged::settingsTakeFactsOfSamplesAway()
+{
+    const auto depthTest = [](const Scene& scene) { return reasonOf("depth-test", int(DepthTest::Greater), scene); };
+    Scene scene = make("square-diagonal");
+    QVERIFY(!depthTest(scene).isEmpty());
+    QCOMPARE(reasonOf("stepping", int(Stepping::Direct), scene),
+             QStringLiteral("fixed point is exact: adding up gives what the formula gives"));
+    scene.defaults.depthTest = DepthTest::Always;
+    QCOMPARE(reasonOf("depth-test", int(DepthTest::None), scene), QStringLiteral("either way every fragment is drawn"));
+    scene.defaults.depthTest = DepthTest::Less;
+    scene.defaults.fill = Fill::Wireframe; // lines of faces meet in corners
+    QCOMPARE(depthTest(scene), QString());
+    scene.defaults.fill = Fill::Solid;
+    scene.defaults.algorithm = Algorithm::EdgeWalking;
+    QVERIFY(!depthTest(scene).isEmpty());
+    scene.defaults.numberType = NumberType::Float32; // its own floats decide
+    QCOMPARE(depthTest(scene), QString());
+    QCOMPARE(reasonOf("stepping", int(Stepping::Direct), scene), QString());
+    scene.defaults.numberType = NumberType::Fixed;
+    scene.defaults.mistakes = {QStringLiteral("all-inclusive")}; // the diagonal is covered twice
+    QCOMPARE(depthTest(scene), QString());
+}
+
+/// What is greyed out makes no difference in any scene.
+void TestUnchanged::fieldsWithoutEffectHaveNone()
+{
+    QFETCH(QString, name);
+    const Scene scene = *makeBuiltinScene(name).scene;
+    std::vector<Settings> asked(5, smallSettings(scene));
+    asked[1].fill = Fill::Wireframe;
+    asked[2].algorithm = Algorithm::ColumnFill;
+    asked[3].visibility = Visibility::Painter;
+    asked[4].algorithm = Algorithm::EdgeWalking;
+    int fields = 0;
+    for (const Settings& settings : asked) {
+        const Frame right = drawn(scene, settings);
+        for (const SettingsField& field : settingsFields()) {
+            if (!canBeUnchanged(field) || !whyWithoutEffect(field, settings))
+                continue;
+            ++fields;
+            for (int value = field.minimum; value <= field.maximum; ++value) {
+                Settings other = settings;
+                field.set(other, value);
+                QVERIFY2(looksAlike(drawn(scene, other), right), field.id);
+            }
+        }
+    }
+    QVERIFY(fields > 5);
 }
 
 QTEST_GUILESS_MAIN(TestUnchanged)

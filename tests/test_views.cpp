@@ -27,6 +27,7 @@ private Q_SLOTS:
     void facingsAreThoseOfTheArea();
     void facingsAreThoseThatCullingSees();
     void facingsFollowTheSteps();
+    void winnersAreKnownDeepInARecord();
     void numbersAreWhatTheViewShows();
     void keysChooseViewsAndOverlays();
     void undoAndSessionKeepTheView();
@@ -167,6 +168,43 @@ void TestViews::facingsFollowTheSteps()
     Frame finished;
     render(*document().scene(), settings(), finished, {.depth = true, .ids = true});
     QCOMPARE(m_window->stepMode().owners(), finished.ids);
+}
+
+/// Far from the beginning only a part of the record is at hand; whose the pixels are is known there, too.
+void TestViews::winnersAreKnownDeepInARecord()
+{
+    QVERIFY(openSmall(QStringLiteral("builtin:teapot"), {320, 240}));
+    QVERIFY(show(CanvasView::Facing));
+    views().setOverlay(&OverlayOptions::outline, true);
+    StepMode& mode = m_window->stepMode();
+    StepSession& session = mode.session();
+    session.open();
+    QVERIFY(complete());
+    Frame finished;
+    render(*document().scene(), settings(), finished, {.depth = true, .ids = true});
+    for (const std::size_t part : {1U, 2U, 3U, 4U}) {
+        session.moveTo(session.size() / 4 * part);
+        QVERIFY(complete());
+        QVERIFY(session.log()->first() > 0);
+        const std::vector<std::int32_t> owners = mode.owners();
+        const auto last = std::ranges::max_element(owners);
+        QVERIFY(*last > 0);
+        QCOMPARE(views().facing().picture()->frame.ids, owners);
+        QVERIFY(choose(QPoint(int(last - owners.begin()) % 320, int(last - owners.begin()) / 320)));
+        QCOMPARE(views().geometry().winner(), std::optional(std::uint32_t(*last)));
+        // Faces are drawn in their order, and a pixel keeps the last of those that passed the test.
+        QVERIFY(std::uint32_t(*last) <= session.event()->face);
+    }
+    session.moveTo(session.size());
+    QVERIFY(complete());
+    QCOMPARE(mode.owners(), finished.ids);
+    // A record of one face knows who else was drawn.
+    session.selectFace(0);
+    session.setScope(StepScope::SelectedFace);
+    QVERIFY(complete());
+    session.moveTo(session.size());
+    QVERIFY(complete());
+    QCOMPARE(mode.owners(), finished.ids);
 }
 
 void TestViews::numbersAreWhatTheViewShows()

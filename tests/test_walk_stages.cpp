@@ -1,11 +1,16 @@
 // Edge walking in its stages: outline, corners by height, long and broken edge, cut, crossings row by row. Every number
 // is computed once more as a fraction of whole numbers from the corners that the scene was made of.
 #include "core/observe/step_text.h"
+#include "core/render/render.h"
 #include "core/render/steps.h"
+#include "core/scenes/builtin_scenes.h"
 #include "tests/support.h"
 
 #include <QJsonArray>
 #include <QTest>
+
+#include <array>
+#include <cstdlib>
 
 using namespace rasterlens;
 using namespace rasterlens::test;
@@ -101,6 +106,7 @@ private Q_SLOTS:
     void crossingsAreFractions();
     void textbookTriangle();
     void plusOneIsInEveryFraction();
+    void plusOneCountsTheTrianglesPixels();
     void pixelFilterKeepsItsRow();
     void flatHalvesAreSaidToBeMissing();
 };
@@ -241,6 +247,26 @@ void TestWalkStages::plusOneIsInEveryFraction()
             QVERIFY2(isNear(row.xa, expected.xa) && isNear(row.xb, expected.xb), one.name);
         }
     }
+}
+
+/// What docs/MISTAKES.md says of M12 in the triangle of [004]. The program of that text counts whole rows from below.
+void TestWalkStages::plusOneCountsTheTrianglesPixels()
+{
+    Scene scene = *makeBuiltinScene(QStringLiteral("triangle-600")).scene;
+    Settings settings = scene.defaults;
+    Frame frame;
+    QCOMPARE(renderCounted(scene, settings, frame).pixels.covered, 40'100U);
+    settings.mistakes = {QStringLiteral("height-plus-one")};
+    QCOMPARE(renderCounted(scene, settings, frame).pixels.covered, 39'999U);
+    const std::array<glm::ivec2, 3> v{{{400, 100}, {100, 200}, {300, 400}}};
+    const auto floorDivide = [](int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); };
+    const auto at = [&](std::size_t i, std::size_t j, int y) {
+        return v[i].x + floorDivide((y - v[i].y) * (v[j].x - v[i].x), v[j].y - v[i].y + 1);
+    };
+    int covered = 0;
+    for (int y = v[0].y; y <= v[2].y; ++y)
+        covered += std::abs(at(0, 2, y) - (y > v[1].y ? at(1, 2, y) : at(0, 1, y))) + 1;
+    QCOMPARE(covered, 40'301);
 }
 
 void TestWalkStages::pixelFilterKeepsItsRow()

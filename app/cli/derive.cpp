@@ -44,7 +44,10 @@ Usage usage()
                QStringLiteral(
                    "A pixel, counted from the top left; default: one inside the face. For bresenham: a pixel of "
                    "the edge; default: its first.")),
-         value("--edge", "AB|BC|CA", QStringLiteral("An edge of the face; default AB.")),
+         value("--edge", "AB|BC|CA",
+               QStringLiteral(
+                   "An edge of the face; default AB, for perspective and depth-curve the edge whose ends lie most "
+                   "unequally far away.")),
          value("--m", "M",
                QStringLiteral("perspective, depth-curve: part of the way along the edge, between 0 and 1; default 0.5. "
                               "perspective counts it on the screen, depth-curve in space.")),
@@ -80,13 +83,15 @@ std::optional<double> numberOption(const Arguments& arguments, const QString& na
     return values->front();
 }
 
-int edgeOption(const Arguments& arguments)
+std::optional<int> edgeOption(const Arguments& arguments)
 {
     const QStringList names{QStringLiteral("AB"), QStringLiteral("BC"), QStringLiteral("CA")};
-    const QString text = arguments.value(QStringLiteral("--edge")).value_or(names.front());
-    const qsizetype edge = names.indexOf(text);
+    const auto text = arguments.value(QStringLiteral("--edge"));
+    if (!text)
+        return std::nullopt;
+    const qsizetype edge = names.indexOf(*text);
     if (edge < 0)
-        failArguments(QStringLiteral("--edge: \"%1\" is not an edge; expected: AB, BC, CA").arg(text));
+        failArguments(QStringLiteral("--edge: \"%1\" is not an edge; expected: AB, BC, CA").arg(*text));
     return static_cast<int>(edge);
 }
 

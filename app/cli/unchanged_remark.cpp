@@ -1,7 +1,9 @@
 #include "app/cli/unchanged_remark.h"
 
 #include "core/questions/unchanged.h"
+#include "core/questions/without_effect.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 #include <vector>
@@ -29,7 +31,14 @@ void remarkIfUnchanged(const Scene& scene, const Settings& settings)
     const bool isLightMoved = settings.light != scene.defaults.light;
     if (fields.empty() && settings.mistakes.empty() && !isLightMoved)
         return;
-    const FrameFacts facts = frameFacts(scene, settings);
+    const auto needsSamples = [](const auto& asked) {
+        return asked != nullptr && factsFor(*asked) == FactsOf::Samples;
+    };
+    const FactsOf what =
+        std::ranges::any_of(fields, needsSamples) || std::ranges::any_of(settings.mistakes, needsSamples, findMistake)
+            ? FactsOf::Samples
+            : FactsOf::Faces;
+    const FrameFacts facts = frameFacts(scene, settings, what);
     const auto remark = [&](const QString& what, const Reason& why) {
         std::fprintf(stderr, "%s: note: %s changes nothing here: %s\n", qUtf8Printable(scene.id), qUtf8Printable(what),
                      qUtf8Printable(textOf(why)));
@@ -37,8 +46,11 @@ void remarkIfUnchanged(const Scene& scene, const Settings& settings)
     for (const SettingsField* field : fields) {
         Settings asked = settings;
         field->set(asked, field->get(scene.defaults));
-        if (const auto why = whyUnchanged(*field, settings, asked, facts))
-            remark(QStringLiteral("--%1 %2").arg(QLatin1String(field->id), valueId(*field, settings)), *why);
+        const QString option = QStringLiteral("--%1 %2").arg(QLatin1String(field->id), valueId(*field, settings));
+        if (const auto inert = whyWithoutEffect(*field, settings))
+            remark(option, *inert);
+        else if (const auto why = whyUnchanged(*field, settings, asked, facts))
+            remark(option, *why);
     }
     if (isLightMoved)
         if (const auto why = whyLightUnchanged(scene, settings))

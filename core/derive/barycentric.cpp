@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rasterlens
 {
@@ -50,8 +51,10 @@ private:
     /// The triangle of the sample and the side opposite a corner: its area belongs to that corner.
     [[nodiscard]] CanvasPart areaOpposite(std::size_t corner) const
     {
-        const std::size_t i = (corner + 1) % 3;
-        const std::size_t j = (corner + 2) % 3;
+        std::size_t i = (corner + 1) % 3;
+        std::size_t j = (corner + 2) % 3;
+        if (m_sample.triangle->setup.source[1] != 1)
+            std::swap(i, j); // named after the edge of the set-up, which has turned the corners round
         return areaPart(cornerLetter(i) + cornerLetter(j) + QLatin1Char('P'), {cornerAt(i), cornerAt(j), point()});
     }
 

@@ -40,7 +40,7 @@ RecordedLine lineOf(const FaceRecord& record)
     if (triangles.empty())
         throw NoDerivation{Reason(QT_TRANSLATE_NOOP("Derive", "face %1 is not drawn"), {record.place().face})};
     const auto& corners = log.triangle(log.event(triangles.front()))->screen.vertices;
-    const auto first = std::size_t(record.place().edge);
+    const std::size_t first = record.edge();
     RecordedLine line{sampleHolding(corners[first].position), sampleHolding(corners[(first + 1) % 3].position), {}};
     for (const std::uint32_t i : log.eventsOf(StepKind::LineDecision)) {
         const LineDecision& decision = log.payload<LineStep>(log.event(i)).decision;
@@ -63,9 +63,9 @@ class BresenhamWriter
 public:
     BresenhamWriter(const FaceRecord& record, const RecordedLine& line)
         : m_record(record), m_line(line), m_isSteep(line.decisions.front().steep),
-          m_writer(DerivationTopic::Bresenham, {QT_TRANSLATE_NOOP("Derive", "face %1, edge %2%3"),
-                                                {record.place().face, cornerLetter(std::size_t(record.place().edge)),
-                                                 cornerLetter(std::size_t(record.place().edge + 1) % 3)}})
+          m_writer(DerivationTopic::Bresenham,
+                   {QT_TRANSLATE_NOOP("Derive", "face %1, edge %2%3"),
+                    {record.place().face, cornerLetter(record.edge()), cornerLetter((record.edge() + 1) % 3)}})
     {
         for (const char* axis : {"x", "y"}) {
             const int i = axis[0] == 'x' ? 0 : 1;

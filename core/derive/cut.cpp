@@ -105,7 +105,7 @@ private:
     /// t of the seven planes along one edge of the face, from its start to its end.
     void writeSevenFormulas()
     {
-        const auto first = std::size_t(m_record.place().edge);
+        const std::size_t first = m_record.edge();
         const QString from = cornerLetter(first);
         const QString to = cornerLetter((first + 1) % 3);
         const glm::dvec4& start = m_record.corners()[first].clip;

@@ -5,11 +5,16 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 
 namespace rasterlens
 {
 namespace
 {
+
+// How far the figure of the curve goes on beyond far, as a power of f / n, and up and down, as a part of f.
+constexpr double kBeyondFar = 0.15;
+constexpr double kBeyondNear = 0.25;
 
 /// Writes what the projection makes of depth along an edge.
 class DepthCurveWriter
@@ -190,31 +195,39 @@ private:
         const double n = value("n");
         const double f = value("f");
         const double z = value("z");
-        constexpr double kMargin = 1.1;
-        const double width = kMargin * std::max({f, z, value("z1"), value("z2")});
+        const double beyond = std::pow(f / n, kBeyondFar);
+        const double width = beyond * std::max({f, z, value("z1"), value("z2")});
         DerivationFigure figure;
-        figure.title = QT_TRANSLATE_NOOP("Derive", "z' over z: in front of the eye and behind it");
+        figure.title = QT_TRANSLATE_NOOP("Derive", "z' over z, spaced by its logarithm: in front of the eye and behind "
+                                                   "it");
         figure.xName = QStringLiteral("z");
         figure.yName = QStringLiteral("z'");
-        figure.low = {-width, -width};
-        figure.high = {width, n + f + width};
-        // The branches leave the figure near z = 0; equal steps along z' keep them smooth there.
-        constexpr int kPieces = 96;
+        figure.low = {-width, n - kBeyondNear * f};
+        figure.high = {width, n + f + (1 + kBeyondNear) * f};
+        figure.logFrom = n;
+        figure.xTicks = {{-f, QStringLiteral("\u2212f")},
+                         {-n, QStringLiteral("\u2212n")},
+                         {n, QStringLiteral("n")},
+                         {f, QStringLiteral("f")}};
+        // Where the branches leave the figure, on both sides of z = 0.
+        const double steepest = n * f / (f + kBeyondNear * f);
         const auto branch = [&](double from, double to) {
+            constexpr int kPieces = 96;
+            const double first = figure.partOfWidth(from);
+            const double last = figure.partOfWidth(to);
             std::vector<glm::dvec2> points;
             for (int i = 0; i <= kPieces; ++i) {
-                const double across = from + (to - from) * i / kPieces;
-                points.emplace_back(n * f / (n + f - across), across);
+                const double x = figure.xAt(first + (last - first) * i / kPieces);
+                points.emplace_back(x, n + f - n * f / x);
             }
             return points;
         };
-        const double ends = n * f / width; // how far from n + f the branches are at the sides of the figure
         using enum FigureStroke::Look;
         figure.strokes = {{{{-width, n}, {width, n}}, QStringLiteral("n"), Dashed, symbol("n")},
                           {{{-width, f}, {width, f}}, QStringLiteral("f"), Dashed, symbol("f")},
-                          {{{0, -width}, {0, n + f + width}}, QString(), Dashed, -1},
-                          {branch(n + f + ends, figure.high.y), QString(), Solid, symbol("z_behind'")},
-                          {branch(figure.low.y, n + f - ends), QString(), Solid, symbol("z'")}};
+                          {{{0, figure.low.y}, {0, figure.high.y}}, QString(), Dashed, -1},
+                          {branch(-width, -steepest), QString(), Solid, symbol("z_behind'")},
+                          {branch(steepest, width), QString(), Solid, symbol("z'")}};
         figure.points = {{{value("z1"), value("z1'")}, QStringLiteral("1"), symbol("z1'")},
                          {{value("z2"), value("z2'")}, QStringLiteral("2"), symbol("z2'")},
                          {{value("z3"), value("z3'")}, QStringLiteral("3"), symbol("z3'")},

@@ -116,6 +116,7 @@ QJsonObject toJson(const DerivationFigure& figure, const Derivation& derivation)
             {"axes", QJsonArray{figure.xName, figure.yName}},
             {"low", toJson(figure.low)},
             {"high", toJson(figure.high)},
+            {"log_from", figure.logFrom},
             {"strokes", strokes},
             {"points", points}};
 }

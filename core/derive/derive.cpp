@@ -1,6 +1,7 @@
 #include "core/derive/derive.h"
 
 #include "core/derive/topic_list.h"
+#include "core/questions/vertex_table.h"
 
 namespace rasterlens
 {
@@ -30,15 +31,29 @@ Derive functionOf(DerivationTopic topic)
     return deriveBlend;
 }
 
+/// The edge that a topic is about: that of the place or, where it names none, the topic's own choice.
+std::optional<int> edgeOf(DerivationTopic topic, const Scene& scene, const Settings& settings,
+                          const DerivationPlace& place)
+{
+    switch (infoOf(topic).edge) {
+    case TopicEdge::None: return std::nullopt;
+    case TopicEdge::First: return place.edge.value_or(0);
+    case TopicEdge::MostUnequal: break;
+    }
+    return place.edge ? *place.edge : mostUnequalEdge(vertexTable(scene, settings, place.face));
+}
+
 } // namespace
 
 Derived derive(DerivationTopic topic, const Scene& scene, const Settings& settings, const DerivationPlace& place,
                const std::stop_token& stop)
 {
+    DerivationPlace at = place;
+    at.edge = edgeOf(topic, scene, settings, place);
     try {
-        return {functionOf(topic)(scene, settings, place, stop), Reason(QString())};
+        return {functionOf(topic)(scene, settings, at, stop), Reason(QString()), at.edge};
     } catch (const NoDerivation& none) {
-        return {std::nullopt, none.why};
+        return {std::nullopt, none.why, at.edge};
     }
 }
 

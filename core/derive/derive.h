@@ -14,6 +14,7 @@ namespace rasterlens
 struct Derived {
     std::optional<Derivation> derivation;
     Reason refusal{QString()}; ///< of the context "Derive"; for people
+    std::optional<int> edge;   ///< the edge that it is about, as DerivationPlace counts; empty: none
 };
 
 /// Derives a topic with the numbers of a scene.

@@ -2,6 +2,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace rasterlens
 {
 namespace
@@ -20,13 +22,21 @@ EdgeNames namesOf(const StepSetup& setup, std::size_t edge)
     return {name, name.left(1), name.right(1)};
 }
 
+/// The edge of the set-up that is an edge of the triangle; of a clockwise one it leads the other way.
+std::size_t edgeOfSetup(const StepSetup& setup, std::size_t edge)
+{
+    const std::size_t opposite = (edge + 2) % 3; // the corner that is not on it
+    const auto at = static_cast<std::size_t>(std::ranges::find(setup.source, opposite) - setup.source.begin());
+    return (at + 1) % 3;
+}
+
 /// Writes the derivation of one edge function at one sample.
 class EdgeFunctionWriter
 {
 public:
     EdgeFunctionWriter(const FaceRecord& record, const SampledTriangle& sample)
         : m_record(record), m_sample(sample), m_setup(sample.triangle->setup),
-          m_edge(static_cast<std::size_t>(record.place().edge)), m_names(namesOf(m_setup, m_edge)),
+          m_edge(edgeOfSetup(m_setup, record.edge())), m_names(namesOf(m_setup, m_edge)),
           m_writer(DerivationTopic::EdgeFunction, pixelReason(record, sample))
     {
         for (std::size_t i = 0; i < 3; ++i) {

@@ -28,6 +28,8 @@ public:
     [[nodiscard]] const Scene& scene() const { return *m_scene; }
     [[nodiscard]] const Settings& settings() const { return m_settings; }
     [[nodiscard]] const DerivationPlace& place() const { return m_place; }
+    /// The edge of the place, 0..2; the first where it names none.
+    [[nodiscard]] std::size_t edge() const { return std::size_t(m_place.edge.value_or(0)); }
     [[nodiscard]] const Rules& rules() const { return m_log->rules(); }
     [[nodiscard]] const StepLog& log() const { return *m_log; }
     [[nodiscard]] const std::array<VertexRow, 3>& corners() const { return m_corners; }

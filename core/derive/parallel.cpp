@@ -18,14 +18,7 @@ public:
         : m_record(record), m_sample(sample), m_fragment(fragment), m_edge(record),
           m_writer(DerivationTopic::Perspective, pixelReason(record, sample))
     {
-        // The side view shows the axis along which the ends are further apart on the screen.
-        const glm::dvec2 apart = glm::abs(m_edge.end().screen - m_edge.start().screen);
-        const int axis = apart.x >= apart.y ? 0 : 1;
-        m_writer.given(QStringLiteral("m"), record.place().m, seen());
-        m_writer.given(QStringLiteral("w1"), m_edge.start().clip.w, m_edge.startPart());
-        m_writer.given(QStringLiteral("w2"), m_edge.end().clip.w, m_edge.endPart());
-        m_writer.given(QStringLiteral("X1"), m_edge.start().clip[axis], m_edge.startPart());
-        m_writer.given(QStringLiteral("X2"), m_edge.end().clip[axis], m_edge.endPart());
+        m_edge.giveSideView(m_writer, QStringLiteral("w"));
     }
 
     Derivation write()
@@ -37,22 +30,16 @@ public:
     }
 
 private:
-    /// The point of the edge at the part m of the way on the screen.
-    [[nodiscard]] CanvasPart seen() const { return m_edge.pointPart(QStringLiteral("P'"), m_record.place().m); }
-
     void writeEdge()
     {
-        m_writer.show(QStringLiteral("A'"), m_edge.startPart());
-        m_writer.show(QStringLiteral("B'"), m_edge.endPart());
-        m_writer.show(QStringLiteral("P'"), seen());
-        m_writer.line(formula("({A'}, {B'})"), formula("({X1} / {w1}, {X2} / {w2})"),
+        m_writer.line(m_edge.named("({%1'}, {%2'})"), formula("({X1} / {w1}, {X2} / {w2})"),
                       QT_TRANSLATE_NOOP("Derive",
                                         "An orthographic camera: the rays are parallel, and w is 1 at both ends of the "
                                         "edge. The divide by w changes nothing."),
                       {m_edge.startPart(), m_edge.endPart()});
-        m_writer.line(formula("{P'}"), formula("(1 - {m}) * {A'} + {m} * {B'}"),
+        m_writer.line(formula("{P'}"), m_edge.named("(1 - {m}) * {%1'} + {m} * {%2'}"),
                       QT_TRANSLATE_NOOP("Derive", "The point at the part m of the way on the screen."),
-                      {seen(), m_edge.part()});
+                      {m_edge.seenPart(), m_edge.part()});
         m_writer.line(formula("{n}"), formula("{m}"),
                       QT_TRANSLATE_NOOP("Derive",
                                         "Parallel rays divide the edge in space as its picture is divided: the part of "
@@ -98,8 +85,8 @@ private:
         const auto value = [&](const char* id) { return m_writer.valueOf(QLatin1String(id)); };
         const auto symbol = [&](const char* id) { return m_writer.indexOf(QLatin1String(id)); };
         using enum FigureStroke::Look;
-        const glm::dvec2 a(-m_edge.start().view.z, value("A'"));
-        const glm::dvec2 b(-m_edge.end().view.z, value("B'"));
+        const glm::dvec2 a(-m_edge.start().view.z, m_writer.valueOf(m_edge.startSeen()));
+        const glm::dvec2 b(-m_edge.end().view.z, m_writer.valueOf(m_edge.endSeen()));
         const glm::dvec2 p = a + value("n") * (b - a);
         const double screen = std::min({m_record.matrices().near, a.x, b.x});
         const auto onScreen = [&](const glm::dvec2& at) { return glm::dvec2(screen, at.y); };
@@ -112,8 +99,8 @@ private:
         figure.high = {std::max(a.x, b.x), std::max(a.y, b.y)};
         figure.strokes = {
             {{onScreen(figure.low), onScreen(figure.high)}, QString(), Solid, -1},
-            {{onScreen(a), a}, QString(), Dashed, symbol("A'")},
-            {{onScreen(b), b}, QString(), Dashed, symbol("B'")},
+            {{onScreen(a), a}, QString(), Dashed, m_writer.indexOf(m_edge.startSeen())},
+            {{onScreen(b), b}, QString(), Dashed, m_writer.indexOf(m_edge.endSeen())},
             {{onScreen(p), p}, QString(), Dashed, symbol("P'")},
             {{a, b}, QString(), Solid, -1},
             {{a, p}, QStringLiteral("n"), Solid, symbol("n")},
@@ -122,8 +109,8 @@ private:
         figure.points = {{a, m_edge.startName(), symbol("X1")},
                          {b, m_edge.endName(), symbol("X2")},
                          {p, QStringLiteral("P"), symbol("n")},
-                         {onScreen(a), QStringLiteral("A'"), symbol("A'")},
-                         {onScreen(b), QStringLiteral("B'"), symbol("B'")},
+                         {onScreen(a), m_edge.startSeen(), m_writer.indexOf(m_edge.startSeen())},
+                         {onScreen(b), m_edge.endSeen(), m_writer.indexOf(m_edge.endSeen())},
                          {onScreen(p), QStringLiteral("P'"), symbol("P'")}};
         m_writer.figure(std::move(figure));
     }

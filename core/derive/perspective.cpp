@@ -22,14 +22,7 @@ public:
         : m_record(record), m_sample(sample), m_fragment(fragment), m_edge(record),
           m_writer(DerivationTopic::Perspective, pixelReason(record, sample))
     {
-        // The side view shows the axis along which the ends are further apart on the screen.
-        const glm::dvec2 apart = glm::abs(m_edge.end().screen - m_edge.start().screen);
-        const int axis = apart.x >= apart.y ? 0 : 1;
-        m_writer.given(QStringLiteral("m"), record.place().m, seen());
-        m_writer.given(QStringLiteral("Z1"), m_edge.start().clip.w, m_edge.startPart());
-        m_writer.given(QStringLiteral("Z2"), m_edge.end().clip.w, m_edge.endPart());
-        m_writer.given(QStringLiteral("X1"), m_edge.start().clip[axis], m_edge.startPart());
-        m_writer.given(QStringLiteral("X2"), m_edge.end().clip[axis], m_edge.endPart());
+        m_edge.giveSideView(m_writer, QStringLiteral("Z"));
     }
 
     Derivation write()
@@ -44,36 +37,32 @@ public:
     }
 
 private:
-    /// The point of the edge at the part m of the way on the screen.
-    [[nodiscard]] CanvasPart seen() const { return m_edge.pointPart(QStringLiteral("P'"), m_record.place().m); }
-
     void writeSideView()
     {
-        m_writer.show(QStringLiteral("A'"), m_edge.startPart());
-        m_writer.show(QStringLiteral("B'"), m_edge.endPart());
-        m_writer.show(QStringLiteral("P'"), seen());
-        m_writer.line(formula("({A'}, {B'})"), formula("({X1} / {Z1}, {X2} / {Z2})"),
+        m_writer.line(m_edge.named("({%1'}, {%2'})"), formula("({X1} / {Z1}, {X2} / {Z2})"),
                       QT_TRANSLATE_NOOP("Derive",
                                         "From the side: the eye at 0, the screen at distance 1, the ends of the "
                                         "edge at height X and distance Z (the w of clip space). A ray to the eye "
                                         "meets the screen at X / Z."),
                       {m_edge.startPart(), m_edge.endPart()});
-        m_writer.line(formula("{P'}"), formula("(1 - {m}) * {A'} + {m} * {B'}"),
+        m_writer.line(formula("{P'}"), m_edge.named("(1 - {m}) * {%1'} + {m} * {%2'}"),
                       QT_TRANSLATE_NOOP("Derive", "The point at the part m of the way on the screen."),
-                      {seen(), m_edge.part()});
-        m_writer.line(formula("({AG}, {BK})"), formula("(({P'} - {A'}) * {Z1}, ({B'} - {P'}) * {Z2})"),
-                      QT_TRANSLATE_NOOP("Derive",
-                                        "Parallels to the screen through the ends, up to the ray of P: what is seen "
-                                        "as P'A' and P'B' is Z1 and Z2 times as long there."),
-                      {m_edge.part()});
-        m_writer.line(formula("{n_ratio}"), formula("{m} * {Z1} / ((1 - {m}) * {Z2})"),
-                      QT_TRANSLATE_NOOP("Derive",
-                                        "The two triangles along the ray are similar, so n / (1 - n) = AG / BK: P "
-                                        "divides the edge in space in this ratio. The size of the screen cancels "
-                                        "out."),
-                      {m_edge.part()});
-        if (m_writer.valueOf(QStringLiteral("BK")) != 0)
-            m_writer.line(formula("{n_ratio}"), formula("{AG} / {BK}"),
+                      {m_edge.seenPart(), m_edge.part()});
+        m_writer.line(
+            m_edge.named("({%1G}, {%2K})"), m_edge.named("(({P'} - {%1'}) * {Z1}, ({%2'} - {P'}) * {Z2})"),
+            {QT_TRANSLATE_NOOP("Derive", "Parallels to the screen through the ends, up to the ray of P: what is seen "
+                                         "as P'%1' and P'%2' is Z1 and Z2 times as long there."),
+             {m_edge.startName(), m_edge.endName()}},
+            {m_edge.part()});
+        m_writer.line(
+            formula("{n_ratio}"), formula("{m} * {Z1} / ((1 - {m}) * {Z2})"),
+            {QT_TRANSLATE_NOOP("Derive", "The two triangles along the ray are similar, so n / (1 - n) = %1G / %2K: P "
+                                         "divides the edge in space in this ratio. The size of the screen cancels "
+                                         "out."),
+             {m_edge.startName(), m_edge.endName()}},
+            {m_edge.part()});
+        if (m_writer.valueOf(m_edge.named("%2K")) != 0)
+            m_writer.line(formula("{n_ratio}"), m_edge.named("{%1G} / {%2K}"),
                           QT_TRANSLATE_NOOP("Derive", "The same from the lengths."), {m_edge.part()});
     }
 
@@ -95,7 +84,8 @@ private:
         m_writer.line(formula("{Zn}"), formula("1 / ((1 - {m}) / {Z1} + {m} / {Z2})"),
                       QT_TRANSLATE_NOOP("Derive", "Divided by Z1 Z2: 1 / Z is linear on the screen."), {m_edge.part()});
         m_writer.line(formula("{P'}"), formula("((1 - {n}) * {X1} + {n} * {X2}) / {Zn}"),
-                      QT_TRANSLATE_NOOP("Derive", "The point of the edge at n is seen at P' indeed."), {seen()});
+                      QT_TRANSLATE_NOOP("Derive", "The point of the edge at n is seen at P' indeed."),
+                      {m_edge.seenPart()});
     }
 
     /// n(m) of several edges: the steeper they lead away from the eye, the further from the diagonal.
@@ -107,7 +97,7 @@ private:
             m_writer.line(
                 formula("{n_%1}", k), formula("{m} * {k_%1} / ((1 - {m}) + {m} * {k_%1})", k),
                 {QT_TRANSLATE_NOOP("Derive", "n at this m where Z1 / Z2 is %1; it is m where both are equal."), {k}},
-                {seen()});
+                {m_edge.seenPart()});
         }
     }
 
@@ -121,8 +111,8 @@ private:
         const glm::dvec2 a(value("Z1"), value("X1"));
         const glm::dvec2 b(value("Z2"), value("X2"));
         const glm::dvec2 p = a + value("n") * (b - a);
-        const glm::dvec2 seenA(1, value("A'"));
-        const glm::dvec2 seenB(1, value("B'"));
+        const glm::dvec2 seenA(1, m_writer.valueOf(m_edge.startSeen()));
+        const glm::dvec2 seenB(1, m_writer.valueOf(m_edge.endSeen()));
         const glm::dvec2 seenP(1, value("P'"));
         const glm::dvec2 g(a.x, value("P'") * a.x);
         const glm::dvec2 k(b.x, value("P'") * b.x);
@@ -136,13 +126,13 @@ private:
             glm::max(glm::max(glm::dvec2(1, 0), glm::max(a, b)), glm::max(glm::max(g, k), glm::max(seenA, seenB)));
         figure.strokes = {
             {{{1, figure.low.y}, {1, figure.high.y}}, QString(), Solid, -1},
-            {{eye, a.x < 1 ? seenA : a}, QString(), Dashed, symbol("A'")},
-            {{eye, b.x < 1 ? seenB : b}, QString(), Dashed, symbol("B'")},
+            {{eye, a.x < 1 ? seenA : a}, QString(), Dashed, m_writer.indexOf(m_edge.startSeen())},
+            {{eye, b.x < 1 ? seenB : b}, QString(), Dashed, m_writer.indexOf(m_edge.endSeen())},
             {{eye, far}, QString(), Dashed, symbol("P'")},
             {{a, b}, QString(), Solid, -1},
             {{a, p}, QStringLiteral("n"), Solid, symbol("n")},
-            {{a, g}, QString(), Solid, symbol("AG")},
-            {{b, k}, QString(), Solid, symbol("BK")},
+            {{a, g}, QString(), Solid, m_writer.indexOf(m_edge.named("%1G"))},
+            {{b, k}, QString(), Solid, m_writer.indexOf(m_edge.named("%2K"))},
             {{seenA, seenB}, QString(), Solid, -1},
             {{seenA, seenP}, QStringLiteral("m"), Solid, symbol("m")},
         };
@@ -150,10 +140,10 @@ private:
                          {a, m_edge.startName(), symbol("X1")},
                          {b, m_edge.endName(), symbol("X2")},
                          {p, QStringLiteral("P"), symbol("Zn")},
-                         {g, QStringLiteral("G"), symbol("AG")},
-                         {k, QStringLiteral("K"), symbol("BK")},
-                         {seenA, QStringLiteral("A'"), symbol("A'")},
-                         {seenB, QStringLiteral("B'"), symbol("B'")},
+                         {g, QStringLiteral("G"), m_writer.indexOf(m_edge.named("%1G"))},
+                         {k, QStringLiteral("K"), m_writer.indexOf(m_edge.named("%2K"))},
+                         {seenA, m_edge.startSeen(), m_writer.indexOf(m_edge.startSeen())},
+                         {seenB, m_edge.endSeen(), m_writer.indexOf(m_edge.endSeen())},
                          {seenP, QStringLiteral("P'"), symbol("P'")}};
         m_writer.figure(std::move(figure));
     }

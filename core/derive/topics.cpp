@@ -12,14 +12,16 @@ namespace
 {
 
 constexpr auto kTopics = std::to_array<DerivationTopicInfo>({
-    {DerivationTopic::Bresenham, "bresenham", QT_TRANSLATE_NOOP("Derive", "Bresenham's decision"), true},
-    {DerivationTopic::EdgeFunction, "edge-function", QT_TRANSLATE_NOOP("Derive", "Edge function"), true},
+    {DerivationTopic::Bresenham, "bresenham", QT_TRANSLATE_NOOP("Derive", "Bresenham's decision"), TopicEdge::First},
+    {DerivationTopic::EdgeFunction, "edge-function", QT_TRANSLATE_NOOP("Derive", "Edge function"), TopicEdge::First},
     {DerivationTopic::Bounds, "bounds", QT_TRANSLATE_NOOP("Derive", "The bounding box")},
     {DerivationTopic::Inside, "inside", QT_TRANSLATE_NOOP("Derive", "Inside, asked in four forms")},
     {DerivationTopic::Barycentric, "barycentric", QT_TRANSLATE_NOOP("Derive", "Barycentric weights, five ways")},
-    {DerivationTopic::Perspective, "perspective", QT_TRANSLATE_NOOP("Derive", "Perspective-correct weights"), true},
-    {DerivationTopic::DepthCurve, "depth-curve", QT_TRANSLATE_NOOP("Derive", "The curve of depth"), true},
-    {DerivationTopic::Cut, "cut", QT_TRANSLATE_NOOP("Derive", "Cut of an edge by the planes"), true},
+    {DerivationTopic::Perspective, "perspective", QT_TRANSLATE_NOOP("Derive", "Perspective-correct weights"),
+     TopicEdge::MostUnequal},
+    {DerivationTopic::DepthCurve, "depth-curve", QT_TRANSLATE_NOOP("Derive", "The curve of depth"),
+     TopicEdge::MostUnequal},
+    {DerivationTopic::Cut, "cut", QT_TRANSLATE_NOOP("Derive", "Cut of an edge by the planes"), TopicEdge::First},
     {DerivationTopic::CohenSutherland, "cohen-sutherland",
      QT_TRANSLATE_NOOP("Derive", "Cohen-Sutherland, edge by edge")},
     {DerivationTopic::TwoPoint, "two-point", QT_TRANSLATE_NOOP("Derive", "Along the edges, then along the span")},

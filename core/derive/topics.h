@@ -25,12 +25,19 @@ enum class DerivationTopic {
     Blend,
 };
 
+/// The edge of the face that a topic is about where none is named.
+enum class TopicEdge {
+    None, ///< it is about no edge
+    First,
+    MostUnequal, ///< mostUnequalEdge()
+};
+
 /// A row of the table of topics.
 struct DerivationTopicInfo {
     DerivationTopic topic;
-    const char* id;      ///< stable: command line, JSON
-    const char* title;   ///< QT_TRANSLATE_NOOP("Derive", ...)
-    bool ofEdge = false; ///< it is about one edge of the face
+    const char* id;    ///< stable: command line, JSON
+    const char* title; ///< QT_TRANSLATE_NOOP("Derive", ...)
+    TopicEdge edge = TopicEdge::None;
 };
 [[nodiscard]] std::span<const DerivationTopicInfo> derivationTopics();
 [[nodiscard]] const DerivationTopicInfo& infoOf(DerivationTopic topic);

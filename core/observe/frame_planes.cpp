@@ -22,8 +22,7 @@ FramePlanes clearedPlanes(const Rules& rules, const Pixel& clear, bool hasDepth,
         assignInPieces(planes.coverCount, samples, std::uint16_t(0), stop);
     if (rules.depthPerPixel)
         assignInPieces(planes.ownDepth, samples, clear.depth, stop);
-    if (rules.resolve == Resolve::LastFace)
-        assignInPieces(planes.ids, samples, std::int32_t(-1), stop);
+    assignInPieces(planes.owners, samples, std::int32_t(-1), stop);
     return planes;
 }
 

@@ -16,7 +16,17 @@ struct FramePlanes {
     std::vector<float> depth;
     std::vector<std::uint16_t> coverCount; ///< overdraw only: how often the sample was covered
     std::vector<float> ownDepth;           ///< rules.depthPerPixel only: the depth last written for this sample alone
-    std::vector<std::int32_t> ids;         ///< Resolve::LastFace only: the face drawn last
+    std::vector<std::int32_t> owners;      ///< the face drawn last, -1 none
+
+    /// What a sample stores.
+    ///
+    /// in  planes with depth
+    void put(std::uint32_t sample, const StepEffect::State& state)
+    {
+        color[sample] = state.pixel.color;
+        depth[sample] = state.pixel.depth;
+        owners[sample] = state.owner;
+    }
 
     /// Calls visit(plane, other's plane) for each pair of planes.
     template <class A, class B, class Visit>
@@ -26,7 +36,7 @@ struct FramePlanes {
         visit(a.depth, b.depth);
         visit(a.coverCount, b.coverCount);
         visit(a.ownDepth, b.ownDepth);
-        visit(a.ids, b.ids);
+        visit(a.owners, b.owners);
     }
 };
 

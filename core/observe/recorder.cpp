@@ -208,10 +208,11 @@ void StepRecorder::shareDepth(int x, int y)
     for (int row = top; row < top + grid; ++row)
         for (int column = left; column < left + grid; ++column) {
             const std::uint32_t sample = sampleIndex(column, row);
+            const std::int32_t owner = m_planes->owners[sample];
             const Pixel before{m_planes->color[sample], m_planes->depth[sample]};
             m_planes->depth[sample] = depth;
             if (before.depth != depth)
-                addEffect({sample, before, {before.color, depth}});
+                addEffect({sample, {before, owner}, {{before.color, depth}, owner}});
         }
 }
 
@@ -356,11 +357,8 @@ std::shared_ptr<const StepLog> StepRecorder::finish(bool stopped, const QImage& 
     log.m_stopped = stopped && !m_full;
     log.m_faceLines = m_scene->mesh.faceLine;
     if (m_full || stopped) {
-        for (std::size_t i = log.m_effects.size(); m_isWindow && i-- > gapBegin();) {
-            const StepEffect& effect = log.m_effects[i];
-            m_planes->color[effect.sample] = effect.before.color;
-            m_planes->depth[effect.sample] = effect.before.depth;
-        }
+        for (std::size_t i = log.m_effects.size(); m_isWindow && i-- > gapBegin();)
+            m_planes->put(log.m_effects[i].sample, log.m_effects[i].before);
         log.m_effects.resize(gapBegin());
     } else {
         m_filter = {};

@@ -172,7 +172,7 @@ private:
     [[nodiscard]] StepEvent faceEvent(StepKind kind, std::uint8_t flags = 0) const;
 
     void addEffect(const StepEffect& effect);
-    void writePixel(int x, int y, Pixel before, Pixel after);
+    void writePixel(int x, int y, Pixel before, const StepEffect::State& after);
     void shareDepth(int x, int y);
     [[nodiscard]] std::size_t gapBegin() const { return m_log->m_events.empty() ? 0 : m_log->m_events.back().effects; }
     [[nodiscard]] std::uint32_t sampleIndex(int x, int y) const

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
+#include <utility>
 
 namespace rasterlens
 {
@@ -280,10 +281,11 @@ void StepRecorder::onFragment(const Fragment& fragment, float storedDepth, bool 
     if (!m_planes->coverCount.empty() && m_planes->coverCount[sample] != 0xffff) {
         const std::uint32_t before = m_planes->coverCount[sample]++;
         color = overdrawColor(before + 1);
-        addEffect({sample, {overdrawColor(before), storedDepth}, {color, storedDepth}});
+        const std::int32_t owner = m_planes->owners[sample];
+        addEffect({sample, {{overdrawColor(before), storedDepth}, owner}, {{color, storedDepth}, owner}});
     }
     if (!passed && m_rules.depthWrittenOnFail)
-        writePixel(fragment.x, fragment.y, {color, storedDepth}, {color, fragment.depth});
+        writePixel(fragment.x, fragment.y, {color, storedDepth}, {{color, fragment.depth}, m_planes->owners[sample]});
     if (!admit(fragment.y, fragment.x, fragment.x + 1)) {
         m_gap = true;
         return;
@@ -306,15 +308,16 @@ void StepRecorder::onFragment(const Fragment& fragment, float storedDepth, bool 
     });
 }
 
-void StepRecorder::writePixel(int x, int y, Pixel before, Pixel after)
+void StepRecorder::writePixel(int x, int y, Pixel before, const StepEffect::State& after)
 {
     const std::uint32_t sample = sampleIndex(x, y);
-    if (m_rules.depthPerPixel && m_rules.depthTested && !m_isLine && before.depth != after.depth)
+    if (m_rules.depthPerPixel && m_rules.depthTested && !m_isLine && before.depth != after.pixel.depth)
         m_newDepths.push_back({x, y});
-    m_planes->color[sample] = after.color;
+    m_planes->color[sample] = after.pixel.color;
     if (!m_planes->depth.empty())
-        m_planes->depth[sample] = after.depth;
-    addEffect({sample, before, after});
+        m_planes->depth[sample] = after.pixel.depth;
+    const std::int32_t ownerBefore = std::exchange(m_planes->owners[sample], after.owner);
+    addEffect({sample, {before, ownerBefore}, after});
 }
 
 void StepRecorder::onShade(const Fragment& fragment, std::uint32_t color)
@@ -335,7 +338,7 @@ void StepRecorder::onWrite(int x, int y, Pixel before, Pixel after)
         before.color = after.color = overdrawColor(m_planes->coverCount[sample]);
     if (!m_planes->ownDepth.empty())
         m_planes->ownDepth[sample] = after.depth;
-    writePixel(x, y, before, after);
+    writePixel(x, y, before, {after, static_cast<std::int32_t>(m_face)});
     if (!admit(y, x, x + 1)) {
         m_gap = true;
         return;

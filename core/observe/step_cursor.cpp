@@ -102,10 +102,9 @@ std::uint32_t StepCursor::meanAt(int x, int y) const
     });
 }
 
-void StepCursor::put(std::uint32_t sample, const Pixel& pixel)
+void StepCursor::put(std::uint32_t sample, const StepEffect::State& state)
 {
-    m_planes.color[sample] = pixel.color;
-    m_planes.depth[sample] = pixel.depth;
+    m_planes.put(sample, state);
     const auto columns = static_cast<std::uint32_t>(m_log->columns());
     const auto grid = static_cast<std::uint32_t>(m_log->grid());
     const std::uint32_t y = sample / columns / grid;

@@ -48,6 +48,8 @@ public:
     [[nodiscard]] std::span<const std::uint32_t> sampleColors() const { return m_planes.color; }
     /// Depth of each sample, row by row.
     [[nodiscard]] std::span<const float> sampleDepths() const { return m_planes.depth; }
+    /// The face drawn last at each sample, row by row; -1 none.
+    [[nodiscard]] std::span<const std::int32_t> sampleOwners() const { return m_planes.owners; }
     [[nodiscard]] Statistics counters() const { return m_log->countersAt(positionInLog()); }
 
 private:
@@ -69,7 +71,7 @@ private:
     [[nodiscard]] bool isInLog(std::size_t position) const;
     void openWindow(std::size_t position);
     void clear();
-    void put(std::uint32_t sample, const Pixel& pixel);
+    void put(std::uint32_t sample, const StepEffect::State& state);
     /// Makes pixels of the samples that were put.
     void show();
 

@@ -262,9 +262,15 @@ struct StepStop {
 
 /// A change of one sample of the frame buffer.
 struct StepEffect {
+    /// What a sample stores, and the face that was drawn there last, -1 none.
+    struct State {
+        Pixel pixel;
+        std::int32_t owner;
+    };
+
     std::uint32_t sample; ///< where it is read from: row * columns + column
-    Pixel before;
-    Pixel after;
+    State before;
+    State after;
 };
 
 /// Everything that happened while a frame was drawn, in order, filtered. Immutable once recorded; shared between

@@ -44,7 +44,7 @@ QJsonArray changesJson(const StepLog& log)
         for (std::size_t e = log.effectsAt(i); e < log.effectsAt(i + 1); ++e) {
             const StepEffect& effect = log.effects()[e];
             changes << QJsonArray{static_cast<qint64>(i), static_cast<qint64>(effect.sample),
-                                  colorText(effect.after.color), number(double(effect.after.depth))};
+                                  colorText(effect.after.pixel.color), number(double(effect.after.pixel.depth))};
         }
     return changes;
 }

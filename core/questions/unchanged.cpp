@@ -3,6 +3,7 @@
 #include "core/observe/names.h"
 #include "core/pipeline/geometry.h"
 #include "core/pipeline/resolve.h"
+#include "core/render/draw.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -47,6 +48,54 @@ struct FactObserver : NullObserver {
     }
 };
 
+/// Hears of every sample what the facts are made of.
+class SampleObserver : public NullObserver
+{
+public:
+    explicit SampleObserver(const Rules& rules)
+        : m_columns(static_cast<std::size_t>(rules.columns())),
+          m_isCovered(m_columns * static_cast<std::size_t>(rules.rows()), 0)
+    {
+    }
+
+    SampleFacts facts{true, true, true};
+
+    void onSample(int /*x*/, int /*y*/, const EdgeValues& values, bool /*covered*/)
+    {
+        facts.noTies = facts.noTies && std::ranges::min(values) != 0;
+    }
+    void onFragment(const Fragment& fragment, float storedDepth, bool /*passedDepth*/)
+    {
+        char& isCovered = m_isCovered[static_cast<std::size_t>(fragment.y) * m_columns + std::size_t(fragment.x)];
+        const bool isBetween = fragment.depth > 0 && fragment.depth < 1;
+        facts.coveredOnce = facts.coveredOnce && isCovered == 0 && isBetween;
+        facts.noEqualDepths = facts.noEqualDepths && fragment.depth != storedDepth;
+        isCovered = 1;
+    }
+
+private:
+    std::size_t m_columns;
+    std::vector<char> m_isCovered;
+};
+
+/// The facts by edge equation, which decides all samples one by one; nothing where the settings may decide otherwise.
+std::optional<SampleFacts> sampleFacts(const Scene& scene, const Settings& settings, const std::stop_token& stop)
+{
+    const bool isExact = settings.numberType == NumberType::Fixed || settings.algorithm == Algorithm::EdgeEquation;
+    if (settings.fill != Fill::Solid || settings.algorithm == Algorithm::ColumnFill ||
+        settings.attributePath != AttributePath::Planes || !isExact)
+        return std::nullopt;
+    Settings asked = settings;
+    asked.mistakes.clear();
+    asked.algorithm = Algorithm::EdgeEquation;
+    asked.shading = Shading::RandomFlat; // one colour a face, since colours do not matter
+    const Resolved resolved = resolve(asked, scene);
+    SampleObserver heard(resolved.rules);
+    Frame frame;
+    drawScene(scene, resolved, frame, {.picture = false}, heard, stop);
+    return heard.facts;
+}
+
 /// `7`, `7 and 10`, `3, 7, 10 ..`
 Reason numbersText(const std::vector<double>& numbers, bool more)
 {
@@ -80,7 +129,36 @@ std::optional<Reason> whenNoneOutside(const FrameFacts& facts)
                              : std::nullopt;
 }
 
-std::optional<Reason> whenNotCulled(const Settings& one, const Settings& other, const FrameFacts& facts)
+std::optional<Reason> whenNoTies(const FrameFacts& facts)
+{
+    return facts.samples && facts.samples->noTies
+               ? std::optional(Reason(QT_TRANSLATE_NOOP("Diagnostic", "no sample lies exactly on an edge")))
+               : std::nullopt;
+}
+
+std::optional<Reason> whenCoveredOnce(const FrameFacts& facts)
+{
+    return facts.samples && facts.samples->coveredOnce
+               ? std::optional(Reason(QT_TRANSLATE_NOOP("Diagnostic", "no sample is covered by two faces")))
+               : std::nullopt;
+}
+
+// What each field is asked, with the settings of both values.
+
+std::optional<Reason> whyProjection(const Settings&, const Settings&, const FrameFacts& facts)
+{
+    return facts.noCamera
+               ? std::optional(
+                     Reason(QT_TRANSLATE_NOOP("Diagnostic", "the scene is given in clip space: no camera projects it")))
+               : std::nullopt;
+}
+
+std::optional<Reason> whyClipping(const Settings&, const Settings&, const FrameFacts& facts)
+{
+    return whenNoneOutside(facts);
+}
+
+std::optional<Reason> whyCulling(const Settings& one, const Settings& other, const FrameFacts& facts)
 {
     const auto isEither = [&](Culling culling) {
         return (one.culling == culling || one.culling == Culling::None) &&
@@ -91,6 +169,89 @@ std::optional<Reason> whenNotCulled(const Settings& one, const Settings& other, 
     if (isEither(Culling::Front) && facts.allBack)
         return Reason(QT_TRANSLATE_NOOP("Diagnostic", "every face is a back face"));
     return std::nullopt;
+}
+
+std::optional<Reason> whyStepping(const Settings& one, const Settings&, const FrameFacts&)
+{
+    return one.numberType == NumberType::Fixed
+               ? std::optional(Reason(
+                     QT_TRANSLATE_NOOP("Diagnostic", "fixed point is exact: adding up gives what the formula gives")))
+               : std::nullopt;
+}
+
+std::optional<Reason> whyTieRule(const Settings&, const Settings&, const FrameFacts& facts)
+{
+    return whenNoTies(facts);
+}
+
+std::optional<Reason> whyVisibility(const Settings&, const Settings&, const FrameFacts& facts)
+{
+    return whenCoveredOnce(facts);
+}
+
+std::optional<Reason> whyDepthTest(const Settings& one, const Settings& other, const FrameFacts& facts)
+{
+    const auto isEither = [&](DepthTest first, DepthTest second) {
+        return (one.depthTest == first || one.depthTest == second) &&
+               (other.depthTest == first || other.depthTest == second);
+    };
+    if (isEither(DepthTest::Always, DepthTest::None))
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "either way every fragment is drawn"));
+    if (isEither(DepthTest::Less, DepthTest::LessEqual) && facts.samples && facts.samples->noEqualDepths)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "no depth is exactly the one that it is compared with"));
+    return whenCoveredOnce(facts);
+}
+
+std::optional<Reason> whyInterpolation(const Settings&, const Settings&, const FrameFacts& facts)
+{
+    return whenEqualW(facts);
+}
+
+std::optional<Reason> whyTextureFilter(const Settings& one, const Settings&, const FrameFacts& facts)
+{
+    return one.shading == Shading::Phong && facts.noTexture
+               ? std::optional(Reason(QT_TRANSLATE_NOOP("Diagnostic", "no material has a texture")))
+               : std::nullopt;
+}
+
+std::optional<Reason> whyAlphaTest(const Settings&, const Settings&, const FrameFacts& facts)
+{
+    return facts.noMask ? std::optional(Reason(QT_TRANSLATE_NOOP("Diagnostic", "no material has a mask")))
+                        : std::nullopt;
+}
+
+/// A field, and why another value of it changes nothing.
+struct FieldRow {
+    const char* id;
+    FactsOf needs;
+    std::optional<Reason> (*why)(const Settings& one, const Settings& other, const FrameFacts& facts);
+};
+constexpr FieldRow kFields[] = {
+    {"projection", FactsOf::Faces, whyProjection},
+    {"clipping", FactsOf::Faces, whyClipping},
+    {"culling", FactsOf::Faces, whyCulling},
+    {"stepping", FactsOf::Faces, whyStepping},
+    {"tie-rule", FactsOf::Samples, whyTieRule},
+    {"visibility", FactsOf::Samples, whyVisibility},
+    {"depth-test", FactsOf::Samples, whyDepthTest},
+    {"interpolation", FactsOf::Faces, whyInterpolation},
+    {"texture-filter", FactsOf::Faces, whyTextureFilter},
+    {"alpha-test", FactsOf::Faces, whyAlphaTest},
+};
+
+const FieldRow* rowOf(const SettingsField& field)
+{
+    const auto row = std::ranges::find_if(
+        kFields, [&](const FieldRow& one) { return QLatin1String(one.id) == QLatin1String(field.id); });
+    return row == std::end(kFields) ? nullptr : row;
+}
+
+/// The facts that hold while these mistakes are made: those of samples hold without mistakes only.
+FrameFacts withoutMistakes(FrameFacts facts, const QStringList& mistakes)
+{
+    if (!mistakes.empty())
+        facts.samples.reset();
+    return facts;
 }
 
 template <class... Ids>
@@ -116,7 +277,7 @@ std::optional<Reason> whenNotAsked(const char* id, const Settings& settings)
 
 } // namespace
 
-FrameFacts frameFacts(const Scene& scene, const Settings& settings, const std::stop_token& stop)
+FrameFacts frameFacts(const Scene& scene, const Settings& settings, FactsOf what, const std::stop_token& stop)
 {
     Settings asked = settings;
     asked.mistakes.clear();
@@ -142,28 +303,31 @@ FrameFacts frameFacts(const Scene& scene, const Settings& settings, const std::s
     facts.noCamera = scene.space == SceneSpace::Clip;
     facts.orthographic = resolved.matrices.orthographic;
     facts.noMask = std::ranges::none_of(scene.materials, [](const Material& material) { return material.mask >= 0; });
+    facts.noTexture =
+        std::ranges::none_of(scene.materials, [](const Material& material) { return material.texture >= 0; });
+    if (what == FactsOf::Samples)
+        facts.samples = sampleFacts(scene, settings, stop);
     return facts;
 }
 
-bool canBeUnchanged(const SettingsField& field)
+bool canBeUnchanged(const SettingsField& field) { return rowOf(field) != nullptr; }
+
+FactsOf factsFor(const SettingsField& field)
 {
-    return isOneOf(field.id, "projection", "interpolation", "clipping", "culling", "alpha-test");
+    const FieldRow* row = rowOf(field);
+    return row != nullptr ? row->needs : FactsOf::Faces;
+}
+
+FactsOf factsFor(const Mistake& mistake)
+{
+    return isOneOf(mistake.id, "all-inclusive", "all-exclusive") ? FactsOf::Samples : FactsOf::Faces;
 }
 
 std::optional<Reason> whyUnchanged(const SettingsField& field, const Settings& one, const Settings& other,
                                    const FrameFacts& facts)
 {
-    if (isOneOf(field.id, "projection") && facts.noCamera)
-        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "the scene is given in clip space: no camera projects it"));
-    if (isOneOf(field.id, "interpolation"))
-        return whenEqualW(facts);
-    if (isOneOf(field.id, "clipping"))
-        return whenNoneOutside(facts);
-    if (isOneOf(field.id, "culling"))
-        return whenNotCulled(one, other, facts);
-    if (isOneOf(field.id, "alpha-test") && facts.noMask)
-        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "no material has a mask"));
-    return std::nullopt;
+    const FieldRow* row = rowOf(field);
+    return row != nullptr ? row->why(one, other, withoutMistakes(facts, one.mistakes)) : std::nullopt;
 }
 
 std::optional<Reason> whyLightUnchanged(const Scene& scene, const Settings& settings)
@@ -198,6 +362,11 @@ std::optional<Reason> whyUnchanged(const Mistake& mistake, const Settings& setti
         why = whenEqualW(facts);
     if (isOneOf(id, "view-z-linear") && facts.orthographic)
         why = Reason(QT_TRANSLATE_NOOP("Diagnostic", "the depth of an orthographic camera is linear in the distance"));
+    if (!why && factsFor(mistake) == FactsOf::Samples) {
+        QStringList others = settings.mistakes;
+        others.removeAll(QLatin1String(id));
+        why = whenNoTies(withoutMistakes(facts, others));
+    }
     if (!why && isOneOf(id, "no-near-clip", "any-vertex-inside", "near-far-reject", "cut-corners",
                         "return-for-continue", "w-before-clipping"))
         why = whenNoneOutside(facts);

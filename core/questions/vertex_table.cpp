@@ -8,6 +8,9 @@
 #include "core/pipeline/viewport.h"
 #include "core/scene/origin.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace rasterlens
 {
 
@@ -44,6 +47,26 @@ std::array<VertexRow, 3> vertexTable(const Scene& scene, const Settings& setting
         row.screenRegion = screenRegion(row.clip);
     }
     return rows;
+}
+
+bool isBeforeEye(const VertexRow& corner) { return corner.clip.w > 0 && std::isfinite(corner.clip.w); }
+
+int mostUnequalEdge(const std::array<VertexRow, 3>& corners)
+{
+    int best = 0;
+    double most = 0;
+    for (int edge = 0; edge < 3; ++edge) {
+        const VertexRow& from = corners[static_cast<std::size_t>(edge)];
+        const VertexRow& to = corners[static_cast<std::size_t>((edge + 1) % 3)];
+        if (!isBeforeEye(from) || !isBeforeEye(to))
+            continue;
+        const double ratio = std::max(from.clip.w / to.clip.w, to.clip.w / from.clip.w);
+        if (ratio > most) {
+            most = ratio;
+            best = edge;
+        }
+    }
+    return best;
 }
 
 } // namespace rasterlens

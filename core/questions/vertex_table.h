@@ -31,4 +31,10 @@ struct VertexRow {
 /// exact  clip and snapped are what render() computes
 [[nodiscard]] std::array<VertexRow, 3> vertexTable(const Scene& scene, const Settings& settings, std::uint32_t face);
 
+/// Whether a corner lies in front of the eye: w, its distance, is a positive number.
+[[nodiscard]] bool isBeforeEye(const VertexRow& corner);
+/// The edge whose ends lie most unequally far away, the one with the most to correct; the first of equal ones. Edge i
+/// leads from corner i to the next.
+[[nodiscard]] int mostUnequalEdge(const std::array<VertexRow, 3>& corners);
+
 } // namespace rasterlens

@@ -85,9 +85,9 @@ private:
         samples.stride = rules.strideIsRows ? rules.rows() : rules.columns();
         samples.color = planes.color.data();
         samples.depth = rules.depthTested ? planes.depth.data() : nullptr;
-        samples.ids = planes.ids.empty() ? nullptr : planes.ids.data();
         if (!from.resolves)
             drawAllFaces(from, samples, recorder, stop);
+        samples.ids = planes.owners.data(); // the recorder writes them
         if (rules.sampleGrid > 1)
             resolvePixels(from, samples, recorder, stop);
     }

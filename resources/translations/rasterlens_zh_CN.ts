@@ -1002,12 +1002,12 @@
         <translation>屏幕上路程比例为 m 的点。</translation>
     </message>
     <message>
-        <source>Parallels to the screen through the ends, up to the ray of P: what is seen as P&apos;A&apos; and P&apos;B&apos; is Z1 and Z2 times as long there.</source>
-        <translation>过两端作屏幕的平行线，直到 P 的光线：屏幕上的 P&apos;A&apos;、P&apos;B&apos; 在那里分别长 Z1 倍和 Z2 倍。</translation>
+        <source>Parallels to the screen through the ends, up to the ray of P: what is seen as P&apos;%1&apos; and P&apos;%2&apos; is Z1 and Z2 times as long there.</source>
+        <translation>过两端作屏幕的平行线，直到 P 的光线：屏幕上的 P&apos;%1&apos;、P&apos;%2&apos; 在那里分别长 Z1 倍和 Z2 倍。</translation>
     </message>
     <message>
-        <source>The two triangles along the ray are similar, so n / (1 - n) = AG / BK: P divides the edge in space in this ratio. The size of the screen cancels out.</source>
-        <translation>光线两旁的两个三角形相似，所以 n / (1 - n) = AG / BK：P 在空间中按这个比分割边。屏幕的大小被约去。</translation>
+        <source>The two triangles along the ray are similar, so n / (1 - n) = %1G / %2K: P divides the edge in space in this ratio. The size of the screen cancels out.</source>
+        <translation>光线两旁的两个三角形相似，所以 n / (1 - n) = %1G / %2K：P 在空间中按这个比分割边。屏幕的大小被约去。</translation>
     </message>
     <message>
         <source>The same from the lengths.</source>
@@ -1238,8 +1238,8 @@
         <translation>……在远平面上的仍在远平面上。</translation>
     </message>
     <message>
-        <source>z&apos; over z: in front of the eye and behind it</source>
-        <translation>z&apos; 随 z 的变化：眼睛前方与后方</translation>
+        <source>z&apos; over z, spaced by its logarithm: in front of the eye and behind it</source>
+        <translation>z&apos; 随 z 的变化，横轴为对数刻度：眼睛前方与后方</translation>
     </message>
     <message>
         <source>Form 1, strict: the sample is inside if the least of the three edge values is positive. A centre on a shared edge is in neither triangle: holes.</source>
@@ -2291,6 +2291,30 @@
     <message>
         <source>&quot;light&quot; takes &quot;head&quot; or an array of three numbers that are not all 0</source>
         <translation>&quot;light&quot; 的值是 &quot;head&quot;，或由三个不全为 0 的数组成的数组</translation>
+    </message>
+    <message>
+        <source>no sample lies exactly on an edge</source>
+        <translation>没有采样点恰好落在边上</translation>
+    </message>
+    <message>
+        <source>no sample is covered by two faces</source>
+        <translation>没有采样点被两个面覆盖</translation>
+    </message>
+    <message>
+        <source>fixed point is exact: adding up gives what the formula gives</source>
+        <translation>定点数是精确的：逐步相加与代入公式的结果相同</translation>
+    </message>
+    <message>
+        <source>either way every fragment is drawn</source>
+        <translation>两种取值下每个片元都会画出</translation>
+    </message>
+    <message>
+        <source>no depth is exactly the one that it is compared with</source>
+        <translation>没有深度与它所比较的深度恰好相等</translation>
+    </message>
+    <message>
+        <source>no material has a texture</source>
+        <translation>没有材质带纹理</translation>
     </message>
 </context>
 <context>

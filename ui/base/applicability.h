@@ -9,8 +9,8 @@
 namespace rasterlens
 {
 
-/// Why changing this field would not change the picture under these settings, in the language in use; or nothing.
-[[nodiscard]] std::optional<QString> whyWithoutEffect(const SettingsField& field, const Settings& settings);
+/// What whyWithoutEffect() says, in the language in use.
+[[nodiscard]] std::optional<QString> withoutEffectText(const SettingsField& field, const Settings& settings);
 
 /// What unsupported() says, in the language in use.
 [[nodiscard]] QString whyUnsupported(const Reason& reason);

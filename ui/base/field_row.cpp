@@ -286,7 +286,7 @@ void FieldRow::sync(const Settings& settings, const Settings& defaults, bool ref
 
     m_dot->setChanged(value != m_field.get(defaults));
     m_dot->setToolTip(tr("The scene asks for: %1. Click to put it back.").arg(valueTitle(m_field, defaults)));
-    m_whyInert = whyWithoutEffect(m_field, settings).value_or(QString());
+    m_whyInert = withoutEffectText(m_field, settings).value_or(QString());
     m_editor->setEnabled(refused || m_whyInert.isEmpty());
     m_name->setEnabled(m_editor->isEnabled());
     updateToolTip();

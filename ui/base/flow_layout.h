@@ -7,7 +7,8 @@
 namespace rasterlens
 {
 
-/// Widgets in a row that goes on in the next line where it has no room, as words do.
+/// Widgets in a row that goes on in the next line where it has no room, as words do; each stands in the middle of its
+/// line.
 class FlowLayout : public QLayout
 {
 public:

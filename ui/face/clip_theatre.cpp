@@ -3,6 +3,7 @@
 #include "ui/base/field_row.h"
 #include "ui/base/flow_layout.h"
 #include "ui/base/inks.h"
+#include "ui/base/named_places.h"
 #include "ui/base/theme.h"
 #include "ui/base/turning.h"
 
@@ -252,22 +253,25 @@ private:
             middle += place(flat(corner)) / static_cast<double>(left.size());
         painter.setFont(textFont(-0.5, true));
         const QFontMetricsF metrics(painter.font());
+        painter.setBrush(palette().color(QPalette::Base));
+        painter.setPen(QPen(ink, 1.5));
+        std::vector<NamedPlace> names;
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             const QPointF at = place(flat(polygon[i]));
             if (!m_area.adjusted(-kCornerRadius, -kCornerRadius, kCornerRadius, kCornerRadius).contains(at))
                 continue;
-            painter.setBrush(palette().color(QPalette::Base));
-            painter.setPen(QPen(ink, 1.5));
             painter.drawEllipse(at, kCornerRadius, kCornerRadius);
-            QPointF away = at - middle;
+            names.push_back({at, cornerName(polygon[i], *m_theatre.m_story, i)});
+        }
+        for (const NamedPlace& corner : joinedPlaces(names, kCornerRadius)) {
+            QPointF away = corner.at - middle;
             const double length = std::hypot(away.x(), away.y());
             away = length > 1 ? away / length * 12 : QPointF(0, -12);
-            const QString name = cornerName(polygon[i], *m_theatre.m_story, i);
-            QRectF box(QPointF(0, 0), QSizeF(metrics.horizontalAdvance(name) + 2, metrics.height()));
-            box.moveCenter(at + away);
+            QRectF box(QPointF(0, 0), QSizeF(metrics.horizontalAdvance(corner.name) + 2, metrics.height()));
+            box.moveCenter(corner.at + away);
             box.moveLeft(std::clamp(box.left(), m_area.left(), m_area.right() - box.width()));
             box.moveTop(std::clamp(box.top(), m_area.top(), m_area.bottom() - box.height()));
-            painter.drawText(box, Qt::AlignCenter, name);
+            painter.drawText(box, Qt::AlignCenter, corner.name);
         }
     }
 

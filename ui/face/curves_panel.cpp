@@ -37,26 +37,6 @@ std::vector<QPointF> points(const std::vector<CurvePoint>& curve)
     return points;
 }
 
-bool isBeforeTheEye(double z) { return z > 0 && std::isfinite(z); }
-
-/// The edge whose ends lie most unequally far away: the one with the most to correct. Edge i leads from corner i to the
-/// next.
-int mostUnequalEdge(const std::array<VertexRow, 3>& corners)
-{
-    int best = 0;
-    double most = 0;
-    for (int edge = 0; edge < 3; ++edge) {
-        const double z1 = corners[static_cast<std::size_t>(edge)].clip.w;
-        const double z2 = corners[static_cast<std::size_t>((edge + 1) % 3)].clip.w;
-        const double ratio = isBeforeTheEye(z1) && isBeforeTheEye(z2) ? std::max(z1 / z2, z2 / z1) : 0;
-        if (ratio > most) {
-            most = ratio;
-            best = edge;
-        }
-    }
-    return best;
-}
-
 QString fixed(double value)
 {
     QString text = QString::number(value, 'f', 4);
@@ -158,9 +138,11 @@ void CurvesPanel::choose()
             tr("The camera is orthographic: w is 1, n is m, and z' is linear in the distance. The numbers of "
                "the textbook are shown."));
     } else if (edge < kTextbook && m_corners) {
-        const double z1 = (*m_corners)[static_cast<std::size_t>(edge)].clip.w;
-        const double z2 = (*m_corners)[static_cast<std::size_t>((edge + 1) % 3)].clip.w;
-        if (isBeforeTheEye(z1) && isBeforeTheEye(z2)) {
+        const VertexRow& from = (*m_corners)[static_cast<std::size_t>(edge)];
+        const VertexRow& to = (*m_corners)[static_cast<std::size_t>((edge + 1) % 3)];
+        if (isBeforeEye(from) && isBeforeEye(to)) {
+            const double z1 = from.clip.w;
+            const double z2 = to.clip.w;
             m_input = {m_near, m_far, z1, z2, true};
             if (!(m_near > 0 && m_far > m_near)) {
                 m_input.near = std::min(z1, z2) / 2;

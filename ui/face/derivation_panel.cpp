@@ -32,7 +32,7 @@ namespace
 
 QString translated(const char* text) { return QCoreApplication::translate("Derive", text); }
 
-constexpr int kShownOfTopic = 18; ///< letters
+constexpr int kShownOfTopic = 24; ///< letters
 constexpr QRgb kFigureInk = 0xff56b4e9;
 constexpr QRgb kHoveredInk = 0xfff0e442;
 constexpr int kSliderSteps = 1000;
@@ -202,11 +202,15 @@ DerivationPanel::DerivationPanel(FaceSelection& selection, QWidget* parent)
     }
     column->addLayout(figures);
     m_view->setOpenLinks(false);
-    m_view->setMinimumHeight(120);
+    m_view->setMinimumHeight(80);
+    m_view->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // the text keeps the width it is broken at
     m_view->installEventFilter(this);
     column->addWidget(m_view, 1);
     connect(m_topic, &QComboBox::currentIndexChanged, this, &DerivationPanel::asked);
-    connect(m_edge, &QComboBox::currentIndexChanged, this, &DerivationPanel::asked);
+    connect(m_edge, &QComboBox::currentIndexChanged, this, [this] {
+        m_edgeIsChosen = true;
+        Q_EMIT asked();
+    });
     connect(m_view, &QTextBrowser::highlighted, this, [this](const QUrl& url) { hoverSymbol(numberOf(url, kSymbol)); });
     connect(m_view, &QTextBrowser::anchorClicked, this, [this](const QUrl& url) {
         if (const auto line = numberOf(url, kLine))
@@ -217,7 +221,10 @@ DerivationPanel::DerivationPanel(FaceSelection& selection, QWidget* parent)
 
 DerivationTopic DerivationPanel::topic() const { return static_cast<DerivationTopic>(m_topic->currentIndex()); }
 
-int DerivationPanel::edge() const { return m_edge->currentIndex(); }
+std::optional<int> DerivationPanel::edge() const
+{
+    return m_edgeIsChosen ? std::optional(m_edge->currentIndex()) : std::nullopt;
+}
 
 double DerivationPanel::m() const { return double(m_m->value()) / kSliderSteps; }
 
@@ -241,6 +248,10 @@ void DerivationPanel::setDerived(std::shared_ptr<const Derived> derived)
     const bool isSameTopic = now != nullptr && before && before->derivation && before->derivation->topic == now->topic;
     if (!isSameTopic || m_line >= now->lines.size())
         m_line = 0;
+    if (m_derived && m_derived->edge) {
+        const QSignalBlocker blocked(m_edge);
+        m_edge->setCurrentIndex(*m_derived->edge);
+    }
     showFields();
     showFigures();
     showText();
@@ -340,7 +351,7 @@ void DerivationPanel::showFields()
 {
     const bool hasM = topic() == DerivationTopic::Perspective || topic() == DerivationTopic::DepthCurve;
     const bool hasDepth = topic() == DerivationTopic::DepthCurve;
-    m_edge->setVisible(infoOf(topic()).ofEdge);
+    m_edge->setVisible(infoOf(topic()).edge != TopicEdge::None);
     m_m->parentWidget()->setVisible(hasM);
     m_depth->parentWidget()->setVisible(hasDepth);
     m_mName->setText(QStringLiteral("m = %1").arg(m(), 0, 'f', 3));

@@ -49,7 +49,8 @@ public:
 
     /// What is to be derived; the face and the pixel are the window's.
     [[nodiscard]] DerivationTopic topic() const;
-    [[nodiscard]] int edge() const;
+    /// The edge that the user chose; nothing: the topic's own choice.
+    [[nodiscard]] std::optional<int> edge() const;
     /// The part of the way along the edge, between 0 and 1.
     [[nodiscard]] double m() const;
     /// The distance of free choice as a part of the way from near to far; nothing: half-way.
@@ -112,6 +113,7 @@ private:
 
     std::shared_ptr<const Derived> m_derived;
     std::size_t m_line = 0;
+    bool m_edgeIsChosen = false;
     DerivationLayer m_layer;
     QComboBox* m_topic;
     QComboBox* m_edge;

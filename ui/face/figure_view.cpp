@@ -95,9 +95,9 @@ QRectF FigureView::plotArea() const
 QPointF FigureView::toWidget(const glm::dvec2& at) const
 {
     const QRectF area = plotArea();
-    const glm::dvec2 extent = m_figure.high - m_figure.low;
-    const glm::dvec2 part = (at - m_figure.low) / glm::dvec2(extent.x > 0 ? extent.x : 1, extent.y > 0 ? extent.y : 1);
-    return {area.left() + part.x * area.width(), area.bottom() - part.y * area.height()};
+    const double height = m_figure.high.y - m_figure.low.y;
+    const double up = (at.y - m_figure.low.y) / (height > 0 ? height : 1);
+    return {area.left() + m_figure.partOfWidth(at.x) * area.width(), area.bottom() - up * area.height()};
 }
 
 std::optional<std::size_t> FigureView::symbolAt(QPointF widget) const
@@ -144,14 +144,31 @@ void FigureView::paintAxes(QPainter& painter) const
     painter.setFont(textFont(-1));
     painter.drawLine(area.topLeft(), area.bottomLeft());
     painter.drawLine(area.bottomLeft(), area.bottomRight());
-    const QRectF below(area.left(), area.bottom() + 1, area.width(), height() - area.bottom());
-    painter.drawText(below, Qt::AlignLeft | Qt::AlignTop, axisNumber(m_figure.low.x));
-    painter.drawText(below, Qt::AlignHCenter | Qt::AlignTop, m_figure.xName);
-    painter.drawText(below, Qt::AlignRight | Qt::AlignTop, axisNumber(m_figure.high.x));
+    paintXAxis(painter, QRectF(area.left(), area.bottom() + 1, area.width(), height() - area.bottom()));
     const QRectF beside(0, area.top(), area.left() - 3, area.height());
     painter.drawText(beside, Qt::AlignRight | Qt::AlignTop, axisNumber(m_figure.high.y));
     painter.drawText(beside, Qt::AlignRight | Qt::AlignVCenter, m_figure.yName);
     painter.drawText(beside, Qt::AlignRight | Qt::AlignBottom, axisNumber(m_figure.low.y));
+}
+
+/// Names what lies along the x axis: its ends and, in the middle, what it counts; or its ticks and, at its end, what it
+/// counts.
+void FigureView::paintXAxis(QPainter& painter, const QRectF& below) const
+{
+    const bool hasTicks = !m_figure.xTicks.empty();
+    painter.drawText(below, (hasTicks ? Qt::AlignRight : Qt::AlignHCenter) | Qt::AlignTop, m_figure.xName);
+    for (const FigureTick& tick : m_figure.xTicks) {
+        const double x = below.left() + m_figure.partOfWidth(tick.at) * below.width();
+        constexpr double kTick = 4;
+        painter.drawLine(QPointF(x, below.top() - 1), QPointF(x, below.top() - 1 - kTick));
+        const double room = QFontMetricsF(painter.font()).horizontalAdvance(tick.name) + 2;
+        painter.drawText(QRectF(x - room / 2, below.top(), room, below.height()), Qt::AlignHCenter | Qt::AlignTop,
+                         tick.name);
+    }
+    if (hasTicks)
+        return;
+    painter.drawText(below, Qt::AlignLeft | Qt::AlignTop, axisNumber(m_figure.low.x));
+    painter.drawText(below, Qt::AlignRight | Qt::AlignTop, axisNumber(m_figure.high.x));
 }
 
 void FigureView::paintStrokes(QPainter& painter, FigureLabels& labels) const

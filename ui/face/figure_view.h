@@ -31,7 +31,7 @@ public:
     [[nodiscard]] std::optional<std::size_t> symbolAt(QPointF widget) const;
 
     QSize sizeHint() const override { return {210, 150}; }
-    QSize minimumSizeHint() const override { return {150, 140}; }
+    QSize minimumSizeHint() const override { return {150, 130}; }
 
 Q_SIGNALS:
     void symbolHovered(std::optional<std::size_t> symbol);
@@ -46,6 +46,7 @@ private:
     [[nodiscard]] QColor inkOf(int symbol) const;
     [[nodiscard]] bool isLit(int symbol) const;
     void paintAxes(QPainter& painter) const;
+    void paintXAxis(QPainter& painter, const QRectF& below) const;
     void paintStrokes(QPainter& painter, FigureLabels& labels) const;
     void paintPoints(QPainter& painter, FigureLabels& labels) const;
 

@@ -139,7 +139,10 @@ MistakeBadge::Weighed MistakeBadge::weigh(const RenderedFrame& shown, Weighed kn
             picture.frame.depth = {}; // memory of the depth test, which no proof looks at
         right.picture = std::make_shared<const CountedPicture>(std::move(picture));
     }
-    const FrameFacts facts = frameFacts(*right.scene, right.settings, stop);
+    const bool needsSamples = std::ranges::any_of(
+        known.evidence, [](const Evidence& one) { return factsFor(*one.mistake) == FactsOf::Samples; });
+    const FrameFacts facts =
+        frameFacts(*right.scene, right.settings, needsSamples ? FactsOf::Samples : FactsOf::Faces, stop);
     for (Evidence& one : known.evidence) {
         if (stop.stop_requested())
             return known;

@@ -61,18 +61,21 @@ bool UnchangedNotes::isChanged(const FieldRow& row) const
 void UnchangedNotes::refresh()
 {
     const auto& scene = m_document.scene();
-    const Settings geometry = geometryOf(m_document.settings());
+    const bool needsSamples = std::ranges::any_of(
+        m_rows, [this](const FieldRow* row) { return isChanged(*row) && factsFor(row->field()) == FactsOf::Samples; });
+    const FactsOf what = needsSamples ? FactsOf::Samples : FactsOf::Faces;
+    const Settings read = needsSamples ? m_document.settings() : geometryOf(m_document.settings());
     const bool asked = std::ranges::any_of(m_rows, [this](const FieldRow* row) { return isChanged(*row); }) &&
-                       !unsupported(*scene, geometry);
-    if (!asked || (m_known && (m_known->scene != scene || !(m_known->settings == geometry))))
+                       !unsupported(*scene, read);
+    if (!asked || (m_known && (m_known->scene != scene || !(m_known->settings == read))))
         m_known.reset();
     show();
     if (!asked)
         m_result.drop();
     else if (!m_known)
         m_result.ask(
-            [scene, geometry](const auto& turn) {
-                return Known{scene, geometry, frameFacts(*scene, geometry, turn.stop())};
+            [scene, read, what](const auto& turn) {
+                return Known{scene, read, frameFacts(*scene, read, what, turn.stop())};
             },
             LatestJob::Running::Interrupt);
 }

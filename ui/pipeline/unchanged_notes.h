@@ -38,7 +38,7 @@ Q_SIGNALS:
 private:
     struct Known {
         std::shared_ptr<const Scene> scene;
-        Settings settings; ///< those that the facts depend on; the others at their default
+        Settings settings; ///< those that the facts depend on; of faces, the others at their default
         FrameFacts facts;
     };
 

@@ -202,21 +202,21 @@ const LineStep* LensModel::line() const
 std::optional<std::array<glm::ivec2, 2>> LensModel::lineEnds() const
 {
     const LineStep* step = line();
-    if (!step)
-        return std::nullopt;
-    const LineDecision& d = step->decision;
-    const auto sampleOf = [&](std::size_t i) {
-        return glm::ivec2(glm::floor(m_triangle->screen.vertices[i].position));
-    };
-    const int axis = d.steep ? 1 : 0;
+    return step != nullptr ? rasterlens::lineEnds(m_triangle->screen, step->decision) : std::nullopt;
+}
+
+std::optional<std::array<glm::ivec2, 2>> lineEnds(const ScreenTriangle& triangle, const LineDecision& decision)
+{
+    const auto sampleOf = [&](std::size_t i) { return glm::ivec2(glm::floor(triangle.vertices[i].position)); };
+    const int axis = decision.steep ? 1 : 0;
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::ivec2 from = sampleOf(i);
         const glm::ivec2 to = sampleOf((i + 1) % 3);
         const glm::ivec2 size = glm::abs(to - from);
-        if (size[axis] != d.longer || size[1 - axis] != d.shorter)
+        if (size[axis] != decision.longer || size[1 - axis] != decision.shorter)
             continue;
-        const int now = axis == 0 ? d.x : d.y;
-        if (from[axis] + (to[axis] < from[axis] ? -d.step : d.step) == now)
+        const int now = axis == 0 ? decision.x : decision.y;
+        if (from[axis] + (to[axis] < from[axis] ? -decision.step : decision.step) == now)
             return std::array{from, to};
     }
     return std::nullopt;

@@ -313,35 +313,17 @@ void LensOverlay::paintCorners(LensView& view) const
     const QRectF extent = QPolygonF{{at[0], at[1], at[2]}}.boundingRect();
     if (std::max(extent.width(), extent.height()) < kLabelsFromSide)
         return;
-    const QFont font = textFont(view.options.thickLines ? 2 : 3, true);
-    view.painter.setFont(font);
-    const QFontMetricsF metrics(font);
-    const double size = metrics.height();
+    std::vector<NamedPlace> names;
     for (std::size_t i = 0; i < 3; ++i) {
         if (!QRectF(view.canvas).adjusted(-20, -20, 20, 20).contains(at[i]))
             continue;
+        names.push_back({at[i], walkedCornerName(*m_model, i)});
         view.painter.setPen(QPen(Qt::black, view.thickness(1.8)));
         view.painter.setBrush(Qt::white);
         view.painter.drawEllipse(at[i], view.thickness(4.5), view.thickness(4.5));
-        const QLineF outward(middle, at[i]);
-        const QPointF way =
-            outward.length() > 0 ? QPointF(outward.dx(), outward.dy()) / outward.length() : QPointF(0, -1);
-        QPointF centre = at[i] + way * size * 0.85;
-        const QRectF room = QRectF(view.canvas).adjusted(size / 2, size / 2, -size / 2, -size / 2);
-        centre = {std::clamp(centre.x(), room.left(), std::max(room.left(), room.right())),
-                  std::clamp(centre.y(), room.top(), std::max(room.top(), room.bottom()))};
-        const QString name = walkedCornerName(*m_model, i);
-        const double width = std::max(size * 0.88, metrics.horizontalAdvance(name) + size * 0.4);
-        QRectF plate(centre - QPointF(width, size * 0.88) / 2, QSizeF(width, size * 0.88));
-        plate.moveLeft(
-            std::clamp(plate.left(), room.left() - size / 2, std::max(room.left(), room.right() + size / 2 - width)));
-        const Paper p = paper();
-        view.painter.setPen(Qt::NoPen);
-        view.painter.setBrush(withAlpha(p.fill, 225));
-        view.painter.drawRoundedRect(plate, 4, 4);
-        view.painter.setPen(p.ink);
-        view.painter.drawText(plate, Qt::AlignCenter, name);
     }
+    view.painter.setFont(textFont(view.options.thickLines ? 2 : 3, true));
+    view.cornerNames(names, middle);
 }
 
 /// Bresenham: the ideal line, the two samples it is between, and how far it is from each.

@@ -95,4 +95,29 @@ void LensView::line(glm::dvec2 from, glm::dvec2 to, QColor color, double width, 
     painter.drawLine(*shown);
 }
 
+void LensView::cornerNames(const std::vector<NamedPlace>& corners, QPointF middle) const
+{
+    constexpr double kMargin = 4;
+    const QFontMetricsF metrics(painter.font());
+    const double height = metrics.height();
+    const Paper p = paper();
+    for (const NamedPlace& corner : joinedPlaces(corners, height / 2)) {
+        const QLineF outward(middle, corner.at);
+        const QPointF way =
+            outward.length() > 0 ? QPointF(outward.dx(), outward.dy()) / outward.length() : QPointF(0, -1);
+        const QSizeF size(metrics.horizontalAdvance(corner.name) + 10, height);
+        const QRectF room = QRectF(canvas).adjusted(size.width() / 2 + kMargin, size.height() / 2 + kMargin,
+                                                    -size.width() / 2 - kMargin, -size.height() / 2 - kMargin);
+        QPointF centre = corner.at + way * height;
+        centre = {std::clamp(centre.x(), room.left(), std::max(room.left(), room.right())),
+                  std::clamp(centre.y(), room.top(), std::max(room.top(), room.bottom()))};
+        const QRectF plate(centre - QPointF(size.width(), size.height()) / 2, size);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(withAlpha(p.fill, 225));
+        painter.drawRoundedRect(plate, 4, 4);
+        painter.setPen(p.ink);
+        painter.drawText(plate, Qt::AlignCenter, corner.name);
+    }
+}
+
 } // namespace rasterlens

@@ -1,4 +1,5 @@
 #pragma once
+#include "ui/base/named_places.h"
 #include "ui/canvas/pixel_overlay.h"
 #include "ui/steps/lens_model.h"
 
@@ -47,6 +48,9 @@ struct LensView {
     [[nodiscard]] QRect visible(const PixelRect& of) const;
     /// A line with a light rim, cut to the canvas.
     void line(glm::dvec2 from, glm::dvec2 to, QColor color, double width, Qt::PenStyle style) const;
+    /// The names of corners on plates, each beside its corner, away from a point in their middle, and within the
+    /// canvas. Corners at one place share a plate.
+    void cornerNames(const std::vector<NamedPlace>& corners, QPointF middle) const;
 };
 
 } // namespace rasterlens

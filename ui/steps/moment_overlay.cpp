@@ -151,40 +151,18 @@ void MomentOverlay::paintCorners(LensView& view) const
     // A face that is hardly to be seen is not to be hidden by its corners.
     const double radius = std::clamp(std::max(extent.width(), extent.height()) / 8, 1.5, view.thickness(4.5));
     const QPointF middle = std::accumulate(places.begin(), places.end(), QPointF()) / std::max(1, int(places.size()));
-    view.painter.setFont(textFont(view.options.thickLines ? 2 : 1, true));
+    std::vector<NamedPlace> names;
     for (const MomentCorner& corner : m_moment->corners) {
         const auto place = corner.onScreen(m_rules);
         if (!place)
             continue;
-        const QPointF at = view.at(*place);
+        names.push_back({view.at(*place), corner.name});
         view.painter.setPen(QPen(corner.snapped ? Qt::white : Qt::black, view.thickness(1.6)));
         view.painter.setBrush(corner.snapped ? QColor(kCanvasPlus) : QColor(Qt::white));
-        view.painter.drawEllipse(at, radius, radius);
-        const QLineF outward(middle, at);
-        paintName(view, corner.name, at,
-                  outward.length() > 0 ? QPointF(outward.dx(), outward.dy()) / outward.length() : QPointF(0, -1));
+        view.painter.drawEllipse(names.back().at, radius, radius);
     }
-}
-
-/// A corner's name on a plate, some way from the corner and within the canvas.
-void MomentOverlay::paintName(const LensView& view, const QString& name, QPointF corner, QPointF way)
-{
-    constexpr double kMargin = 4;
-    const QFontMetricsF metrics(view.painter.font());
-    const QSizeF size(metrics.horizontalAdvance(name) + 10, metrics.height());
-    const QRectF room = QRectF(view.canvas)
-                            .adjusted(size.width() / 2 + kMargin, size.height() / 2 + kMargin,
-                                      -size.width() / 2 - kMargin, -size.height() / 2 - kMargin);
-    QPointF centre = corner + way * size.height();
-    centre = {std::clamp(centre.x(), room.left(), std::max(room.left(), room.right())),
-              std::clamp(centre.y(), room.top(), std::max(room.top(), room.bottom()))};
-    const QRectF plate(centre - QPointF(size.width(), size.height()) / 2, size);
-    const Paper p = paper();
-    view.painter.setPen(Qt::NoPen);
-    view.painter.setBrush(withAlpha(p.fill, 225));
-    view.painter.drawRoundedRect(plate, 4, 4);
-    view.painter.setPen(p.ink);
-    view.painter.drawText(plate, Qt::AlignCenter, name);
+    view.painter.setFont(textFont(view.options.thickLines ? 2 : 1, true));
+    view.cornerNames(names, middle);
 }
 
 } // namespace rasterlens

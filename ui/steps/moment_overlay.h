@@ -31,7 +31,6 @@ private:
                       Qt::PenStyle style) const;
     void paintArea(LensView& view) const;
     void paintCorners(LensView& view) const;
-    static void paintName(const LensView& view, const QString& name, QPointF corner, QPointF way);
 
     std::optional<FaceMoment> m_moment;
     Rules m_rules;

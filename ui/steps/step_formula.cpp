@@ -7,6 +7,7 @@
 #include "ui/base/numbers.h"
 #include "ui/base/step_words.h"
 #include "ui/steps/lens_model.h"
+#include "ui/steps/line_code.h"
 
 #include <QCoreApplication>
 
@@ -86,8 +87,9 @@ std::array<QString, 4> resolveCode()
             QStringLiteral("  picture[pixel] = sum / n; }")};
 }
 
-std::array<QString, 4> lineCode(const Rules& rules)
+std::array<QString, 4> lineCode(const StepLog& log, std::size_t i)
 {
+    const Rules& rules = log.rightRules();
     const QString color = QStringLiteral("  color = shade(x, y);  depth = z;");
     const QString onLine = QStringLiteral("  ") + depthLine(QStringLiteral("lerp(zA, zB, i / n)"), rules);
     if (rules.fill == Fill::Points)
@@ -96,8 +98,8 @@ std::array<QString, 4> lineCode(const Rules& rules)
     if (rules.line == LineAlgorithm::Dda)
         return {QStringLiteral("n = max(|dx|, |dy|);  for (i = 0; i <= n; ++i) {  plot(round(x), round(y));"),
                 QStringLiteral("  x += dx / n;  y += dy / n; }"), onLine, color};
-    return {QStringLiteral("p = 2 dy - dx;  for (x = x0; x <= x1; ++x) {  plot(x, y);"),
-            QStringLiteral("  if (p > 0) { y += 1;  p -= 2 dx; }  p += 2 dy; }"), onLine, color};
+    const std::array<QString, 2> loop = bresenhamCode(log, i);
+    return {loop[0], loop[1], onLine, color};
 }
 
 std::array<QString, 4> columnCode(const Rules& rules)
@@ -129,8 +131,9 @@ StepKinds kindsOfDrawing(const Rules& rules)
 }
 
 /// The right code for a step, and the kinds of step it is about.
-std::pair<std::array<QString, 4>, StepKinds> codeFor(const StepLog& log, StepKind kind)
+std::pair<std::array<QString, 4>, StepKinds> codeFor(const StepLog& log, std::size_t i)
 {
+    const StepKind kind = log.event(i).kind;
     const Rules& right = log.rightRules();
     if (isGeometry(kind, log.rules()))
         return {geometryCode(), kindBit(StepKind::Outline) - 1};
@@ -140,7 +143,7 @@ std::pair<std::array<QString, 4>, StepKinds> codeFor(const StepLog& log, StepKin
         return {resolveCode(), kindBit(StepKind::Resolve)};
     const StepKinds kinds = kindsOfDrawing(log.rules());
     if (log.rules().fill != Fill::Solid)
-        return {lineCode(right), kinds};
+        return {lineCode(log, i), kinds};
     switch (log.rules().algorithm) {
     case Algorithm::EdgeWalking: return {walkingCode(right), kinds};
     case Algorithm::ColumnFill: return {columnCode(right), kinds};
@@ -221,9 +224,10 @@ int lineOf(const StepLog& log, std::size_t i)
     return lineOf(isRejected ? StepKind::ClipPlane : event.kind);
 }
 
-Listing listingFor(const StepLog& log, StepKind kind)
+Listing listingFor(const StepLog& log, std::size_t i)
 {
-    const auto [code, kinds] = codeFor(log, kind);
+    const StepKind kind = log.event(i).kind;
+    const auto [code, kinds] = codeFor(log, i);
     std::array<QStringList, 4> wrong;
     for (const Mistake* mistake : log.mistakes())
         for (int k = 0; k < kStepKinds; ++k) {
@@ -470,8 +474,7 @@ QStringList spanLines(const SpanStep& span)
 
 StepExplanation explainStep(const StepLog& log, std::size_t i)
 {
-    const StepEvent& event = log.event(i);
-    StepExplanation told{listingFor(log, event.kind), lineOf(log, i), formulaOf(log, i)};
+    StepExplanation told{listingFor(log, i), lineOf(log, i), formulaOf(log, i)};
     if (const QString because = becauseWords(becauseOf(log, i)); !because.isEmpty()) {
         const auto end = told.formula.indexOf(QLatin1Char('\n')); // there are two lines: what led to it, and what it is
         told.formula = told.formula.left(end) + QLatin1Char('\n') + because +

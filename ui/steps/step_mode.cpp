@@ -17,23 +17,22 @@ namespace rasterlens
 namespace
 {
 
-/// The depth of each pixel: that of the sample nearest its centre.
-void copyDepths(const StepCursor& cursor, DepthBuffer& out)
+std::size_t pixelCount(const QImage& image) { return std::size_t(image.width()) * std::size_t(image.height()); }
+
+/// What each pixel has in a plane of the samples: that of the sample nearest its centre.
+template <class T>
+void copyOfPixels(const StepCursor& cursor, std::span<const T> samples, T* to)
 {
-    const std::span<const float> depths = cursor.sampleDepths();
     const int grid = cursor.log().grid();
-    const auto width = std::size_t(cursor.image().width());
-    const auto height = std::size_t(cursor.image().height());
-    if (depths.size() < width * height * std::size_t(grid) * std::size_t(grid)) { // a mistake in their addresses
-        out.clear();
+    const auto columns = std::size_t(cursor.log().columns());
+    const QSize size = cursor.image().size();
+    if (grid == 1) {
+        std::copy_n(samples.begin(), pixelCount(cursor.image()), to);
         return;
     }
-    float* to = out.write(width * height);
-    const auto columns = std::size_t(cursor.log().columns());
-    const auto middle = std::size_t(grid / 2);
-    for (std::size_t y = 0; y < height; ++y)
-        for (std::size_t x = 0; x < width; ++x)
-            *to++ = depths[(y * std::size_t(grid) + middle) * columns + x * std::size_t(grid) + middle];
+    for (int y = 0; y < size.height(); ++y)
+        for (int x = 0; x < size.width(); ++x)
+            *to++ = samples[std::size_t(y * grid + grid / 2) * columns + std::size_t(x * grid + grid / 2)];
 }
 
 } // namespace
@@ -138,7 +137,7 @@ FramePtr StepMode::frame()
     if (frame.frame.image.size() != image.size())
         frame.frame.image = QImage(image.size(), image.format());
     std::copy_n(image.constBits(), image.sizeInBytes(), frame.frame.image.bits());
-    copyDepths(*cursor, frame.frame.depth);
+    copyOfPixels(*cursor, cursor->sampleDepths(), frame.frame.depth.write(pixelCount(image)));
     frame.statistics = cursor->counters();
     frame.counted = true;
     return m_frame;
@@ -147,22 +146,10 @@ FramePtr StepMode::frame()
 std::vector<std::int32_t> StepMode::owners() const
 {
     const StepCursor* cursor = m_session.cursor();
-    if (!cursor || cursor->log().filter().face || cursor->log().filter().pixels ||
-        (cursor->log().filter().kinds & kindBit(StepKind::Write)) == 0 || cursor->log().first() > 0)
+    if (!cursor)
         return {};
-    const StepLog& log = cursor->log();
-    const QSize size = cursor->image().size();
-    const int grid = log.grid();
-    std::vector<std::int32_t> owners(std::size_t(size.width()) * std::size_t(size.height()), -1);
-    for (const std::uint32_t i : log.eventsOf(StepKind::Write)) {
-        if (i >= cursor->position())
-            break;
-        const StepEvent& event = log.event(i);
-        const bool isMiddle = event.x % grid == grid / 2 && event.y % grid == grid / 2;
-        if (isMiddle && QRect(QPoint(0, 0), size * grid).contains(event.x, event.y))
-            owners[std::size_t(event.y / grid) * std::size_t(size.width()) + std::size_t(event.x / grid)] =
-                static_cast<std::int32_t>(event.face);
-    }
+    std::vector<std::int32_t> owners(pixelCount(cursor->image()));
+    copyOfPixels(*cursor, cursor->sampleOwners(), owners.data());
     return owners;
 }
 

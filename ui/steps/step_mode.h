@@ -46,7 +46,7 @@ public:
     /// The step after which that frame is; nothing: the finished frame is shown.
     [[nodiscard]] std::optional<std::size_t> moment() const;
 
-    /// The face that owns each pixel of that frame, -1 none; empty where the record does not hold all that was written.
+    /// The face that owns each pixel of that frame, -1 none; empty without a record.
     [[nodiscard]] std::vector<std::int32_t> owners() const;
 
     /// Opens the step mode and goes there as soon as the record is there; to its end where it has no such place.

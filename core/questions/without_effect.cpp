@@ -1,0 +1,90 @@
+#include "core/questions/without_effect.h"
+
+#include <QCoreApplication>
+
+namespace rasterlens
+{
+namespace
+{
+
+struct Rule {
+    const char* field;
+    bool (*inert)(const Settings&);
+    const char* reason;
+};
+
+bool notSolid(const Settings& s) { return s.fill != Fill::Solid; }
+bool noDepthBuffer(const Settings& s) { return s.visibility != Visibility::ZBuffer; }
+bool tiled(const Settings& s) { return s.algorithm == Algorithm::Tiled; }
+bool columnFill(const Settings& s) { return s.algorithm == Algorithm::ColumnFill; }
+bool notTiled(const Settings& s) { return !tiled(s); }
+
+bool withoutAttributes(const Settings& s)
+{
+    switch (s.shading) {
+    case Shading::RandomFlat:
+    case Shading::Depth:
+    case Shading::Overdraw:
+    case Shading::TriangleId: return true;
+    case Shading::Gouraud:
+    case Shading::Flat:
+    case Shading::Texture:
+    case Shading::Phong:
+    case Shading::Normals:
+    case Shading::Uv: break;
+    }
+    return false;
+}
+
+/// The first rule that holds gives the reason.
+constexpr Rule kRules[] = {
+    {"number-type", notSolid,
+     QT_TRANSLATE_NOOP("Applicability", "Only filled triangles ask whether a pixel centre is inside.")},
+    {"algorithm", notSolid, QT_TRANSLATE_NOOP("Applicability", "Only filled triangles are covered by an algorithm.")},
+    {"stepping", notSolid, QT_TRANSLATE_NOOP("Applicability", "Only filled triangles are covered by an algorithm.")},
+    {"tie-rule", notSolid, QT_TRANSLATE_NOOP("Applicability", "Only filled triangles share pixels at their edges.")},
+    {"stepping", [](const Settings& s) { return s.algorithm == Algorithm::EdgeWalking; },
+     QT_TRANSLATE_NOOP("Applicability", "Edge walking evaluates no edge functions.")},
+    {"stepping", tiled,
+     QT_TRANSLATE_NOOP("Applicability", "The tiled algorithm steps through blocks of samples in its own way.")},
+    {"number-type", columnFill, QT_TRANSLATE_NOOP("Applicability", "Column fill counts in whole rows and columns.")},
+    {"stepping", columnFill, QT_TRANSLATE_NOOP("Applicability", "Column fill evaluates no edge functions.")},
+    {"tie-rule", columnFill,
+     QT_TRANSLATE_NOOP("Applicability", "Column fill takes the outline of every triangle with it.")},
+    {"line", [](const Settings& s) { return s.fill != Fill::Wireframe; },
+     QT_TRANSLATE_NOOP("Applicability", "Lines are drawn by the wireframe only.")},
+    {"winding", [](const Settings& s) { return s.culling == Culling::None; },
+     QT_TRANSLATE_NOOP("Applicability", "Nothing is culled.")},
+    {"cull-space", [](const Settings& s) { return s.culling == Culling::None; },
+     QT_TRANSLATE_NOOP("Applicability", "Nothing is culled.")},
+    {"depth-test", noDepthBuffer, QT_TRANSLATE_NOOP("Applicability", "Only the z-buffer compares depths.")},
+    {"depth-format", noDepthBuffer, QT_TRANSLATE_NOOP("Applicability", "Only the z-buffer stores depths.")},
+    {"depth-order", noDepthBuffer, QT_TRANSLATE_NOOP("Applicability", "Only the z-buffer compares depths.")},
+    {"depth-order",
+     [](const Settings& s) { return s.depthTest == DepthTest::None || s.depthTest == DepthTest::Always; },
+     QT_TRANSLATE_NOOP("Applicability", "Every fragment passes the depth test.")},
+    {"depth-order", tiled,
+     QT_TRANSLATE_NOOP("Applicability", "The tiled algorithm shades visible samples only, each once.")},
+    {"attribute-path", [](const Settings& s) { return s.algorithm != Algorithm::EdgeWalking; },
+     QT_TRANSLATE_NOOP("Applicability", "Only edge walking interpolates along edges and spans.")},
+    {"attribute-path", withoutAttributes,
+     QT_TRANSLATE_NOOP("Applicability", "This shading reads no interpolated attributes.")},
+    {"interpolation", withoutAttributes,
+     QT_TRANSLATE_NOOP("Applicability", "This shading reads no interpolated attributes.")},
+    {"texture-filter", [](const Settings& s) { return s.shading != Shading::Texture && s.shading != Shading::Phong; },
+     QT_TRANSLATE_NOOP("Applicability", "Only texture and Phong shading read texels.")},
+    {"threads", notTiled, QT_TRANSLATE_NOOP("Applicability", "Only the tiled algorithm uses threads.")},
+    {"simd", notTiled, QT_TRANSLATE_NOOP("Applicability", "Only the tiled algorithm uses vector instructions.")},
+};
+
+} // namespace
+
+std::optional<Reason> whyWithoutEffect(const SettingsField& field, const Settings& settings)
+{
+    for (const Rule& rule : kRules)
+        if (QLatin1String(rule.field) == QLatin1String(field.id) && rule.inert(settings))
+            return Reason(rule.reason);
+    return std::nullopt;
+}
+
+} // namespace rasterlens

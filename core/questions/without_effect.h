@@ -1,0 +1,14 @@
+#pragma once
+#include "core/base/reason.h"
+#include "core/settings/settings.h"
+
+#include <optional>
+
+namespace rasterlens
+{
+
+/// Why no value of a field has an effect beside the other settings, whatever the scene: a sentence of the context
+/// "Applicability"; nothing where one may have.
+[[nodiscard]] std::optional<Reason> whyWithoutEffect(const SettingsField& field, const Settings& settings);
+
+} // namespace rasterlens

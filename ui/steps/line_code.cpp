@@ -1,0 +1,66 @@
+#include "ui/steps/line_code.h"
+
+#include "ui/steps/lens_model.h"
+
+#include <optional>
+
+namespace rasterlens
+{
+namespace
+{
+
+/// Which axis a line goes along, and the way it goes on each.
+struct LineWay {
+    bool steep = false;
+    glm::ivec2 step{1, 1};
+};
+
+/// The decision that follows a sample of a line or, after its last sample, the one before.
+const StepEvent* decisionAt(const StepLog& log, std::size_t i)
+{
+    const std::uint32_t triangle = log.event(i).triangle;
+    // A triangle begins before its first sample.
+    int samplesAhead = log.event(i).kind == StepKind::Triangle ? 1 : 0;
+    for (std::size_t k = i; k < log.size() && log.event(k).triangle == triangle; ++k) {
+        if (log.event(k).kind == StepKind::LineDecision)
+            return &log.event(k);
+        if (k > i && log.event(k).kind == StepKind::LineSample && samplesAhead-- == 0)
+            break;
+    }
+    for (std::size_t k = i; k-- > 0 && log.event(k).triangle == triangle;)
+        if (log.event(k).kind == StepKind::LineDecision)
+            return &log.event(k);
+    return nullptr;
+}
+
+LineWay wayAt(const StepLog& log, std::size_t i)
+{
+    LineWay way;
+    const StepEvent* event = decisionAt(log, i);
+    const StepTriangle* triangle = log.triangle(log.event(i));
+    if (event == nullptr || triangle == nullptr)
+        return way;
+    const LineDecision& decision = log.payload<LineStep>(*event).decision;
+    way.steep = decision.steep;
+    if (const auto ends = lineEnds(triangle->screen, decision))
+        way.step = {(*ends)[1].x < (*ends)[0].x ? -1 : 1, (*ends)[1].y < (*ends)[0].y ? -1 : 1};
+    return way;
+}
+
+} // namespace
+
+std::array<QString, 2> bresenhamCode(const StepLog& log, std::size_t i)
+{
+    const LineWay way = wayAt(log, i);
+    const QString u = way.steep ? QStringLiteral("y") : QStringLiteral("x");
+    const QString v = way.steep ? QStringLiteral("x") : QStringLiteral("y");
+    const bool uBack = way.step[way.steep ? 1 : 0] < 0;
+    const bool vBack = way.step[way.steep ? 0 : 1] < 0;
+    return {QStringLiteral("p = 2 d%2 - d%1;  for (%1 = %3; %1 %4 %5; %6%1) {  plot(x, y);")
+                .arg(u, v, u + QStringLiteral("0"), uBack ? QStringLiteral(">=") : QStringLiteral("<="),
+                     u + QStringLiteral("1"), uBack ? QStringLiteral("--") : QStringLiteral("++")),
+            QStringLiteral("  if (p > 0) { %2 %3= 1;  p -= 2 d%1; }  p += 2 d%2; }")
+                .arg(u, v, vBack ? QStringLiteral("-") : QStringLiteral("+"))};
+}
+
+} // namespace rasterlens
