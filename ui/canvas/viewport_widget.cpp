@@ -98,6 +98,19 @@ void ViewportWidget::setThickLines(bool on)
     update();
 }
 
+void ViewportWidget::setAnswering(bool on)
+{
+    m_options.tells = !on;
+    update();
+    Q_EMIT pixelChanged();
+}
+
+void ViewportWidget::setCovered(const QRect& part)
+{
+    if (std::exchange(m_covered, part) != part && m_fitted)
+        applyFit();
+}
+
 void ViewportWidget::setCompared(const FramePtr& left, const QString& tag)
 {
     if (!left && !m_options.wipe && tag == m_options.tag)
@@ -144,7 +157,7 @@ void ViewportWidget::removeLayer(const CanvasLayer* layer)
 void ViewportWidget::showPixel(QPoint pixel)
 {
     const QRect cell = m_transform.toCanvas(QRectF(pixel, QSizeF(1, 1))).toAlignedRect();
-    if (pane().contains(cell))
+    if (pane().contains(cell) && !m_covered.intersects(cell))
         return;
     leaveFit();
     setTransform({m_transform.zoom, QRectF(pane()).center() - (QPointF(pixel) + QPointF(0.5, 0.5)) * m_transform.zoom});
@@ -198,11 +211,19 @@ void ViewportWidget::applyFit()
         shown = QRectF(m_fitPixels->x, m_fitPixels->y, m_fitPixels->width, m_fitPixels->height).intersected(shown);
     if (shown.isEmpty())
         return;
-    const QSizeF room(std::max(1, pane().width() - 2 * kFitMargin), std::max(1, pane().height() - 2 * kFitMargin));
-    CanvasTransform transform;
-    transform.zoom = fittingZoom(shown.size(), room);
-    transform.origin = QRectF(pane()).center() - shown.center() * transform.zoom;
-    setTransform(transform);
+    const auto fitted = [&](const QRect& place) {
+        const QSizeF room(std::max(1, place.width() - 2 * kFitMargin), std::max(1, place.height() - 2 * kFitMargin));
+        CanvasTransform transform;
+        transform.zoom = fittingZoom(shown.size(), room);
+        transform.origin = QRectF(place).center() - shown.center() * transform.zoom;
+        return transform;
+    };
+    const CanvasTransform whole = fitted(pane());
+    const bool isCovered = whole.toCanvas(shown).toAlignedRect().intersects(m_covered);
+    // Its margin belongs to the picture as well.
+    const CanvasTransform below = fitted(pane().adjusted(0, m_covered.bottom() + 1 - kFitMargin / 2, 0, 0));
+    constexpr double kWorth = 0.8; // of the size
+    setTransform(isCovered && below.zoom >= kWorth * whole.zoom ? below : whole);
 }
 
 /// From here on the user decides what is in sight.
@@ -529,19 +550,31 @@ void ViewportWidget::mouseReleaseEvent(QMouseEvent* event)
     m_drag = Drag::None;
     unsetCursor();
     if (clicked) {
-        const QPoint pixel = m_transform.pixelAt(inPane(event->position()));
-        if (QRect(QPoint(0, 0), imageSize()).contains(pixel))
-            selectPixel(pixel);
-        else
-            selectPixel(std::nullopt);
-        if (selectedPixel())
-            Q_EMIT pixelChosen();
+        choose(m_transform.pixelAt(inPane(event->position())));
     }
     Q_EMIT gestureEnded();
 }
 
+/// in  a pixel, or a place beside the picture
+void ViewportWidget::choose(QPoint pixel)
+{
+    const bool isThere = QRect(QPoint(0, 0), imageSize()).contains(pixel);
+    if (isAnswering()) {
+        if (isThere)
+            Q_EMIT pixelAnswered(pixel);
+        return;
+    }
+    selectPixel(isThere ? std::optional(pixel) : std::nullopt);
+    if (isThere)
+        Q_EMIT pixelChosen();
+}
+
 void ViewportWidget::mouseDoubleClickEvent(QMouseEvent* event)
 {
+    if (isAnswering()) { // the second of two clicks
+        mousePressEvent(event);
+        return;
+    }
     const QPoint pixel = m_transform.pixelAt(inPane(event->position()));
     if (event->button() == Qt::LeftButton && QRect(QPoint(0, 0), imageSize()).contains(pixel))
         goToPixel(pixel);
@@ -551,13 +584,29 @@ void ViewportWidget::nudge(QPoint step)
 {
     if (imageSize().isEmpty())
         return;
-    const QPoint from = m_options.selectedPixel.value_or(
-        m_options.hoveredPixel.value_or(m_transform.pixelAt(QRectF(pane()).center()) - step));
+    const QPoint hovered = m_options.hoveredPixel.value_or(m_transform.pixelAt(QRectF(pane()).center()) - step);
+    const QPoint from = isAnswering() ? hovered : m_options.selectedPixel.value_or(hovered);
     const QSize size = imageSize();
     const QPoint to(std::clamp(from.x() + step.x(), 0, size.width() - 1),
                     std::clamp(from.y() + step.y(), 0, size.height() - 1));
-    selectPixel(to);
+    if (isAnswering())
+        hover(to);
+    else
+        selectPixel(to);
     showPixel(to);
+}
+
+/// While pixels are an answer the arrows move from pixel to pixel, and not from step to step.
+bool ViewportWidget::event(QEvent* event)
+{
+    if (isAnswering() && event->type() == QEvent::ShortcutOverride) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down) {
+            event->accept();
+            return true;
+        }
+    }
+    return QWidget::event(event);
 }
 
 void ViewportWidget::keyPressEvent(QKeyEvent* event)
