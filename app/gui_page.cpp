@@ -100,7 +100,7 @@ void write(const PageArguments& page)
     if (const auto why = unsupported(input.scene, input.settings))
         throw Failure{kBadArguments, textOf(*why)};
     StepFilter filter;
-    filter.cap = page.limit.value_or(kUsualPageSteps);
+    filter.cap = page.limit.value_or(page.lesson.isEmpty() ? kUsualPageSteps : kUsualLessonPageSteps);
     filter.face = page.face;
     if (page.pixel)
         filter.pixels = PixelRect{page.pixel->x(), page.pixel->y(), 1, 1};
@@ -133,7 +133,10 @@ PageOptions::PageOptions()
            QStringLiteral("n")),
       pixel(QStringLiteral("page-pixel"), QStringLiteral("The page has only the steps at this pixel."),
             QStringLiteral("x,y")),
-      limit(QStringLiteral("page-limit"), QStringLiteral("Most steps of the page; default %1.").arg(kUsualPageSteps),
+      limit(QStringLiteral("page-limit"),
+            QStringLiteral("Most steps of the page; default %1, %2 with a lesson.")
+                .arg(kUsualPageSteps)
+                .arg(kUsualLessonPageSteps),
             QStringLiteral("n"))
 {
 }

@@ -6,8 +6,10 @@
 #include "ui/lessons/lesson_panel.h"
 #include "ui/lessons/question_box.h"
 #include "ui/pipeline/canvas_views.h"
+#include "ui/pipeline/mistake_badge.h"
 #include "ui/truth/truth_mode.h"
 #include "ui/window/panel_places.h"
+#include "ui/window/readout_bar.h"
 #include "ui/window/window_moment.h"
 #include "window_fixture.h"
 
@@ -16,6 +18,7 @@
 #include <QListWidget>
 #include <QMimeData>
 #include <QPushButton>
+#include <QToolButton>
 
 using namespace rasterlens;
 using namespace rasterlens::test;
@@ -30,6 +33,11 @@ private Q_SLOTS:
     void momentsAreReadAsTheyAreShown();
     void pixelsAreClicked();
     void answersAreTypedAndChosen();
+    void nothingIsToldOfThePixelsThatAreAsked();
+    void theMistakeThatIsAskedIsNotNamed();
+    void digitsAreAskedFor();
+    void theButtonsStayWhereTheyAre_data();
+    void theButtonsStayWhereTheyAre();
     void skippedQuestionsAreNotCounted();
     void undoGoesBackBySlides();
     void whatIsTriedOutIsLeft();
@@ -144,7 +152,7 @@ void TestLessonWindow::momentsAreReadAsTheyAreShown()
 {
     QVERIFY(openAt(QStringLiteral("incremental"), 8, LessonPlayer::Entry::Skips));
     const Moment first = m_window->moment().present();
-    QCOMPARE(*first.zoom, 2.0);
+    QCOMPARE(*first.zoom, 16.0);
     QVERIFY(openAt(QStringLiteral("top-left"), 2, LessonPlayer::Entry::Skips));
     viewport().selectPixel(QPoint(2, 3));
     viewport().showAround({3.5, 4.25}, 24);
@@ -187,6 +195,12 @@ void TestLessonWindow::pixelsAreClicked()
     click({1, 1});
     question().check();
     QVERIFY(complete());
+    QVERIFY(player().isAsking()); // a second try
+    QVERIFY2(panel().verdict().startsWith(QStringLiteral("\u2717 1 of 8 found, 1 too many. One more try")),
+             qPrintable(panel().verdict()));
+    QCOMPARE(question().marked().size(), std::size_t(2)); // to be mended
+    question().check();
+    QVERIFY(complete());
     QVERIFY(!player().answered(5)->isRight);
     QCOMPARE(panel().verdict(), QStringLiteral("\u2717 1 of 8 found, 1 too many"));
     QVERIFY(picture() != before);
@@ -204,6 +218,11 @@ void TestLessonWindow::answersAreTypedAndChosen()
     QTest::keyClicks(&question().field(), QStringLiteral("6"));
     question().check();
     QVERIFY(complete());
+    QVERIFY(player().isAsking() && !panel().verdict().contains(QStringLiteral("\u22126")));
+    QTest::keyClicks(&question().field(), QStringLiteral("22")); // in place of the former
+    QCOMPARE(question().field().text(), QStringLiteral("22"));
+    question().check();
+    QVERIFY(complete());
     QVERIFY(!player().answered(3)->isRight);
     QVERIFY(panel().verdict().contains(QStringLiteral("\u22126")));
     press(Qt::Key_PageDown);
@@ -213,6 +232,96 @@ void TestLessonWindow::answersAreTypedAndChosen()
     QVERIFY(player().answered(4)->isRight);
     QCOMPARE(player().score().right, 2);
     QCOMPARE(player().score().answered, 3);
+}
+
+void TestLessonWindow::nothingIsToldOfThePixelsThatAreAsked()
+{
+    QVERIFY(openAt(QStringLiteral("top-left"), 3, LessonPlayer::Entry::Asks));
+    const auto selected = viewport().selectedPixel();
+    QTest::mouseMove(&viewport(), viewport().transform().toCanvas(QRectF(3, 4, 1, 1)).center().toPoint());
+    click({3, 4});
+    QVERIFY(complete());
+    QCOMPARE(question().marked(), std::vector<QPoint>{QPoint(3, 4)});
+    QCOMPARE(viewport().selectedPixel(), selected); // no card, no outline
+    QVERIFY(!viewport().overlays().tells);
+    QCOMPARE(m_window->findChild<ReadoutBar*>()->text(), QStringLiteral("pixel (3, 4)"));
+    QTest::keyClick(&viewport(), Qt::Key_Right); // by keys as well
+    press(Qt::Key_Insert);
+    QCOMPARE(question().marked().size(), std::size_t(2));
+    press(Qt::Key_PageDown);
+    click({3, 4});
+    QCOMPARE(viewport().selectedPixel(), std::optional(QPoint(3, 4)));
+}
+
+void TestLessonWindow::theMistakeThatIsAskedIsNotNamed()
+{
+    QVERIFY(openAt(QStringLiteral("top-left"), 10, LessonPlayer::Entry::Asks));
+    auto* badge = m_window->findChild<MistakeBadge*>();
+    QVERIFY(settings().mistakes.contains(QStringLiteral("either-sign")));
+    QVERIFY(badge->isHidden());
+    QCOMPARE(question().choiceButtons().size(), std::size_t(3));
+    question().choiceButtons()[0]->click();
+    QVERIFY(complete());
+    QVERIFY(player().isAsking() && badge->isHidden());
+    QVERIFY(!question().choiceButtons()[0]->isEnabled());
+    question().choiceButtons()[2]->click();
+    QVERIFY(complete());
+    QVERIFY(player().answered(9)->isRight);
+    QVERIFY(!badge->isHidden());
+}
+
+void TestLessonWindow::digitsAreAskedFor()
+{
+    QVERIFY(openAt(QStringLiteral("perspective"), 3, LessonPlayer::Entry::Asks));
+    for (const char* text : {"0.3", "0.30"}) {
+        question().field().setText(QLatin1String(text));
+        question().check();
+        QVERIFY(complete());
+        QVERIFY(player().isAsking() && player().tries().empty());
+        QVERIFY2(panel().verdict().startsWith(QStringLiteral("Right so far")), qPrintable(panel().verdict()));
+    }
+    question().field().setText(QStringLiteral("0.304"));
+    question().check();
+    QVERIFY(complete());
+    QVERIFY(player().answered(2)->isRight);
+}
+
+void TestLessonWindow::theButtonsStayWhereTheyAre_data()
+{
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<bool>("onStage");
+    for (const bool onStage : {false, true})
+        QTest::addRow("%s", onStage ? "stage" : "window") << QStringLiteral("top-left") << onStage;
+    QTest::newRow("panels") << QStringLiteral("sutherland-hodgman") << false;
+}
+
+/// From slide to slide and question to answer, whatever their texts and panels.
+void TestLessonWindow::theButtonsStayWhereTheyAre()
+{
+    QFETCH(QString, id);
+    QFETCH(bool, onStage);
+    QVERIFY(lessons().open(id));
+    m_window->setPresentation(onStage);
+    QVERIFY(complete());
+    const QToolButton* next = panel().findChildren<QToolButton*>(QStringLiteral("flat")).at(1);
+    QCOMPARE(next->text(), QStringLiteral("\u25b6"));
+    const auto place = [&] {
+        QTest::qWait(20); // docks follow through the event loop
+        return next->mapTo(m_window.get(), next->rect().center());
+    };
+    const QPoint first = place();
+    for (int guard = 0; player().hasNext() && guard < 40; ++guard) {
+        press(Qt::Key_PageDown);
+        const QPoint now = place();
+        QVERIFY2((now - first).manhattanLength() <= 1, qPrintable(QStringLiteral("slide %1: %2,%3 after %4,%5")
+                                                                      .arg(player().place().slide + 1)
+                                                                      .arg(now.x())
+                                                                      .arg(now.y())
+                                                                      .arg(first.x())
+                                                                      .arg(first.y())));
+    }
+    QVERIFY2(player().place().phase == LessonPlayer::Phase::Ended,
+             qPrintable(QString::number(player().place().slide + 1)));
 }
 
 void TestLessonWindow::skippedQuestionsAreNotCounted()
@@ -276,7 +385,14 @@ void TestLessonWindow::levelsAndContents()
     QCOMPARE(panel().contents().count(), 11);
     QVERIFY(panel().contents().item(4)->text().startsWith(QStringLiteral("5  ? If every edge"))); // not its answer
     press(Qt::Key_PageDown);
-    QCOMPARE(player().place().slide, std::size_t(8)); // two for a second look between
+    QCOMPARE(player().place().slide, std::size_t(8)); // two for a second look between, which are told of
+    QVERIFY(panel().leftOut().isVisible());
+    QCOMPARE(panel().leftOut().text(), QStringLiteral("Second look: 7, 8"));
+    panel().leftOut().click();
+    QVERIFY(complete());
+    QCOMPARE(player().place().slide, std::size_t(6));
+    QVERIFY(panel().leftOut().isHidden());
+    QVERIFY(m_window->actionTable().action("lesson.level")->isChecked());
     player().setLevel(2);
     player().goTo(5, LessonPlayer::Entry::Skips);
     QVERIFY(complete());
@@ -291,6 +407,8 @@ void TestLessonWindow::answersAreKeptOnRequest()
     QVERIFY(openAt(QStringLiteral("top-left"), 5, LessonPlayer::Entry::Asks));
     question().field().setText(QStringLiteral("7"));
     question().check();
+    question().field().setText(QStringLiteral("9")); // the second try
+    question().check();
     QVERIFY(complete());
     const QString path = m_folder.filePath(QStringLiteral("answers.csv"));
     QVERIFY(!QFile::exists(path));
@@ -302,7 +420,8 @@ void TestLessonWindow::answersAreKeptOnRequest()
     const QList<QByteArray> lines = file.readAll().split('\n');
     QCOMPARE(lines.value(0), QByteArray("lesson,slide,kind,given,right,is_right"));
     QCOMPARE(lines.value(1), QByteArray("top-left,5,number,7,8,0"));
-    QVERIFY(lines.value(2).startsWith("top-left,6,pixels,,\"(7, 0), (6, 1)"));
+    QCOMPARE(lines.value(2), QByteArray("top-left,5,number,9,8,0"));
+    QVERIFY(lines.value(3).startsWith("top-left,6,pixels,,\"(7, 0), (6, 1)"));
     QVERIFY(!lessons().keepAnswers(m_folder.filePath(QStringLiteral("nowhere/answers.csv"))));
     QVERIFY(m_window->message().contains(QStringLiteral("nowhere/answers.csv")));
 }

@@ -65,6 +65,8 @@ private Q_SLOTS:
     void thereAreEnoughLessons();
     void builtinLessonsAreWhole_data();
     void builtinLessonsAreWhole();
+    void questionsStandOverWhatTheyAskOf_data();
+    void questionsStandOverWhatTheyAskOf();
     void builtinLessonsSayWhatIsComputed_data();
     void builtinLessonsSayWhatIsComputed();
     void aChangedNumberIsFound();
@@ -295,6 +297,30 @@ void TestLessons::builtinLessonsAreWhole()
     }
     QVERIFY(ofLevel[0] >= 3 && ofLevel[1] >= 1);
     QVERIFY(questions >= 1);
+}
+
+void TestLessons::questionsStandOverWhatTheyAskOf_data() { builtinLessonsAreWhole_data(); }
+
+/// The scene is that of the slide. A mistake is to be known by its picture; what a mistake will spoil is still right.
+void TestLessons::questionsStandOverWhatTheyAskOf()
+{
+    QFETCH(QString, id);
+    const Lesson lesson = *loadLesson(id).lesson;
+    const QString mistakes = QStringLiteral("mistakes");
+    for (const Slide& slide : lesson.slides) {
+        if (!slide.question)
+            continue;
+        QVERIFY(slide.before);
+        QCOMPARE(slide.before->scene, slide.moment.scene);
+        QCOMPARE(slide.before->size, slide.moment.size);
+        const bool asksForMistake = slide.question->kind == QuestionKind::Mistake;
+        if (asksForMistake)
+            QCOMPARE(slide.before->settings, slide.moment.settings);
+        else
+            QVERIFY(slide.before->settings[mistakes].isUndefined() ||
+                    slide.before->settings[mistakes] != slide.moment.settings[mistakes]);
+        QVERIFY(!asksForMistake || slide.before->compare.view == MomentCompare::View::Off);
+    }
 }
 
 void TestLessons::builtinLessonsSayWhatIsComputed_data() { builtinLessonsAreWhole_data(); }

@@ -244,6 +244,26 @@ private Q_SLOTS:
         QVERIFY(heatMap(a, b, 16) != heatMap(a, b));
     }
 
+    void coloursThatAreCodesHaveNoDistance()
+    {
+        QVERIFY(openSmall(QStringLiteral("builtin:square-diagonal")));
+        for (const auto& [shading, hasAmounts] :
+             {std::pair(Shading::Gouraud, true), std::pair(Shading::Overdraw, false),
+              std::pair(Shading::TriangleId, false)}) {
+            QVERIFY(change([shading = shading](Settings& s) {
+                s.shading = shading;
+                s.mistakes = {QStringLiteral("all-exclusive")};
+            }));
+            comparison().setWith(CompareWith::Right);
+            comparison().setView(CompareView::Difference);
+            QVERIFY(complete());
+            QVERIFY2(comparison().text().startsWith(QStringLiteral("8 of 64 pixels differ")),
+                     qPrintable(comparison().text()));
+            QCOMPARE(comparison().text().contains(QStringLiteral("PSNR")), hasAmounts);
+            QCOMPARE(m_window->findChild<QWidget*>(QStringLiteral("amplification"))->isVisible(), hasAmounts);
+        }
+    }
+
     void pinnedSettingsAreKeptAndExchanged()
     {
         QVERIFY(open(kSquare));

@@ -34,8 +34,10 @@ Usage usage()
                QStringLiteral("Only what happens at this pixel, counted from the top left, and to the faces that get "
                               "there.")),
          value("--limit", "N",
-               QStringLiteral("Most steps; default %1, some eight megabytes. The page ends there, and says so.")
-                   .arg(kUsualPageSteps)),
+               QStringLiteral("Most steps; default %1, some four megabytes, or %2 with a lesson. The page ends there, "
+                              "and says so.")
+                   .arg(kUsualPageSteps)
+                   .arg(kUsualLessonPageSteps)),
          value("--lesson", "NAME",
                QStringLiteral("The slides of a lesson, with their questions, lead through the steps: the id of a "
                               "built-in lesson (rasterlens-cli lesson --list) or a .json file. SCENE may be left out: "

@@ -203,7 +203,7 @@ QString factText(const QJsonValue& said)
     if (number == std::round(number) && std::abs(number) >= kGrouped) {
         QLocale grouped = QLocale::c();
         grouped.setNumberOptions(QLocale::DefaultNumberOptions);
-        return grouped.toString(static_cast<qlonglong>(number)); // 1,327,244
+        return grouped.toString(static_cast<qlonglong>(number)).replace(QLatin1Char('-'), QChar(0x2212)); // 1,327,244
     }
     constexpr int kDigits = 9;
     return QString::number(number, 'g', kDigits).replace(QLatin1Char('-'), QChar(0x2212));

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace rasterlens
 {
@@ -17,19 +18,27 @@ bool contains(const std::vector<QPoint>& pixels, QPoint pixel)
     return std::ranges::find(pixels, pixel) != pixels.end();
 }
 
+/// The one number that was typed, be it in groups of three digits.
+std::optional<double> typedNumber(const QString& given)
+{
+    static const QRegularExpression groups(QStringLiteral("^\\s*\\d{1,3}(,\\d{3})+\\s*$"));
+    const bool isGrouped = groups.match(given).hasMatch();
+    const auto numbers = typedNumbers(isGrouped ? QString(given).remove(QLatin1Char(',')) : given);
+    return numbers && numbers->size() == 1 ? std::optional(numbers->front()) : std::nullopt;
+}
+
+bool isWhole(double value) { return value == std::round(value); }
+
 bool isTyped(const QString& given, const FactValue& value)
 {
     if (const auto* text = std::get_if<QString>(&value))
         return given.simplified().compare(*text, Qt::CaseInsensitive) == 0;
     const auto* right = std::get_if<double>(&value);
-    static const QRegularExpression groups(QStringLiteral("^\\s*\\d{1,3}(,\\d{3})+\\s*$"));
-    const bool isGrouped = groups.match(given).hasMatch();
-    const auto numbers = typedNumbers(isGrouped ? QString(given).remove(QLatin1Char(',')) : given);
-    if (!right || !numbers || numbers->size() != 1)
+    const auto typed = typedNumber(given);
+    if (!right || !typed)
         return false;
     constexpr double kNear = 0.01;
-    const bool isWhole = *right == std::round(*right);
-    return isWhole ? numbers->front() == *right : std::abs(numbers->front() - *right) <= kNear * std::abs(*right);
+    return isWhole(*right) ? *typed == *right : std::abs(*typed - *right) <= kNear * std::abs(*right);
 }
 
 QString choiceText(const Question& question, std::size_t index)
@@ -63,6 +72,20 @@ bool isRight(const GivenAnswer& given, const Answer& answer)
     if (const auto* choice = std::get_if<std::size_t>(&given))
         return answer.choice == *choice;
     return isTyped(std::get<QString>(given), answer.value);
+}
+
+bool hasTooFewDigits(const GivenAnswer& given, const Answer& answer)
+{
+    constexpr int kDigits = 3; // are right to a hundredth, whatever they are
+    const auto* text = std::get_if<QString>(&given);
+    const auto* right = std::get_if<double>(&answer.value);
+    const auto typed = text ? typedNumber(*text) : std::nullopt;
+    if (!right || !typed || isWhole(*right) || isRight(given, answer))
+        return false;
+    for (int digits = 1; digits < kDigits; ++digits)
+        if (QString::number(*right, 'g', digits).toDouble() == *typed)
+            return true;
+    return false;
 }
 
 PixelScore scoreOf(const std::vector<QPoint>& given, const std::vector<QPoint>& right)

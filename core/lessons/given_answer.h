@@ -19,6 +19,9 @@ using GivenAnswer = std::variant<std::vector<QPoint>, std::size_t, QString>;
 /// Whether it is the answer. Typed whole numbers must be equal, others agree within a hundredth.
 [[nodiscard]] bool isRight(const GivenAnswer& given, const Answer& answer);
 
+/// Whether a number was typed that is the answer, rounded to fewer digits than isRight() takes: 0.3 for 0.3333.
+[[nodiscard]] bool hasTooFewDigits(const GivenAnswer& given, const Answer& answer);
+
 /// `4 of 8, 1 too many`: how many of the pixels were found.
 struct PixelScore {
     std::size_t found = 0;

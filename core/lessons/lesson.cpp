@@ -206,14 +206,41 @@ private:
             slide.question = QuestionReader(*question).read();
         if (const auto before = fields.fields(key("before"), Need::Optional)) {
             before->allow(momentKeys());
-            slide.before = readMoment(*before, folder, &slide.moment);
+            slide.before = readMoment(*before, folder, &slide.moment, Need::Optional); // the question says it
+        } else if (slide.question && last) {
+            slide.before = usualBefore(slide);
         }
-        if (slide.question && !slide.before && !last)
+        if (slide.question && !slide.before)
             fields.error(key("question"),
                          QT_TRANSLATE_NOOP("Diagnostic", "the first slide asks a question and needs "
                                                          "\"before\", what is shown while it is open"));
         numbers(fields, slide);
         return slide;
+    }
+
+    /// What stands while a question is open, where the file does not say it: what the question is about.
+    [[nodiscard]] Moment usualBefore(const Slide& slide) const
+    {
+        Moment own = slide.moment;
+        own.compare = {};
+        own.panels.clear();
+        own.overlays.removeAll(key("referee"));
+        own.caption = {};
+        if (slide.question->kind == QuestionKind::Mistake)
+            return own; // the mistake is to be known by its picture
+        if (own.settings.contains(key("mistakes"))) {
+            own.settings.remove(key("mistakes")); // what the mistake will spoil
+            return own;
+        }
+        const auto& slides = m_lesson.slides;
+        const auto former = std::find_if(slides.rbegin(), slides.rend(),
+                                         [&](const Slide& other) { return other.level <= slide.level; });
+        if (former == slides.rend() || former->moment.scene != own.scene)
+            return own;
+        Moment shown = former->moment;
+        // Only the card of a pixel does not know what comes.
+        shown.panels = shown.panels.filter(key("why"));
+        return shown;
     }
 
     static void level(const JsonFields& fields, Slide& slide)
@@ -243,10 +270,32 @@ private:
     }
 };
 
-QString withNumbers(QString text, const Slide& slide)
+/// What facts say in words, as Chinese captions have it.
+constexpr std::pair<const char*, const char*> kWordsInChinese[] = {
+    {"near", "近"},
+    {"far", "远"},
+    {"left", "左"},
+    {"right", "右"},
+    {"bottom", "下"},
+    {"top", "上"},
+    {"rasterized", "已光栅化"},
+    {"rejected", "整体丢弃"},
+    {"culled-back", "作为背面剔除"},
+    {"culled-front", "作为正面剔除"},
+    {"degenerate", "没有面积"},
+};
+
+QString inChinese(const QString& fact)
+{
+    const auto found =
+        std::ranges::find_if(kWordsInChinese, [&](const auto& pair) { return fact == QLatin1String(pair.first); });
+    return found == std::end(kWordsInChinese) ? fact : QString::fromUtf8(found->second);
+}
+
+QString withNumbers(QString text, const Slide& slide, QString (*word)(const QString&))
 {
     for (const Expected& expected : slide.expected)
-        text.replace(QLatin1Char('{') + expected.text + QLatin1Char('}'), factText(expected.is));
+        text.replace(QLatin1Char('{') + expected.text + QLatin1Char('}'), word(factText(expected.is)));
     return text;
 }
 
@@ -339,7 +388,8 @@ LessonLoad lessonFromJson(QByteArray text, const QString& file)
 
 TwoTexts textWithNumbers(const TwoTexts& text, const Slide& slide)
 {
-    return {withNumbers(text.en, slide), withNumbers(text.zh, slide)};
+    return {withNumbers(text.en, slide, [](const QString& fact) { return fact; }),
+            withNumbers(text.zh, slide, inChinese)};
 }
 
 const char* questionKindId(QuestionKind kind) { return kQuestionKinds[static_cast<std::size_t>(kind)].id; }

@@ -51,7 +51,7 @@ struct Slide {
     int level = 1; ///< 1: first course; 2: only at a second look
     std::vector<Expected> expected;
     std::optional<Question> question;
-    std::optional<Moment> before; ///< shown while the question is open; none: what the slide before showed
+    std::optional<Moment> before; ///< shown while the question is open; of a slide with a question, always there
     int line = 0;                 ///< in the lesson's file
 };
 

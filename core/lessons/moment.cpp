@@ -73,8 +73,8 @@ QString loadName(const QString& scene, const QDir& folder)
 class Reader
 {
 public:
-    Reader(const JsonFields& fields, const QDir& folder, const Moment* before)
-        : m_fields(fields), m_folder(folder), m_before(before)
+    Reader(const JsonFields& fields, const QDir& folder, const Moment* before, Need caption)
+        : m_fields(fields), m_folder(folder), m_before(before), m_caption(caption)
     {
     }
 
@@ -89,7 +89,7 @@ public:
         named(QStringLiteral("panels"), panelIds(), m_moment.panels);
         named(QStringLiteral("overlay"), overlayIds(), m_moment.overlays);
         compare();
-        m_moment.caption = readTexts(m_fields, QStringLiteral("caption"), Need::Required);
+        m_moment.caption = readTexts(m_fields, QStringLiteral("caption"), m_caption);
         return m_moment;
     }
 
@@ -97,6 +97,7 @@ private:
     const JsonFields& m_fields;
     const QDir& m_folder;
     const Moment* m_before;
+    Need m_caption;
     Moment m_moment;
 
     void scene()
@@ -269,15 +270,13 @@ QStringList momentKeys()
            sessionViewKeys() + QStringList{QStringLiteral("caption")};
 }
 
-SessionViewLoad sessionView(QJsonObject view, const QString& file)
+SessionViewLoad sessionView(const QJsonObject& view, const QString& file)
 {
-    view[QLatin1String("caption")] =
-        toJson(TwoTexts{QStringLiteral("-"), QStringLiteral("-")}); // only lessons have one
     const JsonLines lines{QByteArray()};
     DiagnosticSink sink(file);
     const Moment scene; // is open already
-    Moment moment = Reader(JsonFields(view, {}, lines, sink), QDir(), &scene).read();
-    moment.caption = {};
+    Moment moment = Reader(JsonFields(view, {}, lines, sink), QDir(), &scene, Need::Optional).read();
+    moment.caption = {}; // only lessons have one
     Diagnostics found = sink.take();
     for (Diagnostic& diagnostic : found) {
         diagnostic.severity = Severity::Warning; // the scene opens all the same
@@ -296,9 +295,9 @@ QJsonObject toSessionView(const Moment& moment)
     return json;
 }
 
-Moment readMoment(const JsonFields& fields, const QDir& folder, const Moment* before)
+Moment readMoment(const JsonFields& fields, const QDir& folder, const Moment* before, JsonFields::Need caption)
 {
-    return Reader(fields, folder, before).read();
+    return Reader(fields, folder, before, caption).read();
 }
 
 TwoTexts readTexts(const JsonFields& fields, const QString& key, JsonFields::Need need)

@@ -69,10 +69,11 @@ struct Moment {
 /// Reads the keys of a moment; other keys of the object are not looked at.
 ///
 /// in      `folder`: scenes are named relative to it; `before`: a moment without a scene takes scene, size and view of
-///         this one, if there is one
+///         this one, if there is one; `caption`: whether there must be one
 /// errors  into the sink of `fields`, with file and line: values of a wrong type, scenes, settings, mistakes, panels,
 ///         overlays and steps that do not exist
-[[nodiscard]] Moment readMoment(const JsonFields& fields, const QDir& folder, const Moment* before = nullptr);
+[[nodiscard]] Moment readMoment(const JsonFields& fields, const QDir& folder, const Moment* before = nullptr,
+                                JsonFields::Need caption = JsonFields::Need::Required);
 
 /// Reads `{"en": .., "zh": ..}`, both of which are required.
 [[nodiscard]] TwoTexts readTexts(const JsonFields& fields, const QString& key, JsonFields::Need need);
@@ -88,7 +89,7 @@ struct SessionViewLoad {
     Diagnostics diagnostics; ///< warnings: what is not understood is left out
 };
 /// in  the values under sessionViewKeys(), and the session's file for messages
-[[nodiscard]] SessionViewLoad sessionView(QJsonObject view, const QString& file);
+[[nodiscard]] SessionViewLoad sessionView(const QJsonObject& view, const QString& file);
 /// What sessionView() reads.
 [[nodiscard]] QJsonObject toSessionView(const Moment& moment);
 

@@ -12,8 +12,10 @@
 namespace rasterlens
 {
 
-/// Most steps of a scene that a page holds unless another number is asked for: some eight megabytes.
+/// Most steps of a scene that a page holds unless another number is asked for: some four megabytes.
 constexpr std::size_t kUsualPageSteps = 10'000;
+/// Most steps of the scene of a page with a lesson, which has runs of its slides beside it: less than two megabytes.
+constexpr std::size_t kUsualLessonPageSteps = 2'000;
 
 /// What a page is made of.
 struct PageRequest {

@@ -4,6 +4,9 @@
 #include "core/questions/empty_picture.h"
 #include "core/questions/why.h"
 
+#include <QByteArray>
+#include <QImage>
+
 #include <cmath>
 
 namespace rasterlens
@@ -130,28 +133,22 @@ int PageTables::addCode(const PageStepWords& english, const PageStepWords& chine
     return static_cast<int>(codes.size() - 1);
 }
 
-QJsonArray pixelRuns(const QImage& image)
+QString packedPicture(const QImage& image)
 {
-    QJsonArray runs;
-    std::uint32_t color = 0;
-    qint64 length = 0;
-    const auto end = [&] {
-        if (length > 0)
-            runs << length << colorText(color);
-    };
+    constexpr int kChannels = 3;
+    constexpr qsizetype kLength = 4; // bytes that qCompress() puts before the stream
+    QByteArray bytes;
+    bytes.reserve(kChannels * qsizetype(image.width()) * image.height());
+    QRgb former = 0;
     for (int y = 0; y < image.height(); ++y)
         for (int x = 0; x < image.width(); ++x) {
-            const std::uint32_t next = image.pixel(x, y);
-            if (length > 0 && next == color) {
-                ++length;
-                continue;
-            }
-            end();
-            color = next;
-            length = 1;
+            const QRgb color = image.pixel(x, y);
+            for (const int shift : {16, 8, 0})
+                bytes += static_cast<char>((color >> shift) - (former >> shift));
+            former = color;
         }
-    end();
-    return runs;
+    constexpr int kSmallest = 9;
+    return QString::fromLatin1(qCompress(bytes, kSmallest).mid(kLength).toBase64());
 }
 
 QJsonObject runJson(const Scene& scene, const Settings& settings, const StepLog& log, const QImage& other,
@@ -175,7 +172,7 @@ QJsonObject runJson(const Scene& scene, const Settings& settings, const StepLog&
     run.insert(QStringLiteral("counts"), counts);
     run.insert(QStringLiteral("changes"), changesJson(log));
     if (!log.finishedImage().isNull()) {
-        run.insert(QStringLiteral("finished"), pixelRuns(log.finishedImage()));
+        run.insert(QStringLiteral("finished"), packedPicture(log.finishedImage()));
         run.insert(QStringLiteral("resolved"), resolved);
     }
     if (log.truncated())
@@ -183,7 +180,7 @@ QJsonObject runJson(const Scene& scene, const Settings& settings, const StepLog&
     if (const QJsonObject filter = filterJson(log.filter()); !filter.isEmpty())
         run.insert(QStringLiteral("filter"), filter);
     if (!other.isNull())
-        run.insert(QStringLiteral("other"), pixelRuns(other));
+        run.insert(QStringLiteral("other"), packedPicture(other));
     if (const auto empty = whyEmpty(scene, settings)) {
         const Reason sentence = sentenceOf(*empty, empty->option);
         run.insert(QStringLiteral("empty"),
@@ -209,13 +206,13 @@ QJsonObject stillJson(const Scene& scene, const Settings& settings, const PageSt
     } else {
         run.insert(QStringLiteral("first"), 0);
     }
-    run.insert(QStringLiteral("base"), pixelRuns(still.picture));
+    run.insert(QStringLiteral("base"), packedPicture(still.picture));
     run.insert(QStringLiteral("events"), events);
     run.insert(QStringLiteral("steps"), steps);
     run.insert(QStringLiteral("counts"), QJsonArray());
     run.insert(QStringLiteral("changes"), QJsonArray());
     if (!still.other.isNull())
-        run.insert(QStringLiteral("other"), pixelRuns(still.other));
+        run.insert(QStringLiteral("other"), packedPicture(still.other));
     QJsonObject cards;
     if (still.pixel) {
         const WhyReport report = why(scene, settings, still.pixel->x(), still.pixel->y());

@@ -19,8 +19,9 @@ struct PageTables {
     [[nodiscard]] int addCode(const PageStepWords& english, const PageStepWords& chinese);
 };
 
-/// Pixels as a list of runs: how many, colour, how many, colour ..
-[[nodiscard]] QJsonArray pixelRuns(const QImage& image);
+/// The pixels in the order of rows as base64 of a zlib stream: red, green and blue, each as its difference from the
+/// pixel before, from black for the first, in one byte.
+[[nodiscard]] QString packedPicture(const QImage& image);
 
 /// A run with all its steps: the events of the log, what is said of each, and the samples that each changes.
 ///

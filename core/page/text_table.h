@@ -18,10 +18,14 @@ public:
     /// Pairs of lines; a list that is longer in one language is filled up with empty lines.
     [[nodiscard]] QJsonArray add(const QStringList& english, const QStringList& chinese);
 
-    /// `"text"` where both languages are the same, else `["text", "文字"]`.
+    /// `"text"` where both languages are the same, else `["text", "文字"]`; or `[7, "8 #ff0000"]`: text 7, in whose
+    /// both languages these numbers and colours take the places of U+FFFC. Texts of steps differ by their numbers
+    /// alone.
     [[nodiscard]] const QJsonArray& json() const { return m_texts; }
 
 private:
+    [[nodiscard]] int addWhole(const TwoTexts& text);
+
     QJsonArray m_texts;
     QHash<std::pair<QString, QString>, int> m_numbers;
 };

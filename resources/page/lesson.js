@@ -3,6 +3,8 @@ const lesson = {
   slide: 0,
   phase: "shown",       // "asking", "shown", "ended", or "free": the reader walks alone
   answers: new Map(),   // of slides: {given: text, right: boolean}, or null where the picture was shown without
+  tries: [],            // wrong answers to the open question: indices of choices, texts, or how many pixels were found
+  wantsDigits: false,   // the last answer was right as far as it went
   marks: new Set(),     // pixels that are marked as an answer: y * width + x
   secondLook: false,
 
@@ -10,12 +12,9 @@ const lesson = {
   get now() { return this.slides[this.slide]; },
   get asks() { return this.phase === "asking"; },
   get marksPixels() { return this.asks && this.now.question.kind === "pixels"; },
+  get asksForMistake() { return this.asks && this.now.question.kind === "mistake"; },
   // The moment that is shown: while a question is open, that before the answer.
-  get moment() {
-    if (!this.asks)
-      return this.now;
-    return this.now.before || (this.slide > 0 ? this.slides[this.slide - 1] : this.now);
-  },
+  get moment() { return this.asks ? this.now.before : this.now; },
 
   isOfLevel(i) { return this.secondLook || this.slides[i].level === 1; },
 
@@ -23,12 +22,14 @@ const lesson = {
     this.slide = slide;
     this.phase = asks && this.now.question && !this.answers.has(slide) ? "asking" : "shown";
     this.marks.clear();
+    this.tries = [];
+    this.wantsDigits = false;
     showMoment(this.moment);
   },
 
   next() {
     if (this.asks) {
-      this.answers.set(this.slide, null);
+      this.answers.set(this.slide, this.tries.length > 0 ? { right: false, detail: "" } : null);
       this.show();
       return;
     }
@@ -70,6 +71,15 @@ const lesson = {
       isRight = given === right.choice;
     } else {
       isRight = isTyped(given, right.value);
+      this.wantsDigits = !isRight && hasTooFewDigits(given, right.value);
+    }
+    const kTries = 2;
+    const isLast = this.now.question.choices.length === kTries || this.tries.length + 1 === kTries;
+    if (!isRight && (this.wantsDigits || !isLast)) {
+      if (!this.wantsDigits)
+        this.tries.push(right.pixels ? detail : given);
+      showAll();
+      return;
     }
     this.answers.set(this.slide, { right: isRight, detail: isRight ? "" : detail });
     this.show();
@@ -84,6 +94,18 @@ function isTyped(text, value) {
   const plain = /^-?\d{1,3}(,\d{3})+$/.test(typed) ? typed.replaceAll(",", "") : typed;
   const number = plain === "" ? NaN : Number(plain);
   return Number.isInteger(value) ? number === value : Math.abs(number - value) <= 0.01 * Math.abs(value);
+}
+
+// Whether it is the value, rounded to fewer digits than isTyped() takes.
+function hasTooFewDigits(text, value) {
+  const kDigits = 3; // are right to a hundredth, whatever they are
+  const number = Number(text.trim().replace("\u2212", "-"));
+  if (typeof value === "string" || Number.isInteger(value))
+    return false;
+  for (let digits = 1; digits < kDigits; ++digits)
+    if (Number(value.toPrecision(digits)) === number)
+      return true;
+  return false;
 }
 
 function rightAnswer(question) {
@@ -103,7 +125,11 @@ function showAnswerParts(question) {
   const box = byId("answer");
   box.replaceChildren();
   if (question.answer.choice !== undefined) {
-    question.choices.forEach((choice, i) => box.append(button(textOf(choice), () => lesson.answer(i))));
+    question.choices.forEach((choice, i) => {
+      const made = button(textOf(choice), () => lesson.answer(i));
+      made.disabled = lesson.tries.includes(i);
+      box.append(made);
+    });
     return;
   }
   if (question.kind === "pixels") {
@@ -131,12 +157,23 @@ function showAnswerParts(question) {
     event.stopPropagation(); // arrows move within the field
   });
   box.append(field, button(say("check"), submit));
+  if (question.kind === "number")
+    box.append(element("span", "muted", say("numberHint")));
+}
+
+// What came of the first try at the open question.
+function tryText() {
+  if (lesson.wantsDigits)
+    return say("moreDigits");
+  if (lesson.tries.length === 0)
+    return "";
+  return (typeof lesson.now.question.answer.pixels === "object" ? lesson.tries[0] : "") + say("tryAgain");
 }
 
 function showVerdict() {
   const verdict = byId("verdict");
-  verdict.textContent = "";
-  verdict.className = "";
+  verdict.textContent = lesson.asks ? tryText() : "";
+  verdict.className = lesson.asks ? "wrong" : "";
   const question = lesson.now.question;
   if (lesson.asks || !question || !lesson.answers.has(lesson.slide))
     return;
@@ -167,7 +204,7 @@ function showLesson() {
     showAnswerParts(now.question);
   byId("caption").textContent = lesson.asks || isFree ? "" : textOf(now.caption);
   byId("verdict").textContent = "";
-  if (phase === "shown")
+  if (phase === "shown" || phase === "asking")
     showVerdict();
   if (phase === "ended")
     showEnd();

@@ -30,7 +30,7 @@ function showStep() {
     item.className = i === words.line ? "now" : "";
     const text = document.createElement("span");
     text.textContent = textOf(line);
-    if (textOf(right) !== "") { // a mistake is in its place
+    if (textOf(right) !== "" && !lesson.asksForMistake) { // a mistake is in its place
       text.className = "wrong";
       const struck = document.createElement("s");
       struck.textContent = textOf(right);
@@ -54,7 +54,7 @@ function showRemarks() {
     lines.push(say("onlyPixel", ...run.filter.pixel));
   if (run.isStill)
     lines.push(say(run.event ? "stillStep" : "still"));
-  if (run.mistakes.length > 0)
+  if (run.mistakes.length > 0 && !lesson.asksForMistake)
     lines.push(say("mistakeOn", run.mistakes.map(textOf).join(", ")));
   byId("remark").textContent = lines.join(" ");
   byId("remark").hidden = lines.length === 0;
@@ -134,10 +134,10 @@ function swatch(color) {
 function showCard() {
   const rows = byId("card-rows");
   rows.replaceChildren();
-  const pixel = shown.pixel;
+  const pixel = lesson.marksPixels ? null : shown.pixel; // the card would answer the question
   byId("card-title").textContent = pixel ? say("cardTitle", ...pixel) : say("cardEmpty");
   byId("card-hint").textContent = pixel ? "" : say("cardHint");
-  byId("card").className = pixel && !lesson.marksPixels ? "chosen" : "";
+  byId("card").className = pixel ? "chosen" : "";
   byId("close-card").hidden = !pixel;
   if (!pixel)
     return;

@@ -10,11 +10,11 @@ class Run {
     this.color = new Int32Array(this.samples).fill(colorOf(this.clear[0]));
     this.depth = new Array(this.samples).fill(this.clear[1]);
     if (this.base) {
-      this.color = pixelsOf(this.base);
+      this.color = pixelsOf(this.base, this.width * this.height);
       this.depth.fill(null);
     }
-    this.finishedColors = this.finished ? pixelsOf(this.finished) : null;
-    this.otherColors = this.other ? pixelsOf(this.other) : null;
+    this.finishedColors = this.finished ? pixelsOf(this.finished, this.width * this.height) : null;
+    this.otherColors = this.other ? pixelsOf(this.other, this.width * this.height) : null;
     this.hasSamples = this.events.some(event => event.event === "sample");
     this.findTriangles();
     this.readChanges();
@@ -137,11 +137,15 @@ class Run {
 function colorOf(text) { return parseInt(text.slice(1), 16); }
 function colorText(color) { return "#" + color.toString(16).padStart(6, "0"); }
 
-// Pixels that are saved as a list of runs: how many, colour, how many, colour ..
-function pixelsOf(saved) {
-  const pixels = [];
-  for (let i = 0; i < saved.length; i += 2)
-    for (let n = 0; n < saved[i]; ++n)
-      pixels.push(colorOf(saved[i + 1]));
-  return Int32Array.from(pixels);
+// Pixels of a packed picture: the channels as differences from the pixel before.
+function pixelsOf(packed, count) {
+  const kChannels = 3;
+  const bytes = inflated(Uint8Array.from(atob(packed), letter => letter.charCodeAt(0)), kChannels * count);
+  const pixels = new Int32Array(count);
+  const channels = [0, 0, 0];
+  for (let i = 0; i < count; ++i) {
+    channels.forEach((former, c) => { channels[c] = former + bytes[kChannels * i + c] & 255; });
+    pixels[i] = channels[0] << 16 | channels[1] << 8 | channels[2];
+  }
+  return pixels;
 }

@@ -61,6 +61,9 @@ const kWords = {
   isWrong: ["Not so. The answer: %1", "不对。答案是：%1"],
   unanswered: ["The answer: %1", "答案是：%1"],
   foundPixels: ["%1 of %2 found, %3 too many", "找到 %2 个中的 %1 个，多标 %3 个"],
+  tryAgain: ["Not quite. One more try.", "不对，再试一次。"],
+  moreDigits: ["Right so far: three digits, please.", "到这里都对，请给出三位有效数字。"],
+  numberHint: ["whole, or three digits", "整数，或三位有效数字"],
   emptyAnswer: ["Type a number first.", "请先输入一个数。"],
   lessonEnd: ["The end of the lesson. %1 of %2 questions answered right.", "课程结束。%2 个问题答对 %1 个。"],
   withoutMistake: ["Show it without the mistake", "显示没有错误的画面"],
@@ -95,10 +98,16 @@ function say(key, ...values) {
   return filled(kWords[key][language], values);
 }
 
-// A text of the data by its number. One that is the same in both languages stands there once.
+// A text of the data by its number. One that is the same in both languages stands there once; of texts that differ by
+// their numbers alone there is one form, and the numbers of each.
 function textOf(number) {
   const text = data.texts[number];
-  return typeof text === "string" ? text : text[language];
+  if (typeof text === "string")
+    return text;
+  if (typeof text[0] === "string")
+    return text[language];
+  const values = text[1].split(" ");
+  return textOf(text[0]).replaceAll("\ufffc", () => values.shift());
 }
 
 // An edge value in areas of samples with all its decimals; in fixed point a number has more than a double prints.

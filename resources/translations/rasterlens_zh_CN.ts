@@ -6352,6 +6352,10 @@
         <source>algorithm tiled does not draw these settings</source>
         <translation>分块算法不能绘制这些设置</translation>
     </message>
+    <message>
+        <source>this algorithm is not built in</source>
+        <translation>这个程序里没有这种算法</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::ActionSearch</name>
@@ -6826,6 +6830,10 @@
         <source>Towards the light</source>
         <translation>指向光源</translation>
     </message>
+    <message>
+        <source>%1 of %2 pixels differ</source>
+        <translation>%1 / %2 像素不同</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::CurvesPanel</name>
@@ -7274,8 +7282,28 @@
         <translation>%2 个问题答对 %1 个。</translation>
     </message>
     <message>
-        <source> (second look)</source>
+        <source>(second look) </source>
         <translation>（进阶）</translation>
+    </message>
+    <message>
+        <source>Second look: %1</source>
+        <translation>进阶：第 %1 页</translation>
+    </message>
+    <message>
+        <source>A first course leaves these slides out. A click shows them, here and in all lessons; the menu Lessons leaves them out again.</source>
+        <translation>第一遍上课时跳过这些页。点一下就在这一课和所有课程里显示；在“课程”菜单里可以再次跳过。</translation>
+    </message>
+    <message>
+        <source>Right so far: three digits, please.</source>
+        <translation>到这里都对，请给出三位有效数字。</translation>
+    </message>
+    <message>
+        <source>One more try; ▶ shows the answer.</source>
+        <translation>再试一次；按 ▶ 看答案。</translation>
+    </message>
+    <message>
+        <source>✗ Not quite.</source>
+        <translation>✗ 不太对。</translation>
     </message>
 </context>
 <context>
@@ -8308,6 +8336,10 @@
     <message>
         <source>your answer</source>
         <translation>你的答案</translation>
+    </message>
+    <message>
+        <source>whole, or three digits</source>
+        <translation>整数，或三位有效数字</translation>
     </message>
 </context>
 <context>

@@ -45,6 +45,7 @@ struct OverlayOptions {
     bool midLine = false;     ///< where alpha is nearly one half
     bool depthBeside = false; ///< the depth buffer in the right half of the canvas
     bool thickLines = false;  ///< presentation
+    bool tells = true;        ///< what is known of the hovered pixel
     std::optional<QPoint> selectedPixel;
     std::optional<QPoint> hoveredPixel;
     std::optional<Wipe> wipe;

@@ -4,10 +4,7 @@
 #include "ui/base/theme.h"
 #include "ui/canvas/wipe.h"
 
-#include <QKeyEvent>
-#include <QMouseEvent>
 #include <QPainter>
-#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -22,10 +19,6 @@ namespace
 constexpr int kFitMargin = 18;
 constexpr int kPaneGap = 2;      ///< between the picture and the depth buffer beside it
 constexpr int kKeptVisible = 40; ///< canvas pixels of the image that panning leaves in sight
-constexpr int kWheelNotch = 120;
-constexpr int kDragThreshold = 3;
-constexpr double kDollyPerNotch = 0.9;
-constexpr double kDollyPerPixel = 1.005;
 constexpr int kMaxFigureSide = 16384;
 constexpr int kWheelPauseMs = 500;
 
@@ -98,6 +91,19 @@ void ViewportWidget::setThickLines(bool on)
     update();
 }
 
+void ViewportWidget::setAnswering(bool on)
+{
+    m_options.tells = !on;
+    update();
+    Q_EMIT pixelChanged();
+}
+
+void ViewportWidget::setCovered(const QRect& part)
+{
+    if (std::exchange(m_covered, part) != part && m_fitted)
+        applyFit();
+}
+
 void ViewportWidget::setCompared(const FramePtr& left, const QString& tag)
 {
     if (!left && !m_options.wipe && tag == m_options.tag)
@@ -144,7 +150,7 @@ void ViewportWidget::removeLayer(const CanvasLayer* layer)
 void ViewportWidget::showPixel(QPoint pixel)
 {
     const QRect cell = m_transform.toCanvas(QRectF(pixel, QSizeF(1, 1))).toAlignedRect();
-    if (pane().contains(cell))
+    if (pane().contains(cell) && !m_covered.intersects(cell))
         return;
     leaveFit();
     setTransform({m_transform.zoom, QRectF(pane()).center() - (QPointF(pixel) + QPointF(0.5, 0.5)) * m_transform.zoom});
@@ -198,11 +204,19 @@ void ViewportWidget::applyFit()
         shown = QRectF(m_fitPixels->x, m_fitPixels->y, m_fitPixels->width, m_fitPixels->height).intersected(shown);
     if (shown.isEmpty())
         return;
-    const QSizeF room(std::max(1, pane().width() - 2 * kFitMargin), std::max(1, pane().height() - 2 * kFitMargin));
-    CanvasTransform transform;
-    transform.zoom = fittingZoom(shown.size(), room);
-    transform.origin = QRectF(pane()).center() - shown.center() * transform.zoom;
-    setTransform(transform);
+    const auto fitted = [&](const QRect& place) {
+        const QSizeF room(std::max(1, place.width() - 2 * kFitMargin), std::max(1, place.height() - 2 * kFitMargin));
+        CanvasTransform transform;
+        transform.zoom = fittingZoom(shown.size(), room);
+        transform.origin = QRectF(place).center() - shown.center() * transform.zoom;
+        return transform;
+    };
+    const CanvasTransform whole = fitted(pane());
+    const bool isCovered = whole.toCanvas(shown).toAlignedRect().intersects(m_covered);
+    // Its margin belongs to the picture as well.
+    const CanvasTransform below = fitted(pane().adjusted(0, m_covered.bottom() + 1 - kFitMargin / 2, 0, 0));
+    constexpr double kWorth = 0.8; // of the size
+    setTransform(isCovered && below.zoom >= kWorth * whole.zoom ? below : whole);
 }
 
 /// From here on the user decides what is in sight.
@@ -448,131 +462,5 @@ void ViewportWidget::resizeEvent(QResizeEvent*)
     else
         setTransform(m_transform);
 }
-
-void ViewportWidget::wheelEvent(QWheelEvent* event)
-{
-    m_wheelRest += event->angleDelta().y();
-    const int notches = m_wheelRest / kWheelNotch;
-    m_wheelRest -= notches * kWheelNotch;
-    event->accept();
-    if (notches == 0)
-        return;
-    if (event->modifiers() & Qt::ControlModifier) {
-        Q_EMIT dollied(std::pow(kDollyPerNotch, notches));
-        m_wheelGesture.start();
-        return;
-    }
-    double zoom = m_transform.zoom;
-    for (int i = 0; i < std::abs(notches); ++i)
-        zoom = nextZoomStep(zoom, notches);
-    zoomAt(inPane(event->position()), zoom);
-    hover(m_transform.pixelAt(inPane(event->position())));
-}
-
-ViewportWidget::Drag ViewportWidget::dragFor(const QMouseEvent& event) const
-{
-    switch (event.button()) {
-    case Qt::MiddleButton: return Drag::PanCanvas;
-    case Qt::RightButton: return Drag::Dolly;
-    case Qt::LeftButton: break;
-    default: return Drag::None;
-    }
-    if (event.modifiers() & Qt::ShiftModifier)
-        return Drag::PanCanvas;
-    if (m_leftDrag == LeftDrag::PansCanvas)
-        return Drag::PanCanvas;
-    return event.modifiers() & Qt::ControlModifier ? Drag::PanCamera : Drag::Orbit;
-}
-
-void ViewportWidget::mousePressEvent(QMouseEvent* event)
-{
-    m_drag = event->button() == Qt::LeftButton && isOnWipe(event->position()) ? Drag::Wipe : dragFor(*event);
-    m_pressedAt = event->position();
-    m_lastDragAt = event->position();
-    m_moved = false;
-}
-
-void ViewportWidget::mouseMoveEvent(QMouseEvent* event)
-{
-    const QPointF at = event->position();
-    hover(m_transform.pixelAt(inPane(at)));
-    if (m_drag == Drag::None) {
-        isOnWipe(at) ? setCursor(Qt::SplitHCursor) : unsetCursor();
-        return;
-    }
-    if (!m_moved && (at - m_pressedAt).manhattanLength() < kDragThreshold)
-        return;
-    m_moved = true;
-    const QPointF drag = at - m_lastDragAt;
-    m_lastDragAt = at;
-    // Camera moves are meant in viewport pixels, whatever the zoom; a close-up is not to make the camera creep.
-    const double scale = std::min(m_transform.zoom, 1.0);
-    switch (m_drag) {
-    case Drag::PanCanvas:
-        leaveFit();
-        setTransform({m_transform.zoom, m_transform.origin + drag});
-        setCursor(Qt::ClosedHandCursor);
-        break;
-    case Drag::Orbit: Q_EMIT orbited(drag / scale); break;
-    case Drag::PanCamera: Q_EMIT cameraPanned(drag / m_transform.zoom); break;
-    case Drag::Dolly: Q_EMIT dollied(std::pow(kDollyPerPixel, drag.y())); break;
-    case Drag::Wipe: moveWipe(at.x()); break;
-    case Drag::None: break;
-    }
-}
-
-void ViewportWidget::mouseReleaseEvent(QMouseEvent* event)
-{
-    if (m_drag == Drag::None)
-        return;
-    const bool clicked = !m_moved && event->button() == Qt::LeftButton;
-    m_drag = Drag::None;
-    unsetCursor();
-    if (clicked) {
-        const QPoint pixel = m_transform.pixelAt(inPane(event->position()));
-        if (QRect(QPoint(0, 0), imageSize()).contains(pixel))
-            selectPixel(pixel);
-        else
-            selectPixel(std::nullopt);
-        if (selectedPixel())
-            Q_EMIT pixelChosen();
-    }
-    Q_EMIT gestureEnded();
-}
-
-void ViewportWidget::mouseDoubleClickEvent(QMouseEvent* event)
-{
-    const QPoint pixel = m_transform.pixelAt(inPane(event->position()));
-    if (event->button() == Qt::LeftButton && QRect(QPoint(0, 0), imageSize()).contains(pixel))
-        goToPixel(pixel);
-}
-
-void ViewportWidget::nudge(QPoint step)
-{
-    if (imageSize().isEmpty())
-        return;
-    const QPoint from = m_options.selectedPixel.value_or(
-        m_options.hoveredPixel.value_or(m_transform.pixelAt(QRectF(pane()).center()) - step));
-    const QSize size = imageSize();
-    const QPoint to(std::clamp(from.x() + step.x(), 0, size.width() - 1),
-                    std::clamp(from.y() + step.y(), 0, size.height() - 1));
-    selectPixel(to);
-    showPixel(to);
-}
-
-void ViewportWidget::keyPressEvent(QKeyEvent* event)
-{
-    const int step = event->modifiers() & Qt::ShiftModifier ? 10 : 1;
-    switch (event->key()) {
-    case Qt::Key_Left: nudge({-step, 0}); return;
-    case Qt::Key_Right: nudge({step, 0}); return;
-    case Qt::Key_Up: nudge({0, -step}); return;
-    case Qt::Key_Down: nudge({0, step}); return;
-    default: break;
-    }
-    QWidget::keyPressEvent(event);
-}
-
-void ViewportWidget::leaveEvent(QEvent*) { hover(std::nullopt); }
 
 } // namespace rasterlens

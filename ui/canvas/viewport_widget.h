@@ -38,6 +38,12 @@ public:
     void setStale(bool stale);
     void setCanvasColor(const QColor& color);
     void setThickLines(bool on);
+    /// Pixels are an answer: a click or the arrows choose one without selecting it, and nothing is told of it.
+    void setAnswering(bool on);
+    [[nodiscard]] bool isAnswering() const { return !m_options.tells; }
+    /// A part of the canvas that something lies over: fit() keeps the picture clear of it, where that costs little of
+    /// its size, and showPixel() its pixel.
+    void setCovered(const QRect& part);
     /// Another picture in the left part, and the name of the one shown where there are several.
     void setCompared(const FramePtr& left, const QString& tag);
     /// Where the wipe ends, as a fraction of the picture's width.
@@ -107,9 +113,10 @@ public:
     QSize minimumSizeHint() const override { return {160, 120}; }
 
 Q_SIGNALS:
-    void viewChanged();  ///< zoom or origin
-    void pixelChanged(); ///< hovered or selected pixel
-    void pixelChosen();  ///< by a click
+    void viewChanged();               ///< zoom or origin
+    void pixelChanged();              ///< hovered or selected pixel
+    void pixelChosen();               ///< by a click
+    void pixelAnswered(QPoint pixel); ///< by a click, while pixels are an answer
     void orbited(QPointF drag);
     void cameraPanned(QPointF drag);
     void dollied(double factor);
@@ -117,6 +124,7 @@ Q_SIGNALS:
     void frameShown(const rasterlens::FramePtr& frame); ///< painted for the first time
 
 protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
@@ -138,6 +146,7 @@ private:
     void setTransform(CanvasTransform transform);
     void hover(std::optional<QPoint> pixel);
     void nudge(QPoint step);
+    void choose(QPoint pixel);
     [[nodiscard]] bool isOnWipe(QPointF canvas) const;
     void moveWipe(double column);
     void paintStaleMark(QPainter& painter) const;
@@ -156,6 +165,7 @@ private:
     std::optional<QPointF> m_centre; ///< of the picture, kept in the middle; none once the user has moved it
     bool m_stale = false;
     bool m_frameShown = true;
+    QRect m_covered;
     QColor m_canvasColor;
     LeftDrag m_leftDrag = LeftDrag::Orbits;
     Drag m_drag = Drag::None;

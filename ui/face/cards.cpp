@@ -2,10 +2,12 @@
 
 #include "core/base/closed_list.h"
 #include "core/derive/derive.h"
+#include "core/observe/step_log.h"
 #include "core/questions/race.h"
 #include "core/questions/why.h"
 #include "core/render/render.h"
 #include "core/scene/camera.h"
+#include "ui/base/bring_to_front.h"
 #include "ui/base/dock.h"
 #include "ui/face/clip_theatre.h"
 #include "ui/face/curves_panel.h"
@@ -152,8 +154,7 @@ bool Cards::show(const QString& name)
 {
     for (const PanelRow& row : kPanels)
         if (QLatin1String(row.name) == name) {
-            dock(row.panel).show();
-            dock(row.panel).raise();
+            bringToFront(dock(row.panel));
             refreshSoon();
             return true;
         }
@@ -175,6 +176,15 @@ void Cards::followPixel()
     if (readout && readout->face && *readout->face >= 0)
         m_selection.setFace(static_cast<std::uint32_t>(*readout->face));
     m_followPending = readout && !readout->face;
+}
+
+void Cards::followStep(const StepLog* log, const StepEvent* event)
+{
+    const bool isPlane = event && event->kind == StepKind::ClipPlane;
+    const bool isClipping =
+        isPlane || (event && (event->kind == StepKind::Vertex || event->kind == StepKind::CohenSutherland));
+    m_clipTheatre->followStep(isClipping ? std::optional(event->kind) : std::nullopt,
+                              isPlane ? std::optional(log->payload<ClipStep>(*event).plane) : std::nullopt);
 }
 
 void Cards::setSaysMoment(bool on) { m_pixelCard->setSaysMoment(on); }

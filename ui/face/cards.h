@@ -26,9 +26,11 @@ class CurvesPanel;
 class Dock;
 class PixelCard;
 class RacePanel;
+class StepLog;
 class VertexHandles;
 class VertexPanel;
 struct Derived;
+struct StepEvent;
 struct FaceFindings;
 struct WhyReport;
 
@@ -64,6 +66,8 @@ public:
     void frameCounted();
     /// The panels show this face.
     void followFace(quint32 face) { m_selection.setFace(face); }
+    /// The clip theatre shows the step of the step mode; null: it has none.
+    void followStep(const StepLog* log, const StepEvent* event);
     /// Whether something shown is still being computed.
     [[nodiscard]] bool isBusy() const;
     void retranslate();

@@ -345,11 +345,32 @@ ClipTheatre::ClipTheatre(FaceSelection& selection, QWidget* parent)
 void ClipTheatre::setStory(std::shared_ptr<const ClipStory> story)
 {
     m_story = std::move(story);
-    m_stage = m_story ? m_story->steps.size() + (m_story->regions ? 1 : 0) : 0;
-    while (m_stage > 1 && m_stage <= m_story->steps.size() && m_story->steps[m_stage - 1].cuts.empty())
-        --m_stage; // the last plane that did something
+    m_stage = m_story ? usualStage() : 0;
     showAxisOfStage();
     sync();
+}
+
+void ClipTheatre::followStep(std::optional<StepKind> kind, std::optional<ClipPlane> plane)
+{
+    m_followed = kind;
+    m_followedPlane = plane;
+    if (m_story && kind)
+        setStage(usualStage());
+}
+
+/// That of the step which is followed, or else of the last plane that did something.
+std::size_t ClipTheatre::usualStage() const
+{
+    const auto& steps = m_story->steps;
+    if (m_followed == StepKind::Vertex)
+        return 0;
+    const auto step = std::ranges::find_if(steps, [this](const ClipStep& one) { return one.plane == m_followedPlane; });
+    if (step != steps.end())
+        return static_cast<std::size_t>(step - steps.begin()) + 1;
+    std::size_t stage = steps.size() + (m_story->regions ? 1 : 0);
+    while (stage > 1 && stage <= steps.size() && steps[stage - 1].cuts.empty())
+        --stage;
+    return stage;
 }
 
 void ClipTheatre::setStage(std::size_t stage)

@@ -22,10 +22,14 @@ class ClipTheatre : public QWidget
 public:
     explicit ClipTheatre(FaceSelection& selection, QWidget* parent = nullptr);
 
-    /// Null: there is no face. Shows the last plane that cuts.
+    /// Null: there is no face. Shows the step that is followed, else the last plane that cuts.
     void setStory(std::shared_ptr<const ClipStory> story);
     [[nodiscard]] const std::shared_ptr<const ClipStory>& story() const { return m_story; }
 
+    /// Follows the step mode: the triangle before any plane at a corner, a plane, the four sides of Cohen-Sutherland.
+    ///
+    /// in  nothing: there is no step of the face's clipping
+    void followStep(std::optional<StepKind> kind, std::optional<ClipPlane> plane);
     /// The scene that is shown: 0 is the triangle before any plane, then one after each step.
     void setStage(std::size_t stage);
     [[nodiscard]] std::size_t stage() const { return m_stage; }
@@ -46,12 +50,15 @@ private:
 
     [[nodiscard]] const std::vector<ClipVertex>& before() const;
     [[nodiscard]] const std::vector<ClipVertex>& after() const;
+    [[nodiscard]] std::size_t usualStage() const;
     void showAxisOfStage();
     void sync();
     void retranslate();
 
     std::shared_ptr<const ClipStory> m_story;
     std::size_t m_stage = 0;
+    std::optional<StepKind> m_followed;
+    std::optional<ClipPlane> m_followedPlane;
     std::array<QToolButton*, kClipPlanes> m_planes{};
     QToolButton* m_start;
     QToolButton* m_sides; ///< the four sides of Cohen-Sutherland

@@ -1,6 +1,7 @@
 #include "ui/lessons/lesson_mode.h"
 
 #include "core/io/file_writer.h"
+#include "ui/base/bring_to_front.h"
 #include "ui/base/dock.h"
 #include "ui/base/parts.h"
 #include "ui/canvas/viewport_widget.h"
@@ -44,7 +45,7 @@ LessonMode::LessonMode(ViewportWidget& viewport, QMainWindow& window, ActionTabl
             m_layer.setMarked(m_panel->question().marked());
         m_viewport.update();
     });
-    connect(&viewport, &ViewportWidget::pixelChosen, this, &LessonMode::markPixel);
+    connect(&viewport, &ViewportWidget::pixelAnswered, &m_panel->question(), &QuestionBox::togglePixel);
     retranslate();
 }
 
@@ -115,8 +116,7 @@ void LessonMode::showDock()
 {
     if (m_isBar || !m_player.isOpen())
         return;
-    m_dock->show();
-    m_dock->raise();
+    bringToFront(*m_dock);
 }
 
 /// Behind the last slide comes the next lesson of the list.
@@ -130,8 +130,8 @@ void LessonMode::openNext()
 
 void LessonMode::markPixel()
 {
-    if (m_player.isAsking() && m_viewport.selectedPixel())
-        m_panel->question().togglePixel(*m_viewport.selectedPixel());
+    if (m_viewport.isAnswering() && m_viewport.hoveredPixel())
+        m_panel->question().togglePixel(*m_viewport.hoveredPixel());
 }
 
 /// The marks stay on the canvas until another slide is shown.
@@ -148,7 +148,10 @@ void LessonMode::follow()
     } else if (!m_player.isAsking()) {
         m_layer.clear();
     }
-    m_viewport.update();
+    // What is known of pixels would answer these.
+    const bool isAboutPixels = m_player.isAsking() && (m_player.slide().question->kind == QuestionKind::Pixels ||
+                                                       m_player.slide().question->kind == QuestionKind::Winner);
+    m_viewport.setAnswering(isAboutPixels);
     sync();
 }
 

@@ -44,9 +44,9 @@ LessonPanel::LessonPanel(LessonPlayer& player, const Actions& actions, QWidget* 
     m_outer = new QBoxLayout(QBoxLayout::TopToBottom, this);
     m_outer->setContentsMargins(12, 4, 12, 6);
     m_outer->setSpacing(8);
+    m_outer->addWidget(m_buttons = buildButtons(actions)); // above all that wraps: they stay where the mouse is
     m_title = makeText("title");
     m_outer->addWidget(m_title);
-    m_outer->addWidget(buildButtons(actions), 0, Qt::AlignTop);
     auto* column = m_column = new QVBoxLayout;
     column->setSpacing(8);
     m_outer->addLayout(column, 1);
@@ -58,6 +58,7 @@ LessonPanel::LessonPanel(LessonPlayer& player, const Actions& actions, QWidget* 
     column->addWidget(m_verdict);
     column->addWidget(m_text);
     column->addWidget(m_question);
+    column->addWidget(m_leftOut, 0, Qt::AlignLeft);
     m_score = new QLabel;
     m_score->setObjectName(QStringLiteral("muted"));
     column->addWidget(m_score);
@@ -112,6 +113,13 @@ QWidget* LessonPanel::buildButtons(const Actions& actions)
     m_back->setFocusPolicy(Qt::TabFocus);
     connect(m_back, &QToolButton::clicked, actions.back, &QAction::trigger);
     links->addWidget(m_back);
+    m_leftOut = makeLink();
+    m_leftOut->setFocusPolicy(Qt::TabFocus);
+    connect(m_leftOut, &QToolButton::clicked, this, [this] {
+        const std::size_t first = m_player.leftOut().front();
+        m_player.setLevel(2);
+        m_player.goTo(first);
+    });
     return buttons;
 }
 
@@ -131,8 +139,14 @@ void LessonPanel::setBar(bool bar)
         m_row->insertWidget(m_row->indexOf(m_number) + 1, m_score);
     else
         m_column->insertWidget(m_column->indexOf(m_contents), m_score);
+    if (bar)
+        m_rows->addWidget(m_leftOut);
+    else
+        m_column->insertWidget(m_column->indexOf(m_score), m_leftOut, 0, Qt::AlignLeft);
+    // The lower end of the bar stays where it is, however much there is to read.
+    m_outer->setAlignment(m_buttons, bar ? Qt::AlignBottom : Qt::AlignTop);
     m_outer->setDirection(bar ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-    m_rows->setDirection(bar ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    m_rows->setDirection(bar ? QBoxLayout::BottomToTop : QBoxLayout::LeftToRight);
     m_question->setWide(bar);
     sync();
 }
@@ -157,12 +171,14 @@ void LessonPanel::sync()
     m_title->setVisible(isOpen && !m_bar);
     m_title->setText(isOpen ? textInUse(m_player.lesson().title) : QString());
     m_question->setQuestion(m_player.isAsking() ? &*m_player.slide().question : nullptr);
-    m_verdict->setText(isOpen ? verdictText() : QString());
+    m_question->setTries(m_player.tries());
+    m_verdict->setText(!isOpen ? QString() : m_player.isAsking() ? tryText() : verdictText());
     m_verdict->setVisible(!m_verdict->text().isEmpty());
     if (!isOpen) {
         m_number->clear();
         m_score->clear();
         m_text->setText(tr("Choose a lesson in the menu Lessons."));
+        m_leftOut->hide();
         syncContents();
         return;
     }
@@ -180,7 +196,39 @@ void LessonPanel::sync()
                      m_player.answered(place.slide) && m_player.answered(place.slide)->isRight
                          ? QStringLiteral("right")
                          : QStringLiteral("wrong"));
+    syncLeftOut();
     syncContents();
+}
+
+/// Slides for a second look are not left out without a word.
+void LessonPanel::syncLeftOut()
+{
+    QStringList numbers;
+    for (const std::size_t slide : m_player.leftOut())
+        numbers << QString::number(slide + 1);
+    m_leftOut->setVisible(!numbers.isEmpty());
+    m_leftOut->setText(tr("Second look: %1").arg(numbers.join(QStringLiteral(", "))));
+    m_leftOut->setToolTip(tr("A first course leaves these slides out. A click shows them, here and in all lessons; the "
+                             "menu Lessons leaves them out again."));
+}
+
+/// What came of the first try at the open question.
+QString LessonPanel::tryText() const
+{
+    if (m_player.wantsDigits())
+        return tr("Right so far: three digits, please.");
+    if (m_player.tries().empty())
+        return {};
+    const QString again = tr("One more try; \u25b6 shows the answer.");
+    if (const auto score = m_player.triedPixels())
+        return pixelText(*score) + QStringLiteral(". ") + again;
+    return tr("\u2717 Not quite.") + QLatin1Char(' ') + again;
+}
+
+/// How many of the pixels were found.
+QString LessonPanel::pixelText(const PixelScore& score) const
+{
+    return tr("\u2717 %1 of %2 found, %3 too many").arg(score.found).arg(score.wanted).arg(score.extra);
 }
 
 /// What became of the answer to the slide that is shown.
@@ -198,10 +246,8 @@ QString LessonPanel::verdictText() const
         return tr("The answer: %1").arg(right);
     if (answered->isRight)
         return tr("\u2713 Right: %1").arg(right);
-    if (const auto* pixels = std::get_if<std::vector<QPoint>>(&*answered->given)) {
-        const PixelScore score = scoreOf(*pixels, std::get<std::vector<QPoint>>(answered->right->value));
-        return tr("\u2717 %1 of %2 found, %3 too many").arg(score.found).arg(score.wanted).arg(score.extra);
-    }
+    if (const auto* pixels = std::get_if<std::vector<QPoint>>(&*answered->given))
+        return pixelText(scoreOf(*pixels, std::get<std::vector<QPoint>>(answered->right->value)));
     return tr("\u2717 Not quite. The answer: %1").arg(right);
 }
 
@@ -230,10 +276,10 @@ void LessonPanel::syncContents()
         // A question that is still open is not to be answered by the list.
         const bool isHidden = slide.question && !answered;
         const TwoTexts& shown = isHidden ? slide.question->text : slide.moment.caption;
-        const QString level = slide.level > 1 ? tr(" (second look)") : QString();
+        const QString level = slide.level > 1 ? tr("(second look) ") : QString();
         const QString text = QStringLiteral("%1  %2%3%4")
                                  .arg(i + 1)
-                                 .arg(sign, firstSentence(textInUse(textWithNumbers(shown, slide))), level);
+                                 .arg(sign, level, firstSentence(textInUse(textWithNumbers(shown, slide))));
         auto* item = m_contents->item(static_cast<int>(i));
         if (!item)
             m_contents->addItem(item = new QListWidgetItem);

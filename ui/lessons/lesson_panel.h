@@ -40,6 +40,8 @@ public:
     void setAway(bool away);
     /// As a bar below the picture: without the list of slides.
     void setBar(bool bar);
+    /// The link to the slides that the level leaves out; hidden where there are none.
+    [[nodiscard]] QToolButton& leftOut() const { return *m_leftOut; }
     void retranslate();
 
 Q_SIGNALS:
@@ -49,12 +51,16 @@ private:
     QWidget* buildButtons(const Actions& actions);
     void sync();
     void syncContents();
+    void syncLeftOut();
+    [[nodiscard]] QString tryText() const;
+    [[nodiscard]] QString pixelText(const PixelScore& score) const;
     [[nodiscard]] QString verdictText() const;
     [[nodiscard]] QString endText() const;
 
     LessonPlayer& m_player;
     QBoxLayout* m_outer = nullptr; ///< buttons, and what is read, below them or at their right
     QVBoxLayout* m_column = nullptr;
+    QWidget* m_buttons = nullptr;
     QBoxLayout* m_rows = nullptr; ///< of the buttons
     QHBoxLayout* m_row = nullptr;
     QLabel* m_title = nullptr;
@@ -65,6 +71,7 @@ private:
     QuestionBox* m_question = nullptr;
     QToolButton* m_try = nullptr;
     QToolButton* m_back = nullptr;
+    QToolButton* m_leftOut = nullptr; ///< slides for a second look before this one, and the way to them
     QListWidget* m_contents = nullptr;
     bool m_away = false;
     bool m_bar = false;

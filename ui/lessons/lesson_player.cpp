@@ -40,30 +40,27 @@ void LessonPlayer::setPlace(const Place& place)
 {
     if (place.lesson != m_place.lesson)
         m_answered.clear();
+    begin(place);
+}
+
+/// A question that was left in the middle of its tries begins anew.
+void LessonPlayer::begin(const Place& place)
+{
     m_place = place;
     m_given.reset();
+    m_tries.clear();
+    m_wantsDigits = false;
     m_key.drop();
     if (isAsking())
         computeAnswer();
     Q_EMIT changed();
 }
 
-const Moment& LessonPlayer::moment() const
-{
-    if (!isAsking())
-        return slide().moment;
-    return slide().before ? *slide().before : lesson().slides[m_place.slide - 1].moment;
-}
+const Moment& LessonPlayer::moment() const { return isAsking() ? *slide().before : slide().moment; }
 
 void LessonPlayer::show(std::size_t slide, Phase phase)
 {
-    m_place.slide = slide;
-    m_place.phase = phase;
-    m_given.reset();
-    m_key.drop();
-    if (isAsking())
-        computeAnswer();
-    Q_EMIT changed();
+    begin({m_place.lesson, slide, phase});
     Q_EMIT momentWanted();
 }
 
@@ -76,7 +73,10 @@ void LessonPlayer::goTo(std::size_t slide, Entry entry)
 void LessonPlayer::next()
 {
     if (isAsking()) {
-        note({std::nullopt, m_right, false});
+        const bool wasTried = !m_tries.empty();
+        m_answered[m_place.slide] = {wasTried ? std::optional(m_tries.back()) : std::nullopt, m_right, false};
+        if (!wasTried)
+            noteRow(std::nullopt, false);
         show(m_place.slide, Phase::Shown);
         return;
     }
@@ -87,6 +87,17 @@ void LessonPlayer::next()
         }
     m_place.phase = Phase::Ended;
     Q_EMIT changed();
+}
+
+std::vector<std::size_t> LessonPlayer::leftOut() const
+{
+    std::vector<std::size_t> slides;
+    if (!isOpen())
+        return slides;
+    std::size_t at = m_place.phase == Phase::Ended ? lesson().slides.size() : m_place.slide;
+    while (at > 0 && !isOfLevel(at - 1))
+        slides.insert(slides.begin(), --at);
+    return slides;
 }
 
 bool LessonPlayer::hasPrevious() const { return isOpen() && (m_place.slide > 0 || m_place.phase == Phase::Ended); }
@@ -146,18 +157,38 @@ void LessonPlayer::answer(GivenAnswer given)
 void LessonPlayer::judge()
 {
     Answered answered{std::exchange(m_given, std::nullopt), m_right};
-    answered.isRight = answered.right && isRight(*answered.given, *answered.right);
-    note(answered);
+    answered.isRight = m_right && isRight(*answered.given, *m_right);
+    m_wantsDigits = m_right && hasTooFewDigits(*answered.given, *m_right);
+    if (m_wantsDigits) {
+        Q_EMIT changed();
+        return;
+    }
+    noteRow(answered.given, answered.isRight);
+    constexpr std::size_t kTries = 2;
+    const bool isLastTry = slide().question->choices.size() == kTries || m_tries.size() + 1 == kTries;
+    if (m_right && !answered.isRight && !isLastTry) {
+        m_tries.push_back(*answered.given);
+        Q_EMIT changed();
+        return;
+    }
+    m_answered[m_place.slide] = answered;
     show(m_place.slide, Phase::Shown);
 }
 
-void LessonPlayer::note(const Answered& answered)
+std::optional<PixelScore> LessonPlayer::triedPixels() const
 {
-    m_answered[m_place.slide] = answered;
+    const auto* pixels = m_tries.empty() ? nullptr : std::get_if<std::vector<QPoint>>(&m_tries.back());
+    const auto* right = pixels && m_right ? std::get_if<std::vector<QPoint>>(&m_right->value) : nullptr;
+    return right ? std::optional(scoreOf(*pixels, *right)) : std::nullopt;
+}
+
+/// in  `given`: nothing where the question was skipped
+void LessonPlayer::noteRow(const std::optional<GivenAnswer>& given, bool isRight)
+{
     const auto& question = *slide().question;
     m_rows.push_back({lesson().id, m_place.slide + 1, QString::fromLatin1(questionKindId(question.kind)),
-                      answered.given ? textOf(question, *answered.given) : QString(),
-                      answered.right ? textOf(question, *answered.right) : QString(), answered.isRight});
+                      given ? textOf(question, *given) : QString(), m_right ? textOf(question, *m_right) : QString(),
+                      isRight});
     Q_EMIT rowsChanged();
 }
 

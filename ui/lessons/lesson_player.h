@@ -57,6 +57,8 @@ public:
     void previous();
     [[nodiscard]] bool hasNext() const { return isOpen() && m_place.phase != Phase::Ended; }
     [[nodiscard]] bool hasPrevious() const;
+    /// The slides for a second look just before the present one, or before the end, that the level leaves out.
+    [[nodiscard]] std::vector<std::size_t> leftOut() const;
     /// Asks once more for the moment.
     void comeBack();
 
@@ -64,8 +66,15 @@ public:
     void setLevel(int level);
     [[nodiscard]] int level() const { return m_level; }
 
-    /// Answers the open question: the slide is shown as soon as the right answer is computed.
+    /// Answers the open question, as soon as the right answer is computed. After a wrong answer there is a second try,
+    /// but for questions with two choices; then the slide is shown.
     void answer(GivenAnswer given);
+    /// The wrong answers to the open question.
+    [[nodiscard]] const std::vector<GivenAnswer>& tries() const { return m_tries; }
+    /// The last answer was right as far as it went, which is no try: a number with too few digits.
+    [[nodiscard]] bool wantsDigits() const { return m_wantsDigits; }
+    /// How the last wrong answer compares with the right pixels; nothing where it is not a matter of pixels.
+    [[nodiscard]] std::optional<PixelScore> triedPixels() const;
     /// What was answered to a slide's question, with the right answer; nothing while it was not answered.
     struct Answered {
         std::optional<GivenAnswer> given; ///< nothing: skipped
@@ -91,16 +100,19 @@ Q_SIGNALS:
     void failed(const QString& message);
 
 private:
+    void begin(const Place& place);
     void show(std::size_t slide, Phase phase);
     void computeAnswer();
     void judge();
+    void noteRow(const std::optional<GivenAnswer>& given, bool isRight);
     [[nodiscard]] bool isOfLevel(std::size_t slide) const;
-    void note(const Answered& answered);
 
     Place m_place;
     int m_level = 1;
     std::map<std::size_t, Answered> m_answered; ///< by slide
     std::vector<AnswerRow> m_rows;
+    std::vector<GivenAnswer> m_tries;
+    bool m_wantsDigits = false;
     std::optional<GivenAnswer> m_given;        ///< while the right answer is computed
     std::optional<Answer> m_right;             ///< to the open question, once it is computed
     LatestResult<std::optional<Answer>> m_key; ///< last: its thread uses the members above

@@ -60,8 +60,8 @@ QuestionBox::QuestionBox(QWidget* parent) : QWidget(parent)
     m_hint->setWordWrap(true);
     m_field = new QLineEdit;
     m_field->setObjectName(QStringLiteral("lessonAnswer"));
-    constexpr int kFieldWidth = 110;
-    m_field->setMaximumWidth(2 * kFieldWidth);
+    constexpr int kMostWidth = 260;
+    m_field->setMaximumWidth(kMostWidth);
     m_clear = new QPushButton;
     m_clear->setObjectName(QStringLiteral("lessonClear"));
     m_check = new QPushButton;
@@ -95,11 +95,20 @@ void QuestionBox::setQuestion(const Question* question)
         return;
     m_question = question;
     m_marked.clear();
+    m_tries.clear();
     m_field->clear();
     retranslate();
     if (!m_field->isHidden())
         m_field->setFocus(); // what is typed is the answer, and no key of the canvas
     Q_EMIT markedChanged();
+}
+
+void QuestionBox::setTries(const std::vector<GivenAnswer>& tries)
+{
+    if (tries.size() > m_tries.size() && !m_field->isHidden())
+        m_field->selectAll(); // what is typed next takes its place
+    m_tries = tries;
+    sync();
 }
 
 void QuestionBox::togglePixel(QPoint pixel)
@@ -135,13 +144,16 @@ void QuestionBox::sync()
     m_clear->setEnabled(!m_marked.empty());
     m_hint->setText(m_marked.empty() ? tr("Click the pixels on the canvas.")
                                      : tr("%n pixel(s) marked", nullptr, static_cast<int>(m_marked.size())));
+    for (std::size_t i = 0; i < m_choiceButtons.size(); ++i)
+        m_choiceButtons[i]->setEnabled(std::ranges::find(m_tries, GivenAnswer(i)) == m_tries.end());
 }
 
 void QuestionBox::retranslate()
 {
     m_clear->setText(tr("Clear"));
     m_check->setText(tr("Check"));
-    m_field->setPlaceholderText(tr("your answer"));
+    const bool asksForNumber = m_question && m_question->kind == QuestionKind::Number;
+    m_field->setPlaceholderText(asksForNumber ? tr("whole, or three digits") : tr("your answer"));
     m_field->setAccessibleName(tr("your answer"));
     for (QPushButton* button : m_choiceButtons) {
         button->hide();

@@ -31,6 +31,8 @@ public:
     void togglePixel(QPoint pixel);
     [[nodiscard]] const std::vector<QPoint>& marked() const { return m_marked; }
     [[nodiscard]] bool asksForPixels() const { return m_question && m_question->kind == QuestionKind::Pixels; }
+    /// Wrong answers to this question: choices among them cannot be chosen again.
+    void setTries(const std::vector<GivenAnswer>& tries);
     /// Hands in what was marked or typed.
     void check();
     [[nodiscard]] QLineEdit& field() const { return *m_field; }
@@ -46,6 +48,7 @@ private:
 
     const Question* m_question = nullptr;
     std::vector<QPoint> m_marked;
+    std::vector<GivenAnswer> m_tries;
     QBoxLayout* m_choices = nullptr;
     std::vector<QPushButton*> m_choiceButtons;
     QLabel* m_hint = nullptr;

@@ -74,6 +74,7 @@ MistakeBadge::MistakeBadge(QWidget* canvas)
           [this](Lack lack) { Q_EMIT failed(tr("The mistakes were not counted: %1.").arg(lackText(lack))); })
 {
     setCursor(Qt::PointingHandCursor);
+    canvas->installEventFilter(this);
     hide();
 }
 
@@ -87,7 +88,6 @@ void MistakeBadge::showFor(const FramePtr& frame)
             evidence.push_back(former == m_evidence.end() ? Evidence{mistake} : *former);
         }
     m_evidence = std::move(evidence);
-    setVisible(!m_evidence.empty());
     fitToText();
     std::erase_if(m_kept, [&](const Right& right) { return right.scene != frame->scene; });
     if (m_evidence.empty()) {
@@ -160,6 +160,12 @@ void MistakeBadge::setSaysMoment(bool on)
         fitToText();
 }
 
+void MistakeBadge::setConcealed(bool on)
+{
+    if (std::exchange(m_isConcealed, on) != on)
+        fitToText();
+}
+
 QStringList MistakeBadge::lines() const
 {
     QStringList lines;
@@ -193,7 +199,16 @@ void MistakeBadge::fitToText()
     const int room = parentWidget()->width() - 2 * kMargin;
     setGeometry(kMargin, kMargin, std::min(width + 2 * kPaddingX + 6, room),
                 static_cast<int>(shown.size()) * metrics.lineSpacing() + 2 * kPaddingY);
+    setVisible(!m_evidence.empty() && !m_isConcealed);
     update();
+    Q_EMIT placed(isHidden() ? QRect() : geometry());
+}
+
+bool MistakeBadge::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == parentWidget() && event->type() == QEvent::Resize)
+        fitToText();
+    return QWidget::eventFilter(watched, event);
 }
 
 void MistakeBadge::paintEvent(QPaintEvent*)

@@ -35,6 +35,8 @@ public:
     void showFor(const FramePtr& frame);
     /// While another picture than the finished one is on the canvas the badge says that it speaks of that.
     void setSaysMoment(bool on);
+    /// Hides what would answer a question: which mistake it is.
+    void setConcealed(bool on);
     /// One line a mistake, and one more for a mistake that changes nothing.
     [[nodiscard]] QStringList lines() const;
     [[nodiscard]] bool isCounting() const { return m_result.isBusy(); }
@@ -44,6 +46,7 @@ public:
 Q_SIGNALS:
     void counted();
     void clicked();
+    void placed(const QRect& place); ///< on the canvas; empty while it is hidden
     /// The numbers are not known, for want of memory or threads.
     void failed(const QString& message);
 
@@ -51,6 +54,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     struct Evidence {
@@ -80,6 +84,7 @@ private:
     std::vector<Evidence> m_evidence;
     std::vector<Right> m_kept; ///< the latest last; of one scene, with their pictures
     bool m_saysMoment = false;
+    bool m_isConcealed = false;
     std::atomic<std::uint64_t> m_drawn = 0;
     LatestResult<Weighed> m_result; ///< last: its thread uses the members above
 };

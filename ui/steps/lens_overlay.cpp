@@ -404,7 +404,7 @@ void LensOverlay::paintCurrent(LensView& view) const
 
 void LensOverlay::paintHover(LensView& view) const
 {
-    if (!view.options.hoveredPixel || view.cell < kGlyphsFromCell || !m_model->hasSetup())
+    if (!view.options.hoveredPixel || !view.options.tells || view.cell < kGlyphsFromCell || !m_model->hasSetup())
         return;
     const int x = view.options.hoveredPixel->x() * view.grid + view.grid / 2;
     const int y = view.options.hoveredPixel->y() * view.grid + view.grid / 2;

@@ -99,7 +99,7 @@ void SampleLens::paint(QPainter& painter, const QRect& canvas, const CanvasTrans
     const StepEvent* now = m_cursor->lastEvent();
     if (now != nullptr && now->kind == StepKind::Resolve)
         paintResolve(painter, canvas, transform, m_cursor->log().payload<ResolveStep>(*now).pixel);
-    else if (options.hoveredPixel && transform.zoom >= kGridFromZoom)
+    else if (options.hoveredPixel && options.tells && transform.zoom >= kGridFromZoom)
         paintHover(painter, canvas, transform, *options.hoveredPixel);
     painter.restore();
 }

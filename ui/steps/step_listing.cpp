@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace rasterlens
 {
@@ -103,11 +104,19 @@ void StepListing::setPlace(Place place)
     sync();
 }
 
+void StepListing::setConcealed(bool on)
+{
+    if (std::exchange(m_isConcealed, on) != on)
+        sync();
+}
+
 void StepListing::sync()
 {
     m_explanation = {};
     if (m_session.isOpen() && m_session.log() && m_session.position() > 0)
         m_explanation = explainStep(*m_session.log(), m_session.positionInLog() - 1);
+    if (m_isConcealed)
+        m_explanation.formula.clear();
     const bool isCompact = m_place == Place::Below && parentWidget()->height() < kCompactBelow;
     double scale = 1;
     if (m_place == Place::Beside)

@@ -469,7 +469,8 @@ void TransportDock::syncLinks()
     m_scopeLink->setText(scopes[std::size_t(m_session.scope())] + opens);
     m_playLink->setText(playText() + opens);
     m_speedLink->setText(tr("speed %1 \u25be").arg(speedText(m_session.speed())));
-    m_runLink->setVisible(m_session.isOpen());
+    m_runLink->setVisible(m_session.isOpen() || m_brief); // the bar of a presentation keeps its height
+    m_runLink->setEnabled(m_session.isOpen());
     m_speedLink->setVisible(m_session.isOpen() && !m_brief); // the presentation has it in its menu
     m_playLink->setVisible(m_session.isOpen() && !m_brief && !m_isLow);
     m_speedLink->setEnabled(m_session.playBy() != PlayBy::Seconds);

@@ -197,7 +197,7 @@ private:
         for (const QString& line : lines)
             indented << room + line;
         const double height = spacing * double(lines.size()) + 10;
-        const QPointF corner(m_view.canvas.left() + 10, m_view.canvas.bottom() - height - 10); // messages are above
+        const QPointF corner = legendCorner(indented, font, height);
         paintPlate(m_view.painter, m_view.canvas, corner, indented, font);
         for (int i = 0; i < 2; ++i) {
             const QPointF from = corner + QPointF(8, 5 + spacing * (i + 0.5));
@@ -207,6 +207,23 @@ private:
             m_view.painter.setPen(QPen(color, kActiveLine, i == 0 ? Qt::SolidLine : kBrokenStyle, Qt::FlatCap));
             m_view.painter.drawLine(from, from + QPointF(kSwatch, 0));
         }
+    }
+
+    /// Below, as messages are above: at the left, or at the right where a corner of the triangle and its letter would
+    /// lie under the legend.
+    [[nodiscard]] QPointF legendCorner(const QStringList& lines, const QFont& font, double height) const
+    {
+        constexpr double kGap = 10;
+        double width = 2 * kGap;
+        for (const QString& line : lines)
+            width = std::max(width, QFontMetricsF(font).horizontalAdvance(line) + 2 * kGap);
+        const QRectF canvas(m_view.canvas);
+        const QPointF left(canvas.left() + kGap, canvas.bottom() - height - kGap);
+        const double letter = 1.6 * QFontMetricsF(textFont(3, true)).height();
+        const QRectF kept = QRectF(left, QSizeF(width, height)).adjusted(-letter, -letter, letter, letter);
+        const auto isUnder = [&](const ScreenVertex& vertex) { return kept.contains(m_view.at(vertex.position)); };
+        const bool isFree = std::ranges::none_of(m_model.triangle().screen.vertices, isUnder);
+        return isFree ? left : QPointF(canvas.right() - kGap - width, left.y());
     }
 
     const LensView& m_view;

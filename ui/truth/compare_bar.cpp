@@ -141,8 +141,9 @@ void CompareBar::sync()
     m_wipe->setChecked(view == CompareView::Wipe);
     m_blink->setChecked(view == CompareView::Blink);
     m_heat->setChecked(view == CompareView::Difference);
-    m_amplification->setVisible(view == CompareView::Difference);
-    m_legend->setVisible(view == CompareView::Difference);
+    const bool hasScale = view == CompareView::Difference && m_comparison.hasAmounts();
+    m_amplification->setVisible(hasScale);
+    m_legend->setVisible(hasScale);
     m_legend->setAmplification(m_comparison.amplification());
     m_text->setText(m_comparison.text());
     constexpr std::size_t kRoom = 3;

@@ -229,6 +229,23 @@ QString Comparison::tag() const
     return m_showsA ? QStringLiteral("A") : QStringLiteral("B");
 }
 
+bool Comparison::hasAmounts() const
+{
+    switch (m_pair.b ? m_pair.b->settings.shading : m_document.settings().shading) {
+    case Shading::Gouraud:
+    case Shading::Flat:
+    case Shading::Texture:
+    case Shading::Phong: return true;
+    case Shading::RandomFlat:
+    case Shading::Depth:
+    case Shading::Normals:
+    case Shading::Uv:
+    case Shading::Overdraw:
+    case Shading::TriangleId: break;
+    }
+    return false;
+}
+
 QString Comparison::text() const
 {
     if (m_refusal)
@@ -238,6 +255,8 @@ QString Comparison::text() const
     const QString all = grouped(m_difference->pixels);
     if (m_difference->differing == 0)
         return tr("A and B are the same in all %1 pixels").arg(all);
+    if (!hasAmounts())
+        return tr("%1 of %2 pixels differ").arg(grouped(m_difference->differing), all);
     return tr("%1 of %2 pixels differ, by at most %3 of 255 steps \u00b7 PSNR %4 dB")
         .arg(grouped(m_difference->differing), all)
         .arg(m_difference->max)

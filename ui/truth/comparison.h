@@ -69,6 +69,8 @@ public:
     [[nodiscard]] bool isBusy() const { return m_result.isBusy(); }
 
     [[nodiscard]] const std::optional<Difference>& difference() const { return m_difference; }
+    /// Whether it matters how far apart two colours are; in a picture of faces, counts or directions they are codes.
+    [[nodiscard]] bool hasAmounts() const;
     /// `1,234 of 40,000 pixels differ ..`, or why there is nothing to compare.
     [[nodiscard]] QString text() const;
     /// Nothing while there is no pair of pictures.

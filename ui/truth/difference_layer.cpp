@@ -11,7 +11,7 @@ void DifferenceLayer::paint(QPainter& painter, const QRect& canvas, const Canvas
                             const OverlayOptions& options) const
 {
     const FramePtr heat = m_comparison.frame();
-    if (!m_shown || !heat || !options.numbers || transform.zoom < kNumbersFromZoom)
+    if (!m_shown || !heat || !m_comparison.hasAmounts() || !options.numbers || transform.zoom < kNumbersFromZoom)
         return;
     const QImage& picture = heat->frame.image;
     paintPixelNumbers(painter, transform.pixelsIn(canvas, picture.size()), transform, picture,

@@ -2,6 +2,7 @@
 
 #include "core/base/closed_list.h"
 #include "ui/base/action_table.h"
+#include "ui/base/bring_to_front.h"
 #include "ui/base/dock.h"
 #include "ui/canvas/viewport_widget.h"
 #include "ui/truth/case_browser.h"
@@ -89,8 +90,7 @@ bool TruthMode::showPanel(const QString& name)
 {
     for (const PanelRow& row : kPanels)
         if (QLatin1String(row.name) == name) {
-            dock(row.panel).show();
-            dock(row.panel).raise();
+            bringToFront(dock(row.panel));
             return true;
         }
     return false;

@@ -2,6 +2,7 @@
 
 #include "core/questions/empty_picture.h"
 #include "ui/base/message_bar.h"
+#include "ui/pipeline/scene_words.h"
 
 namespace rasterlens
 {
@@ -12,7 +13,7 @@ void EmptyRemark::update(const RenderedFrame& frame, MessageBar& bar)
     if (empty && !m_shown && !bar.isHidden())
         return; // what the bar says already comes first
     if (empty)
-        bar.show(Diagnostics{{Severity::Warning, frame.scene->title, 0, sentenceOf(*empty, empty->action)}});
+        bar.show(Diagnostics{{Severity::Warning, sceneTitle(*frame.scene), 0, sentenceOf(*empty, empty->action)}});
     else if (m_shown)
         bar.hide();
     m_shown = empty.has_value();

@@ -327,12 +327,13 @@ void MainWindow::connectWorker()
 void MainWindow::connectPanels()
 {
     connect(m_stageStrip, &StageStrip::stageClicked, this, [this](Stage stage) {
-        m_pipelineDock->show();
+        m_panels->showScene();
         m_pipelinePanel->scrollTo(stage);
         m_views->showStage(stage);
     });
+    connect(m_mistakeBadge, &MistakeBadge::placed, m_viewport, &ViewportWidget::setCovered);
     connect(m_mistakeBadge, &MistakeBadge::clicked, this, [this] {
-        m_pipelineDock->show();
+        m_panels->showScene();
         m_pipelinePanel->mistakes().setOpen(true);
     });
     connect(m_pipelinePanel, &PipelinePanel::sceneChosen, &m_document, &Document::open);
@@ -351,8 +352,10 @@ void MainWindow::connectModes()
     connect(m_cards, &Cards::stepRequested, m_stepMode.get(), &StepMode::showFace);
     connect(m_stepMode.get(), &StepMode::frameChanged, this, &MainWindow::showFrame);
     connect(&m_stepMode->session(), &StepSession::positionChanged, this, [this] {
-        if (const auto face = m_stepMode->session().face())
+        const StepSession& session = m_stepMode->session();
+        if (const auto face = session.face())
             m_cards->followFace(*face);
+        m_cards->followStep(session.log().get(), session.event());
     });
     connect(&m_stepMode->session(), &StepSession::positionChanged, this, [this] {
         if (m_look.presentation)
@@ -573,6 +576,8 @@ void MainWindow::showEvent(QShowEvent* event)
 {
     QMainWindow::showEvent(event);
     m_placement->shown();
+    if (!event->spontaneous())
+        QTimer::singleShot(0, m_lessons.get(), &LessonMode::showDock); // once the docks have their places
     m_viewport->setFocus();
 }
 

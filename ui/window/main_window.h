@@ -154,6 +154,7 @@ private:
     void buildCamera(ActionMenu menu);
     void buildDrawing(ActionMenu menu);
     void buildAppearance(ActionMenu menu);
+    void buildLanguages(ActionMenu language);
     void buildSettingsMenu();
     void buildMistakesMenu();
     void buildHelpMenu();
@@ -255,6 +256,7 @@ private:
     QTimer m_activityDelay;
 
     QMenu* m_recentMenu = nullptr;
+    QMenu* m_languageMenu = nullptr; ///< in two menus
     MistakesMenu* m_mistakesMenu = nullptr;
     QAction* m_clearRecent = nullptr;
     QAction* m_undo = nullptr;

@@ -289,7 +289,12 @@ void MainWindow::buildAppearance(ActionMenu menu)
                                 look.kind = on ? ThemeKind::Dark : ThemeKind::Light;
                                 setLook(look);
                             });
-    ActionMenu language = menu.addMenu({.name = QStringLiteral("English / \u4e2d\u6587")});
+    buildLanguages(menu.addMenu({.name = QStringLiteral("Language / \u8bed\u8a00")}));
+}
+
+void MainWindow::buildLanguages(ActionMenu language)
+{
+    m_languageMenu = language.menu();
     auto* languages = new QActionGroup(this);
     const auto addLanguage = [&](const char* id, const QString& name, LanguageKind kind) {
         QAction* action =
@@ -324,14 +329,16 @@ void MainWindow::buildSettingsMenu()
                                  {Qt::SHIFT | row.key}, [this, field] { stepField(*field); });
         m_actions.listTogether(title, {action, next});
     }
+    menu.addSeparator();
+    menu.menu()->addMenu(m_languageMenu); // that of the menu View: in many programs it is a setting
 }
 
 void MainWindow::buildMistakesMenu()
 {
     ActionMenu menu = addMenu(ActionSection::Pipeline, QT_TR_NOOP("&Mistakes"));
     const QAction* list = menu.add("mistakes.list", QT_TR_NOOP("List of mistakes"), {Qt::Key_M}, [this] {
-        const bool open = !m_pipelineDock->isVisible() || !m_pipelinePanel->mistakes().isOpen();
-        m_pipelineDock->show();
+        const bool open = !m_panels->isInSight(m_pipelineDock) || !m_pipelinePanel->mistakes().isOpen();
+        m_panels->showScene();
         m_pipelinePanel->mistakes().setOpen(open);
     });
     m_actions.setState(list, [this] { return QString::number(m_document.settings().mistakes.size()); });

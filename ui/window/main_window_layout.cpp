@@ -8,6 +8,8 @@
 #include "ui/steps/step_listing.h"
 #include "ui/steps/step_mode.h"
 #include "ui/steps/transport_dock.h"
+#include "ui/truth/compare_bar.h"
+#include "ui/truth/truth_mode.h"
 #include "ui/window/main_window.h"
 #include "ui/window/panel_places.h"
 #include "ui/window/window_placement.h"
@@ -35,6 +37,7 @@ void MainWindow::setPresentation(bool on)
                 dock->hide();
         });
     }
+    m_panels->setStage(on);
     m_stepMode->transport().setBrief(on);
     m_stageStrip->setBrief(on);
     m_canvasTitle->setVisible(!on); // the views stay, the links are keys
@@ -51,7 +54,7 @@ void MainWindow::setPresentation(bool on)
     syncStage();
     m_presentation->setChecked(on);
     if (on) {
-        m_stepMode->transport().setVisible(m_stepMode->session().isOpen());
+        m_stepMode->transport().setVisible(m_stepMode->session().isOpen() || m_lessons->player().isOpen());
         m_placement->setFullScreen(true);
         m_viewport->setFocus();
     } else {
@@ -83,6 +86,7 @@ void MainWindow::syncStage()
                                : StepListing::Place::Below);
     const bool hasLesson = m_lessons->player().isOpen();
     listing.setVisible(m_stepMode->session().isOpen() && (isWide || !isStage || !hasLesson)); // the slide says it
+    m_truth->compareBar().setBrief(isStage || hasLesson); // the slide says what differs
     m_caption->setVisible(isStage && !hasLesson);
     if (isStage)
         m_lessons->panel().setVisible(hasLesson);

@@ -3,8 +3,11 @@
 #include "ui/base/dock.h"
 #include "ui/base/message_bar.h"
 #include "ui/lessons/lesson_mode.h"
+#include "ui/pipeline/mistake_badge.h"
+#include "ui/steps/step_listing.h"
 #include "ui/steps/step_mode.h"
 #include "ui/window/main_window.h"
+#include "ui/window/panel_places.h"
 #include "ui/window/window_moment.h"
 
 #include <QSettings>
@@ -69,9 +72,13 @@ void MainWindow::connectLessons()
         else
             m_message->show(diagnostics);
     });
-    connect(m_lessons.get(), &LessonMode::tryWanted, this, [this] {
-        m_pipelineDock->show();
-        m_pipelineDock->raise();
+    connect(m_lessons.get(), &LessonMode::tryWanted, m_panels, &PanelPlaces::showScene);
+    connect(&player, &LessonPlayer::changed, this, [this, &player] { // what would answer the question
+        const auto asksFor = [&](QuestionKind kind) {
+            return player.isAsking() && player.slide().question->kind == kind;
+        };
+        m_mistakeBadge->setConcealed(asksFor(QuestionKind::Mistake));
+        m_stepMode->listing().setConcealed(asksFor(QuestionKind::NextP));
     });
     connect(this, &MainWindow::settled, m_moment, &WindowMoment::finish);
     connect(m_moment, &WindowMoment::shown, this, [this, &player] {

@@ -60,6 +60,10 @@ void MainWindow::syncReadout()
 {
     syncCanvasHeader();
     const auto at = m_viewport->hoveredPixel() ? m_viewport->hoveredPixel() : m_viewport->selectedPixel();
+    if (at && m_viewport->isAnswering()) {
+        m_readout->showPlace(*at);
+        return;
+    }
     const auto moment = m_stepMode->moment();
     m_readout->show(at ? m_viewport->readout(*at) : std::nullopt,
                     at && !moment ? m_truth->comparison().at(*at) : std::nullopt, moment);

@@ -1,5 +1,7 @@
 #include "ui/window/panel_places.h"
 
+#include "ui/base/bring_to_front.h"
+
 #include <QAction>
 #include <QDockWidget>
 #include <QEvent>
@@ -223,15 +225,18 @@ void PanelPlaces::toggle(QDockWidget* dock)
         dock->hide();
         return;
     }
-    dock->show();
-    dock->raise();
+    if (dock == m_columns.scene) {
+        showScene();
+        return;
+    }
+    bringToFront(*dock);
 }
 
 void PanelPlaces::revealCard()
 {
     const bool isBehind = m_columns.card->isVisible() && !isInSight(m_columns.card);
     if (isBehind && (isInSight(m_columns.scene) || isInSight(m_columns.statistics)) && m_narrow)
-        m_columns.card->raise();
+        bringToFront(*m_columns.card);
 }
 
 void PanelPlaces::quietly(const std::function<void()>& change)
@@ -270,7 +275,20 @@ void PanelPlaces::visibilityChanged(QDockWidget* dock)
     });
 }
 
-/// A panel that opens beside the canvas gets the width it needs, as far as the canvas can spare it.
+void PanelPlaces::showScene()
+{
+    bringToFront(*m_columns.scene);
+    if (!m_isStage || m_columns.scene->isFloating())
+        return;
+    QTimer::singleShot(0, this, [this] { // once the layout knows
+        const int most = static_cast<int>(m_window.width() * kCanvasShare);
+        const int wanted = std::min(std::max(kSceneWidth, m_columns.scene->sizeHint().width()), most);
+        if (m_columns.scene->width() < wanted)
+            m_window.resizeDocks({m_columns.scene}, {wanted}, Qt::Horizontal);
+    });
+}
+
+/// A panel that opens beside the canvas gets the width it needs, and no more than the canvas can spare.
 void PanelPlaces::makeRoom(QDockWidget* dock)
 {
     if (dock->isFloating() || dock->isHidden() || m_window.dockWidgetArea(dock) == Qt::BottomDockWidgetArea)
@@ -278,8 +296,9 @@ void PanelPlaces::makeRoom(QDockWidget* dock)
     const bool sharesColumn = m_window.dockWidgetArea(dock) == m_window.dockWidgetArea(m_columns.scene);
     const int other = sharesColumn || m_columns.scene->isHidden() ? 0 : m_columns.scene->width();
     const int spare = m_window.width() - other - static_cast<int>(m_window.width() * kCanvasShare);
-    const int width = std::min(kTabWidth, spare);
-    if (dock->width() < width)
+    const int least = std::min(kTabWidth, spare);
+    const int width = std::clamp(dock->width(), least, std::max(least, spare));
+    if (dock->width() != width)
         m_window.resizeDocks({dock}, {width}, Qt::Horizontal);
     if (!m_narrow && !m_columns.statistics->isHidden())
         m_window.resizeDocks({dock, m_columns.statistics}, {m_window.height(), 1}, Qt::Vertical);

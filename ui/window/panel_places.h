@@ -55,6 +55,10 @@ public:
 
     /// Opens a panel, or closes it where it is in sight.
     void toggle(QDockWidget* dock);
+    /// Brings settings and mistakes to the front: on a stage, whose type is large, as wide as they need to be read.
+    void showScene();
+    /// Whether the window is a presentation.
+    void setStage(bool on) { m_isStage = on; }
     /// Shows the pixel card where one of the other columns lies over it.
     void revealCard();
     [[nodiscard]] bool isInSight(const QDockWidget* dock) const;
@@ -86,6 +90,7 @@ private:
     QAction* m_bottom = nullptr;
     QSet<const QDockWidget*> m_open;
     const QDockWidget* m_growing = nullptr; ///< just opened below the canvas: gets the height it asks for
+    bool m_isStage = false;
     bool m_narrow = false;
     bool m_atBottom = false;
     bool m_arranged = false;

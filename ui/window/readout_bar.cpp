@@ -61,6 +61,13 @@ ReadoutBar::ReadoutBar(QWidget* parent)
 
 QString ReadoutBar::text() const { return m_text->text(); }
 
+void ReadoutBar::showPlace(QPoint pixel)
+{
+    m_swatch->hide();
+    m_text->setText(tr("pixel (%1, %2)").arg(pixel.x()).arg(pixel.y()));
+    m_text->setToolTip(m_text->text());
+}
+
 void ReadoutBar::show(const std::optional<PixelReadout>& pixel, const std::optional<ComparedPixel>& compared,
                       const std::optional<std::size_t>& step)
 {

@@ -24,6 +24,8 @@ public:
     ///      record, after which that is so; nothing where it is so of the finished frame
     void show(const std::optional<PixelReadout>& pixel, const std::optional<ComparedPixel>& compared,
               const std::optional<std::size_t>& step);
+    /// Where a pixel is, and nothing that is known of it.
+    void showPlace(QPoint pixel);
     [[nodiscard]] QString text() const;
 
 private:
