@@ -2,11 +2,13 @@
 #include "core/pipeline/types.h"
 #include "core/settings/rules.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 namespace rasterlens
 {
@@ -49,7 +51,10 @@ struct EdgeFunction {
     T b; ///< added for a step of one unit in y
     Point<T> from;
     T threshold; ///< the smallest value that counts as inside
-    bool owner;  ///< a left or a top edge: points on it belong to the triangle under the top-left rule
+
+    /// A left or a top edge: points on it belong to the triangle under the top-left rule. E grows to the right across a
+    /// left edge, and downwards across a top edge.
+    [[nodiscard]] bool owner() const { return a > 0 || (a == 0 && b > 0); }
 
     [[nodiscard]] T at(Point<T> p) const { return a * (p.x - from.x) + b * (p.y - from.y); }
 };
@@ -83,6 +88,16 @@ struct SampleRange {
             last < size - 1 ? static_cast<int>(std::max(last, -1.0)) : size - 1};
 }
 
+/// The same in units of 1/256 sample, without a rounding.
+[[nodiscard]] inline SampleRange samplesBetween(std::int64_t low, std::int64_t high, int size)
+{
+    constexpr int kUnitBits = 8;
+    const std::int64_t first = (low + 127) >> kUnitBits; // ceil((low - 128) / 256)
+    const std::int64_t last = (high - 128) >> kUnitBits; // floor
+    return {static_cast<int>(std::clamp<std::int64_t>(first, 0, size)),
+            static_cast<int>(std::clamp<std::int64_t>(last, -1, size - 1))};
+}
+
 /// The bounds of a triangle for rules.bounds.
 ///
 /// in   the bounds clamped to the target, not empty
@@ -91,10 +106,8 @@ struct SampleRange {
 template <class T>
 [[nodiscard]] EdgeFunction<T> edgeFunction(Point<T> from, Point<T> to, const Rules& rules)
 {
-    EdgeFunction<T> edge{to.y - from.y, from.x - to.x, from, 0, false};
-    // E grows to the right across a left edge, and downwards across a top edge.
-    edge.owner = edge.a > 0 || (edge.a == 0 && edge.b > 0);
-    edge.threshold = static_cast<T>(edge.owner ? rules.tie.owner : rules.tie.other) * Grid<T>::tieUnit(rules);
+    EdgeFunction<T> edge{to.y - from.y, from.x - to.x, from, 0};
+    edge.threshold = static_cast<T>(edge.owner() ? rules.tie.owner : rules.tie.other) * Grid<T>::tieUnit(rules);
     return edge;
 }
 
@@ -105,30 +118,35 @@ template <class T>
     return area2 < 0 && rules.triangleOriented;
 }
 
-/// Edge functions, tie thresholds and bounds of a screen triangle.
-///
-/// in      positions in samples; fixed point: snapped
-/// out     nothing if the bounds hold no sample centre or the area is zero in T
+/// Fills a set-up, see setupTriangle(), unless there is nothing to draw.
 template <class T>
-[[nodiscard]] std::optional<TriangleSetup<T>> setupTriangle(const ScreenTriangle& triangle, const Rules& rules)
+[[nodiscard]] bool setUp(TriangleSetup<T>& setup, const ScreenTriangle& triangle, const Rules& rules)
 {
-    const auto& [a, b, c] = triangle.vertices;
-    const SampleRange columns = samplesBetween(std::min({a.position.x, b.position.x, c.position.x}),
-                                               std::max({a.position.x, b.position.x, c.position.x}), rules.columns());
-    const SampleRange rows = samplesBetween(std::min({a.position.y, b.position.y, c.position.y}),
-                                            std::max({a.position.y, b.position.y, c.position.y}), rules.rows());
-    if (columns.first > columns.last || rows.first > rows.last)
-        return std::nullopt;
-
-    TriangleSetup<T> setup;
-    setup.bounds = {columns.first, rows.first, columns.last - columns.first + 1, rows.last - rows.first + 1};
-    setup.source = {0, 1, 2};
     for (std::size_t i = 0; i < 3; ++i)
         setup.vertices[i] = {Grid<T>::fromSamples(triangle.vertices[i].position.x),
                              Grid<T>::fromSamples(triangle.vertices[i].position.y)};
+    const auto samplesWithin = [](const auto& a, const auto& b, const auto& c, int size) {
+        return samplesBetween(std::min({a, b, c}), std::max({a, b, c}), size);
+    };
+    SampleRange columns;
+    SampleRange rows;
+    if constexpr (std::is_same_v<T, std::int64_t>) {
+        const auto& [a, b, c] = setup.vertices;
+        columns = samplesWithin(a.x, b.x, c.x, rules.columns());
+        rows = samplesWithin(a.y, b.y, c.y, rules.rows());
+    } else {
+        const auto& [a, b, c] = triangle.vertices;
+        columns = samplesWithin(a.position.x, b.position.x, c.position.x, rules.columns());
+        rows = samplesWithin(a.position.y, b.position.y, c.position.y, rules.rows());
+    }
+    if (columns.first > columns.last || rows.first > rows.last)
+        return false;
+    setup.bounds = {columns.first, rows.first, columns.last - columns.first + 1, rows.last - rows.first + 1};
+
+    setup.source = {0, 1, 2};
     const T area2 = edgeFunction(setup.vertices[0], setup.vertices[1], rules).at(setup.vertices[2]);
     if (area2 == 0 && rules.rejectsZeroArea)
-        return std::nullopt;
+        return false;
     if (isTurned(area2, rules)) {
         std::swap(setup.vertices[1], setup.vertices[2]);
         std::swap(setup.source[1], setup.source[2]);
@@ -137,6 +155,19 @@ template <class T>
         setup.edges[i] = edgeFunction(setup.vertices[i], setup.vertices[(i + 1) % 3], rules);
     if (rules.bounds != Bounds::Clamped)
         setup.bounds = boundsByRules(triangle, setup.bounds, rules);
+    return true;
+}
+
+/// Edge functions, tie thresholds and bounds of a screen triangle.
+///
+/// in      positions in samples; fixed point: snapped
+/// out     nothing if the bounds hold no sample centre or the area is zero in T
+template <class T>
+[[nodiscard]] std::optional<TriangleSetup<T>> setupTriangle(const ScreenTriangle& triangle, const Rules& rules)
+{
+    std::optional<TriangleSetup<T>> setup(std::in_place);
+    if (!setUp(*setup, triangle, rules))
+        setup.reset();
     return setup;
 }
 
