@@ -17,9 +17,9 @@
 namespace rasterlens
 {
 
-/// A vertex of the mesh with all that the faces around it share. What most faces are rejected or culled by lies in one
-/// cache line.
-struct alignas(64) ProcessedVertex {
+/// A vertex of the mesh with all that the faces around it share. What most faces are rejected or culled by comes first,
+/// side by side.
+struct ProcessedVertex {
     bool finite;
     bool beforeEye; ///< w > 0
     Outcode outcode;
@@ -82,8 +82,13 @@ private:
             observer.onViewport(face, static_cast<int>(i), corners[i]->clip, corners[i]->screen);
         const double area2 = twiceArea(a.screen.position, b.screen.position, c.screen.position);
         const FaceFate fate = facing(face, corners, area2, observer);
-        if (fate == FaceFate::Rasterized)
-            out.push_back({{a.screen, b.screen, c.screen}, face, area2});
+        if (fate == FaceFate::Rasterized) {
+            ScreenTriangle& triangle = out.emplace_back();
+            for (std::size_t i = 0; i < 3; ++i)
+                triangle.vertices[i] = corners[i]->screen;
+            triangle.face = face;
+            triangle.area2 = area2;
+        }
         return fate;
     }
 

@@ -88,12 +88,13 @@ struct SampleRange {
             last < size - 1 ? static_cast<int>(std::max(last, -1.0)) : size - 1};
 }
 
-/// The same in units of 1/256 sample, without a rounding.
+/// The same for positions in units of 1/256 sample.
 [[nodiscard]] inline SampleRange samplesBetween(std::int64_t low, std::int64_t high, int size)
 {
     constexpr int kUnitBits = 8;
-    const std::int64_t first = (low + 127) >> kUnitBits; // ceil((low - 128) / 256)
-    const std::int64_t last = (high - 128) >> kUnitBits; // floor
+    constexpr std::int64_t kCentre = Grid<std::int64_t>::kCentre;
+    const std::int64_t first = (low + kCentre - 1) >> kUnitBits; // the first centre at low or right of it
+    const std::int64_t last = (high - kCentre) >> kUnitBits;     // the last at high or left of it
     return {static_cast<int>(std::clamp<std::int64_t>(first, 0, size)),
             static_cast<int>(std::clamp<std::int64_t>(last, -1, size - 1))};
 }
@@ -118,41 +119,53 @@ template <class T>
     return area2 < 0 && rules.triangleOriented;
 }
 
+/// The samples whose centre lies within the extent of the corners, and the target; none: width or height is 0 or less.
+///
+/// in  corners  the positions of the triangle in T; only fixed point may be asked for its bounds in T
+template <class T>
+[[nodiscard]] PixelRect boundsWithin(const ScreenTriangle& triangle, const std::array<Point<T>, 3>& corners,
+                                     const Rules& rules)
+{
+    const auto within = [](const auto& a, const auto& b, const auto& c, int size) {
+        return samplesBetween(std::min({a, b, c}), std::max({a, b, c}), size);
+    };
+    const auto rect = [](SampleRange columns, SampleRange rows) {
+        return PixelRect{columns.first, rows.first, columns.last - columns.first + 1, rows.last - rows.first + 1};
+    };
+    if constexpr (std::is_same_v<T, std::int64_t>) {
+        const auto& [a, b, c] = corners;
+        return rect(within(a.x, b.x, c.x, rules.columns()), within(a.y, b.y, c.y, rules.rows()));
+    } else {
+        const glm::dvec2& a = triangle.vertices[0].position;
+        const glm::dvec2& b = triangle.vertices[1].position;
+        const glm::dvec2& c = triangle.vertices[2].position;
+        return rect(within(a.x, b.x, c.x, rules.columns()), within(a.y, b.y, c.y, rules.rows()));
+    }
+}
+
 /// Fills a set-up, see setupTriangle(), unless there is nothing to draw.
 template <class T>
 [[nodiscard]] bool setUp(TriangleSetup<T>& setup, const ScreenTriangle& triangle, const Rules& rules)
 {
+    std::array<Point<T>, 3> corners;
     for (std::size_t i = 0; i < 3; ++i)
-        setup.vertices[i] = {Grid<T>::fromSamples(triangle.vertices[i].position.x),
-                             Grid<T>::fromSamples(triangle.vertices[i].position.y)};
-    const auto samplesWithin = [](const auto& a, const auto& b, const auto& c, int size) {
-        return samplesBetween(std::min({a, b, c}), std::max({a, b, c}), size);
-    };
-    SampleRange columns;
-    SampleRange rows;
-    if constexpr (std::is_same_v<T, std::int64_t>) {
-        const auto& [a, b, c] = setup.vertices;
-        columns = samplesWithin(a.x, b.x, c.x, rules.columns());
-        rows = samplesWithin(a.y, b.y, c.y, rules.rows());
-    } else {
-        const auto& [a, b, c] = triangle.vertices;
-        columns = samplesWithin(a.position.x, b.position.x, c.position.x, rules.columns());
-        rows = samplesWithin(a.position.y, b.position.y, c.position.y, rules.rows());
-    }
-    if (columns.first > columns.last || rows.first > rows.last)
+        corners[i] = {Grid<T>::fromSamples(triangle.vertices[i].position.x),
+                      Grid<T>::fromSamples(triangle.vertices[i].position.y)};
+    setup.bounds = boundsWithin(triangle, corners, rules);
+    if (setup.bounds.width <= 0 || setup.bounds.height <= 0)
         return false;
-    setup.bounds = {columns.first, rows.first, columns.last - columns.first + 1, rows.last - rows.first + 1};
 
-    setup.source = {0, 1, 2};
-    const T area2 = edgeFunction(setup.vertices[0], setup.vertices[1], rules).at(setup.vertices[2]);
+    const T area2 = edgeFunction(corners[0], corners[1], rules).at(corners[2]);
     if (area2 == 0 && rules.rejectsZeroArea)
         return false;
+    setup.source = {0, 1, 2};
     if (isTurned(area2, rules)) {
-        std::swap(setup.vertices[1], setup.vertices[2]);
+        std::swap(corners[1], corners[2]);
         std::swap(setup.source[1], setup.source[2]);
     }
+    setup.vertices = corners;
     for (std::size_t i = 0; i < 3; ++i)
-        setup.edges[i] = edgeFunction(setup.vertices[i], setup.vertices[(i + 1) % 3], rules);
+        setup.edges[i] = edgeFunction(corners[i], corners[(i + 1) % 3], rules);
     if (rules.bounds != Bounds::Clamped)
         setup.bounds = boundsByRules(triangle, setup.bounds, rules);
     return true;

@@ -96,8 +96,8 @@ private:
                 }
             } else {
                 // The covered samples of a row are neighbours: behind the last of them there is nothing to find.
-                while (x < end && !inside(e, setup))
-                    ++x, step(e, perColumn);
+                for (; x < end && !inside(e, setup); ++x)
+                    step(e, perColumn);
                 for (; x < end && inside(e, setup); ++x, step(e, perColumn))
                     emitWithEdges(x, y, e, emit);
             }
