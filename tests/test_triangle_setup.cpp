@@ -99,7 +99,7 @@ void TestTriangleSetup::topAndLeftEdgesOwnTheirPoints()
                 const bool top = a.y == b.y && c.y > a.y;
                 const bool left =
                     a.y != b.y && double(c.x) > double(a.x) + double(b.x - a.x) * double(c.y - a.y) / double(b.y - a.y);
-                QCOMPARE(s->edges[k].owner, top || left);
+                QCOMPARE(s->edges[k].owner(), top || left);
             }
         }
     }

@@ -37,7 +37,7 @@ template <class T>
                         {double(edge.from.x), double(edge.from.y)},
                         double(edge.threshold),
                         EdgeSide::Neither};
-        if (edge.owner)
+        if (edge.owner())
             out.edges[i].side = edge.a > 0 ? EdgeSide::Left : EdgeSide::Top;
     }
     return out;

@@ -73,6 +73,7 @@ public:
         : m_scene(&scene), m_rules(&rules), m_samples(samples), m_eyeWorld(eyeWorld), m_observer(&observer),
           m_readsDepth(kReadsFragments<Observer> || samples.depth != nullptr || rules.shading == Shading::Depth),
           m_readsAttributes(varyingCount(rules.shading) > 0),
+          m_readsUniforms(rules.shading != Shading::Gouraud && rules.shading != Shading::Depth),
           m_testsRowsFirst(std::is_same_v<Observer, NullObserver> && rules.depthTested && rules.depthBeforeShading &&
                            !rules.depthWrittenOnFail && samples.depth != nullptr && samples.color != nullptr)
     {
@@ -86,7 +87,8 @@ public:
     void begin(const ScreenTriangle& triangle)
     {
         m_interpolation.emplace(triangle, triangle.area2, *m_rules, m_readsDepth ? DepthUse::Read : DepthUse::Ignored);
-        m_uniforms = faceUniforms(*m_scene, triangle.face, *m_rules);
+        if (m_readsUniforms)
+            m_uniforms = faceUniforms(*m_scene, triangle.face, *m_rules);
     }
 
     /// Call this after the last sample of a triangle. Nothing waits for the end here; SampleRouter::finish() does
@@ -277,6 +279,7 @@ private:
     Observer* m_observer;
     bool m_readsDepth;
     bool m_readsAttributes;
+    bool m_readsUniforms;
     bool m_testsRowsFirst;                            ///< see drawRow()
     std::optional<FaceInterpolation> m_interpolation; ///< of the triangle the samples belong to
     FaceUniforms m_uniforms;                          ///< of its face

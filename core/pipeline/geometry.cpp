@@ -93,17 +93,15 @@ FaceStages::FaceStages(const Scene& scene, const Matrices& matrices, const Rules
 {
 }
 
-ProcessedVertex FaceStages::processVertex(const ClipVertex& vertex) const
+void FaceStages::processVertex(ProcessedVertex& v) const
 {
-    ProcessedVertex v;
-    v.clip = vertex;
     v.finite = isFinite(v.clip.positionClip);
+    v.beforeEye = isBeforeEye(v.clip);
     if (!v.finite)
-        return v;
+        return;
     v.outcode = outcode(v.clip.positionClip, m_volume);
     if (v.outcode.cut == 0)
         v.screen = screenVertex(v.clip);
-    return v;
 }
 
 int FaceStages::appendFan(std::uint32_t face, std::span<const ScreenVertex> polygon, double area2,
@@ -150,8 +148,11 @@ Geometry::Geometry(const Scene& scene, const Matrices& matrices, const Rules& ru
     : m_scene(&scene), m_rules(rules), m_stages(scene, matrices, rules)
 {
     m_vertices.reserve(scene.mesh.vertices.size());
-    for (std::size_t i = 0; i < scene.mesh.vertices.size(); ++i)
-        m_vertices.push_back(m_stages.processVertex(shadeVertexAt(scene, matrices, rules, i)));
+    for (std::size_t i = 0; i < scene.mesh.vertices.size(); ++i) {
+        ProcessedVertex& vertex = m_vertices.emplace_back();
+        shadeVertexAt(scene, matrices, rules, i, vertex.clip);
+        m_stages.processVertex(vertex);
+    }
 }
 
 std::vector<std::uint32_t> Geometry::order() const

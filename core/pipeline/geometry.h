@@ -17,12 +17,16 @@
 namespace rasterlens
 {
 
-/// A vertex of the mesh with all that the faces around it share.
+/// A vertex of the mesh with all that the faces around it share. What most faces are rejected or culled by comes first,
+/// side by side.
 struct ProcessedVertex {
-    ClipVertex clip;
+    bool finite;
+    bool beforeEye; ///< w > 0
     Outcode outcode;
     ScreenVertex screen; ///< only where the mode may draw it uncut
-    bool finite;
+    ClipVertex clip;
+
+    ProcessedVertex() {} // writes nothing
 };
 
 /// The stages a face goes through between vertex and coverage: reject, clip, to the screen, cull.
@@ -33,7 +37,8 @@ public:
 
     FaceStages(const Scene& scene, const Matrices& matrices, const Rules& rules);
 
-    [[nodiscard]] ProcessedVertex processVertex(const ClipVertex& vertex) const;
+    /// Fills all but the clip-space vertex, which is there.
+    void processVertex(ProcessedVertex& vertex) const;
 
     /// Takes a face through the stages and appends the triangles to draw.
     ///
@@ -71,14 +76,19 @@ private:
         const ProcessedVertex& b = *corners[1];
         const ProcessedVertex& c = *corners[2];
         // x = y = z = w = 0 is inside every plane, yet nowhere on the screen.
-        if (m_volume.cutBy != 0 && !(isBeforeEye(a.clip) && isBeforeEye(b.clip) && isBeforeEye(c.clip)))
+        if (m_volume.cutBy != 0 && !(a.beforeEye && b.beforeEye && c.beforeEye))
             return FaceFate::Degenerate;
         for (std::uint32_t i = 0; i < 3; ++i)
             observer.onViewport(face, static_cast<int>(i), corners[i]->clip, corners[i]->screen);
         const double area2 = twiceArea(a.screen.position, b.screen.position, c.screen.position);
         const FaceFate fate = facing(face, corners, area2, observer);
-        if (fate == FaceFate::Rasterized)
-            out.push_back({{a.screen, b.screen, c.screen}, face, area2});
+        if (fate == FaceFate::Rasterized) {
+            ScreenTriangle& triangle = out.emplace_back();
+            for (std::size_t i = 0; i < 3; ++i)
+                triangle.vertices[i] = corners[i]->screen;
+            triangle.face = face;
+            triangle.area2 = area2;
+        }
         return fate;
     }
 

@@ -101,11 +101,10 @@ FaceInterpolation::FaceInterpolation(const ScreenTriangle& triangle, double area
     : m_triangle(&triangle), m_inverseArea2(1 / area2),
       m_weightPerEdgeUnit(std::abs(m_inverseArea2) / (double(Grid<std::int64_t>::kUnit) * Grid<std::int64_t>::kUnit)),
       m_isTurned(isTurned(area2, rules)), m_edgesFitDoubles(edgesFitDoubles(triangle)),
+      m_depth(use == DepthUse::Read ? depthPlane(triangle, area2, rules) : DepthPlane()),
       m_varyingCount(static_cast<std::size_t>(rules.varyingCount)), m_perspectiveCorrect(rules.perspectiveCorrect),
       m_depthLinear(rules.depthLinear)
 {
-    if (use == DepthUse::Read)
-        m_depth = depthPlane(triangle, area2, rules);
     for (std::size_t k = 0; k < m_varyingCount; ++k)
         for (std::size_t i = 0; i < 3; ++i)
             m_varyings[k][i] = triangle.vertices[i].varyings[k];

@@ -2,11 +2,13 @@
 #include "core/pipeline/types.h"
 #include "core/settings/rules.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 namespace rasterlens
 {
@@ -49,7 +51,10 @@ struct EdgeFunction {
     T b; ///< added for a step of one unit in y
     Point<T> from;
     T threshold; ///< the smallest value that counts as inside
-    bool owner;  ///< a left or a top edge: points on it belong to the triangle under the top-left rule
+
+    /// A left or a top edge: points on it belong to the triangle under the top-left rule. E grows to the right across a
+    /// left edge, and downwards across a top edge.
+    [[nodiscard]] bool owner() const { return a > 0 || (a == 0 && b > 0); }
 
     [[nodiscard]] T at(Point<T> p) const { return a * (p.x - from.x) + b * (p.y - from.y); }
 };
@@ -83,6 +88,17 @@ struct SampleRange {
             last < size - 1 ? static_cast<int>(std::max(last, -1.0)) : size - 1};
 }
 
+/// The same for positions in units of 1/256 sample.
+[[nodiscard]] inline SampleRange samplesBetween(std::int64_t low, std::int64_t high, int size)
+{
+    constexpr int kUnitBits = 8;
+    constexpr std::int64_t kCentre = Grid<std::int64_t>::kCentre;
+    const std::int64_t first = (low + kCentre - 1) >> kUnitBits; // the first centre at low or right of it
+    const std::int64_t last = (high - kCentre) >> kUnitBits;     // the last at high or left of it
+    return {static_cast<int>(std::clamp<std::int64_t>(first, 0, size)),
+            static_cast<int>(std::clamp<std::int64_t>(last, -1, size - 1))};
+}
+
 /// The bounds of a triangle for rules.bounds.
 ///
 /// in   the bounds clamped to the target, not empty
@@ -91,10 +107,8 @@ struct SampleRange {
 template <class T>
 [[nodiscard]] EdgeFunction<T> edgeFunction(Point<T> from, Point<T> to, const Rules& rules)
 {
-    EdgeFunction<T> edge{to.y - from.y, from.x - to.x, from, 0, false};
-    // E grows to the right across a left edge, and downwards across a top edge.
-    edge.owner = edge.a > 0 || (edge.a == 0 && edge.b > 0);
-    edge.threshold = static_cast<T>(edge.owner ? rules.tie.owner : rules.tie.other) * Grid<T>::tieUnit(rules);
+    EdgeFunction<T> edge{to.y - from.y, from.x - to.x, from, 0};
+    edge.threshold = static_cast<T>(edge.owner() ? rules.tie.owner : rules.tie.other) * Grid<T>::tieUnit(rules);
     return edge;
 }
 
@@ -105,6 +119,58 @@ template <class T>
     return area2 < 0 && rules.triangleOriented;
 }
 
+/// The samples whose centre lies within the extent of the corners, and the target; none: width or height is 0 or less.
+///
+/// in  corners  the positions of the triangle in T; only fixed point may be asked for its bounds in T
+template <class T>
+[[nodiscard]] PixelRect boundsWithin(const ScreenTriangle& triangle, const std::array<Point<T>, 3>& corners,
+                                     const Rules& rules)
+{
+    const auto within = [](const auto& a, const auto& b, const auto& c, int size) {
+        return samplesBetween(std::min({a, b, c}), std::max({a, b, c}), size);
+    };
+    const auto rect = [](SampleRange columns, SampleRange rows) {
+        return PixelRect{columns.first, rows.first, columns.last - columns.first + 1, rows.last - rows.first + 1};
+    };
+    if constexpr (std::is_same_v<T, std::int64_t>) {
+        const auto& [a, b, c] = corners;
+        return rect(within(a.x, b.x, c.x, rules.columns()), within(a.y, b.y, c.y, rules.rows()));
+    } else {
+        const glm::dvec2& a = triangle.vertices[0].position;
+        const glm::dvec2& b = triangle.vertices[1].position;
+        const glm::dvec2& c = triangle.vertices[2].position;
+        return rect(within(a.x, b.x, c.x, rules.columns()), within(a.y, b.y, c.y, rules.rows()));
+    }
+}
+
+/// Fills a set-up, see setupTriangle(), unless there is nothing to draw.
+template <class T>
+[[nodiscard]] bool setUp(TriangleSetup<T>& setup, const ScreenTriangle& triangle, const Rules& rules)
+{
+    std::array<Point<T>, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i)
+        corners[i] = {Grid<T>::fromSamples(triangle.vertices[i].position.x),
+                      Grid<T>::fromSamples(triangle.vertices[i].position.y)};
+    setup.bounds = boundsWithin(triangle, corners, rules);
+    if (setup.bounds.width <= 0 || setup.bounds.height <= 0)
+        return false;
+
+    const T area2 = edgeFunction(corners[0], corners[1], rules).at(corners[2]);
+    if (area2 == 0 && rules.rejectsZeroArea)
+        return false;
+    setup.source = {0, 1, 2};
+    if (isTurned(area2, rules)) {
+        std::swap(corners[1], corners[2]);
+        std::swap(setup.source[1], setup.source[2]);
+    }
+    setup.vertices = corners;
+    for (std::size_t i = 0; i < 3; ++i)
+        setup.edges[i] = edgeFunction(corners[i], corners[(i + 1) % 3], rules);
+    if (rules.bounds != Bounds::Clamped)
+        setup.bounds = boundsByRules(triangle, setup.bounds, rules);
+    return true;
+}
+
 /// Edge functions, tie thresholds and bounds of a screen triangle.
 ///
 /// in      positions in samples; fixed point: snapped
@@ -112,31 +178,9 @@ template <class T>
 template <class T>
 [[nodiscard]] std::optional<TriangleSetup<T>> setupTriangle(const ScreenTriangle& triangle, const Rules& rules)
 {
-    const auto& [a, b, c] = triangle.vertices;
-    const SampleRange columns = samplesBetween(std::min({a.position.x, b.position.x, c.position.x}),
-                                               std::max({a.position.x, b.position.x, c.position.x}), rules.columns());
-    const SampleRange rows = samplesBetween(std::min({a.position.y, b.position.y, c.position.y}),
-                                            std::max({a.position.y, b.position.y, c.position.y}), rules.rows());
-    if (columns.first > columns.last || rows.first > rows.last)
-        return std::nullopt;
-
-    TriangleSetup<T> setup;
-    setup.bounds = {columns.first, rows.first, columns.last - columns.first + 1, rows.last - rows.first + 1};
-    setup.source = {0, 1, 2};
-    for (std::size_t i = 0; i < 3; ++i)
-        setup.vertices[i] = {Grid<T>::fromSamples(triangle.vertices[i].position.x),
-                             Grid<T>::fromSamples(triangle.vertices[i].position.y)};
-    const T area2 = edgeFunction(setup.vertices[0], setup.vertices[1], rules).at(setup.vertices[2]);
-    if (area2 == 0 && rules.rejectsZeroArea)
-        return std::nullopt;
-    if (isTurned(area2, rules)) {
-        std::swap(setup.vertices[1], setup.vertices[2]);
-        std::swap(setup.source[1], setup.source[2]);
-    }
-    for (std::size_t i = 0; i < 3; ++i)
-        setup.edges[i] = edgeFunction(setup.vertices[i], setup.vertices[(i + 1) % 3], rules);
-    if (rules.bounds != Bounds::Clamped)
-        setup.bounds = boundsByRules(triangle, setup.bounds, rules);
+    std::optional<TriangleSetup<T>> setup(std::in_place);
+    if (!setUp(*setup, triangle, rules))
+        setup.reset();
     return setup;
 }
 

@@ -13,7 +13,7 @@ glm::vec4 transform(const glm::mat4& m, const glm::vec4& p)
     return (m[0] * p.x + m[1] * p.y) + (m[2] * p.z + m[3] * p.w);
 }
 
-ClipVertex shadedVertex(const Scene& scene, const Matrices& matrices, const Rules& rules, std::size_t index)
+void shadeOne(const Scene& scene, const Matrices& matrices, const Rules& rules, std::size_t index, ClipVertex& out)
 {
     const MeshVertex& vertex = scene.mesh.vertices[index];
     glm::vec4 positionClip = vertex.position;
@@ -21,10 +21,8 @@ ClipVertex shadedVertex(const Scene& scene, const Matrices& matrices, const Rule
         positionClip = transform(matrices.clipFromObject, vertex.position);
     else if (rules.mirrorClipZ)
         positionClip.z = rules.clipZ == ClipZ::Gl ? -positionClip.z : positionClip.w - positionClip.z;
-    ClipVertex out;
     out.positionClip = positionClip;
     shadeVertex(vertex, rules, out.varyings);
-    return out;
 }
 
 /// Appends what the alpha test reads.
@@ -37,11 +35,17 @@ void addMaskUv(const MeshVertex& vertex, const Rules& rules, ClipVertex& out)
 
 } // namespace
 
-ClipVertex shadeVertexAt(const Scene& scene, const Matrices& matrices, const Rules& rules, std::size_t index)
+void shadeVertexAt(const Scene& scene, const Matrices& matrices, const Rules& rules, std::size_t index, ClipVertex& out)
 {
-    ClipVertex out = shadedVertex(scene, matrices, rules, index);
+    shadeOne(scene, matrices, rules, index, out);
     if (rules.maskUv >= 0)
         addMaskUv(scene.mesh.vertices[index], rules, out);
+}
+
+ClipVertex shadeVertexAt(const Scene& scene, const Matrices& matrices, const Rules& rules, std::size_t index)
+{
+    ClipVertex out;
+    shadeVertexAt(scene, matrices, rules, index, out);
     return out;
 }
 
@@ -49,7 +53,7 @@ std::vector<ClipVertex> shadeVertices(const Scene& scene, const Matrices& matric
 {
     std::vector<ClipVertex> out(scene.mesh.vertices.size());
     for (std::size_t i = 0; i < out.size(); ++i)
-        out[i] = shadedVertex(scene, matrices, rules, i);
+        shadeOne(scene, matrices, rules, i, out[i]);
     for (std::size_t i = 0; rules.maskUv >= 0 && i < out.size(); ++i)
         addMaskUv(scene.mesh.vertices[i], rules, out[i]);
     return out;

@@ -16,7 +16,10 @@ namespace rasterlens
 /// covers  `reversedZ` of clip-space scenes, by mirroring z
 [[nodiscard]] std::vector<ClipVertex> shadeVertices(const Scene& scene, const Matrices& matrices, const Rules& rules);
 
-/// Takes one vertex to clip space, by its index in the mesh, as shadeVertices() does.
+/// Takes one vertex to clip space, by its index in the mesh, as shadeVertices() does. The first form writes it where it
+/// is kept: a processor waits for what it has just written when it is copied in larger pieces.
+void shadeVertexAt(const Scene& scene, const Matrices& matrices, const Rules& rules, std::size_t index,
+                   ClipVertex& out);
 [[nodiscard]] ClipVertex shadeVertexAt(const Scene& scene, const Matrices& matrices, const Rules& rules,
                                        std::size_t index);
 

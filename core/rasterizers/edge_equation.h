@@ -39,10 +39,19 @@ private:
     template <class T>
     using Values = std::array<T, 3>;
 
+    /// One decision, not three: which edge a sample is outside of is hard to predict.
     template <class T>
     static bool inside(const Values<T>& e, const TriangleSetup<T>& setup)
     {
-        return e[0] >= setup.edges[0].threshold && e[1] >= setup.edges[1].threshold && e[2] >= setup.edges[2].threshold;
+        const auto& [ab, bc, ca] = setup.edges;
+        return (int(e[0] >= ab.threshold) & int(e[1] >= bc.threshold) & int(e[2] >= ca.threshold)) != 0;
+    }
+
+    template <class T>
+    static void step(Values<T>& e, const Values<T>& by)
+    {
+        for (std::size_t i = 0; i < 3; ++i)
+            e[i] += by[i];
     }
 
     template <class T>
@@ -76,16 +85,23 @@ private:
         }
         for (int y = box.y; y < box.y + box.height && !isStopped(emit); ++y) {
             Values<T> e = row;
-            for (int x = box.x; x < box.x + box.width; ++x) {
-                const bool covered = inside(e, setup);
-                observer.onSample(x, y, observed(e), covered);
-                if (covered)
+            int x = box.x;
+            const int end = box.x + box.width;
+            if constexpr (kReadsSamples<Observer>) {
+                for (; x < end; ++x, step(e, perColumn)) {
+                    const bool covered = inside(e, setup);
+                    observer.onSample(x, y, observed(e), covered);
+                    if (covered)
+                        emitWithEdges(x, y, e, emit);
+                }
+            } else {
+                // The covered samples of a row are neighbours: behind the last of them there is nothing to find.
+                for (; x < end && !inside(e, setup); ++x)
+                    step(e, perColumn);
+                for (; x < end && inside(e, setup); ++x, step(e, perColumn))
                     emitWithEdges(x, y, e, emit);
-                for (std::size_t i = 0; i < 3; ++i)
-                    e[i] += perColumn[i];
             }
-            for (std::size_t i = 0; i < 3; ++i)
-                row[i] += perRow[i];
+            step(row, perRow);
         }
     }
 

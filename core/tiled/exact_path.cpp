@@ -28,7 +28,10 @@ struct PieceCounter : NullObserver {
 
 ProcessedVertex processedVertex(const FrameJob& job, std::size_t vertex)
 {
-    return job.stages->processVertex(shadeVertexAt(*job.scene, job.matrices, job.rules, vertex));
+    ProcessedVertex out;
+    shadeVertexAt(*job.scene, job.matrices, job.rules, vertex, out.clip);
+    job.stages->processVertex(out);
+    return out;
 }
 
 } // namespace
