@@ -88,7 +88,7 @@ struct SampleRange {
             last < size - 1 ? static_cast<int>(std::max(last, -1.0)) : size - 1};
 }
 
-/// The same for positions in units of 1/256 sample.
+/// Samples between positions that are in units of 1/256 sample.
 [[nodiscard]] inline SampleRange samplesBetween(std::int64_t low, std::int64_t high, int size)
 {
     constexpr int kUnitBits = 8;
