@@ -1,6 +1,7 @@
 #pragma once
 #include "core/pipeline/depth_test.h"
 #include "core/pipeline/framebuffer.h"
+#include "core/pipeline/gouraud_batch.h"
 #include "core/pipeline/interpolation.h"
 #include "core/pipeline/observer.h"
 #include "core/pipeline/shading.h"
@@ -74,6 +75,9 @@ public:
           m_readsDepth(kReadsFragments<Observer> || samples.depth != nullptr || rules.shading == Shading::Depth),
           m_readsAttributes(varyingCount(rules.shading) > 0),
           m_readsUniforms(rules.shading != Shading::Gouraud && rules.shading != Shading::Depth),
+          m_drawsBatches(std::is_same_v<Observer, NullObserver> && rules.shading == Shading::Gouraud &&
+                         rules.depthTested && !rules.depthWrittenOnFail && rules.depthFormat == DepthFormat::Float32 &&
+                         samples.depth != nullptr && samples.color != nullptr),
           m_testsRowsFirst(std::is_same_v<Observer, NullObserver> && rules.depthTested && rules.depthBeforeShading &&
                            !rules.depthWrittenOnFail && samples.depth != nullptr && samples.color != nullptr)
     {
@@ -91,9 +95,12 @@ public:
             m_uniforms = faceUniforms(*m_scene, triangle.face, *m_rules);
     }
 
-    /// Call this after the last sample of a triangle. Nothing waits for the end here; SampleRouter::finish() does
-    /// something.
-    void finish() {}
+    /// Call this after the last sample of a triangle: some may wait in the batch.
+    void finish()
+    {
+        if (m_batch.count > 0)
+            drawBatch();
+    }
 
     // Many loops call the next two, which makes compilers hesitate to inline them.
 
@@ -112,6 +119,15 @@ public:
     /// samples pass is hard to predict, and a processor that guesses wrong throws away the shading it has begun.
     void drawRow(int y, int xBegin, int xEnd)
     {
+        if (GouraudBatch* batch = this->batch()) {
+            for (int x = xBegin; x < xEnd; ++x) {
+                batch->x[batch->count] = x;
+                batch->y[batch->count] = y;
+                if (++batch->count == GouraudBatch::kMost)
+                    drawBatch();
+            }
+            return;
+        }
         if (!m_testsRowsFirst) {
             for (int x = xBegin; x < xEnd; ++x)
                 (*this)(x, y);
@@ -119,6 +135,36 @@ public:
         }
         for (; xBegin < xEnd; xBegin += kRowPart)
             drawTestedRow(y, xBegin, std::min(xBegin + kRowPart, xEnd));
+    }
+
+    /// Room for covered samples of the triangle, to be filled and drawn by drawBatch(); null where each sample is to be
+    /// handed over by itself.
+    [[nodiscard]] GouraudBatch* batch()
+    {
+        return m_drawsBatches && !m_interpolation->planeOfDepth().byWeights ? &m_batch : nullptr;
+    }
+
+    /// Draws the samples of the batch: the same as one after the other, but all depths are tested before what passes is
+    /// shaded.
+    ///
+    /// in  batch() with x, y and their count; afterwards it is empty
+    void drawBatch()
+    {
+        computeDepths(*m_interpolation, m_batch);
+        switch (m_rules->depthCompare) {
+        case DepthCompare::Less: testBatch<DepthCompare::Less>(); break;
+        case DepthCompare::LessEqual: testBatch<DepthCompare::LessEqual>(); break;
+        case DepthCompare::Greater: testBatch<DepthCompare::Greater>(); break;
+        case DepthCompare::GreaterEqual: testBatch<DepthCompare::GreaterEqual>(); break;
+        case DepthCompare::Always: testBatch<DepthCompare::Always>(); break;
+        }
+        computeColors(*m_interpolation, m_batch);
+        for (std::size_t i = 0; i < m_batch.count; ++i)
+            m_samples.color[m_batch.at[i]] = m_batch.color[i];
+        if (m_samples.ids != nullptr)
+            for (std::size_t i = 0; i < m_batch.count; ++i)
+                m_samples.ids[m_batch.at[i]] = static_cast<std::int32_t>(m_interpolation->triangle().face);
+        m_batch.count = 0;
     }
 
     /// A sample on one of the triangle's lines or corners, inside the target or not.
@@ -188,6 +234,30 @@ private:
             count += depthPasses(depth, m_samples.depth[at], compare) ? 1 : 0;
         }
         passed.count = static_cast<int>(count);
+    }
+
+    /// Counts the samples of the batch, writes the depths of those that pass and keeps these alone.
+    template <DepthCompare compare>
+    void testBatch()
+    {
+        const SampleBuffer target = m_samples; // no write to a plane can change a copy
+        GouraudBatch& batch = m_batch;
+        const std::size_t count = batch.count;
+        std::size_t passed = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t at = target.index(batch.x[i], batch.y[i]);
+            const float depth = batch.depth[i];
+            const float stored = target.depth[at];
+            const bool passes = depthPasses(depth, stored, compare);
+            target.depth[at] = passes ? depth : stored;
+            batch.x[passed] = batch.x[i];
+            batch.y[passed] = batch.y[i];
+            batch.at[passed] = at;
+            passed += passes ? 1 : 0;
+            if (target.coverage != nullptr && target.coverage[at] != 0xffff)
+                ++target.coverage[at];
+        }
+        batch.count = passed;
     }
 
     template <class Sample>
@@ -280,9 +350,11 @@ private:
     bool m_readsDepth;
     bool m_readsAttributes;
     bool m_readsUniforms;
+    bool m_drawsBatches;
     bool m_testsRowsFirst;                            ///< see drawRow()
     std::optional<FaceInterpolation> m_interpolation; ///< of the triangle the samples belong to
     FaceUniforms m_uniforms;                          ///< of its face
+    GouraudBatch m_batch;                             ///< some of its samples
     std::stop_token m_stop;
 };
 

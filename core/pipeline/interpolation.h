@@ -30,6 +30,8 @@ struct DepthPlane {
     double perX = 0;
     double perY = 0;
     bool byWeights = false;
+
+    [[nodiscard]] double at(int x, int y) const { return origin + perX * x + perY * y; }
 };
 
 /// Coefficients may be off by this much over the whole bounds before the plane is given up: well below the last bit
@@ -81,7 +83,7 @@ public:
     template <std::invocable ComputeWeights>
     [[nodiscard]] double depthAt(int x, int y, ComputeWeights&& screen) const
     {
-        return m_depth.byWeights ? depthOf(screen()) : m_depth.origin + m_depth.perX * x + m_depth.perY * y;
+        return m_depth.byWeights ? depthOf(screen()) : m_depth.at(x, y);
     }
     [[nodiscard]] double depthAt(int x, int y, const Weights& screen) const
     {
@@ -94,8 +96,12 @@ public:
     /// b_i / w_i over their sum; the weights as they are if perspective correction is off.
     [[nodiscard]] Weights perspective(const Weights& screen) const
     {
-        if (!m_perspectiveCorrect)
-            return screen;
+        return m_perspectiveCorrect ? corrected(screen) : screen;
+    }
+
+    /// b_i / w_i over their sum.
+    [[nodiscard]] Weights corrected(const Weights& screen) const
+    {
         const auto& [a, b, c] = m_triangle->vertices;
         const double wa = screen[0] * a.invW;
         const double wb = screen[1] * b.invW;
@@ -123,6 +129,8 @@ public:
     /// in   weights of that sample, on the screen and after perspective()
     [[nodiscard]] UvGradient uvGradient(const Weights& screen, const Weights& weights, std::size_t at) const;
 
+    [[nodiscard]] const DepthPlane& planeOfDepth() const { return m_depth; }
+    [[nodiscard]] bool correctsPerspective() const { return m_perspectiveCorrect; }
     [[nodiscard]] const ScreenTriangle& triangle() const { return *m_triangle; }
 
 private:

@@ -170,10 +170,6 @@ constexpr bool kReadsFragments =
     !std::is_same_v<decltype(&Observer::onFragment), decltype(&NullObserver::onFragment)> ||
     !std::is_same_v<decltype(&Observer::onShade), decltype(&NullObserver::onShade)>;
 
-/// Whether an observer is told of the samples that are tested and not covered.
-template <class Observer>
-constexpr bool kReadsSamples = !std::is_same_v<decltype(&Observer::onSample), decltype(&NullObserver::onSample)>;
-
 /// Whether an observer is told how samples become pixels.
 template <class Observer>
 constexpr bool kReadsResolve = !std::is_same_v<decltype(&Observer::onResolve), decltype(&NullObserver::onResolve)>;

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/pipeline/gouraud_batch.h"
 #include "core/pipeline/observer.h"
 #include "core/pipeline/stopping.h"
 #include "core/pipeline/triangle_setup.h"
@@ -39,7 +40,7 @@ private:
     template <class T>
     using Values = std::array<T, 3>;
 
-    /// One decision, not three: which edge a sample is outside of is hard to predict.
+    /// Without a branch: which edge a sample is outside of is hard to predict.
     template <class T>
     static bool inside(const Values<T>& e, const TriangleSetup<T>& setup)
     {
@@ -69,40 +70,69 @@ private:
             emit(x, y);
     }
 
-    /// Three start values; then add A for each column and B for each row.
+    /// Edge values at the first sample of a box; then add A for each column and B for each row.
+    template <class T>
+    struct Steps {
+        Values<T> first;
+        Values<T> perColumn;
+        Values<T> perRow;
+
+        explicit Steps(const TriangleSetup<T>& setup)
+        {
+            for (std::size_t i = 0; i < 3; ++i) {
+                const EdgeFunction<T>& edge = setup.edges[i];
+                first[i] = edge.at(TriangleSetup<T>::centre(setup.bounds.x, setup.bounds.y));
+                perColumn[i] = edge.a * Grid<T>::kUnit;
+                perRow[i] = edge.b * Grid<T>::kUnit;
+            }
+        }
+    };
+
     template <class T, class Emit, class Observer>
     static void coverIncremental(const TriangleSetup<T>& setup, Emit& emit, Observer& observer)
     {
-        const PixelRect& box = setup.bounds;
-        const auto& edges = setup.edges;
-        Values<T> row;
-        Values<T> perColumn;
-        Values<T> perRow;
-        for (std::size_t i = 0; i < 3; ++i) {
-            row[i] = edges[i].at(TriangleSetup<T>::centre(box.x, box.y));
-            perColumn[i] = edges[i].a * Grid<T>::kUnit;
-            perRow[i] = edges[i].b * Grid<T>::kUnit;
+        if constexpr (requires { emit.batch(); }) {
+            if (GouraudBatch* batch = emit.batch()) {
+                collectIncremental(setup, *batch, emit);
+                return;
+            }
         }
-        for (int y = box.y; y < box.y + box.height && !isStopped(emit); ++y) {
+        const PixelRect& box = setup.bounds;
+        const Steps<T> steps(setup);
+        Values<T> row = steps.first;
+        for (int y = box.y; y < box.y + box.height && !isStopped(emit); ++y, step(row, steps.perRow)) {
             Values<T> e = row;
-            int x = box.x;
-            const int end = box.x + box.width;
-            if constexpr (kReadsSamples<Observer>) {
-                for (; x < end; ++x, step(e, perColumn)) {
-                    const bool covered = inside(e, setup);
-                    observer.onSample(x, y, observed(e), covered);
-                    if (covered)
-                        emitWithEdges(x, y, e, emit);
-                }
-            } else {
-                // The covered samples of a row are neighbours: behind the last of them there is nothing to find.
-                for (; x < end && !inside(e, setup); ++x)
-                    step(e, perColumn);
-                for (; x < end && inside(e, setup); ++x, step(e, perColumn))
+            for (int x = box.x; x < box.x + box.width; ++x, step(e, steps.perColumn)) {
+                const bool covered = inside(e, setup);
+                observer.onSample(x, y, observed(e), covered);
+                if (covered)
                     emitWithEdges(x, y, e, emit);
             }
-            step(row, perRow);
         }
+    }
+
+    /// The same samples for a stage that draws many at a time.
+    template <class T, class Emit>
+    static void collectIncremental(const TriangleSetup<T>& setup, GouraudBatch& batch, Emit& emit)
+    {
+        const PixelRect box = setup.bounds;
+        const Steps<T> steps(setup);
+        Values<T> row = steps.first;
+        std::size_t count = batch.count;
+        for (int y = box.y; y < box.y + box.height && !isStopped(emit); ++y, step(row, steps.perRow)) {
+            Values<T> e = row;
+            for (int x = box.x; x < box.x + box.width; ++x, step(e, steps.perColumn)) {
+                batch.x[count] = x;
+                batch.y[count] = y;
+                count += inside(e, setup) ? 1 : 0;
+                if (count == GouraudBatch::kMost) {
+                    batch.count = count;
+                    emit.drawBatch();
+                    count = 0;
+                }
+            }
+        }
+        batch.count = count; // emit.finish() draws the rest
     }
 
     /// An edge value as a 32-bit integer of whole pixel areas keeps it, without an overflow that C++ leaves undefined.
