@@ -1,9 +1,14 @@
 // Interpolation: depth planes that are exact in any order of addition, and weights against rational arithmetic.
+#include "core/pipeline/depth_test.h"
+#include "core/pipeline/gouraud_batch.h"
+#include "core/pipeline/shading.h"
 #include "core/rasterizers/edge_walking.h"
 #include "tests/support.h"
 
 #include <QTest>
+#include <bit>
 #include <boost/multiprecision/cpp_int.hpp>
+#include <limits>
 
 using namespace rasterlens;
 using namespace rasterlens::test;
@@ -119,6 +124,7 @@ private Q_SLOTS:
     void onlyWhatIsReadIsCarried();
     void fractionOfTheWayInSpace();
     void edgeThenSpanAgreesWithPlanes();
+    void batchesAgreeWithSamples();
     void depthIsLinearOnTheScreen();
 };
 
@@ -397,6 +403,43 @@ void TestInterpolation::depthIsLinearOnTheScreen()
     const FaceInterpolation face(t, area2Of(t), rulesOf(128));
     const double middle = 2 * face.depthAt(63, 31, face.weightsAt(63, 31)) - 1;
     QCOMPARE(std::round(middle * 1e4), 8938.0);
+}
+
+/// Depths and colours of a batch are those of its samples one by one, bit for bit, however many they are.
+void TestInterpolation::batchesAgreeWithSamples()
+{
+    Random random = seededRandom();
+    GouraudBatch batch;
+    for (int i = 0; i < 2000; ++i) {
+        ScreenTriangle t = randomTriangle(random, 64, false);
+        for (ScreenVertex& v : t.vertices) // colours beyond 0 and 1, and none at all
+            for (std::size_t k = 0; k < 3; ++k)
+                v.varyings[k] = i % 50 == 0 ? std::numeric_limits<float>::quiet_NaN()
+                                            : static_cast<float>(uniform(random, -0.5, 1.5));
+        Rules rules = rulesOf(64);
+        rules.varyingCount = 3;
+        rules.perspectiveCorrect = i % 3 != 0;
+        if (area2Of(t) == 0)
+            continue;
+        const FaceInterpolation face(t, area2Of(t), rules);
+        batch.count = std::size_t(integer(random, 0, int(GouraudBatch::kMost)));
+        for (std::size_t k = 0; k < batch.count; ++k) {
+            batch.x[k] = int(integer(random, 0, 63));
+            batch.y[k] = int(integer(random, 0, 63));
+        }
+        computeDepths(face, batch);
+        computeColors(face, batch);
+        for (std::size_t k = 0; k < batch.count; ++k) {
+            const Weights screen = face.weightsAt(batch.x[k], batch.y[k]);
+            const Weights weights = face.perspective(screen);
+            QCOMPARE(batch.color[k],
+                     packColor({face.varying(0, weights), face.varying(1, weights), face.varying(2, weights)}));
+            if (!face.planeOfDepth().byWeights)
+                QCOMPARE(std::bit_cast<std::uint32_t>(batch.depth[k]),
+                         std::bit_cast<std::uint32_t>(
+                             storedDepth(face.depthAt(batch.x[k], batch.y[k], screen), DepthFormat::Float32)));
+        }
+    }
 }
 
 QTEST_APPLESS_MAIN(TestInterpolation)
