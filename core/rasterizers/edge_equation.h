@@ -111,7 +111,7 @@ private:
         }
     }
 
-    /// The same samples for a stage that draws many at a time.
+    /// Collects the samples for a stage that draws many at a time.
     template <class T, class Emit>
     static void collectIncremental(const TriangleSetup<T>& setup, GouraudBatch& batch, Emit& emit)
     {
