@@ -13,25 +13,10 @@ namespace rasterlens::cli
 namespace
 {
 
-constexpr Verb kVerbs[] = {
-    {"render", "draw a scene into a picture, arrays and counters", runRender},
-    {"info", "say what a scene is made of", runInfo},
-    {"diff", "compare two pictures or arrays", runDiff},
-    {"bench", "measure speed against error", runBench},
-    {"cases", "draw the hard cases and compare with the exact reference", runCases},
-    {"steps", "tell every step of the drawing", runSteps},
-    {"why", "say why a pixel is what it is", runWhy},
-    {"derive", "derive a formula with the numbers of a face", runDerive},
-    {"figure", "write a figure with caption, formula and legend", runFigure},
-    {"page", "write one HTML file that shows every step", runPage},
-    {"identify", "say which mistake made a picture", runIdentify},
-    {"lesson", "list, print and check lessons", runLesson},
-};
-
 QString verbNames()
 {
     QStringList names;
-    for (const Verb& verb : kVerbs)
+    for (const Verb& verb : verbs())
         names << QLatin1String(verb.name);
     return names.join(QStringLiteral(", "));
 }
@@ -41,7 +26,7 @@ QString help()
     QString text = QStringLiteral("Usage: rasterlens-cli VERB [arguments]\n\n"
                                   "Shows how a triangle becomes pixels, without a window.\n\n"
                                   "Verbs:\n");
-    for (const Verb& verb : kVerbs)
+    for (const Verb& verb : verbs())
         text += QStringLiteral("  %1%2\n").arg(QLatin1String(verb.name), -10).arg(QLatin1String(verb.summary));
     return text +
            QStringLiteral("\nrasterlens-cli VERB --help explains a verb, rasterlens-cli --version names this build.\n\n"
@@ -62,7 +47,7 @@ ExitCode run(const QStringList& words)
         printText(QStringLiteral("rasterlens-cli %1\n").arg(QLatin1String(RASTERLENS_VERSION)));
         return ExitCode::Fine;
     }
-    for (const Verb& verb : kVerbs)
+    for (const Verb& verb : verbs())
         if (first == QLatin1String(verb.name))
             return words.mid(1).contains(QLatin1String("--version")) ? run({QStringLiteral("--version")})
                                                                      : verb.run(words.mid(1));

@@ -19,6 +19,7 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QIcon>
 #include <QTimer>
 
 #include <csignal>
@@ -252,6 +253,8 @@ int main(int argc, char** argv)
     }
     choosePlatform();
     QApplication application(argc, argv);
+    QGuiApplication::setDesktopFileName(QStringLiteral("org.rasterlens.RasterLens"));
+    QGuiApplication::setWindowIcon(QIcon(QStringLiteral(":/rasterlens/desktop/rasterlens.svg")));
     rasterlens::useSettingsFormat();
     const rasterlens::EndSignals endSignals;
     const bool forScreenshot = !arguments.screenshot.isEmpty() || !arguments.figure.path.isEmpty();

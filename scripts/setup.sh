@@ -1,6 +1,6 @@
 # Sourced by run, check and scripts/tidy, from the top of the tree.
 
-# packages_for run|check: the names in packages.txt; "check" needs those of "run" too.
+# packages_for run|check|package: the names in packages.txt; the others need those of "run" too.
 packages_for()
 {
     awk -v who="$1" '!/^#/ && NF && ($2 == "run" || $2 == who) { print $1 }' packages.txt
@@ -28,7 +28,7 @@ as_root()
     fi
 }
 
-# install_packages run|check: installs what is missing; elsewhere than on Debian and Ubuntu it names what is needed.
+# install_packages run|check|package: installs what is missing; elsewhere than on Debian and Ubuntu it names what is needed.
 install_packages()
 {
     if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then

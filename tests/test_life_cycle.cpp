@@ -79,13 +79,13 @@ private Q_SLOTS:
 
     void aSessionNeverSavedIsProposedBesideTheScene()
     {
-        QCOMPARE(m_window->lifeCycle().proposedPath(), m_files.path(QStringLiteral("scene.json")));
+        QCOMPARE(m_window->lifeCycle().proposedPath(), m_files.path(QStringLiteral("scene.rasterlens.json")));
         makeDirty(34);
         QVERIFY(!m_window->close());
         QVERIFY(answer(QMessageBox::Save));
         auto* dialog = m_window->findChild<QFileDialog*>(QStringLiteral("saveSession"));
         QVERIFY(dialog);
-        QCOMPARE(dialog->selectedFiles(), QStringList{m_files.path(QStringLiteral("scene.json"))});
+        QCOMPARE(dialog->selectedFiles(), QStringList{m_files.path(QStringLiteral("scene.rasterlens.json"))});
         dialog->reject(); // no name is no answer: the window stays
         QVERIFY(m_window->isVisible());
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
@@ -94,9 +94,9 @@ private Q_SLOTS:
         dialog = m_window->findChild<QFileDialog*>(QStringLiteral("saveSession"));
         QMetaObject::invokeMethod(dialog, "accept");
         QVERIFY(waitFor([this] { return !m_window->isVisible(); }));
-        QVERIFY(QFileInfo::exists(m_files.path(QStringLiteral("scene.json"))));
-        QCOMPARE(m_window->lifeCycle().proposedPath(), m_files.path(QStringLiteral("scene-2.json")));
-        QFile::remove(m_files.path(QStringLiteral("scene.json")));
+        QVERIFY(QFileInfo::exists(m_files.path(QStringLiteral("scene.rasterlens.json"))));
+        QCOMPARE(m_window->lifeCycle().proposedPath(), m_files.path(QStringLiteral("scene-2.rasterlens.json")));
+        QFile::remove(m_files.path(QStringLiteral("scene.rasterlens.json")));
     }
 
     void openingAndDroppingAsk()

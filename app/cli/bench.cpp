@@ -380,6 +380,8 @@ QString variantList()
 
 } // namespace
 
+Usage benchUsage() { return usage(); }
+
 ExitCode runBench(const QStringList& words)
 {
     if (words.contains(QStringLiteral("--list-variants"))) {

@@ -215,6 +215,8 @@ bool anyFails(const std::vector<Row>& rows)
 
 } // namespace
 
+Usage casesUsage() { return usage(); }
+
 ExitCode runCases(const QStringList& words)
 {
     const auto arguments = parseArguments(usage(), words);

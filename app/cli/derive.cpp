@@ -125,6 +125,8 @@ DerivationPlace placeOf(const Arguments& arguments, const Input& input)
 
 } // namespace
 
+Usage deriveUsage() { return usage(); }
+
 ExitCode runDerive(const QStringList& words)
 {
     if (words.contains(QStringLiteral("--list"))) {

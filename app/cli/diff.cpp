@@ -260,6 +260,8 @@ ExitCode diffArrays(const Side& a, const Side& b, const Request& request)
 
 } // namespace
 
+Usage diffUsage() { return usage(); }
+
 ExitCode runDiff(const QStringList& words)
 {
     const auto arguments = parseArguments(usage(), words);

@@ -208,6 +208,8 @@ QStringList windowWords(const Arguments& arguments, const Input& input, const QS
 
 } // namespace
 
+Usage figureUsage() { return usage(); }
+
 ExitCode runFigure(const QStringList& words)
 {
     const auto arguments = parseArguments(usage(), words);

@@ -86,6 +86,8 @@ QString textOf(const Identification& found)
 
 } // namespace
 
+Usage identifyUsage() { return usage(); }
+
 ExitCode runIdentify(const QStringList& words)
 {
     const auto arguments = parseArguments(usage(), words);

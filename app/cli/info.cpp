@@ -231,6 +231,8 @@ Diagnostics colorRemarks(const Input& input)
 
 } // namespace
 
+Usage infoUsage() { return usage(); }
+
 ExitCode runInfo(const QStringList& words)
 {
     const auto arguments = parseArguments(usage(), words);

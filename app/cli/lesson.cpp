@@ -140,6 +140,8 @@ void list(const Arguments& arguments)
 
 } // namespace
 
+Usage lessonUsage() { return usage(); }
+
 ExitCode runLesson(const QStringList& words)
 {
     const auto arguments = parseArguments(usage(), words);

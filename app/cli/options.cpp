@@ -31,24 +31,6 @@ std::size_t editDistance(const QString& a, const QString& b)
     return row.back();
 }
 
-const Option* findOption(const Usage& usage, const QString& name)
-{
-    for (const OptionGroup& group : usage.groups)
-        for (const Option& option : group.options)
-            if (option.name == name)
-                return &option;
-    return nullptr;
-}
-
-QStringList optionNames(const Usage& usage)
-{
-    QStringList names{QStringLiteral("--help")};
-    for (const OptionGroup& group : usage.groups)
-        for (const Option& option : group.options)
-            names << option.name;
-    return names;
-}
-
 QString program(const Usage& usage) { return QStringLiteral("rasterlens-cli ") + usage.verb; }
 
 [[noreturn]] void failUnknown(const Usage& usage, const QString& name)
@@ -174,6 +156,24 @@ QString paragraphs(const QString& text)
 }
 
 } // namespace
+
+const Option* findOption(const Usage& usage, const QString& name)
+{
+    for (const OptionGroup& group : usage.groups)
+        for (const Option& option : group.options)
+            if (option.name == name)
+                return &option;
+    return nullptr;
+}
+
+QStringList optionNames(const Usage& usage)
+{
+    QStringList names{QStringLiteral("--help")};
+    for (const OptionGroup& group : usage.groups)
+        for (const Option& option : group.options)
+            names << option.name;
+    return names;
+}
 
 std::optional<QString> Arguments::value(const QString& name) const
 {

@@ -56,6 +56,12 @@ struct Usage {
     bool manyOperands = false; ///< any number of operands beyond those
 };
 
+/// The option of that name, or null.
+[[nodiscard]] const Option* findOption(const Usage& usage, const QString& name);
+
+/// The names of all options, `--help` among them.
+[[nodiscard]] QStringList optionNames(const Usage& usage);
+
 /// Sorts the words. `--` ends the options; a lone `-` is a value or an operand.
 ///
 /// out     nothing when the words ask for help, which has then been printed

@@ -121,6 +121,8 @@ QStringList windowWords(const Arguments& arguments, const Input& input, const QS
 
 } // namespace
 
+Usage pageUsage() { return usage(); }
+
 ExitCode runPage(const QStringList& words)
 {
     const auto arguments = parseArguments(usage(), words);

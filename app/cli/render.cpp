@@ -161,6 +161,8 @@ void renderTo(const Scene& scene, const Settings& settings, const OutputNames& n
 
 } // namespace
 
+Usage renderUsage() { return usage(); }
+
 ExitCode runRender(const QStringList& words)
 {
     if (words.contains(QStringLiteral("--list-mistakes"))) {

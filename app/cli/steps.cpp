@@ -94,6 +94,8 @@ void tellRecord(const StepRecord& record, std::size_t from, std::size_t limit, T
 
 } // namespace
 
+Usage stepsUsage() { return usage(); }
+
 ExitCode runSteps(const QStringList& words)
 {
     const auto arguments = parseArguments(usage(), words);

@@ -56,6 +56,8 @@ QString textOf(const WhyReport& report)
 
 } // namespace
 
+Usage whyUsage() { return usage(); }
+
 ExitCode runWhy(const QStringList& words)
 {
     const auto arguments = parseArguments(usage(), words);

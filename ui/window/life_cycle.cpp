@@ -180,9 +180,10 @@ QString LifeCycle::proposedPath() const
     base = QFileInfo(base).completeBaseName(); // resources are paths, too
     if (base.isEmpty())
         base = QStringLiteral("session");
-    QString path = folder.filePath(base + QStringLiteral(".json"));
+    // Desktops know sessions by this end of their names.
+    QString path = folder.filePath(base + QStringLiteral(".rasterlens.json"));
     for (int i = 2; QFileInfo::exists(path); ++i)
-        path = folder.filePath(QStringLiteral("%1-%2.json").arg(base).arg(i));
+        path = folder.filePath(QStringLiteral("%1-%2.rasterlens.json").arg(base).arg(i));
     return path;
 }
 
