@@ -24,7 +24,7 @@ struct GlyphColors {
 
 /// The colour that veils a sample: what is inside, and what was looked at.
 [[nodiscard]] QColor lensVeil(const LensCell& cell, const QColor& paper);
-/// Of the number on the veil.
+/// The colour of the number on the veil.
 [[nodiscard]] QColor lensNumberColor(LensCell::State state);
 
 /// A sign in a circle, whose rim has the hue of its edge: 0 AB, 1 BC, 2 CA.
