@@ -319,6 +319,8 @@ private:
                          const TriangleSetup<T>& setup, const ScreenTriangle& triangle, const Rules& rules, Emit& emit,
                          Observer& observer)
     {
+        if (skipsLine(emit, y))
+            return;
         const EdgeWalker<T>& leftEdge = s.longEdgeIsLeft ? longEdge : shortEdge;
         const EdgeWalker<T>& rightEdge = s.longEdgeIsLeft ? shortEdge : longEdge;
         const RowCrossing left = leftEdge.crossing();
