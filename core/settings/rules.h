@@ -128,6 +128,7 @@ struct Rules {
     bool samplesTruncated = false; ///< all samples of a pixel are tested at the pixel's corner
     Bounds bounds = Bounds::Clamped;
     int extraEdgeHeight = 0; ///< edge walking: rows by which edges are taken to be higher than they are
+    bool wholeRows = false;  ///< edge walking: rows at whole heights, filled between whole columns, both ends included
 
     // Depth
     bool painter = false;    ///< faces from far to near

@@ -4,9 +4,9 @@
 #include "core/observe/names.h"
 #include "core/scene/camera.h"
 #include "core/settings/view_planes.h"
+#include "ui/base/parts.h"
 
 #include <QCoreApplication>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QVBoxLayout>
@@ -25,8 +25,6 @@ PlaneFields::PlaneFields(Document& document, QWidget* parent) : QWidget(parent),
 
 void PlaneFields::addRow(std::size_t which)
 {
-    auto* line = new QHBoxLayout;
-    line->setSpacing(4);
     Row& row = m_rows[which];
     row.dot = new ChangeDot;
     row.name = new QLabel;
@@ -44,13 +42,7 @@ void PlaneFields::addRow(std::size_t which)
         View asked = m_document.defaults().view;
         set(which, distance(asked, which));
     });
-    auto* room = new QLabel;
-    room->setMinimumWidth(14);
-    line->addWidget(row.dot);
-    line->addWidget(row.name, 9);
-    line->addWidget(row.edit, 13);
-    line->addWidget(room);
-    static_cast<QVBoxLayout*>(layout())->addLayout(line);
+    static_cast<QVBoxLayout*>(layout())->addLayout(makeFieldLine(row.dot, row.name, row.edit));
 }
 
 std::optional<double>& PlaneFields::distance(View& view, std::size_t which)
