@@ -44,7 +44,7 @@ public:
         case StepKind::Span: return differs(event, m_log.payload<SpanStep>(event));
         case StepKind::Sample: return covers(event, event.x, event.y) != event.has(StepEvent::kCovered);
         case StepKind::Fragment: return differs(event, m_log.payload<FragmentStep>(event));
-        case StepKind::Shade: return m_rules.cornerData != CornerData::Own || shadeDiffers(event, i);
+        case StepKind::Shade: return m_rules.cornerData != CornerData::Own || shadeDiffers(event);
         case StepKind::Write: return m_rules.strideIsRows && event.y > 0;
         case StepKind::Resolve: return m_log.payload<ResolveStep>(event).pixel.black != 0;
         case StepKind::End: return m_rules.resolve != m_right.resolve || endsEarly(i);
@@ -92,37 +92,39 @@ private:
     }
 
     /// Whether texels or light are made of something else than they should be at this sample.
-    [[nodiscard]] bool shadeDiffers(const StepEvent& event, std::size_t i) const
+    [[nodiscard]] bool shadeDiffers(const StepEvent& event) const
     {
+        const bool showsLevel = m_rules.shading == Shading::MipLevel;
+        if (m_rules.shading != Shading::Texture && m_rules.shading != Shading::Phong && !showsLevel)
+            return false;
         if (m_rules.shading == Shading::Phong && (!m_rules.colorsClamped || !m_rules.normals.normalized))
             return true;
-        const auto isFragment = [&](const StepEvent& before) { return before.kind == StepKind::Fragment; };
-        const auto found = m_log.find(i, StepDirection::Backward, isFragment);
-        if (!found)
-            return false;
-        const FragmentStep& step = m_log.payload<FragmentStep>(m_log.event(*found));
+        const ScreenTriangle& triangle = m_log.triangle(event)->screen;
+        const FaceInterpolation interpolation(triangle, triangle.area2, m_right, DepthUse::Ignored);
+        const Weights screen = interpolation.weightsAt(event.x, event.y);
+        const Weights weights = interpolation.perspective(screen);
+        Varyings varyings{};
+        interpolation.varyings(weights, varyings);
         const TexelRules& texels = m_rules.texels;
-        const glm::vec2 uv(step.varyings[kVaryingUv], step.varyings[kVaryingUv + 1]);
+        const glm::vec2 uv(varyings[kVaryingUv], varyings[kVaryingUv + 1]);
         const bool isBelowZero = m_rules.textureFilter == TextureFilter::Nearest && (uv.x < 0 || uv.y < 0);
-        if (texels.uv != UvSource::Corners || (!texels.floored && isBelowZero))
+        if (texels.uv != UvSource::Corners || (!texels.floored && isBelowZero && !showsLevel))
             return true;
-        if (m_rules.textureFilter == TextureFilter::Nearest)
-            return false;
-        return texels.centre != m_right.texels.centre || levelDiffers(event, step);
+        const bool blends = m_rules.textureFilter != TextureFilter::Nearest && !showsLevel;
+        const bool readsLevel = m_rules.textureFilter == TextureFilter::Trilinear || showsLevel;
+        return (blends && texels.centre != m_right.texels.centre) ||
+               (readsLevel && levelDiffers(interpolation, screen, weights, varyings));
     }
 
     /// Whether the mip level comes from other derivatives, or rises otherwise, at a sample.
-    [[nodiscard]] bool levelDiffers(const StepEvent& event, const FragmentStep& step) const
+    [[nodiscard]] bool levelDiffers(const FaceInterpolation& interpolation, const Weights& screen,
+                                    const Weights& weights, Varyings varyings) const
     {
-        if (m_rules.textureFilter != TextureFilter::Trilinear)
-            return false;
-        const ScreenTriangle& triangle = m_log.triangle(event)->screen;
-        const FaceInterpolation interpolation(triangle, triangle.area2, m_right);
-        const UvGradient right = interpolation.uvGradient(step.screen, step.weights, kVaryingUv);
+        const UvGradient right = interpolation.uvGradient(screen, weights, kVaryingUv);
         UvGradient taken = right;
-        Varyings varyings = step.varyings;
-        takeOtherTexels(interpolation, m_rules, step.screen, varyings, taken);
-        return taken.perX != right.perX || taken.perY != right.perY ||
+        takeOtherTexels(interpolation, m_rules, screen, varyings, taken);
+        constexpr float kRounding = 1e-4F; // of differences of coordinates
+        return glm::distance(taken.perX, right.perX) > kRounding || glm::distance(taken.perY, right.perY) > kRounding ||
                m_rules.texels.levelsPerDoubling != m_right.texels.levelsPerDoubling;
     }
 
