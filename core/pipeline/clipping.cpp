@@ -1,5 +1,7 @@
 #include "core/pipeline/clipping.h"
 
+#include "core/pipeline/viewport.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -127,7 +129,16 @@ bool Clipper::isBeforeEye() const
 
 bool Clipper::isNew(std::size_t vertex) const { return !TriangleLines::isVertex(m_now->corners[vertex]); }
 
-glm::dvec2 Clipper::snapped(std::size_t vertex) const { return m_lines.snapped(m_now->corners[vertex], *m_rules); }
+glm::dvec2 Clipper::snapped(std::size_t vertex) const
+{
+    if (m_rules->cutStore != CutStore::InPlace)
+        return m_lines.snapped(m_now->corners[vertex], *m_rules);
+    // What is cut in place does not keep to its lines.
+    const glm::dvec4& p = m_now->vertices[vertex].positionClip;
+    const int shortBy = m_rules->viewportShort;
+    return {snapToGrid(p.x, p.w, m_rules->width - shortBy, m_rules->subpixelBits),
+            snapToGrid(m_rules->screenUp * p.y, p.w, m_rules->height - shortBy, m_rules->subpixelBits)};
+}
 
 bool isWellConditioned(const glm::dvec4& a, const glm::dvec4& b, double w)
 {
@@ -146,7 +157,9 @@ void Clipper::cutBy(ClipPlane plane)
     const auto n = static_cast<std::size_t>(from.count);
     for (std::size_t i = 0; i < n; ++i) {
         const double estimate = m_volume->cut[lineOf(plane)].carefulDistance(from.vertices[i].positionClip);
-        from.distances[i] = m_lines.distance(from.corners[i], lineOf(plane), estimate);
+        from.distances[i] = m_rules->cutStore == CutStore::InPlace
+                                ? estimate
+                                : m_lines.distance(from.corners[i], lineOf(plane), estimate);
     }
     const auto addCut = [&](std::size_t inside, std::size_t outside, ClipCorner corner) {
         const ClipVertex& a = from.vertices[inside];
