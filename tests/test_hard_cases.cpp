@@ -39,7 +39,7 @@ QStringList caseFiles() { return QDir(QStringLiteral(RASTERLENS_CASES)).entryLis
 
 Outcome referenceOutcome(const Scene& scene)
 {
-    return outcomeOf(exactReference(scene, scene.defaults), scene.background);
+    return outcomeOf(caseTruth(scene, scene.defaults.samples), scene.background);
 }
 
 CaseVerdict verdict(const QString& name, const char* variant)

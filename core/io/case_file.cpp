@@ -2,7 +2,9 @@
 
 #include "core/io/byte_order_mark.h"
 #include "core/io/text_input.h"
+#include "core/io/texture_loader.h"
 
+#include <QDir>
 #include <QFileInfo>
 
 #include <array>
@@ -28,6 +30,9 @@ constexpr Word<DepthTest> kDepthTest[] = {{"less", DepthTest::Less},
                                           {"none", DepthTest::None}};
 constexpr Word<DepthFormat> kDepthFormat[] = {
     {"float32", DepthFormat::Float32}, {"unorm16", DepthFormat::Unorm16}, {"unorm24", DepthFormat::Unorm24}};
+constexpr Word<TextureFilter> kTextureFilter[] = {{"nearest", TextureFilter::Nearest},
+                                                  {"bilinear", TextureFilter::Bilinear},
+                                                  {"trilinear", TextureFilter::Trilinear}};
 constexpr Word<ClipZ> kClipZ[] = {{"gl", ClipZ::Gl}, {"d3d", ClipZ::D3d}};
 
 QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
@@ -88,6 +93,9 @@ private:
             {"zrange", &Parser::zRange},
             {"window", &Parser::window},
             {"tri", &Parser::tri},
+            {"triuv", &Parser::triuv},
+            {"texture", &Parser::texture},
+            {"texture_filter", &Parser::textureFilter},
             {"note", &Parser::note},
             {"expect", &Parser::expect},
         };
@@ -96,8 +104,10 @@ private:
                 return (this->*directive.handle)();
         m_diagnostics.error(
             m_line,
-            {QT_TRANSLATE_NOOP("Diagnostic", "%1 is not a directive; size, subpixel_bits, exact, cull, depth_test, "
-                                             "depth_format, clear, ssaa, zrange, window, tri, note or expect expected"),
+            {QT_TRANSLATE_NOOP("Diagnostic",
+                               "%1 is not a directive; size, subpixel_bits, exact, cull, depth_test, "
+                               "depth_format, clear, ssaa, zrange, window, tri, triuv, texture, texture_filter, "
+                               "note or expect expected"),
              {quotedWord(m_directive)}});
     }
 
@@ -214,13 +224,52 @@ private:
         }
     }
 
-    /// Three corners of x y z w r g b. Positions may be non-finite: that is what some cases are about.
-    void tri()
+    void textureFilter() { choice<TextureFilter>(kTextureFilter, m_scene.defaults.textureFilter); }
+
+    /// `checker N`: N x N texels, light and dark in turn; else an image beside the case.
+    void texture()
     {
-        constexpr std::size_t kPerCorner = 7;
+        const QString rest = text(trimmed(m_rest));
+        const std::string_view first = nextWord(m_rest);
+        if (first.empty())
+            return fault(
+                QT_TRANSLATE_NOOP("Diagnostic", "\"checker\" and a size, or the name of an image, is expected"));
+        std::optional<Texture> made;
+        if (first == "checker") {
+            const auto side = integers<1>(QT_TRANSLATE_NOOP("Diagnostic", "one"), 1, 1024);
+            if (!side)
+                return;
+            made = checkerOf((*side)[0]);
+        } else {
+            TextureLoad load = loadTexture(QFileInfo(m_scene.id).dir().filePath(rest));
+            if (load.problem)
+                return fault(*load.problem);
+            made = std::move(load.texture);
+        }
+        m_scene.textures = {std::move(*made)};
+        m_scene.materials.front().texture = 0;
+        m_scene.defaults.shading = Shading::Texture;
+    }
+
+    static Texture checkerOf(int side)
+    {
+        Texture checker{QStringLiteral("checker"), side, side, {}};
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x)
+                checker.texels.push_back((x + y) % 2 == 0 ? 0xffe6e6e6 : 0xff283c78);
+        return checker;
+    }
+
+    void tri() { corners<7>(QT_TRANSLATE_NOOP("Diagnostic", "21 (x y z w r g b of three corners)")); }
+    void triuv() { corners<9>(QT_TRANSLATE_NOOP("Diagnostic", "27 (x y z w r g b u v of three corners)")); }
+
+    /// Three corners of x y z w r g b, and u v if there are nine numbers. Positions may be non-finite: that is what
+    /// some cases are about.
+    template <std::size_t kPerCorner>
+    void corners(const char* expected)
+    {
         constexpr std::size_t kPosition = 4;
-        const auto found =
-            words<3 * kPerCorner>(QT_TRANSLATE_NOOP("Diagnostic", "21 (x y z w r g b of three corners)"));
+        const auto found = words<3 * kPerCorner>(expected);
         if (!found)
             return;
         std::array<float, 3 * kPerCorner> v{};
@@ -233,8 +282,11 @@ private:
         }
         for (std::size_t i = 0; i < v.size(); i += kPerCorner) {
             m_scene.mesh.indices.push_back(static_cast<std::uint32_t>(m_scene.mesh.vertices.size()));
-            m_scene.mesh.vertices.push_back(
-                {.position = {v[i], v[i + 1], v[i + 2], v[i + 3]}, .color = {v[i + 4], v[i + 5], v[i + 6]}});
+            MeshVertex& corner = m_scene.mesh.vertices.emplace_back();
+            corner.position = {v[i], v[i + 1], v[i + 2], v[i + 3]};
+            corner.color = {v[i + 4], v[i + 5], v[i + 6]};
+            if constexpr (kPerCorner > 7)
+                corner.uv = {v[i + 7], v[i + 8]};
         }
     }
 

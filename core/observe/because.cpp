@@ -6,6 +6,7 @@
 #include "core/pipeline/depth_test.h"
 #include "core/pipeline/interpolation.h"
 #include "core/pipeline/line_places.h"
+#include "core/pipeline/texel_path.h"
 #include "core/pipeline/triangle_setup.h"
 #include "core/pipeline/viewport.h"
 #include "core/settings/mistakes.h"
@@ -43,25 +44,90 @@ public:
         case StepKind::Span: return differs(event, m_log.payload<SpanStep>(event));
         case StepKind::Sample: return covers(event, event.x, event.y) != event.has(StepEvent::kCovered);
         case StepKind::Fragment: return differs(event, m_log.payload<FragmentStep>(event));
-        case StepKind::Shade: return m_rules.cornerData != CornerData::Own;
+        case StepKind::Shade: return m_rules.cornerData != CornerData::Own || shadeDiffers(event);
         case StepKind::Write: return m_rules.strideIsRows && event.y > 0;
         case StepKind::Resolve: return m_log.payload<ResolveStep>(event).pixel.black != 0;
         case StepKind::End: return m_rules.resolve != m_right.resolve || endsEarly(i);
-        case StepKind::Vertex:
-        case StepKind::ClipPlane:
+        case StepKind::Vertex: return vertexDiffers();
+        case StepKind::ClipPlane: return differs(m_log.payload<ClipStep>(event));
+        case StepKind::LineSample: return m_rules.fill == Fill::Points && isMovedPoint(event);
         case StepKind::Clipped:
         case StepKind::Triangle:
         case StepKind::Outline:
         case StepKind::Walk:
         case StepKind::Sides:
         case StepKind::Column:
-        case StepKind::LineDecision:
-        case StepKind::LineSample: break; // see becauseOfLines()
+        case StepKind::LineDecision: break; // see becauseOfLines()
         }
         return false;
     }
 
 private:
+    [[nodiscard]] bool vertexDiffers() const
+    {
+        return m_rules.camera != m_right.camera || m_rules.normals != m_right.normals ||
+               m_rules.texels.vUp != m_right.texels.vUp;
+    }
+
+    /// Whether new corners are given other attributes, or a corner outside is cut at twice and written over.
+    [[nodiscard]] bool differs(const ClipStep& step) const
+    {
+        const std::size_t n = step.distances.size();
+        const auto isInside = [&](std::size_t i) { return step.distances[i % n] >= 0; };
+        bool isCutTwice = false;
+        for (std::size_t i = 0; i < n; ++i)
+            isCutTwice = isCutTwice || (!isInside(i) && isInside(i + 1) && isInside(i + n - 1));
+        return (!m_rules.clipInterpolates && !step.cuts.empty()) ||
+               (m_rules.cutStore == CutStore::InPlace && isCutTwice);
+    }
+
+    /// Whether some corner of the triangle is drawn at this sample that lies in another one.
+    [[nodiscard]] bool isMovedPoint(const StepEvent& event) const
+    {
+        return std::ranges::any_of(m_log.triangle(event)->screen.vertices, [&](const ScreenVertex& vertex) {
+            const GridPoint drawn = sampleOf(vertex.position, m_rules.gridRounding);
+            const GridPoint right = sampleOf(vertex.position, m_right.gridRounding);
+            return drawn.x == event.x && drawn.y == event.y && (drawn.x != right.x || drawn.y != right.y);
+        });
+    }
+
+    /// Whether texels or light are made of something else than they should be at this sample.
+    [[nodiscard]] bool shadeDiffers(const StepEvent& event) const
+    {
+        const bool showsLevel = m_rules.shading == Shading::MipLevel;
+        if (m_rules.shading != Shading::Texture && m_rules.shading != Shading::Phong && !showsLevel)
+            return false;
+        if (m_rules.shading == Shading::Phong && (!m_rules.colorsClamped || !m_rules.normals.normalized))
+            return true;
+        const ScreenTriangle& triangle = m_log.triangle(event)->screen;
+        const FaceInterpolation interpolation(triangle, triangle.area2, m_right, DepthUse::Ignored);
+        const Weights screen = interpolation.weightsAt(event.x, event.y);
+        const Weights weights = interpolation.perspective(screen);
+        Varyings varyings{};
+        interpolation.varyings(weights, varyings);
+        const TexelRules& texels = m_rules.texels;
+        const glm::vec2 uv(varyings[kVaryingUv], varyings[kVaryingUv + 1]);
+        const bool isBelowZero = m_rules.textureFilter == TextureFilter::Nearest && (uv.x < 0 || uv.y < 0);
+        if (texels.uv != UvSource::Corners || (!texels.floored && isBelowZero && !showsLevel))
+            return true;
+        const bool blends = m_rules.textureFilter != TextureFilter::Nearest && !showsLevel;
+        const bool readsLevel = m_rules.textureFilter == TextureFilter::Trilinear || showsLevel;
+        return (blends && texels.centre != m_right.texels.centre) ||
+               (readsLevel && levelDiffers(interpolation, screen, weights, varyings));
+    }
+
+    /// Whether the mip level comes from other derivatives, or rises otherwise, at a sample.
+    [[nodiscard]] bool levelDiffers(const FaceInterpolation& interpolation, const Weights& screen,
+                                    const Weights& weights, Varyings varyings) const
+    {
+        const UvGradient right = interpolation.uvGradient(screen, weights, kVaryingUv);
+        UvGradient taken = right;
+        takeOtherTexels(interpolation, m_rules, screen, varyings, taken);
+        constexpr float kRounding = 1e-4F; // of differences of coordinates
+        return glm::distance(taken.perX, right.perX) > kRounding || glm::distance(taken.perY, right.perY) > kRounding ||
+               m_rules.texels.levelsPerDoubling != m_right.texels.levelsPerDoubling;
+    }
+
     /// Whether the cuts are moved, of which there are some where a corner lies outside, or corners are left out.
     [[nodiscard]] bool differs(const CohenSutherlandStep& step) const
     {
@@ -117,7 +183,7 @@ private:
     [[nodiscard]] bool differs(FaceFate fate, std::size_t i) const
     {
         if (fate == FaceFate::Rejected)
-            return m_rules.clipping != m_right.clipping;
+            return m_rules.clipping != m_right.clipping || m_rules.rejectBy != m_right.rejectBy;
         const auto isFacing = [&](const StepEvent& event) {
             return event.kind == StepKind::Facing && event.face == m_log.event(i).face;
         };
@@ -172,7 +238,7 @@ private:
             m_rules.integerLineWeights || event.has(StepEvent::kSharedDepth))
             return true;
         if (m_rules.depthFormat != m_right.depthFormat || m_rules.depthIsDistance || !m_rules.depthLinear ||
-            m_rules.keptW != KeptW::Inverse || !m_rules.clipUpdatesW)
+            m_rules.keptW != KeptW::Inverse || !m_rules.clipUpdatesW || m_rules.weightUnit > 0)
             return true;
         const ScreenTriangle& triangle = m_log.triangle(event)->screen;
         const auto& [a, b, c] = triangle.vertices;

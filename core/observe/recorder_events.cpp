@@ -27,7 +27,7 @@ std::uint8_t flagIf(bool condition, std::uint8_t flag) { return condition ? flag
 std::vector<ClipVertex> corners(const ClipPolygon& polygon) { return {polygon.span().begin(), polygon.span().end()}; }
 
 /// The cuts of a plane in the order of the polygon's edges, matched with the corners they made.
-std::vector<ClipCut> cutsOf(const ClipStep& step)
+std::vector<ClipCut> cutsOf(const ClipStep& step, CutStore store)
 {
     std::vector<ClipCut> cuts;
     const int n = static_cast<int>(step.before.size());
@@ -38,6 +38,9 @@ std::vector<ClipCut> cutsOf(const ClipStep& step)
         const bool nextInside = step.distances[static_cast<std::size_t>(next)] >= 0;
         corner += isInside ? 1 : 0;
         if (isInside == nextInside)
+            continue;
+        const bool isMoved = step.distances[static_cast<std::size_t>((i + n - 1) % n)] >= 0; // by the cut before
+        if (store == CutStore::InPlace && !isInside && isMoved)
             continue;
         ClipCut cut{isInside ? i : next, isInside ? next : i, 0, step.after.empty() ? -1 : corner};
         cut.t = cutParameter(step.distances[static_cast<std::size_t>(cut.inside)],
@@ -91,7 +94,7 @@ void StepRecorder::onClipPlane(std::uint32_t, ClipPlane plane, const ClipPolygon
     storeWith(faceEvent(StepKind::ClipPlane), [&] {
         ClipStep step{plane, corners(before), corners(after), {}, {}};
         step.distances.assign(before.distances.begin(), before.distances.begin() + before.count);
-        step.cuts = cutsOf(step);
+        step.cuts = cutsOf(step, m_rules.cutStore);
         return step;
     });
 }

@@ -58,6 +58,8 @@ DecidingEdge decidingEdge(const StepSetup& setup, const EdgeValues& values, cons
         failed = failed || fails;
         allAtMost = allAtMost && values[i] <= setup.edges[i].threshold;
     }
+    if (rules.insideTest == InsideTest::None) // as if nothing could fail
+        return {smallest, values[smallest], -std::numeric_limits<double>::infinity(), DecidingEdge::Sign::AtLeast};
     const bool either = failed && allAtMost;
     const std::size_t edge = either ? largest : smallest;
     using Sign = DecidingEdge::Sign;

@@ -5,6 +5,7 @@
 #include "core/pipeline/interpolation.h"
 #include "core/pipeline/observer.h"
 #include "core/pipeline/shading.h"
+#include "core/pipeline/texel_path.h"
 #include "core/settings/rules.h"
 
 #include <algorithm>
@@ -73,7 +74,7 @@ public:
                   Observer& observer)
         : m_scene(&scene), m_rules(&rules), m_samples(samples), m_eyeWorld(eyeWorld), m_observer(&observer),
           m_readsDepth(kReadsFragments<Observer> || samples.depth != nullptr || rules.shading == Shading::Depth),
-          m_readsAttributes(varyingCount(rules.shading) > 0),
+          m_readsAttributes(varyingCount(rules.shading) > 0), m_takesOtherTexels(takesOtherTexels(rules)),
           m_readsUniforms(rules.shading != Shading::Gouraud && rules.shading != Shading::Depth),
           m_drawsBatches(std::is_same_v<Observer, NullObserver> && rules.shading == Shading::Gouraud &&
                          rules.depthTested && !rules.depthWrittenOnFail && rules.depthFormat == DepthFormat::Float32 &&
@@ -324,6 +325,8 @@ private:
         UvGradient gradient;
         if (needsUvGradient(*m_rules, m_uniforms))
             gradient = m_interpolation->uvGradient(screen, weights, kVaryingUv);
+        if (m_takesOtherTexels)
+            takeOtherTexels(*m_interpolation, *m_rules, screen, varyings, gradient);
         return shadeFragment(*m_rules, m_uniforms, varyings, depth, m_eyeWorld, gradient);
     }
 
@@ -349,6 +352,7 @@ private:
     Observer* m_observer;
     bool m_readsDepth;
     bool m_readsAttributes;
+    bool m_takesOtherTexels;
     bool m_readsUniforms;
     bool m_drawsBatches;
     bool m_testsRowsFirst;                            ///< see drawRow()

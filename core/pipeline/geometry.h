@@ -54,6 +54,8 @@ public:
             observer.onVertex(face, static_cast<int>(i), m_scene->mesh.indices[3 * face + i], corners[i]->clip);
         if (!a.finite || !b.finite || !c.finite)
             return FaceFate::NonFinite;
+        if (m_rules.rejectBy == RejectBy::DividedBox && isDividedBoxOutside({&a.clip, &b.clip, &c.clip}))
+            return FaceFate::Rejected;
         const ClipVerdict verdict = clipVerdict(m_rules.clipping, a.outcode, b.outcode, c.outcode);
         if (verdict == ClipVerdict::Reject)
             return FaceFate::Rejected;
@@ -151,9 +153,26 @@ private:
     [[nodiscard]] ScreenVertex screenVertex(const Clipper& clipper, std::size_t i) const
     {
         const ClipVertex& vertex = clipper.polygon().vertices[i];
+        if (m_rules.cutStore == CutStore::LastUnwritten && isLastNew(clipper, i))
+            return unwrittenVertex(vertex);
         if (m_rules.numberType != NumberType::Fixed || !clipper.isNew(i))
             return screenVertex(vertex);
         return withDepthRule(vertex, toScreen(vertex, clipper.snapped(i), m_rules));
+    }
+
+    /// Whether a vertex of a clipped polygon is the last one that a cut has made.
+    [[nodiscard]] static bool isLastNew(const Clipper& clipper, std::size_t i)
+    {
+        for (auto last = static_cast<std::size_t>(clipper.polygon().count); last-- > i;)
+            if (clipper.isNew(last))
+                return last == i;
+        return false;
+    }
+
+    /// What stands in memory that is cleared and not written: a corner at (0, 0). It keeps its w, by which all divide.
+    [[nodiscard]] static ScreenVertex unwrittenVertex(const ClipVertex& vertex)
+    {
+        return {{0, 0}, 0, 1 / vertex.positionClip.w, {}};
     }
 
     [[nodiscard]] ScreenVertex withDepthRule(const ClipVertex& vertex, ScreenVertex out) const

@@ -64,6 +64,8 @@ public:
         const glm::dvec2 p(x + 0.5, y + 0.5);
         const double wa = twiceArea(b.position, c.position, p) * m_inverseArea2;
         const double wb = twiceArea(c.position, a.position, p) * m_inverseArea2;
+        if (m_weightUnit > 0)
+            return roundedWeights({wa, wb, twiceArea(a.position, b.position, p) * m_inverseArea2});
         return {wa, wb, 1 - wa - wb};
     }
 
@@ -134,6 +136,8 @@ public:
     [[nodiscard]] const ScreenTriangle& triangle() const { return *m_triangle; }
 
 private:
+    [[nodiscard]] Weights roundedWeights(const Weights& weights) const;
+
     const ScreenTriangle* m_triangle;
     double m_inverseArea2;
     double m_weightPerEdgeUnit; ///< edge values are positive inside, whatever the sign of area2
@@ -144,6 +148,7 @@ private:
     std::array<std::array<double, 3>, kMaxVaryings> m_varyings; ///< those that are carried, of A, B and C
     bool m_perspectiveCorrect;
     bool m_depthLinear;
+    double m_weightUnit; ///< rules.weightUnit
 };
 
 } // namespace rasterlens

@@ -54,6 +54,7 @@ void carryMaskUv(Rules& rules)
 {
     switch (rules.shading) {
     case Shading::Texture:
+    case Shading::MipLevel:
     case Shading::Phong: rules.maskUv = kVaryingUv; break;
     case Shading::Uv: rules.maskUv = 0; break;
     case Shading::Gouraud:
@@ -77,6 +78,8 @@ Rules rightRules(const Settings& settings, const Scene& scene, const Matrices& m
     rules.light = lightDirection(settings.light, matrices.toViewer);
     rules.orthographic = matrices.orthographic;
     rules.toViewer = glm::vec3(matrices.toViewer);
+    rules.eye = glm::vec3(matrices.eyeObject);
+    rules.stretch = scene.stretch;
     rules.varyingCount = varyingCount(settings.shading);
     if (settings.alphaTest == AlphaTest::On && hasMasks(scene))
         carryMaskUv(rules);
@@ -126,6 +129,8 @@ Resolved resolve(const Settings& settings, const Scene& scene)
             mistake->apply(resolved.rules);
             resolved.mistakes.push_back(mistake);
         }
+    if (resolved.rules.camera != CameraRules())
+        resolved.matrices = cameraMatrices(scene, settings, resolved.rules.camera);
     // Orthographic depth is linear in the distance: who takes the one for the other makes no mistake there.
     if (resolved.rules.orthographic)
         resolved.rules.depthIsDistance = false;

@@ -260,6 +260,24 @@ bool isOneOf(const char* id, Ids... ids)
     return ((QLatin1String(id) == QLatin1String(ids)) || ...);
 }
 
+/// Reasons that lie in shading and texture filter.
+std::optional<Reason> whenNothingIsLookedUp(const char* id, const Settings& settings)
+{
+    const bool readsTexels = settings.shading == Shading::Texture || settings.shading == Shading::Phong;
+    const bool showsLevel = settings.shading == Shading::MipLevel;
+    const bool isLevel = isOneOf(id, "lod-per-face", "wrap-before-derivative", "lod-doubled");
+    if (!readsTexels && (isOneOf(id, "no-half-texel") || (!showsLevel && (isLevel || isOneOf(id, "xy-for-uv")))))
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "this shading reads no texels"));
+    if (isLevel && !showsLevel && settings.textureFilter != TextureFilter::Trilinear)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "no mip levels are looked up"));
+    if (isOneOf(id, "no-half-texel") && settings.textureFilter == TextureFilter::Nearest)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "the nearest texel is taken, and none is blended"));
+    if (isOneOf(id, "no-clamp", "not-normalized") && settings.shading != Shading::Phong)
+        return Reason(
+            QT_TRANSLATE_NOOP("Diagnostic", "light is not computed at every pixel: the shading is not phong"));
+    return std::nullopt;
+}
+
 /// Reasons that lie in the settings alone.
 std::optional<Reason> whenNotAsked(const char* id, const Settings& settings)
 {
@@ -272,7 +290,9 @@ std::optional<Reason> whenNotAsked(const char* id, const Settings& settings)
         return Reason(QT_TRANSLATE_NOOP("Diagnostic", "the picture is as wide as it is high"));
     if (isOneOf(id, "cull-reversed", "cull-before-divide", "cull-before-clip") && settings.culling == Culling::None)
         return Reason(QT_TRANSLATE_NOOP("Diagnostic", "nothing is culled"));
-    return std::nullopt;
+    if (isOneOf(id, "truncate-to-zero") && settings.fill != Fill::Points)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "no points are drawn"));
+    return whenNothingIsLookedUp(id, settings);
 }
 
 } // namespace
@@ -349,7 +369,8 @@ std::optional<Reason> whyLightUnchanged(const Scene& scene, const Settings& sett
     case Shading::Normals:
     case Shading::Uv:
     case Shading::Overdraw:
-    case Shading::TriangleId: break;
+    case Shading::TriangleId:
+    case Shading::MipLevel: break;
     }
     return Reason(QT_TRANSLATE_NOOP("Diagnostic", "this shading asks for no light"));
 }
@@ -360,6 +381,9 @@ std::optional<Reason> whyUnchanged(const Mistake& mistake, const Settings& setti
     std::optional<Reason> why = whenNotAsked(id, settings);
     if (!why && isOneOf(id, "affine", "w-lost", "w-not-inverted", "z-corrected", "w-before-clipping"))
         why = whenEqualW(facts);
+    if (!why && isOneOf(id, "order-reversed", "rotation-inverted", "translate-by-target", "near-negative") &&
+        facts.noCamera)
+        why = Reason(QT_TRANSLATE_NOOP("Diagnostic", "the scene is given in clip space: no camera projects it"));
     if (isOneOf(id, "view-z-linear") && facts.orthographic)
         why = Reason(QT_TRANSLATE_NOOP("Diagnostic", "the depth of an orthographic camera is linear in the distance"));
     if (!why && factsFor(mistake) == FactsOf::Samples) {
@@ -368,7 +392,8 @@ std::optional<Reason> whyUnchanged(const Mistake& mistake, const Settings& setti
         why = whenNoTies(withoutMistakes(facts, others));
     }
     if (!why && isOneOf(id, "no-near-clip", "any-vertex-inside", "near-far-reject", "cut-corners",
-                        "return-for-continue", "w-before-clipping"))
+                        "return-for-continue", "w-before-clipping", "reject-after-divide", "cut-keeps-attributes",
+                        "cut-in-place", "cut-left-at-origin"))
         why = whenNoneOutside(facts);
     return why;
 }

@@ -264,8 +264,10 @@ private:
             judgeEdges(row, m_log->triangle(event)->setup, m_log->payload<SampleStep>(event).values);
         } else if (event.kind == StepKind::Fragment) {
             // Lines of a face meet in its corners: what was written is not taken back by what fails after it.
-            if (row.verdict != WhyVerdict::Written || event.has(StepEvent::kPassed))
+            if (row.verdict != WhyVerdict::Written || event.has(StepEvent::kPassed)) {
                 row.fragment = m_log->payload<FragmentStep>(event);
+                row.texels = texelFootprint(m_scene, m_rules, m_log->triangle(event)->screen, *row.fragment);
+            }
             row.verdict = std::max(row.verdict, WhyVerdict::FailedDepth);
         } else if (event.kind == StepKind::Write) {
             row.write = m_log->payload<WriteStep>(event);
@@ -353,7 +355,8 @@ private:
         std::array<WhyEdge, 3> edges;
         for (std::size_t i = 0; i < 3; ++i) {
             const StepEdge& edge = setup.edges[i];
-            const bool passed = deciding.sign == DecidingEdge::Sign::AtMost || values[i] >= edge.threshold;
+            const bool passed = deciding.sign == DecidingEdge::Sign::AtMost || values[i] >= edge.threshold ||
+                                m_rules.insideTest == InsideTest::None;
             edges[i] = {edgeName(setup, int(i)), values[i], edge.threshold, edge.side, passed};
         }
         const WhyVerdict verdict = deciding.isInside() ? WhyVerdict::FailedDepth

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/observe/step_log.h"
+#include "core/questions/texel_footprint.h"
 #include "core/scene/scene.h"
 #include "core/settings/mistakes.h"
 
@@ -52,6 +53,7 @@ struct WhyFace {
     double unitsPerArea = 1;
     float opacity = 1; ///< Hole: of the texture at the sample, below kLeastOpacity
     std::optional<FragmentStep> fragment;
+    std::optional<TexelFootprint> texels;       ///< of the fragment, where a texture is looked up
     WriteStep write{};                          ///< Written
     std::optional<std::uint32_t> overwrittenBy; ///< Written: the face that was written next
     /// The mistakes without which the face would have another verdict, or other numbers.

@@ -108,6 +108,15 @@ QJsonObject rowToJson(const WhyReport& report, const WhyFace& row)
         object.insert(QStringLiteral("depth"), double(row.fragment->depth));
         object.insert(QStringLiteral("stored_depth"), double(row.fragment->storedDepth));
     }
+    if (row.texels) {
+        const auto pair = [](const glm::dvec2& v) { return QJsonArray{finiteOrText(v.x), finiteOrText(v.y)}; };
+        object.insert(QStringLiteral("texels"),
+                      QJsonObject{{"size", QJsonArray{row.texels->size.width(), row.texels->size.height()}},
+                                  {"place", pair(row.texels->place)},
+                                  {"right", pair(row.texels->right)},
+                                  {"down", pair(row.texels->down)},
+                                  {"level", finiteOrText(row.texels->level)}});
+    }
     if (row.verdict == WhyVerdict::Written) {
         object.insert(QStringLiteral("color_before"), colorText(row.write.before.color));
         object.insert(QStringLiteral("color"), colorText(row.write.after.color));

@@ -31,7 +31,8 @@ bool withoutAttributes(const Settings& s)
     case Shading::Texture:
     case Shading::Phong:
     case Shading::Normals:
-    case Shading::Uv: break;
+    case Shading::Uv:
+    case Shading::MipLevel: break;
     }
     return false;
 }

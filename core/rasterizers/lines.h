@@ -183,12 +183,12 @@ void drawWireframe(const ScreenTriangle& triangle, const Rules& rules, Emit& emi
 
 /// Draws the three corners of a triangle.
 template <class Emit, class Observer>
-void drawPoints(const ScreenTriangle& triangle, const Rules&, Emit& emit, Observer&)
+void drawPoints(const ScreenTriangle& triangle, const Rules& rules, Emit& emit, Observer&)
 {
     for (std::size_t i = 0; i < 3; ++i) {
         Weights weights{0, 0, 0};
         weights[i] = 1;
-        const GridPoint p = sampleOf(triangle.vertices[i].position);
+        const GridPoint p = sampleOf(triangle.vertices[i].position, rules.gridRounding);
         emit(p.x, p.y, weights);
     }
 }

@@ -62,6 +62,8 @@ struct Scene {
     QString title; ///< for people; builtin titles are marked for translation
     QString note;  ///< what to look at; may be empty
     SceneSpace space = SceneSpace::Object;
+    /// How the mesh was stretched along the axes after its shape was made; its normals are those of what came out.
+    glm::vec3 stretch{1, 1, 1};
     bool lit = true; ///< false: vertex colours are shown as they are
     glm::vec3 background{0.1F, 0.1F, 0.1F};
     Mesh mesh;

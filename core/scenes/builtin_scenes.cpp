@@ -203,6 +203,51 @@ constexpr BuiltinScene kScenes[] = {
          "1000, "
          "above."),
      makeCutOnCentres},
+    {"between-rows", QT_TRANSLATE_NOOP("BuiltinScene", "Corners between the rows"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "Three arrow heads, whose lower halves mirror the upper ones. Their tips lie at half "
+                       "rows, the other corners elsewhere between them."),
+     makeBetweenRows},
+    {"small-screen", QT_TRANSLATE_NOOP("BuiltinScene", "A screen of 320 x 240"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "All corners lie on the screen, yet twice the area is 67,944: 16 bits, of which one "
+                       "is for the sign, hold it no more."),
+     makeSmallScreen},
+    {"points-over-border", QT_TRANSLATE_NOOP("BuiltinScene", "Points over the border"),
+     QT_TRANSLATE_NOOP("BuiltinScene", "A point in every pixel, and more of them beyond the left and the upper border. "
+                                       "Colours tell how often a pixel is hit: once."),
+     makePointsOverBorder},
+    {"signpost", QT_TRANSLATE_NOOP("BuiltinScene", "A letter before two pillars"),
+     QT_TRANSLATE_NOOP("BuiltinScene", "The red pillar stands on the left, the green one on the right, and the floor "
+                                       "ends behind them: every wrong step of the camera shows."),
+     makeSignpost},
+    {"road", QT_TRANSLATE_NOOP("BuiltinScene", "A road from far right to behind"),
+     QT_TRANSLATE_NOOP("BuiltinScene", "The corners on the left lie behind the eye. Divided by their negative w they "
+                                       "come out on the right, where all others are."),
+     makeRoad},
+    {"squashed-ball", QT_TRANSLATE_NOOP("BuiltinScene", "A ball pressed flat"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "A sphere stretched by 1, 0.3 and 1. Its normals are not stretched but pressed the other way round."),
+     makeSquashedBall},
+    {"picture-card", QT_TRANSLATE_NOOP("BuiltinScene", "A picture of 10 x 10 texels"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "A letter in a frame that is one texel wide on every side, blended between the centres of texels."),
+     makePictureCard},
+    {"texels-about-zero", QT_TRANSLATE_NOOP("BuiltinScene", "Texels left and right of 0"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "u and v are 0 in the middle and run from -1.5 to 1.5. All texels are 8 pixels wide."),
+     makeTexelsAboutZero},
+    {"disc-floor", QT_TRANSLATE_NOOP("BuiltinScene", "Discs to the horizon"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "A texture with mip levels that repeats every 2.5 units. Where it repeats, both sides have one colour."),
+     makeDiscFloor},
+    {"coarse-ball", QT_TRANSLATE_NOOP("BuiltinScene", "A glazed ball of few faces"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "48 cells with smooth normals. In the highlights light is brighter than a screen can show."),
+     makeCoarseBall},
 };
 
 Scene makeWhole(const BuiltinScene& entry)

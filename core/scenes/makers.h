@@ -53,5 +53,17 @@ namespace rasterlens
 [[nodiscard]] Scene makeOverhang();
 [[nodiscard]] Scene makeFlatEdge();
 [[nodiscard]] Scene makeCutOnCentres();
+[[nodiscard]] Scene makeBetweenRows();
+[[nodiscard]] Scene makeSmallScreen();
+[[nodiscard]] Scene makePointsOverBorder();
+[[nodiscard]] Scene makeSignpost();
+[[nodiscard]] Scene makeRoad();
+[[nodiscard]] Scene makeSquashedBall();
+
+// What textures and light are looked up with.
+[[nodiscard]] Scene makePictureCard();
+[[nodiscard]] Scene makeTexelsAboutZero();
+[[nodiscard]] Scene makeDiscFloor();
+[[nodiscard]] Scene makeCoarseBall();
 
 } // namespace rasterlens

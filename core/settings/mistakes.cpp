@@ -1,10 +1,10 @@
 #include "core/settings/mistakes.h"
 
-#include <QCoreApplication>
+#include "core/settings/mistake_row.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
+#include <vector>
 
 namespace rasterlens
 {
@@ -12,23 +12,6 @@ namespace
 {
 
 using enum StepKind;
-
-constexpr StepKinds at(auto... kinds) { return (kindBit(kinds) | ...); }
-
-/// A mistake, and the steps it shows at.
-struct MistakeRow {
-    const char* id;
-    const char* number;
-    const char* title;
-    const char* symptom;
-    const char* wrongLine;
-    const char* seed;
-    const char* scene;
-    Proof proof;
-    Change change;
-    StepKinds steps;
-    void (*apply)(Rules&);
-};
 
 // id, number, title; what one sees; the wrong line; why people write it; scene, proof; the steps it shows at; the rule
 // it gets wrong.
@@ -408,26 +391,43 @@ constexpr MistakeRow kRows[] = {
      Proof::WrongPixels, Change::Rises, at(Viewport), [](Rules& r) { r.screenUp = 1; }},
 };
 
-constexpr auto kMistakes = [] {
-    std::array<Mistake, std::size(kRows)> mistakes{};
-    for (std::size_t i = 0; i < mistakes.size(); ++i) {
-        const MistakeRow& r = kRows[i];
-        mistakes[i] = {r.id, r.number, r.title, r.symptom, r.wrongLine, r.seed, r.scene, r.proof, r.change, r.apply};
-    }
-    return mistakes;
-}();
+/// The rows of all tables, one after the other.
+const std::vector<MistakeRow>& rows()
+{
+    static const std::vector<MistakeRow> all = [] {
+        std::vector<MistakeRow> joined;
+        for (const std::span<const MistakeRow> table :
+             {std::span<const MistakeRow>(kRows), cameraMistakes(), coverageMistakes(), textureMistakes()})
+            joined.insert(joined.end(), table.begin(), table.end());
+        return joined;
+    }();
+    return all;
+}
 
 } // namespace
 
-std::span<const Mistake> mistakes() { return kMistakes; }
+std::span<const Mistake> mistakes()
+{
+    static const std::vector<Mistake> all = [] {
+        std::vector<Mistake> made;
+        for (const MistakeRow& r : rows())
+            made.push_back(
+                {r.id, r.number, r.title, r.symptom, r.wrongLine, r.seed, r.scene, r.proof, r.change, r.apply});
+        return made;
+    }();
+    return all;
+}
 
-StepKinds stepsOf(const Mistake& mistake) { return kRows[&mistake - kMistakes.data()].steps; }
+StepKinds stepsOf(const Mistake& mistake)
+{
+    return rows()[static_cast<std::size_t>(&mistake - mistakes().data())].steps;
+}
 
 const Mistake* findMistake(const QString& id)
 {
     const auto found =
-        std::ranges::find_if(kMistakes, [&](const Mistake& mistake) { return id == QLatin1String(mistake.id); });
-    return found == std::end(kMistakes) ? nullptr : &*found;
+        std::ranges::find_if(mistakes(), [&](const Mistake& mistake) { return id == QLatin1String(mistake.id); });
+    return found == mistakes().end() ? nullptr : &*found;
 }
 
 } // namespace rasterlens

@@ -91,7 +91,8 @@ constexpr auto kShadings = std::to_array<Choice>({{"gouraud", QT_TRANSLATE_NOOP(
                                                   {"normals", QT_TRANSLATE_NOOP("Settings", "Normals")},
                                                   {"uv", QT_TRANSLATE_NOOP("Settings", "Texture coordinates")},
                                                   {"overdraw", QT_TRANSLATE_NOOP("Settings", "Overdraw")},
-                                                  {"triangle-id", QT_TRANSLATE_NOOP("Settings", "Triangle id")}});
+                                                  {"triangle-id", QT_TRANSLATE_NOOP("Settings", "Triangle id")},
+                                                  {"mip-level", QT_TRANSLATE_NOOP("Settings", "Mip level")}});
 constexpr auto kTextureFilters =
     std::to_array<Choice>({{"nearest", QT_TRANSLATE_NOOP("Settings", "Nearest")},
                            {"bilinear", QT_TRANSLATE_NOOP("Settings", "Bilinear")},

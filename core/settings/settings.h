@@ -34,7 +34,7 @@ enum class Interpolation { Perspective, Affine };
 enum class AttributePath { Planes, EdgeThenSpan };
 enum class TieRule { TopLeft, Inclusive, Exclusive };
 enum class Samples { One, Grid2, Grid3, Grid4 };
-enum class Shading { Gouraud, Flat, RandomFlat, Texture, Phong, Depth, Normals, Uv, Overdraw, TriangleId };
+enum class Shading { Gouraud, Flat, RandomFlat, Texture, Phong, Depth, Normals, Uv, Overdraw, TriangleId, MipLevel };
 enum class TextureFilter { Nearest, Bilinear, Trilinear };
 enum class AlphaTest { On, Off };
 enum class Simd { Auto, Scalar, Sse4, Avx2, Avx512, Neon };

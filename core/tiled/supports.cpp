@@ -22,6 +22,7 @@ bool draws(Shading shading)
     case Shading::Uv:
     case Shading::Overdraw:
     case Shading::TriangleId: return true;
+    case Shading::MipLevel: break;
     }
     return false;
 }
@@ -82,6 +83,10 @@ bool drawsAll(const Rules& rules)
 
 std::optional<Reason> Tiled::supports(const Rules& rules)
 {
+    if (rules.shading == Shading::MipLevel)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported",
+                                        "algorithm tiled computes no mip level by itself: it does not draw "
+                                        "shading mip-level")};
     if (!drawsAll(rules))
         return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled does not draw these settings")};
     if (rules.numberType != NumberType::Fixed)

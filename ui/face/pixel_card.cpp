@@ -114,6 +114,21 @@ QString rgbText(std::uint32_t color)
     return QStringLiteral("(%1,\u00a0%2,\u00a0%3)").arg(c.red()).arg(c.green()).arg(c.blue());
 }
 
+/// `texel (12.3, 40.1) of 64 x 64; right (0.5, 0), down (0, 2); level 1`
+QString texelLine(const TexelFootprint& texels)
+{
+    const auto pair = [](const glm::dvec2& v) {
+        return QStringLiteral("(%1, %2)")
+            .arg(shortNumber(v.x), shortNumber(v.y))
+            .replace(QLatin1Char('-'), QChar(0x2212));
+    };
+    return PixelCard::tr("texel %1 of %2 x %3; right %4, down %5; mip level %6")
+        .arg(pair(texels.place))
+        .arg(texels.size.width())
+        .arg(texels.size.height())
+        .arg(pair(texels.right), pair(texels.down), shortNumber(texels.level));
+}
+
 void addFragmentLines(const WhyReport& report, const WhyFace& face, QStringList& lines)
 {
     const FragmentStep& fragment = *face.fragment;
@@ -127,6 +142,8 @@ void addFragmentLines(const WhyReport& report, const WhyFace& face, QStringList&
     if (fragment.shaded && fragment.weights != fragment.screen)
         lines << PixelCard::tr("perspective %1").arg(weights(fragment.weights));
     const QString sign = printedDepthSign(report);
+    if (face.texels)
+        lines << texelLine(*face.texels);
     if (!sign.isEmpty() && face.verdict == WhyVerdict::Written)
         lines << PixelCard::tr("z %1 %2 %3, passed")
                      .arg(depthNumber(fragment.depth), sign, depthNumber(fragment.storedDepth));

@@ -131,7 +131,8 @@ void LensModel::readSample(LensCell& cell, int x, int y) const
     cell.tie = decides.isTie();
     for (std::size_t i = 0; i < 3; ++i) {
         cell.signs[i] = signOf(cell.values[i]);
-        cell.ours[i] = decides.sign == DecidingEdge::Sign::AtMost || cell.values[i] >= setup.edges[i].threshold;
+        cell.ours[i] = decides.sign == DecidingEdge::Sign::AtMost || cell.values[i] >= setup.edges[i].threshold ||
+                       m_log->rules().insideTest == InsideTest::None;
     }
 }
 

@@ -282,10 +282,11 @@ QString valueText(const Rules& rules, const QString& direct, const QString& valu
 {
     if (direct == value)
         return QStringLiteral(" = ") + value;
-    const QString came = rules.insideTest == InsideTest::Wrapped32
-                             ? translated(QT_TRANSLATE_NOOP("StepListing", "in 32 bits: %1"))
-                         : addsUpEdgeValues(rules) ? translated(QT_TRANSLATE_NOOP("StepListing", "added up: %1"))
-                                                   : translated(QT_TRANSLATE_NOOP("StepListing", "rounded: %1"));
+    const QString came =
+        rules.insideTest == InsideTest::Wrapped32   ? translated(QT_TRANSLATE_NOOP("StepListing", "in 32 bits: %1"))
+        : rules.insideTest == InsideTest::Wrapped16 ? translated(QT_TRANSLATE_NOOP("StepListing", "in 16 bits: %1"))
+        : addsUpEdgeValues(rules)                   ? translated(QT_TRANSLATE_NOOP("StepListing", "added up: %1"))
+                                                    : translated(QT_TRANSLATE_NOOP("StepListing", "rounded: %1"));
     return QStringLiteral(" = %1   %2").arg(direct, came.arg(value));
 }
 

@@ -241,7 +241,8 @@ bool Comparison::hasAmounts() const
     case Shading::Normals:
     case Shading::Uv:
     case Shading::Overdraw:
-    case Shading::TriangleId: break;
+    case Shading::TriangleId:
+    case Shading::MipLevel: break;
     }
     return false;
 }
