@@ -2,6 +2,7 @@
 #include "core/observe/step_log.h"
 #include "core/scene/scene.h"
 #include "core/settings/mistakes.h"
+#include "core/settings/sample_pattern.h"
 
 #include <QJsonObject>
 #include <QString>
@@ -50,7 +51,8 @@ struct WhyFace {
     std::array<WhyEdge, 3> edges;
     int edge = -1; ///< OutsideEdge, LostTie: the one that decided
     double unitsPerArea = 1;
-    float opacity = 1; ///< Hole: of the texture at the sample, below kLeastOpacity
+    float opacity = 1;             ///< Hole: of the texture at the sample, below kLeastOpacity
+    SampleMask coveredSamples = 0; ///< multi-sampling: one bit a sample of the pattern
     std::optional<FragmentStep> fragment;
     WriteStep write{};                          ///< Written
     std::optional<std::uint32_t> overwrittenBy; ///< Written: the face that was written next

@@ -53,5 +53,8 @@ namespace rasterlens
 [[nodiscard]] Scene makeOverhang();
 [[nodiscard]] Scene makeFlatEdge();
 [[nodiscard]] Scene makeCutOnCentres();
+[[nodiscard]] Scene makeMsaaSprite();
+[[nodiscard]] Scene makeMsaaGradient();
+[[nodiscard]] Scene makeMsaaSeams();
 
 } // namespace rasterlens
