@@ -149,7 +149,7 @@ void TestMultisampleAnswers::refusalsSayWhy()
     QFETCH(QString, value);
     QFETCH(QString, word);
     const Scene scene = rectangle({0, 0}, {2, 2}, QSize(64, 48));
-    Settings settings = settingsWith(Samples::Msaa8);
+    Settings settings = settingsWith(Samples::Msaa8, QSize(64, 48));
     if (field == QLatin1String("attribute-path"))
         settings.algorithm = Algorithm::EdgeWalking;
     QVERIFY(!setFromText(*findSettingsField(field), value, settings));
