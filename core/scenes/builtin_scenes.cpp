@@ -180,10 +180,11 @@ constexpr BuiltinScene kScenes[] = {
          "4 samples a pixel, attributes at centroids. Round the sheets' part of the texture all is magenta, "
          "which must not be seen."),
      makeMsaaSprite},
-    {"msaa-gradient", QT_TRANSLATE_NOOP("BuiltinScene", "MSAA: needles under a fine pattern"),
-     QT_TRANSLATE_NOOP("BuiltinScene",
-                       "4 samples a pixel, attributes at centroids. The needles lie in one plane, and their pattern is "
-                       "equally sharp everywhere."),
+    {"msaa-gradient", QT_TRANSLATE_NOOP("BuiltinScene", "MSAA: needles under fine stripes"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "8 samples a pixel, attributes at centroids. The needles lie in one plane, and their stripes are "
+         "finer than the pixels: all must be grey."),
      makeMsaaGradient},
     {"msaa-seams", QT_TRANSLATE_NOOP("BuiltinScene", "MSAA: a disc of 20 triangles"),
      QT_TRANSLATE_NOOP("BuiltinScene",

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace rasterlens
 {
@@ -68,16 +69,19 @@ Scene makeMsaaSprite()
 
 Scene makeMsaaGradient()
 {
-    Scene scene = multisampleScene(Samples::Msaa4);
-    // Needles over a pattern that is as fine as the pixels: every second pixel is white where its level is right.
-    constexpr int kNeedles = 22;
-    const auto at = [](double x, double y) { return cornerWith({x, y}, {x / 32, -y / 32}); };
+    Scene scene = multisampleScene(Samples::Msaa8);
+    // Needles as wide as a pixel, side by side in one plane. Their stripes are three to a pixel, so all is grey.
+    constexpr int kNeedles = 66;
+    const auto at = [](double x, double y) { return cornerWith({x, y}, {3 * x / 64, 0.5}); };
     for (int i = 0; i < kNeedles; ++i) {
-        const double left = 3.2 + 4.1 * i;
-        addClipTriangle(scene.mesh, at(left, 4), at(left - 1.3, 60), at(left + 2.8, 60));
-        addClipTriangle(scene.mesh, at(left, 4), at(left + 2.8, 60), at(left + 4.1, 4));
+        const double left = 10.2 + 1.25 * i;
+        addClipTriangle(scene.mesh, at(left, 4), at(left - 6.3, 60), at(left - 5.05, 60));
+        addClipTriangle(scene.mesh, at(left, 4), at(left - 5.05, 60), at(left + 1.25, 4));
     }
-    setTexture(scene, checkerboard(QStringLiteral("fine"), 64, 32, 0xffffffff, 0xff000000));
+    Texture stripes{QStringLiteral("stripes"), 64, 64, {}};
+    for (int i = 0; i < 64 * 64; ++i)
+        stripes.texels.push_back(i % 2 == 0 ? 0xffffffff : 0xff000000);
+    setTexture(scene, std::move(stripes));
     scene.defaults.textureFilter = TextureFilter::Trilinear;
     return scene;
 }

@@ -415,12 +415,12 @@
         <translation>每个像素 4 个采样点，属性取在质心。薄片所用的那部分纹理四周全是品红色，它不该出现。</translation>
     </message>
     <message>
-        <source>MSAA: needles under a fine pattern</source>
-        <translation>MSAA：细密图案下的针形三角形</translation>
+        <source>MSAA: needles under fine stripes</source>
+        <translation>MSAA：细条纹下的针形三角形</translation>
     </message>
     <message>
-        <source>4 samples a pixel, attributes at centroids. The needles lie in one plane, and their pattern is equally sharp everywhere.</source>
-        <translation>每个像素 4 个采样点，属性取在质心。这些针形三角形位于同一平面，图案处处同样清晰。</translation>
+        <source>8 samples a pixel, attributes at centroids. The needles lie in one plane, and their stripes are finer than the pixels: all must be grey.</source>
+        <translation>每个像素 8 个采样点，属性取在质心。这些针形三角形位于同一平面，条纹比像素还细：应当全是灰色。</translation>
     </message>
     <message>
         <source>MSAA: a disc of 20 triangles</source>
