@@ -90,6 +90,7 @@ private:
             {"depth_format", &Parser::depthFormat},
             {"clear", &Parser::clear},
             {"ssaa", &Parser::ssaa},
+            {"samples", &Parser::samples},
             {"zrange", &Parser::zRange},
             {"window", &Parser::window},
             {"tri", &Parser::tri},
@@ -106,8 +107,8 @@ private:
             m_line,
             {QT_TRANSLATE_NOOP("Diagnostic",
                                "%1 is not a directive; size, subpixel_bits, exact, cull, depth_test, "
-                               "depth_format, clear, ssaa, zrange, window, tri, triuv, texture, texture_filter, "
-                               "note or expect expected"),
+                                "depth_format, clear, ssaa, samples, zrange, window, tri, triuv, texture, "
+                                "texture_filter, note or expect expected"),
              {quotedWord(m_directive)}});
     }
 
@@ -200,6 +201,16 @@ private:
     {
         if (const auto v = integers<1>(QT_TRANSLATE_NOOP("Diagnostic", "one"), 1, 4))
             m_scene.defaults.samples = static_cast<Samples>((*v)[0] - 1);
+    }
+
+    /// The side of a grid, as for ssaa, or a pattern: 1, 2, 3, 4, msaa2, msaa4, msaa8, msaa16.
+    void samples()
+    {
+        static constexpr Word<Samples> kSamples[] = {{"1", Samples::One},       {"2", Samples::Grid2},
+                                                     {"3", Samples::Grid3},     {"4", Samples::Grid4},
+                                                     {"msaa2", Samples::Msaa2}, {"msaa4", Samples::Msaa4},
+                                                     {"msaa8", Samples::Msaa8}, {"msaa16", Samples::Msaa16}};
+        choice<Samples>(kSamples, m_scene.defaults.samples);
     }
 
     void clear()

@@ -10,6 +10,7 @@
 #include "core/pipeline/triangle_setup.h"
 #include "core/pipeline/viewport.h"
 #include "core/settings/mistakes.h"
+#include "core/settings/sample_pattern.h"
 
 #include <QCoreApplication>
 
@@ -44,8 +45,9 @@ public:
         case StepKind::Span: return differs(event, m_log.payload<SpanStep>(event));
         case StepKind::Sample: return covers(event, event.x, event.y) != event.has(StepEvent::kCovered);
         case StepKind::Fragment: return differs(event, m_log.payload<FragmentStep>(event));
-        case StepKind::Shade: return m_rules.cornerData != CornerData::Own || shadeDiffers(event);
-        case StepKind::Write: return m_rules.strideIsRows && event.y > 0;
+        case StepKind::Shade:
+            return m_rules.cornerData != CornerData::Own || shadeDiffers(event) || isShadedElsewhere(event);
+        case StepKind::Write: return (m_rules.strideIsRows && event.y > 0) || m_rules.resolvedByFace;
         case StepKind::Resolve: return m_log.payload<ResolveStep>(event).pixel.black != 0;
         case StepKind::End: return m_rules.resolve != m_right.resolve || endsEarly(i);
         case StepKind::Vertex: return vertexDiffers();
@@ -197,6 +199,23 @@ private:
         return isTurned || m_rules.bounds != m_right.bounds;
     }
 
+    /// Whether a pixel of a pattern is shaded at another place, or with other derivatives: those to a neighbour that is
+    /// shaded as far away as the right rules think.
+    [[nodiscard]] bool isShadedElsewhere(const StepEvent& event) const
+    {
+        const StepTriangle& triangle = *m_log.triangle(event);
+        if (!m_rules.multiSampled() || !triangle.hasSetup)
+            return false;
+        const auto offsetAt = [&](const Rules& rules, int x, int y) {
+            return shadingOffset(rules, coveredSamples(triangle.setup, m_right, x, y));
+        };
+        const glm::dvec2 right = offsetAt(m_right, event.x, event.y);
+        if (right != offsetAt(m_rules, event.x, event.y))
+            return true;
+        return m_rules.gradientByNeighbours &&
+               (right != offsetAt(m_right, event.x ^ 1, event.y) || right != offsetAt(m_right, event.x, event.y ^ 1));
+    }
+
     template <class T>
     [[nodiscard]] bool covers(const ScreenTriangle& triangle, int x, int y) const
     {
@@ -213,7 +232,10 @@ private:
     /// Whether the triangle of an event covers a sample.
     [[nodiscard]] bool covers(const StepEvent& event, int x, int y) const
     {
-        const ScreenTriangle& triangle = m_log.triangle(event)->screen;
+        ScreenTriangle triangle = m_log.triangle(event)->screen;
+        if (m_right.multiSampled())
+            for (ScreenVertex& vertex : triangle.vertices)
+                vertex.position -= testedOffset(m_right, event.sample).pixels();
         switch (m_right.numberType) {
         case NumberType::Fixed: return covers<std::int64_t>(triangle, x, y);
         case NumberType::Float32: return covers<float>(triangle, x, y);

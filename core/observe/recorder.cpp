@@ -122,6 +122,7 @@ void StepRecorder::beginFaceOf(std::uint32_t face)
 {
     dropPending();
     m_face = face;
+    m_sample = 0;
     m_triangle = StepEvent::kNone;
     m_faceKept = false;
     m_triangleKept = true;
@@ -270,6 +271,7 @@ StepEvent StepRecorder::faceEvent(StepKind kind, std::uint8_t flags) const
     event.flags = flags;
     event.face = m_face;
     event.triangle = m_triangle;
+    event.sample = static_cast<std::int8_t>(m_sample);
     return event;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/pipeline/shading.h"
 #include "core/pipeline/unsnapped.h"
+#include "core/settings/sample_pattern.h"
 
 #include <algorithm>
 #include <cmath>
@@ -143,6 +144,7 @@ void StepRecorder::onTriangle(const ScreenTriangle& triangle)
     endTriangle();
     m_counter.onTriangle(triangle);
     m_isLine = false;
+    m_sample = 0;
     m_now.calls = 0;
     m_previousX = m_previousY = -2;
     if (!isFaceWanted())
@@ -164,6 +166,25 @@ void StepRecorder::onTriangle(const ScreenTriangle& triangle)
         m_log->m_triangles.push_back({triangle, false, {}});
     }
     storeFaceEvent(StepKind::Triangle);
+}
+
+/// The set-up of the triangle, as it lies on the screen; with a pattern it was moved, and each sample has bounds of its
+/// own.
+void StepRecorder::keepSetup(StepSetup setup)
+{
+    StepTriangle& triangle = m_log->m_triangles.back();
+    if (m_rules.multiSampled())
+        setup.move(testedOffset(m_rules, m_sample).pixels());
+    if (triangle.hasSetup) {
+        const PixelRect& a = triangle.setup.bounds;
+        const PixelRect& b = setup.bounds;
+        const int left = std::min(a.x, b.x);
+        const int top = std::min(a.y, b.y);
+        setup.bounds = {left, top, std::max(a.x + a.width, b.x + b.width) - left,
+                        std::max(a.y + a.height, b.y + b.height) - top};
+    }
+    triangle.hasSetup = true;
+    triangle.setup = setup;
 }
 
 void StepRecorder::onWalk(const WalkedTriangle& walk)
@@ -323,6 +344,11 @@ void StepRecorder::writePixel(int x, int y, Pixel before, const StepEffect::Stat
     addEffect({sample, {before, ownerBefore}, after});
 }
 
+void StepRecorder::onShared(int x, int y, Pixel before, Pixel after)
+{
+    writePixel(x, y, before, {after, m_planes->owners[sampleIndex(x, y)]});
+}
+
 void StepRecorder::onShade(const Fragment& fragment, std::uint32_t color)
 {
     m_counter.onShade(fragment, color);
@@ -353,6 +379,7 @@ void StepRecorder::onWrite(int x, int y, Pixel before, Pixel after)
 void StepRecorder::onResolve(const ResolvedPixel& pixel)
 {
     leaveFaces();
+    m_sample = -1;
     const auto isCleared = [&](const Pixel& sample) { return sample == m_log->m_clear; };
     const auto samples = std::span(pixel.samples).first(static_cast<std::size_t>(pixel.count));
     const int grid = m_rules.sampleGrid;

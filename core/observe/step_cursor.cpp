@@ -3,7 +3,9 @@
 #include "core/pipeline/framebuffer.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <span>
 
 namespace rasterlens
 {
@@ -96,10 +98,12 @@ void StepCursor::resolveUpTo(std::size_t pixels)
 
 std::uint32_t StepCursor::meanAt(int x, int y) const
 {
-    const auto columns = static_cast<std::size_t>(m_log->columns());
-    return meanOfSamples(m_log->grid(), x, y, [&](int column, int row) {
-        return m_planes.color[static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column)];
-    });
+    std::array<std::uint32_t, ResolvedPixel::kMostSamples> colors;
+    const Rules& rules = m_log->rules();
+    const int count = rules.samplesPerPixel();
+    for (int i = 0; i < count; ++i)
+        colors[static_cast<std::size_t>(i)] = m_planes.color[readIndex(rules, x, y, i)];
+    return meanColor(std::span(colors).first(static_cast<std::size_t>(count)), rules.resolveLight);
 }
 
 void StepCursor::put(std::uint32_t sample, const StepEffect::State& state)
@@ -107,7 +111,9 @@ void StepCursor::put(std::uint32_t sample, const StepEffect::State& state)
     m_planes.put(sample, state);
     const auto columns = static_cast<std::uint32_t>(m_log->columns());
     const auto grid = static_cast<std::uint32_t>(m_log->grid());
-    const std::uint32_t y = sample / columns / grid;
+    std::uint32_t y = sample / columns / grid;
+    if (m_log->rules().multiSampled())
+        y %= static_cast<std::uint32_t>(m_touched.size());
     if (y >= m_touched.size())
         return;
     const int x = static_cast<int>(sample % columns / grid);
@@ -130,7 +136,7 @@ void StepCursor::show()
         auto* line = reinterpret_cast<std::uint32_t*>(bits + y * m_image.bytesPerLine());
         const std::uint32_t* samples = m_planes.color.data();
         const auto columns = std::size_t(m_log->columns());
-        if (m_log->grid() == 1)
+        if (m_log->samplesPerPixel() == 1)
             std::copy_n(samples + std::size_t(y) * columns + std::size_t(row.left), row.right - row.left + 1,
                         line + row.left);
         else

@@ -58,10 +58,12 @@ public:
     FaceInterpolation(const ScreenTriangle& triangle, double area2, const Rules& rules, DepthUse use = DepthUse::Read);
 
     /// Screen-space barycentric weights at the centre of sample (x, y): edge value over area.
-    [[nodiscard]] Weights weightsAt(int x, int y) const
+    [[nodiscard]] Weights weightsAt(int x, int y) const { return weightsAt(glm::dvec2(x + 0.5, y + 0.5)); }
+
+    /// Screen-space barycentric weights at a point, in samples.
+    [[nodiscard]] Weights weightsAt(const glm::dvec2& p) const
     {
         const auto& [a, b, c] = m_triangle->vertices;
-        const glm::dvec2 p(x + 0.5, y + 0.5);
         const double wa = twiceArea(b.position, c.position, p) * m_inverseArea2;
         const double wb = twiceArea(c.position, a.position, p) * m_inverseArea2;
         if (m_weightUnit > 0)
@@ -90,6 +92,14 @@ public:
     [[nodiscard]] double depthAt(int x, int y, const Weights& screen) const
     {
         return depthAt(x, y, [&] { return screen; });
+    }
+
+    /// Depth beside the centre of a sample, by an offset in samples; linear on the screen.
+    [[nodiscard]] double depthAt(int x, int y, const glm::dvec2& offset) const
+    {
+        if (m_depth.byWeights)
+            return depthOf(weightsAt(glm::dvec2(x + 0.5, y + 0.5) + offset));
+        return m_depth.at(x, y) + (m_depth.perX * offset.x + m_depth.perY * offset.y);
     }
 
     /// Depth of a point known by its weights alone (lines).

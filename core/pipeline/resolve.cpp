@@ -91,6 +91,9 @@ Rules rightRules(const Settings& settings, const Scene& scene, const Matrices& m
     rules.width = settings.size.width();
     rules.height = settings.size.height();
     rules.sampleGrid = sampleGrid(settings.samples);
+    rules.patternSamples = patternSamples(settings.samples);
+    rules.attributeAt = settings.attributeAt;
+    rules.resolveLight = settings.resolveLight;
     rules.numberType = settings.numberType;
     rules.subpixelBits = settings.subpixelBits;
 

@@ -54,19 +54,22 @@ class SampleObserver : public NullObserver
 public:
     explicit SampleObserver(const Rules& rules)
         : m_columns(static_cast<std::size_t>(rules.columns())),
-          m_isCovered(m_columns * static_cast<std::size_t>(rules.rows()), 0)
+          m_pixels(m_columns * static_cast<std::size_t>(rules.rows())),
+          m_isCovered(m_pixels * static_cast<std::size_t>(rules.patternSamples), 0)
     {
     }
 
     SampleFacts facts{true, true, true};
 
+    void onPatternSample(int sample) { m_sample = static_cast<std::size_t>(std::max(sample, 0)); }
     void onSample(int /*x*/, int /*y*/, const EdgeValues& values, bool /*covered*/)
     {
         facts.noTies = facts.noTies && std::ranges::min(values) != 0;
     }
     void onFragment(const Fragment& fragment, float storedDepth, bool /*passedDepth*/)
     {
-        char& isCovered = m_isCovered[static_cast<std::size_t>(fragment.y) * m_columns + std::size_t(fragment.x)];
+        char& isCovered = m_isCovered[m_sample * m_pixels + static_cast<std::size_t>(fragment.y) * m_columns +
+                                      std::size_t(fragment.x)];
         const bool isBetween = fragment.depth > 0 && fragment.depth < 1;
         facts.coveredOnce = facts.coveredOnce && isCovered == 0 && isBetween;
         facts.noEqualDepths = facts.noEqualDepths && fragment.depth != storedDepth;
@@ -75,6 +78,8 @@ public:
 
 private:
     std::size_t m_columns;
+    std::size_t m_pixels;     ///< samples, of a pattern those with one number
+    std::size_t m_sample = 0; ///< of a pattern
     std::vector<char> m_isCovered;
 };
 
@@ -278,12 +283,26 @@ std::optional<Reason> whenNothingIsLookedUp(const char* id, const Settings& sett
     return std::nullopt;
 }
 
+/// Reasons why mistakes of multi-sampling change nothing.
+std::optional<Reason> whenNotOfPatterns(const char* id, const Settings& settings)
+{
+    if (patternSamples(settings.samples) == 1)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "needs MSAA: samples msaa2 to msaa16"));
+    if (!isOneOf(id, "resolved-by-face") && settings.attributeAt == AttributeAt::Centre)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "attributes are taken at the pixels' centres"));
+    if (isOneOf(id, "centroid-gradient") && settings.textureFilter != TextureFilter::Trilinear)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "only texture-filter trilinear asks for derivatives"));
+    return std::nullopt;
+}
+
 /// Reasons that lie in the settings alone.
 std::optional<Reason> whenNotAsked(const char* id, const Settings& settings)
 {
     if (isOneOf(id, "steep-columns", "steep-step", "integer-weight", "missing-octant", "missing-last-pixel") &&
         settings.fill != Fill::Wireframe)
         return Reason(QT_TRANSLATE_NOOP("Diagnostic", "no lines are drawn"));
+    if (isOneOf(id, "centre-outside", "centroid-gradient", "resolved-by-face"))
+        return whenNotOfPatterns(id, settings);
     if (isOneOf(id, "coverage-times-color", "one-depth-per-pixel") && settings.samples == Samples::One)
         return Reason(QT_TRANSLATE_NOOP("Diagnostic", "there is one sample a pixel"));
     if (isOneOf(id, "stride-exchanged") && settings.size.width() == settings.size.height())

@@ -3,6 +3,7 @@
 #include "core/questions/texel_footprint.h"
 #include "core/scene/scene.h"
 #include "core/settings/mistakes.h"
+#include "core/settings/sample_pattern.h"
 
 #include <QJsonObject>
 #include <QString>
@@ -51,7 +52,8 @@ struct WhyFace {
     std::array<WhyEdge, 3> edges;
     int edge = -1; ///< OutsideEdge, LostTie: the one that decided
     double unitsPerArea = 1;
-    float opacity = 1; ///< Hole: of the texture at the sample, below kLeastOpacity
+    float opacity = 1;             ///< Hole: of the texture at the sample, below kLeastOpacity
+    SampleMask coveredSamples = 0; ///< multi-sampling: one bit a sample of the pattern
     std::optional<FragmentStep> fragment;
     std::optional<TexelFootprint> texels;       ///< of the fragment, where a texture is looked up
     WriteStep write{};                          ///< Written

@@ -7,6 +7,7 @@
 
 #include <QJsonArray>
 
+#include <bit>
 #include <cmath>
 
 namespace rasterlens
@@ -102,6 +103,13 @@ QJsonObject rowToJson(const WhyReport& report, const WhyFace& row)
                                  {"passed", edge.passed}};
         object.insert(QStringLiteral("edges"), edges);
     }
+    if (report.rules.multiSampled()) {
+        QJsonArray covered;
+        for (int sample = 0; sample < report.rules.patternSamples; ++sample)
+            if ((row.coveredSamples >> sample & 1U) != 0)
+                covered << sample;
+        object.insert(QStringLiteral("covered_samples"), covered);
+    }
     if (row.verdict == WhyVerdict::Hole)
         object.insert(QStringLiteral("opacity"), double(row.opacity));
     if (row.fragment) {
@@ -124,6 +132,15 @@ QJsonObject rowToJson(const WhyReport& report, const WhyFace& row)
             object.insert(QStringLiteral("overwritten_by"), static_cast<qint64>(*row.overwrittenBy));
     }
     return object;
+}
+
+/// The numbers of the samples that a face covers, counted from 1.
+QStringList samplesOf(const WhyFace& row)
+{
+    QStringList samples;
+    for (SampleMask left = row.coveredSamples; left != 0; left &= static_cast<SampleMask>(left - 1))
+        samples << QString::number(std::countr_zero(left) + 1);
+    return samples;
 }
 
 QString samplesText(const ResolvedPixel& pixel)
@@ -173,7 +190,14 @@ const char* whyVerdictId(WhyVerdict verdict)
 
 QString whyText(const WhyReport& report, const WhyFace& face)
 {
-    return QStringLiteral("%1: %2").arg(faceText(face.face, face.line), verdictText(report, face));
+    const QString text = QStringLiteral("%1: %2").arg(faceText(face.face, face.line), verdictText(report, face));
+    if (!report.rules.multiSampled() || !face.hasEdges)
+        return text;
+    return QStringLiteral("%1; covers %2 of %3 samples%4")
+        .arg(text)
+        .arg(std::popcount(face.coveredSamples))
+        .arg(report.rules.patternSamples)
+        .arg(face.coveredSamples == 0 ? QString() : QStringLiteral(": ") + samplesOf(face).join(QStringLiteral(", ")));
 }
 
 QStringList whySamples(const WhyReport& report)

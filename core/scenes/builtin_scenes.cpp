@@ -174,6 +174,22 @@ constexpr BuiltinScene kScenes[] = {
          "2 x 2 samples a pixel. The orange triangle is nearer and sent first; the white square is cut by its "
          "diagonal, of which nothing may be seen."),
      makeSamples},
+    {"msaa-sprite", QT_TRANSLATE_NOOP("BuiltinScene", "MSAA: sheets with a part of a texture"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "4 samples a pixel, attributes at centroids. Round the sheets' part of the texture all is magenta, "
+         "which must not be seen."),
+     makeMsaaSprite},
+    {"msaa-gradient", QT_TRANSLATE_NOOP("BuiltinScene", "MSAA: needles under fine stripes"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "8 samples a pixel, attributes at centroids. The needles lie in one plane, and their stripes are "
+         "finer than the pixels: all must be grey."),
+     makeMsaaGradient},
+    {"msaa-seams", QT_TRANSLATE_NOOP("BuiltinScene", "MSAA: a disc of 20 triangles"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "4 samples a pixel. The triangles share their edges, of which nothing may be seen."),
+     makeMsaaSeams},
     {"zero-area", QT_TRANSLATE_NOOP("BuiltinScene", "Triangles without area"),
      QT_TRANSLATE_NOOP("BuiltinScene",
                        "Three triangles are flattened to lines through pixel centres. They must not be seen."),

@@ -65,5 +65,8 @@ namespace rasterlens
 [[nodiscard]] Scene makeTexelsAboutZero();
 [[nodiscard]] Scene makeDiscFloor();
 [[nodiscard]] Scene makeCoarseBall();
+[[nodiscard]] Scene makeMsaaSprite();
+[[nodiscard]] Scene makeMsaaGradient();
+[[nodiscard]] Scene makeMsaaSeams();
 
 } // namespace rasterlens

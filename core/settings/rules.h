@@ -176,6 +176,9 @@ struct Rules {
     int width = 0;      ///< pixels
     int height = 0;     ///< pixels
     int sampleGrid = 1; ///< samples a pixel along each axis
+    /// Multi-sampling: samples a pixel at the positions of the standard pattern (sample_pattern.h); else 1. A sample of
+    /// a pattern is drawn as a frame of one sample a pixel, and the frames are stored one after the other.
+    int patternSamples = 1;
     NumberType numberType = NumberType::Fixed;
     int subpixelBits = 8;           ///< fixed point only: vertices snap to 1/2^bits pixel
     double screenUp = -1;           ///< which way y of the screen runs while y of NDC runs up
@@ -234,17 +237,25 @@ struct Rules {
     AttributePath attributePath = AttributePath::Planes;
     CornerData cornerData = CornerData::Own;
     double weightUnit = 0; ///< each of the three weights is rounded to multiples of it by itself; 0: none is
+    AttributeAt attributeAt = AttributeAt::Centre; ///< multi-sampling: where a pixel of a face is shaded
+    /// Multi-sampling: derivatives are taken for differences to the neighbours in blocks of 2 x 2 pixels, as if all
+    /// were shaded a pixel apart.
+    bool gradientByNeighbours = false;
 
     // Image
     bool positionInterpolated = false; ///< the fragment's place is interpolated as an attribute, and truncated
     bool strideIsRows = false;         ///< samples are stored as if a row of them had rows() samples
     Resolve resolve = Resolve::AllSamples;
+    ResolveLight resolveLight = ResolveLight::Gamma;
+    bool resolvedByFace = false; ///< multi-sampling: after each face the samples of its pixels are given their mean
 
     /// Whether the centres of samples decide what a triangle covers. Lines, corners and column fill go by the grid
     /// points of the corners.
     [[nodiscard]] bool coversByCentres() const { return fill == Fill::Solid && algorithm != Algorithm::ColumnFill; }
-    [[nodiscard]] int columns() const { return width * sampleGrid; } ///< samples
-    [[nodiscard]] int rows() const { return height * sampleGrid; }   ///< samples
+    [[nodiscard]] int columns() const { return width * sampleGrid; } ///< samples; pixels with a pattern
+    [[nodiscard]] int rows() const { return height * sampleGrid; }   ///< samples; pixels with a pattern
+    [[nodiscard]] bool multiSampled() const { return patternSamples > 1; }
+    [[nodiscard]] int samplesPerPixel() const { return sampleGrid * sampleGrid * patternSamples; }
 };
 
 } // namespace rasterlens

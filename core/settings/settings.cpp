@@ -81,7 +81,17 @@ constexpr auto kTieRules = std::to_array<Choice>({{"top-left", QT_TRANSLATE_NOOP
 constexpr auto kSamples = std::to_array<Choice>({{"1", QT_TRANSLATE_NOOP("Settings", "1")},
                                                  {"2x2", QT_TRANSLATE_NOOP("Settings", "2 x 2")},
                                                  {"3x3", QT_TRANSLATE_NOOP("Settings", "3 x 3")},
-                                                 {"4x4", QT_TRANSLATE_NOOP("Settings", "4 x 4")}});
+                                                 {"4x4", QT_TRANSLATE_NOOP("Settings", "4 x 4")},
+                                                 {"msaa2", "MSAA 2"},
+                                                 {"msaa4", "MSAA 4"},
+                                                 {"msaa8", "MSAA 8"},
+                                                 {"msaa16", "MSAA 16"}});
+constexpr auto kAttributesAt =
+    std::to_array<Choice>({{"centre", QT_TRANSLATE_NOOP("Settings", "The pixel's centre")},
+                           {"centroid", QT_TRANSLATE_NOOP("Settings", "A covered place (centroid)")},
+                           {"sample", QT_TRANSLATE_NOOP("Settings", "Every sample")}});
+constexpr auto kResolveLights = std::to_array<Choice>({{"gamma", QT_TRANSLATE_NOOP("Settings", "Display values")},
+                                                       {"linear", QT_TRANSLATE_NOOP("Settings", "Linear light")}});
 constexpr auto kShadings = std::to_array<Choice>({{"gouraud", QT_TRANSLATE_NOOP("Settings", "Gouraud")},
                                                   {"flat", QT_TRANSLATE_NOOP("Settings", "Flat")},
                                                   {"random-flat", QT_TRANSLATE_NOOP("Settings", "Random flat colour")},
@@ -209,9 +219,9 @@ constexpr SettingsField kFields[] = {
         "samples", Stage::Cover, kSamples, QT_TRANSLATE_NOOP("Settings", "Samples a pixel"),
         QT_TRANSLATE_NOOP(
             "Settings",
-            "Super-sampling: every sample keeps its own colour and depth, and the box filter averages them. This is "
-            "not "
-            "MSAA, which also tests coverage and depth at every sample, but shades a face only once a pixel.")),
+            "Grids are super-sampling: every sample is shaded. MSAA also tests coverage and depth at every sample, at "
+            "the positions of Direct3D and Vulkan, but shades a face only once a pixel. The mean of the samples is the "
+            "pixel's colour.")),
     choice<&S::visibility>(
         "visibility", Stage::Depth, kVisibilities, QT_TRANSLATE_NOOP("Settings", "Visibility"),
         QT_TRANSLATE_NOOP(
@@ -233,6 +243,11 @@ constexpr SettingsField kFields[] = {
         "attribute-path", Stage::Shade, kAttributePaths, QT_TRANSLATE_NOOP("Settings", "Attribute path"),
         QT_TRANSLATE_NOOP("Settings", "Barycentric weights at every pixel, or along the edges first and then along the "
                                       "span (edge walking only).")),
+    choice<&S::attributeAt>(
+        "attribute-at", Stage::Shade, kAttributesAt, QT_TRANSLATE_NOOP("Settings", "Attributes taken at"),
+        QT_TRANSLATE_NOOP("Settings",
+                          "MSAA: where attributes are evaluated. A face may cover samples but not the centre, and "
+                          "then the centre's values lie outside of it; at every sample each is shaded.")),
     choice<&S::shading>("shading", Stage::Shade, kShadings, QT_TRANSLATE_NOOP("Settings", "Shading"),
                         QT_TRANSLATE_NOOP("Settings", "What colours a fragment.")),
     choice<&S::textureFilter>(
@@ -245,6 +260,10 @@ constexpr SettingsField kFields[] = {
         QT_TRANSLATE_NOOP("Settings",
                           "Where a texture with transparency is less than half opaque, the face has a hole: nothing "
                           "is drawn there, and no depth is written. Textures without transparency have none.")),
+    choice<&S::resolveLight>(
+        "resolve", Stage::Image, kResolveLights, QT_TRANSLATE_NOOP("Settings", "Mean of the samples"),
+        QT_TRANSLATE_NOOP("Settings",
+                          "Samples are averaged as the numbers the display is sent (gamma), or as amounts of light.")),
     integer<&S::threads>(
         "threads", Stage::Image, 0, 256, QT_TRANSLATE_NOOP("Settings", "Threads"),
         QT_TRANSLATE_NOOP("Settings", "Threads of the tiled algorithm; 0 takes as many as the machine has.")),

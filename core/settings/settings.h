@@ -33,7 +33,9 @@ enum class Visibility { ZBuffer, Painter, SubmissionOrder };
 enum class Interpolation { Perspective, Affine };
 enum class AttributePath { Planes, EdgeThenSpan };
 enum class TieRule { TopLeft, Inclusive, Exclusive };
-enum class Samples { One, Grid2, Grid3, Grid4 };
+enum class Samples { One, Grid2, Grid3, Grid4, Msaa2, Msaa4, Msaa8, Msaa16 };
+enum class AttributeAt { Centre, Centroid, Sample };
+enum class ResolveLight { Gamma, Linear };
 enum class Shading { Gouraud, Flat, RandomFlat, Texture, Phong, Depth, Normals, Uv, Overdraw, TriangleId, MipLevel };
 enum class TextureFilter { Nearest, Bilinear, Trilinear };
 enum class AlphaTest { On, Off };
@@ -102,6 +104,8 @@ struct Settings {
     AttributePath attributePath = AttributePath::Planes;
     TieRule tieRule = TieRule::TopLeft;
     Samples samples = Samples::One;
+    AttributeAt attributeAt = AttributeAt::Centre; ///< multi-sampling only
+    ResolveLight resolveLight = ResolveLight::Gamma;
     Shading shading = Shading::Gouraud;
     TextureFilter textureFilter = TextureFilter::Nearest;
     AlphaTest alphaTest = AlphaTest::On;
@@ -173,8 +177,23 @@ struct SettingsParse {
 /// The text that parseLight() reads.
 [[nodiscard]] QString lightText(const Light& light);
 
-/// The side of the sample grid: 1, 2, 3 or 4.
-[[nodiscard]] constexpr int sampleGrid(Samples samples) { return static_cast<int>(samples) + 1; }
+/// The side of the sample grid: 1, 2, 3 or 4; 1 for multi-sampling, whose samples lie on no grid.
+[[nodiscard]] constexpr int sampleGrid(Samples samples)
+{
+    return samples < Samples::Msaa2 ? static_cast<int>(samples) + 1 : 1;
+}
+
+/// How many samples the pattern of multi-sampling has: 2, 4, 8 or 16; 1 where there is none.
+[[nodiscard]] constexpr int patternSamples(Samples samples)
+{
+    return samples < Samples::Msaa2 ? 1 : 2 << (static_cast<int>(samples) - static_cast<int>(Samples::Msaa2));
+}
+
+/// How many samples a pixel has, on a grid or in a pattern.
+[[nodiscard]] constexpr int samplesPerPixel(Samples samples)
+{
+    return sampleGrid(samples) * sampleGrid(samples) * patternSamples(samples);
+}
 
 constexpr int kMaxViewport = 16384;
 

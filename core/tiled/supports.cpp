@@ -91,6 +91,13 @@ std::optional<Reason> Tiled::supports(const Rules& rules)
         return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled does not draw these settings")};
     if (rules.numberType != NumberType::Fixed)
         return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs number-type fixed")};
+    if (rules.multiSampled())
+        return Reason{QT_TRANSLATE_NOOP("Unsupported",
+                                        "algorithm tiled draws grids of samples, not yet the patterns of "
+                                        "multi-sampling: samples 1, 2x2, 3x3 or 4x4 needed")};
+    if (rules.samplesPerPixel() > 1 && rules.resolveLight != ResolveLight::Gamma)
+        return Reason{
+            QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled with several samples a pixel needs resolve gamma")};
     if (rules.fill != Fill::Solid)
         return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs fill solid")};
     if (rules.painter)

@@ -27,11 +27,7 @@ std::vector<Value> picked(const std::vector<Value>& values, const std::vector<st
 
 } // namespace
 
-FaceSetup::FaceSetup(const ExactOptions& options)
-    : m_options(options), m_lattice{options.size, options.sampleGrid,
-                                    std::int64_t{1} << (options.snap ? options.subpixelBits : 0)}
-{
-}
+FaceSetup::FaceSetup(const ExactOptions& options) : m_options(options), m_lattice(latticeOf(options)) {}
 
 Outline FaceSetup::outlineOf(const ClipTriangle& triangle) const
 {
@@ -133,7 +129,7 @@ Piece FaceSetup::pieceOf(const std::array<ScreenCorner, 3>& t, const Integer& de
     piece.face = face;
     piece.depthDenominator = det * sign;
     for (std::size_t i = 0; i < 3; ++i) {
-        piece.weights[i] = determinantWith(t[(i + 1) % 3], t[(i + 2) % 3], m_lattice.unit) * sign;
+        piece.weights[i] = determinantWith(t[(i + 1) % 3], t[(i + 2) % 3], m_lattice) * sign;
         piece.depthNumerator = piece.depthNumerator + piece.weights[i] * t[i].z;
         piece.weights[i] = piece.weights[i] * t[i].scale;
         piece.colors[i] = t[i].color;

@@ -382,6 +382,8 @@ ExactFrame emptyFrame(const ExactOptions& options)
     ExactFrame frame;
     frame.window = windowOf(options);
     frame.sampleGrid = options.sampleGrid;
+    frame.offset = options.offset.pixels();
+    frame.resolveLight = options.resolveLight;
     frame.depthTested = options.depthTested;
     frame.width = frame.window.width * options.sampleGrid;
     frame.height = frame.window.height * options.sampleGrid;
@@ -395,11 +397,39 @@ ExactFrame emptyFrame(const ExactOptions& options)
     return frame;
 }
 
+/// Every sample of a pattern as a frame of its own, and these put together.
+ExactFrame patternReference(std::span<const ClipTriangle> triangles, const ExactOptions& options,
+                            const std::stop_token& stop, const ExactProgress& progress)
+{
+    ExactFrame whole;
+    ExactOptions part = options;
+    part.patternSamples = 1;
+    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    for (int sample = 0; sample < options.patternSamples; ++sample) {
+        part.offset = samplePattern(options.patternSamples)[static_cast<std::size_t>(sample)];
+        const auto partDone = [&](double done) { progress((sample + done) / options.patternSamples); };
+        ExactFrame frame = exactReference(triangles, part, stop, progress ? ExactProgress(partDone) : nullptr);
+        if (sample == 0) {
+            whole = std::move(frame);
+            continue;
+        }
+        append(whole.cover, frame.cover);
+        append(whole.id, frame.id);
+        append(whole.depth, frame.depth);
+        append(whole.color, frame.color);
+        append(whole.edgeDistance, frame.edgeDistance);
+    }
+    whole.patternSamples = options.patternSamples;
+    return whole;
+}
+
 } // namespace
 
 ExactFrame exactReference(std::span<const ClipTriangle> triangles, const ExactOptions& options, std::stop_token stop,
                           const ExactProgress& progress)
 {
+    if (options.patternSamples > 1)
+        return patternReference(triangles, options, stop, progress);
     constexpr std::size_t kFacesBetweenReports = 1024;
     ExactFrame frame = emptyFrame(options);
     Painter painter(triangles, options, frame);
@@ -418,7 +448,8 @@ ExactFrame exactReference(std::span<const ClipTriangle> triangles, const ExactOp
 std::vector<PixelRect> bandsOf(const ExactOptions& options)
 {
     const PixelRect window = windowOf(options);
-    const std::int64_t samplesPerRow = std::int64_t{window.width} * options.sampleGrid * options.sampleGrid;
+    const std::int64_t samplesPerRow =
+        std::int64_t{window.width} * options.sampleGrid * options.sampleGrid * options.patternSamples;
     const int rows = static_cast<int>(std::max<std::int64_t>(1, kSamplesPerBand / samplesPerRow));
     std::vector<PixelRect> bands;
     for (int y = 0; y < window.height; y += rows)
@@ -446,6 +477,8 @@ ExactOptions exactOptions(const Scene& scene, const Settings& settings, Referenc
     options.depthClear = static_cast<double>(rules.depthClear);
     options.depthFormat = settings.depthFormat;
     options.sampleGrid = rules.sampleGrid;
+    options.patternSamples = rules.patternSamples;
+    options.resolveLight = rules.resolveLight;
     options.window = scene.window ? visiblePart(*scene.window, settings.size) : std::nullopt;
     if (space == ReferenceSpace::Object)
         options.clipFromObject = resolved.matrices.clipFromObjectDouble;

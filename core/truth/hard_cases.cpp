@@ -83,6 +83,12 @@ Reasons otherFaceReasons(const CoverageDifference& d, const Frame& frame, const 
     return reasons;
 }
 
+/// Whether each sample is shaded at its own place, as the truth knows it.
+bool shadesAtSamples(const Settings& settings)
+{
+    return patternSamples(settings.samples) == 1 || settings.attributeAt == AttributeAt::Sample;
+}
+
 Reasons expectReasons(const Scene& scene, const Outcome& outcome)
 {
     for (const Expectation& line : checkExpectations(scene.expectations, outcome))
@@ -91,11 +97,11 @@ Reasons expectReasons(const Scene& scene, const Outcome& outcome)
     return {};
 }
 
-Reasons valueReasons(const CoverageDifference& d, double tolerance, bool knowsColors)
+Reasons valueReasons(const CoverageDifference& d, double tolerance, bool judgesColors)
 {
     if (d.depthMax > tolerance)
         return {{QT_TRANSLATE_NOOP("HardCase", "a depth is %1 off"), {QString::number(d.depthMax, 'g', 3)}}};
-    if (knowsColors && d.colorMax > kCaseColorTolerance)
+    if (judgesColors && d.colorMax > kCaseColorTolerance)
         return {{QT_TRANSLATE_NOOP("HardCase", "a colour is %1 steps off"), {QString::number(d.colorMax, 'g', 4)}}};
     return {};
 }
@@ -170,7 +176,7 @@ CaseVerdict judgeCase(const Scene& scene, const ExactFrame& truth, const Setting
     if (reasons.empty() && !scene.exact && difference.otherFace == 0 && settings.samples == scene.defaults.samples)
         reasons = expectReasons(scene, outcomeOf(frame, scene, &statistics));
     if (reasons.empty() && !scene.exact)
-        reasons = valueReasons(difference, tolerance, knowsColors(scene));
+        reasons = valueReasons(difference, tolerance, knowsColors(scene) && shadesAtSamples(settings));
     if (!reasons.empty())
         return {CaseGrade::Fails, std::move(reasons), std::move(difference)};
     reasons = toleranceReasons(difference);

@@ -91,6 +91,14 @@
         <source>off</source>
         <translation>关</translation>
     </message>
+    <message>
+        <source>Only MSAA shades a pixel elsewhere than at its samples.</source>
+        <translation>只有 MSAA 会在采样点以外的位置给像素着色。</translation>
+    </message>
+    <message>
+        <source>A pixel has one sample, and no mean is taken.</source>
+        <translation>每个像素只有一个采样点，不求平均。</translation>
+    </message>
 </context>
 <context>
     <name>BuiltinScene</name>
@@ -477,6 +485,30 @@
     <message>
         <source>Three arrow heads, whose lower halves mirror the upper ones. Their tips lie at half rows, the other corners elsewhere between them.</source>
         <translation>三个箭头，下半边是上半边的镜像。箭尖在半行处，其余角点也在行之间。</translation>
+    </message>
+    <message>
+        <source>MSAA: sheets with a part of a texture</source>
+        <translation>MSAA：只用纹理一部分的薄片</translation>
+    </message>
+    <message>
+        <source>4 samples a pixel, attributes at centroids. Round the sheets&apos; part of the texture all is magenta, which must not be seen.</source>
+        <translation>每个像素 4 个采样点，属性取在质心。薄片所用的那部分纹理四周全是品红色，它不该出现。</translation>
+    </message>
+    <message>
+        <source>MSAA: needles under fine stripes</source>
+        <translation>MSAA：细条纹下的针形三角形</translation>
+    </message>
+    <message>
+        <source>8 samples a pixel, attributes at centroids. The needles lie in one plane, and their stripes are finer than the pixels: all must be grey.</source>
+        <translation>每个像素 8 个采样点，属性取在质心。这些针形三角形位于同一平面，条纹比像素还细：应当全是灰色。</translation>
+    </message>
+    <message>
+        <source>MSAA: a disc of 20 triangles</source>
+        <translation>MSAA：由 20 个三角形组成的圆盘</translation>
+    </message>
+    <message>
+        <source>4 samples a pixel. The triangles share their edges, of which nothing may be seen.</source>
+        <translation>每个像素 4 个采样点。三角形共用各条边，这些边不该看得见。</translation>
     </message>
 </context>
 <context>
@@ -2423,6 +2455,22 @@
     <message>
         <source>27 (x y z w r g b u v of three corners)</source>
         <translation>27（三个角的 x y z w r g b u v）</translation>
+    </message>
+    <message>
+        <source>%1 is not a directive; size, subpixel_bits, exact, cull, depth_test, depth_format, clear, ssaa, samples, zrange, window, tri, note or expect expected</source>
+        <translation>%1 不是指令；应为 size、subpixel_bits、exact、cull、depth_test、depth_format、clear、ssaa、samples、zrange、window、tri、note 或 expect</translation>
+    </message>
+    <message>
+        <source>needs MSAA: samples msaa2 to msaa16</source>
+        <translation>需要 MSAA：samples msaa2 到 msaa16</translation>
+    </message>
+    <message>
+        <source>only texture-filter trilinear asks for derivatives</source>
+        <translation>只有 texture-filter trilinear 才需要导数</translation>
+    </message>
+    <message>
+        <source>attributes are taken at the pixels&apos; centres</source>
+        <translation>属性取在像素中心</translation>
     </message>
 </context>
 <context>
@@ -4563,6 +4611,34 @@
         <source>number: E, px²</source>
         <translation>数字：E，px²</translation>
     </message>
+    <message>
+        <source>shaded at each of them</source>
+        <translation>在其中每一个上着色</translation>
+    </message>
+    <message>
+        <source>shaded once, at sample %1, the first covered one</source>
+        <translation>着色一次，在采样点 %1，即第一个被覆盖的采样点</translation>
+    </message>
+    <message>
+        <source>shaded once, at the centre</source>
+        <translation>着色一次，在像素中心</translation>
+    </message>
+    <message>
+        <source>shaded once, at the centre, outside of the face: %1</source>
+        <translation>着色一次，在像素中心，而中心在面之外：%1</translation>
+    </message>
+    <message>
+        <source>pixel (%1, %2): </source>
+        <translation>像素 (%1, %2)：</translation>
+    </message>
+    <message>
+        <source>none of %1 samples is covered</source>
+        <translation>%1 个采样点都没有被覆盖</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples are covered: %3</source>
+        <translation>%2 个采样点中有 %1 个被覆盖：%3</translation>
+    </message>
 </context>
 <context>
     <name>LocateModel</name>
@@ -5817,6 +5893,54 @@
         <source>Edges are moved by up to what they go in one row, flat ones by many columns: triangles are too thin or lopsided, neighbours leave cracks, and all wobbles when it moves.</source>
         <translation>边最多偏移它在一行里走过的距离，平缓的边偏移许多列：三角形太瘦或歪斜，相邻面之间有裂缝，移动时晃动。</translation>
     </message>
+    <message>
+        <source>MSAA: attributes at a centre that the face does not cover</source>
+        <translation>MSAA：属性取在面没有覆盖的像素中心</translation>
+    </message>
+    <message>
+        <source>Dots in a foreign colour along the edges: texels from beyond the face&apos;s part of the texture.</source>
+        <translation>沿着边缘出现异色的点：来自该面所用纹理部分之外的纹素。</translation>
+    </message>
+    <message>
+        <source>in vec2 uv; without centroid</source>
+        <translation>in vec2 uv; 没有写 centroid</translation>
+    </message>
+    <message>
+        <source>With one sample a pixel the centre of what is drawn is always covered.</source>
+        <translation>每个像素一个采样点时，凡是画出的像素，其中心总是被覆盖的。</translation>
+    </message>
+    <message>
+        <source>MSAA: derivatives of what is taken at centroids</source>
+        <translation>MSAA：对取在质心的属性求导数</translation>
+    </message>
+    <message>
+        <source>Along the edges of faces the texture is blurred or too sharp: the level of detail jumps.</source>
+        <translation>沿着面的边缘，纹理变模糊或过于锐利：细节层次在跳变。</translation>
+    </message>
+    <message>
+        <source>centroid in vec2 uv; .. dFdx(uv) as if all were a pixel apart</source>
+        <translation>centroid in vec2 uv; .. dFdx(uv) 当作彼此相距一个像素</translation>
+    </message>
+    <message>
+        <source>The difference to the neighbour is the derivative, is it not?</source>
+        <translation>与相邻像素之差不就是导数吗？</translation>
+    </message>
+    <message>
+        <source>MSAA: resolved while the frame is drawn</source>
+        <translation>MSAA：边画边解析</translation>
+    </message>
+    <message>
+        <source>The background shines through every edge that two faces share.</source>
+        <translation>背景从两个面共用的每条边透出来。</translation>
+    </message>
+    <message>
+        <source>resolve() in the loop over the faces, not after it</source>
+        <translation>resolve() 写在面的循环之内，而不是之后</translation>
+    </message>
+    <message>
+        <source>The picture has one colour a pixel, so a pixel is made as soon as there is one.</source>
+        <translation>图像每个像素一种颜色，于是一有颜色就合成像素。</translation>
+    </message>
 </context>
 <context>
     <name>Moment</name>
@@ -6347,10 +6471,6 @@
         <translation>带透明度的纹理在不透明度不到一半处，面上就有孔：那里什么都不画，也不写入深度。没有透明度的纹理没有孔。</translation>
     </message>
     <message>
-        <source>Super-sampling: every sample keeps its own colour and depth, and the box filter averages them. This is not MSAA, which also tests coverage and depth at every sample, but shades a face only once a pixel.</source>
-        <translation>超采样：每个采样点保存自己的颜色和深度，再用盒式滤波求平均。这不是 MSAA：MSAA 也在每个采样点测试覆盖和深度，但一个面在每个像素里只着色一次。</translation>
-    </message>
-    <message>
         <source>Perspective</source>
         <translation>透视</translation>
     </message>
@@ -6369,6 +6489,46 @@
     <message>
         <source>Mip level</source>
         <translation>Mip 级别</translation>
+    </message>
+    <message>
+        <source>The pixel&apos;s centre</source>
+        <translation>像素中心</translation>
+    </message>
+    <message>
+        <source>A covered place (centroid)</source>
+        <translation>被覆盖的位置（质心）</translation>
+    </message>
+    <message>
+        <source>Every sample</source>
+        <translation>每个采样点</translation>
+    </message>
+    <message>
+        <source>Display values</source>
+        <translation>显示值</translation>
+    </message>
+    <message>
+        <source>Linear light</source>
+        <translation>线性光</translation>
+    </message>
+    <message>
+        <source>Grids are super-sampling: every sample is shaded. MSAA also tests coverage and depth at every sample, at the positions of Direct3D and Vulkan, but shades a face only once a pixel. The mean of the samples is the pixel&apos;s colour.</source>
+        <translation>网格是超采样：每个采样点都着色。MSAA 也在每个采样点测试覆盖和深度，位置与 Direct3D 和 Vulkan 相同，但一个面在每个像素里只着色一次。像素的颜色是采样点的平均值。</translation>
+    </message>
+    <message>
+        <source>Attributes taken at</source>
+        <translation>属性取在</translation>
+    </message>
+    <message>
+        <source>MSAA: where attributes are evaluated. A face may cover samples but not the centre, and then the centre&apos;s values lie outside of it; at every sample each is shaded.</source>
+        <translation>MSAA：在何处计算属性。一个面可能覆盖了采样点却没有覆盖像素中心，这时中心处的值落在面之外；选每个采样点时，每个采样点都着色。</translation>
+    </message>
+    <message>
+        <source>Mean of the samples</source>
+        <translation>采样点的平均</translation>
+    </message>
+    <message>
+        <source>Samples are averaged as the numbers the display is sent (gamma), or as amounts of light.</source>
+        <translation>按送往显示器的数值（gamma）求平均，或按光的量求平均。</translation>
     </message>
 </context>
 <context>
@@ -6648,6 +6808,10 @@
         <source>in 16 bits: %1</source>
         <translation>16 位下：%1</translation>
     </message>
+    <message>
+        <source>sample %1</source>
+        <translation>采样点 %1</translation>
+    </message>
 </context>
 <context>
     <name>StepSentence</name>
@@ -6730,6 +6894,10 @@
     <message>
         <source>%1: face %2, at depth %3 against %4, fails the depth test.</source>
         <translation>%1：面 %2 的深度 %3，与 %4 相比，没有通过深度测试。</translation>
+    </message>
+    <message>
+        <source>Pixel (%1, %2), sample %3,</source>
+        <translation>像素 (%1, %2) 的采样点 %3</translation>
     </message>
 </context>
 <context>
@@ -7147,6 +7315,34 @@
     <message>
         <source>algorithm tiled computes no mip level by itself: it does not draw shading mip-level</source>
         <translation>tiled 算法不单独计算 mip 级别：它不画 mip-level 着色</translation>
+    </message>
+    <message>
+        <source>samples msaa2 to msaa16 need fill solid: lines and points go from sample to sample of a grid, and a pattern has none</source>
+        <translation>samples msaa2 到 msaa16 需要 fill solid：线和点是在网格的采样点之间走的，而采样图案没有网格</translation>
+    </message>
+    <message>
+        <source>samples msaa2 to msaa16 need an algorithm that goes by centres; column-fill goes by the grid points of the corners</source>
+        <translation>samples msaa2 到 msaa16 需要按中心判断的算法；column-fill 按顶点所在的网格点来画</translation>
+    </message>
+    <message>
+        <source>samples msaa2 to msaa16 need attribute-path planes: a pixel is shaded once, and no span leads there</source>
+        <translation>samples msaa2 到 msaa16 需要 attribute-path planes：一个像素只着色一次，没有扫描段通到那里</translation>
+    </message>
+    <message>
+        <source>samples msaa2 to msaa16 do not go with a mistake about where samples are stored</source>
+        <translation>samples msaa2 到 msaa16 不能与采样点存放位置方面的错误同时使用</translation>
+    </message>
+    <message>
+        <source>algorithm tiled keeps the counts of one sample a pixel only</source>
+        <translation>分块算法只保留每个像素一个采样点时的计数</translation>
+    </message>
+    <message>
+        <source>algorithm tiled draws grids of samples, not yet the patterns of multi-sampling: samples 1, 2x2, 3x3 or 4x4 needed</source>
+        <translation>分块算法能画网格采样，还不能画多重采样的采样图案：需要每像素 1、2 x 2、3 x 3 或 4 x 4 个采样点</translation>
+    </message>
+    <message>
+        <source>algorithm tiled with several samples a pixel needs resolve gamma</source>
+        <translation>分块算法在每个像素有多个采样点时，只能按显示值求平均</translation>
     </message>
 </context>
 <context>
@@ -9080,6 +9276,14 @@
     <message>
         <source>texel %1 of %2 x %3; right %4, down %5; mip level %6</source>
         <translation>纹素 %1，共 %2 x %3；向右 %4，向下 %5；mip 级别 %6</translation>
+    </message>
+    <message>
+        <source>covers none of %1 samples</source>
+        <translation>%1 个采样点一个也没有覆盖</translation>
+    </message>
+    <message>
+        <source>covers %1 of %2 samples: %3</source>
+        <translation>覆盖 %2 个采样点中的 %1 个：%3</translation>
     </message>
 </context>
 <context>

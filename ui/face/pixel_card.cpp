@@ -212,6 +212,20 @@ QLabel* wrapped(const QString& text, const char* look = "")
     return label;
 }
 
+/// Which samples of the pixel a face covers.
+QString maskLine(const WhyReport& report, const WhyFace& face)
+{
+    QStringList numbers;
+    for (int sample = 0; sample < report.rules.patternSamples; ++sample)
+        if ((face.coveredSamples >> sample & 1U) != 0)
+            numbers << QString::number(sample + 1);
+    return numbers.isEmpty() ? PixelCard::tr("covers none of %1 samples").arg(report.rules.patternSamples)
+                             : PixelCard::tr("covers %1 of %2 samples: %3")
+                                   .arg(numbers.size())
+                                   .arg(report.rules.patternSamples)
+                                   .arg(numbers.join(QStringLiteral(", ")));
+}
+
 } // namespace
 
 WhyWords whyWords(const WhyReport& report, const WhyFace& face)
@@ -226,6 +240,8 @@ WhyWords whyWords(const WhyReport& report, const WhyFace& face)
                                                     signedText(shortNumber(face.facing->value)));
     if (face.hasEdges)
         words.details << edgesLine(face);
+    if (face.hasEdges && report.rules.multiSampled())
+        words.details << maskLine(report, face);
     if (face.hasEdges && face.verdict >= WhyVerdict::FailedDepth)
         for (const WhyEdge& edge : face.edges)
             if (edge.value == 0)

@@ -23,6 +23,14 @@ const Payload* lastOf(const StepLog& log, std::span<const std::uint32_t> events,
     return after == events.begin() ? nullptr : &log.payload<Payload>(log.event(*std::prev(after)));
 }
 
+/// The events of a sample of the pattern, out of those of one triangle: one sample comes after the other.
+std::span<const std::uint32_t> ofSample(const StepLog& log, std::span<const std::uint32_t> events, int sample)
+{
+    const auto sampleOf = [&](std::uint32_t i) { return int(log.event(i).sample); };
+    const auto found = std::ranges::equal_range(events, sample, {}, sampleOf);
+    return {found.begin(), found.end()};
+}
+
 } // namespace
 
 EdgeSign signOf(double value)
@@ -46,8 +54,9 @@ LensModel::LensModel(const StepLog& log, const StepEvent& triangle, std::size_t 
     const auto setup = eventsOfTriangle(StepKind::Setup);
     m_hasSetup = m_triangle->hasSetup && !setup.empty() && setup.front() < position;
     m_walks = log.rules().algorithm == Algorithm::EdgeWalking;
-    m_samples = eventsOfTriangle(StepKind::Sample);
-    m_spans = eventsOfTriangle(StepKind::Span);
+    m_sample = ownsEvent() ? std::max(0, int(m_now->sample)) : 0;
+    m_samples = ofSample(log, eventsOfTriangle(StepKind::Sample), m_sample);
+    m_spans = ofSample(log, eventsOfTriangle(StepKind::Span), m_sample);
 }
 
 std::span<const std::uint32_t> LensModel::eventsOfTriangle(StepKind kind) const
@@ -103,7 +112,7 @@ const StepEvent* LensModel::farEvent(StepKind kind, int x, int y) const
 {
     if (!m_far || !isPastElsewhere(x, y))
         return nullptr;
-    const auto events = m_far->eventsOf(kind);
+    const auto events = ofSample(*m_far, m_far->eventsOf(kind), m_sample);
     const auto at = std::partition_point(events.begin(), events.end(), [&](std::uint32_t i) {
         const StepEvent& event = m_far->event(i);
         return kind == StepKind::Span ? event.y < y : std::tie(event.y, event.x) < std::tie(y, x);
@@ -122,7 +131,7 @@ void LensModel::readSample(LensCell& cell, int x, int y) const
     cell.hasValues = true;
     cell.values = sample ? m_log->payload<SampleStep>(*sample).values
                   : far  ? m_far->payload<SampleStep>(*far).values
-                         : setup.at(testedPoint(m_log->rules(), x, y));
+                         : setup.at(testedPoint(m_log->rules(), x, y, m_sample));
     if (far || (sample && sample < &m_log->events().front() + m_position))
         cell.state =
             (far ? far : sample)->has(StepEvent::kCovered) ? LensCell::State::Covered : LensCell::State::Rejected;

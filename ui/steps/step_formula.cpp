@@ -322,7 +322,7 @@ QString sampleFormula(const StepLog& log, const StepEvent& event)
     const auto area = [&](double value) { return minus(edgeValueText(value, setup.unitsPerArea)); };
 
     // Positions that are shifted by half a sample: samples that are tested at their corner.
-    const glm::dvec2 tested = testedPoint(rules, event.x, event.y);
+    const glm::dvec2 tested = testedPoint(rules, event.x, event.y, event.sample);
     const glm::dvec2 point = tested - rules.screenShift;
     const glm::dvec2 from = glm::dvec2(edge.from) / setup.unitsPerSample - rules.screenShift;
     QStringList others;
@@ -500,6 +500,8 @@ QString stepTitle(const StepLog& log, std::size_t i)
         parts << QStringLiteral("(%1, %2)").arg(event.x).arg(event.y);
     else if (event.y >= 0)
         parts << translated(QT_TRANSLATE_NOOP("StepListing", "row %1")).arg(event.y);
+    if (isOfPattern(log, event))
+        parts << translated(QT_TRANSLATE_NOOP("StepListing", "sample %1")).arg(event.sample + 1);
     if (event.face != StepEvent::kNone)
         parts << translated(QT_TRANSLATE_NOOP("StepListing", "face %1")).arg(event.face);
     if (const QString because = becauseWords(becauseOf(log, i)); !because.isEmpty())

@@ -64,6 +64,8 @@ private:
     /// What becomes of a sample: `Pixel (3, 4)`, or `Sample (7, 9)` where pixels have several.
     [[nodiscard]] QString where() const
     {
+        if (isOfPattern(m_log, m_event))
+            return tr("Pixel (%1, %2), sample %3,").arg(m_event.x).arg(m_event.y).arg(m_event.sample + 1);
         return (m_log.grid() == 1 ? tr("Pixel (%1, %2)") : tr("Sample (%1, %2)")).arg(m_event.x).arg(m_event.y);
     }
 
