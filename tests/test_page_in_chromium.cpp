@@ -21,9 +21,10 @@ QByteArray unescaped(QByteArray text)
     return text.replace("&lt;", "<").replace("&gt;", ">").replace("&nbsp;", "\u00a0").replace("&amp;", "&");
 }
 
+/// The page with a script that runs once the page stands.
 QByteArray withScript(QByteArray html, const QByteArray& script)
 {
-    return html.replace("</body>", "<script>" + script + "</script></body>");
+    return html.replace("</body>", "<script>rasterlens.ready.then(() => {" + script + "});</script></body>");
 }
 
 } // namespace
@@ -141,6 +142,14 @@ private Q_SLOTS:
         QVERIFY(state[QStringLiteral("lesson")].toString().contains(QStringLiteral("面 0 走到第一个恰在边上的中心")));
         QVERIFY(state[QStringLiteral("sentence")].toString().contains(QStringLiteral("恰在")));
         QVERIFY(state[QStringLiteral("event")][QStringLiteral("tie")].toBool());
+    }
+
+    void aBrowserThatUnpacksNothingIsTold()
+    {
+        const Lesson lesson = *loadLesson(QStringLiteral("perspective")).lesson;
+        QByteArray html = pageOf(pageScene(kSquare), {}, &lesson);
+        html.replace("<body>", "<body><script>delete window.DecompressionStream;</script>");
+        QVERIFY(opened(html).contains("browser of the year 2023 or later. (DecompressionStream is not defined)"));
     }
 
     void keysAndAnswersWork()

@@ -31,6 +31,8 @@ private Q_SLOTS:
     void theCaptionTellsTheStep();
     void allMenusAreWithinReach();
     void lessonsAreHeldOnTheStage();
+    void thePictureStaysFromQuestionToAnswer_data();
+    void thePictureStaysFromQuestionToAnswer();
     void sessionsKeepTheMoment();
     void oldSessionsLeaveTheViewAlone();
     void rOffersASmallPicture();
@@ -149,6 +151,53 @@ void TestStage::lessonsAreHeldOnTheStage()
     m_window->lessons().player().close();
     QVERIFY(openStage({1024, 768}));
     QVERIFY(!panel.isVisible() && caption()->isVisible());
+}
+
+void TestStage::thePictureStaysFromQuestionToAnswer_data()
+{
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<bool>("isChinese");
+    for (const char* id : {"top-left", "perspective", "super-sampling"})
+        for (const bool isChinese : {false, true})
+            QTest::addRow("%s, %s", id, isChinese ? "Chinese" : "English") << QString::fromLatin1(id) << isChinese;
+}
+
+/// A wrong answer is told of, then the right one, and then another slide is shown: the canvas keeps its place.
+void TestStage::thePictureStaysFromQuestionToAnswer()
+{
+    QFETCH(QString, id);
+    QFETCH(bool, isChinese);
+    m_window->setLanguage(isChinese ? LanguageKind::Chinese : LanguageKind::English);
+    QVERIFY(m_window->lessons().open(id));
+    QVERIFY(complete());
+    QVERIFY(openStage({1024, 768}));
+    LessonPlayer& player = m_window->lessons().player();
+    const auto place = [&] {
+        QTest::qWait(20); // layouts follow through the event loop
+        return viewport().geometry();
+    };
+    int questions = 0;
+    while (player.place().phase != LessonPlayer::Phase::Ended) {
+        const QRect before = place();
+        const std::size_t slide = player.place().slide;
+        if (player.isAsking()) {
+            ++questions;
+            const QuestionKind kind = player.slide().question->kind;
+            const bool isChoice = !player.slide().question->choices.empty();
+            for (int i = 0; i < 2 && player.isAsking(); ++i)
+                player.answer(kind == QuestionKind::Pixels ? GivenAnswer(std::vector<QPoint>{{0, 0}})
+                              : isChoice                   ? GivenAnswer(std::size_t(i))
+                                                           : GivenAnswer(QStringLiteral("-99")));
+            if (player.isAsking())
+                key(Qt::Key_PageDown);
+        } else {
+            key(Qt::Key_PageDown);
+        }
+        QVERIFY(complete());
+        if (player.place().slide == slide)
+            QCOMPARE(place(), before);
+    }
+    QVERIFY(questions >= 3);
 }
 
 void TestStage::sessionsKeepTheMoment()

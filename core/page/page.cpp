@@ -21,7 +21,7 @@ QByteArray resource(const char* name)
 QByteArray script()
 {
     QByteArray text;
-    for (const char* part : {"words.js", "inflate.js", "run.js", "picture.js", "lesson.js", "page.js"})
+    for (const char* part : {"words.js", "run.js", "picture.js", "lesson.js", "page.js"})
         text += resource(part) + '\n';
     return text;
 }

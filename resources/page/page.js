@@ -3,9 +3,9 @@
 // slide=N, pixel=X,Y, lang=en|zh, answered and state, with & between.
 const byId = id => document.getElementById(id);
 const data = JSON.parse(byId("data").textContent);
-const runs = data.runs.map(saved => new Run(saved));
+const runs = []; // those of the data, once their pictures are unpacked
 const shown = {
-  run: runs[0],
+  run: null,
   pixel: null,     // [x, y]
   marks: lesson.marks,
   compares: false, // the other picture is shown
@@ -240,8 +240,8 @@ function showLegend() {
 function showOther() {
   const run = shown.run;
   const toggle = byId("compare");
-  toggle.hidden = !run.otherColors;
-  if (!run.otherColors)
+  toggle.hidden = !run.other;
+  if (!run.other)
     shown.compares = false;
   const isMistake = run.mistakes.length > 0;
   toggle.textContent = say(isMistake ? (shown.compares ? "withMistake" : "withoutMistake")
@@ -480,9 +480,24 @@ function readAddress() {
   showAll();
 }
 
-// For programs: the number of events of the scene's run; go(k) shows the moment just after the event with the number k
-// of the step log, go(-1) the cleared frame; event() is that event as the step log has it; pixel(x, y) what is stored.
+async function start() {
+  runs.push(...await Promise.all(data.runs.map(openRun)));
+  shown.run = runs[0];
+  if (data.start) {
+    shown.pixel = data.start.pixel || null;
+    runs[0].moveTo(data.start.step === undefined ? 0 : runs[0].positionOf(data.start.step));
+  }
+  listenToPicture();
+  listenToKeys();
+  listenToButtons();
+  readAddress();
+}
+
+// For programs: a promise that is fulfilled once the page stands; the number of events of the scene's run; go(k) shows the
+// moment just after the event with the number k of the step log, go(-1) the cleared frame; event() is that event as the
+// step log has it; pixel(x, y) what is stored.
 window.rasterlens = {
+  ready: start(),
   get events() { return runs[0].size; },
   go(k) {
     if (shown.run !== runs[0]) {
@@ -494,12 +509,7 @@ window.rasterlens = {
   event: () => shown.run.event,
   pixel: pixelAt,
 };
-
-if (data.start) {
-  shown.pixel = data.start.pixel || null;
-  runs[0].moveTo(data.start.step === undefined ? 0 : runs[0].positionOf(data.start.step));
-}
-listenToPicture();
-listenToKeys();
-listenToButtons();
-readAddress();
+window.rasterlens.ready.catch(error => {
+  byId("remark").textContent = say("cannotOpen", error.message);
+  byId("remark").hidden = false;
+});

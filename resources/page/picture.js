@@ -60,7 +60,7 @@ function putPixel(image, i, color) {
 let lastPicture = null;
 
 function drawPixels(pen, run, colors, side) {
-  if (!lastPicture || lastPicture.run !== run || colors || run.finishedColors)
+  if (!lastPicture || lastPicture.run !== run || colors || run.finished)
     run.touched = null;
   if (!lastPicture || lastPicture.run !== run)
     lastPicture = smallPicture(run);
@@ -318,7 +318,7 @@ function drawPicture(run, shown) {
     pen.rect(view.left * side, view.top * side, view.width * side, view.height * side);
     pen.clip();
   }
-  drawPixels(pen, run, shown.compares ? run.otherColors : null, side);
+  drawPixels(pen, run, shown.compares ? run.other : null, side);
   drawGrid(pen, side);
   if (!shown.compares) {
     drawTriangles(pen, run, side);

@@ -15,6 +15,7 @@ function valueOfLight(light) {
 // *position* k is the moment after k events; 0 is the cleared frame. The *number* of an event is that of the step log:
 // position k stands just after the event with the number k - 1.
 class Run {
+  // in  a run of the data, its pictures unpacked
   constructor(saved) {
     Object.assign(this, saved);
     this.steps = saved.steps.map(([title, sentence, formula, code, line]) => ({ title, sentence, formula, code, line }));
@@ -23,11 +24,9 @@ class Run {
     this.color = new Int32Array(this.samples).fill(colorOf(this.clear[0]));
     this.depth = new Array(this.samples).fill(this.clear[1]);
     if (this.base) {
-      this.color = pixelsOf(this.base, this.width * this.height);
+      this.color = this.base;
       this.depth.fill(null);
     }
-    this.finishedColors = this.finished ? pixelsOf(this.finished, this.width * this.height) : null;
-    this.otherColors = this.other ? pixelsOf(this.other, this.width * this.height) : null;
     this.hasSamples = this.events.some(event => event.event === "sample");
     this.findTriangles();
     this.readChanges();
@@ -106,8 +105,8 @@ class Run {
     const index = y * this.width + x;
     if (this.isStill)
       return this.color[index];
-    if (this.finishedColors && this.position > 0 && index < this.resolved[this.position - 1])
-      return this.finishedColors[index];
+    if (this.finished && this.position > 0 && index < this.resolved[this.position - 1])
+      return this.finished[index];
     const samples = this.samplesOf(x, y);
     const half = samples.length >> 1; // the mean is rounded
     const mean = shift => {
@@ -161,15 +160,23 @@ class Run {
 function colorOf(text) { return parseInt(text.slice(1), 16); }
 function colorText(color) { return "#" + color.toString(16).padStart(6, "0"); }
 
-// Pixels of a packed picture: the channels as differences from the pixel before.
-function pixelsOf(packed, count) {
-  const kChannels = 3;
-  const bytes = inflated(Uint8Array.from(atob(packed), letter => letter.charCodeAt(0)), kChannels * count);
+// Pixels of a packed picture: the channels as differences from the pixel before, as a zlib stream (RFC 1950).
+async function pixelsOf(packed, count) {
+  const stream = new Response(Uint8Array.from(atob(packed), letter => letter.charCodeAt(0))).body;
+  const unpacked = new Response(stream.pipeThrough(new DecompressionStream("deflate")));
+  const bytes = new Uint8Array(await unpacked.arrayBuffer());
   const pixels = new Int32Array(count);
   const channels = [0, 0, 0];
   for (let i = 0; i < count; ++i) {
-    channels.forEach((former, c) => { channels[c] = former + bytes[kChannels * i + c] & 255; });
+    channels.forEach((former, c) => { channels[c] = former + bytes[channels.length * i + c] & 255; });
     pixels[i] = channels[0] << 16 | channels[1] << 8 | channels[2];
   }
   return pixels;
+}
+
+// A run of the data. The browser unpacks its pictures in the background.
+async function openRun(saved) {
+  const pictures = ["base", "finished", "other"].filter(name => saved[name]);
+  const unpacked = await Promise.all(pictures.map(name => pixelsOf(saved[name], saved.width * saved.height)));
+  return new Run({ ...saved, ...Object.fromEntries(pictures.map((name, i) => [name, unpacked[i]])) });
 }

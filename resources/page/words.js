@@ -82,6 +82,8 @@ const kWords = {
   closeCard: ["Close the card (Escape)", "关闭卡片（Escape）"],
   onlyFace: ["Only the steps of face %1 are told.", "只讲面 %1 的步骤。"],
   onlyPixel: ["Only the steps at pixel (%1, %2) are told.", "只讲像素 (%1, %2) 上的步骤。"],
+  cannotOpen: ["This page cannot be shown. It needs a browser of the year 2023 or later. (%1)",
+               "本页无法显示，需要 2023 年以后的浏览器。（%1）"],
   noEvents: ["There is no step to show.", "没有可以显示的步骤。"],
   mistakeOn: ["Switched on: %1", "已打开：%1"],
 };

@@ -14,8 +14,8 @@ constexpr QRgb kCanvasMinus = 0xff8f3c00; ///< also what is wrong
 constexpr QRgb kCanvasInk = 0xff12151a;   ///< outlines, and behind white letters
 
 // Edge walking: the edge from the highest to the lowest corner, a full line, and the two beside it, dashed.
-constexpr QRgb kCanvasLongEdge = 0xffb3123f;
-constexpr QRgb kCanvasBrokenEdge = 0xff006a8e;
+constexpr QRgb kCanvasLongEdge = 0xffaa103b;
+constexpr QRgb kCanvasBrokenEdge = 0xff005e80;
 
 /// The hue and the pen style of the edges AB, BC, CA.
 struct EdgeLook {

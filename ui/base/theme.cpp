@@ -75,7 +75,7 @@ constexpr auto kThemeColors = std::to_array<ThemeColorRow>({
     {ThemeColor::OnAccent, "onAccent", 0xffffff, 0x0d1420},
     {ThemeColor::AccentSoft, "accentSoft", 0xeaf0fc, 0x28344c},
     {ThemeColor::InfoFill, "infoFill", 0xeaf0fc, 0x28344c},
-    {ThemeColor::WarningFill, "warningFill", 0xfff4df, 0x46391c},
+    {ThemeColor::WarningFill, "warningFill", 0xfff4df, 0x3c3118},
     {ThemeColor::ErrorFill, "errorFill", 0xfdeae7, 0x4a2622},
     {ThemeColor::ErrorText, "errorText", 0x861f14, 0xffb4a8},
 });
@@ -108,11 +108,8 @@ QPalette paletteOf(ThemeKind kind)
     palette.setColor(QPalette::PlaceholderText, color(ThemeColor::Muted));
     palette.setColor(QPalette::ToolTipBase, color(ThemeColor::Card));
     palette.setColor(QPalette::ToolTipText, color(ThemeColor::Text));
-    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
-        QColor faded = color(ThemeColor::Muted);
-        faded.setAlphaF(0.6F);
-        palette.setColor(QPalette::Disabled, role, faded);
-    }
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        palette.setColor(QPalette::Disabled, role, color(ThemeColor::Muted));
     return palette;
 }
 

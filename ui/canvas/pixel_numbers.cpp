@@ -1,6 +1,7 @@
 #include "ui/canvas/pixel_numbers.h"
 
 #include "core/observe/names.h"
+#include "ui/base/text_on.h"
 #include "ui/base/theme.h"
 
 #include <QFontMetricsF>
@@ -112,16 +113,6 @@ QFont cellFont(double zoom, int digits)
     return font;
 }
 
-/// Black or white, whichever stands out more (WCAG 2.1, relative luminance).
-QColor readableOn(QRgb color)
-{
-    const auto linear = [](int channel) { return std::pow(channel / 255.0, 2.2); };
-    const double luminance =
-        0.2126 * linear(qRed(color)) + 0.7152 * linear(qGreen(color)) + 0.0722 * linear(qBlue(color));
-    constexpr double kEqualContrast = 0.179;
-    return luminance > kEqualContrast ? QColor(10, 12, 16) : QColor(250, 251, 253);
-}
-
 } // namespace
 
 QStringList pixelNumbers(const RenderedFrame& frame, QPoint pixel, NumberRoom room)
@@ -165,11 +156,11 @@ void paintPixelNumbers(QPainter& painter, const QRect& pixels, const CanvasTrans
         for (int x = pixels.left(); x <= pixels.right(); ++x) {
             const QRectF cell = transform.toCanvas(QRectF(x, y, 1, 1)).adjusted(2, 3, -2, -3);
             const QStringList lines = linesAt({x, y}, room);
-            painter.setPen(readableOn(picture.pixel(x, y)));
-            painter.drawText(cell, Qt::AlignHCenter | Qt::AlignTop, lines.first());
+            const QRgb color = picture.pixel(x, y);
+            drawTextOn(painter, cell, Qt::AlignHCenter | Qt::AlignTop, lines.first(), color);
             for (qsizetype i = 1; i < lines.size(); ++i)
-                painter.drawText(cell.adjusted(0, 0, 0, -lineSpacing * double(lines.size() - 1 - i)),
-                                 Qt::AlignHCenter | Qt::AlignBottom, lines[i]);
+                drawTextOn(painter, cell.adjusted(0, 0, 0, -lineSpacing * double(lines.size() - 1 - i)),
+                           Qt::AlignHCenter | Qt::AlignBottom, lines[i], color);
         }
 }
 

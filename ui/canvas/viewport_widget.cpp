@@ -17,6 +17,7 @@ namespace
 {
 
 constexpr int kFitMargin = 18;
+constexpr int kNarrowMargin = 2; ///< where it makes a small picture larger
 constexpr int kPaneGap = 2;      ///< between the picture and the depth buffer beside it
 constexpr int kKeptVisible = 40; ///< canvas pixels of the image that panning leaves in sight
 constexpr int kMaxFigureSide = 16384;
@@ -204,10 +205,16 @@ void ViewportWidget::applyFit()
         shown = QRectF(m_fitPixels->x, m_fitPixels->y, m_fitPixels->width, m_fitPixels->height).intersected(shown);
     if (shown.isEmpty())
         return;
+    const auto zoomWith = [&](const QRect& place, int margin) {
+        return fittingZoom(shown.size(),
+                           QSizeF(std::max(1, place.width() - 2 * margin), std::max(1, place.height() - 2 * margin)));
+    };
     const auto fitted = [&](const QRect& place) {
-        const QSizeF room(std::max(1, place.width() - 2 * kFitMargin), std::max(1, place.height() - 2 * kFitMargin));
+        constexpr double kGain = 1.5; // whole pixels of the canvas make 1x into 2x, or 2x into 3x
         CanvasTransform transform;
-        transform.zoom = fittingZoom(shown.size(), room);
+        const double usual = zoomWith(place, kFitMargin);
+        const double narrow = zoomWith(place, kNarrowMargin);
+        transform.zoom = narrow >= kGain * usual ? narrow : usual;
         transform.origin = QRectF(place).center() - shown.center() * transform.zoom;
         return transform;
     };

@@ -2,6 +2,7 @@
 
 #include "core/settings/sample_pattern.h"
 #include "ui/base/step_words.h"
+#include "ui/base/text_on.h"
 
 #include <QColor>
 #include <QCoreApplication>
@@ -43,10 +44,9 @@ protected:
         for (int i = 0; i < m_pixel.count; ++i) {
             const QRectF part(i % m_grid * cell, i / m_grid * cell, cell, cell);
             const QColor stored{QRgb(m_pixel.samples[std::size_t(i)].color)};
-            const QColor ink = stored.lightness() > 128 ? Qt::black : Qt::white;
             painter.fillRect(part, stored);
-            painter.setPen(ink);
-            painter.drawText(part, Qt::AlignCenter, QString::number(i + 1));
+            drawTextOn(painter, part, Qt::AlignCenter, QString::number(i + 1), stored.rgb());
+            painter.setPen(inkOn(stored.rgb()).ink);
             if (m_pixel.counted(i) != m_pixel.samples[std::size_t(i)].color) {
                 painter.drawLine(part.topLeft(), part.bottomRight());
                 painter.drawLine(part.topRight(), part.bottomLeft());

@@ -11,10 +11,15 @@
 #include <QListWidget>
 #include <QToolButton>
 
+#include <algorithm>
+#include <utility>
+
 namespace rasterlens
 {
 namespace
 {
+
+constexpr int kBorder = 1; ///< of the card on which the bar lies
 
 QLabel* makeText(const char* name)
 {
@@ -52,8 +57,13 @@ LessonPanel::LessonPanel(LessonPlayer& player, const Actions& actions, QWidget* 
     m_outer->addLayout(column, 1);
     m_verdict = makeText("lessonVerdict");
     m_text = makeText("lessonText");
-    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_text->setFocusPolicy(Qt::NoFocus);
+    m_measure = makeText("lessonText");
+    m_measure->setParent(this);
+    m_measure->hide();
+    for (QLabel* text : {m_text, m_measure}) {
+        text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        text->setFocusPolicy(Qt::NoFocus);
+    }
     m_question = new QuestionBox;
     column->addWidget(m_verdict);
     column->addWidget(m_text);
@@ -68,6 +78,7 @@ LessonPanel::LessonPanel(LessonPlayer& player, const Actions& actions, QWidget* 
     m_contents->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_contents->setTextElideMode(Qt::ElideRight);
     column->addWidget(m_contents, 1);
+    column->addStretch();
     connect(m_contents, &QListWidget::itemActivated, this,
             [this] { m_player.goTo(static_cast<std::size_t>(m_contents->currentRow())); });
     connect(m_contents, &QListWidget::itemClicked, this,
@@ -135,10 +146,6 @@ void LessonPanel::setAway(bool away)
 void LessonPanel::setBar(bool bar)
 {
     m_bar = bar;
-    if (bar) // beside the number: the picture has the height
-        m_row->insertWidget(m_row->indexOf(m_number) + 1, m_score);
-    else
-        m_column->insertWidget(m_column->indexOf(m_contents), m_score);
     if (bar)
         m_rows->addWidget(m_leftOut);
     else
@@ -180,13 +187,14 @@ void LessonPanel::sync()
         m_text->setText(tr("Choose a lesson in the menu Lessons."));
         m_leftOut->hide();
         syncContents();
+        keepHeight();
         return;
     }
     const LessonPlayer::Place& place = m_player.place();
     m_number->setText(tr("%1 of %2").arg(place.slide + 1).arg(m_player.lesson().slides.size()));
     const LessonPlayer::Score score = m_player.score();
     m_score->setText(score.answered > 0 ? tr("%1 of %2 right").arg(score.right).arg(score.answered) : QString());
-    m_score->setVisible(score.answered > 0);
+    m_score->setVisible(score.answered > 0 && !m_bar); // the end of the lesson tells it there
     const Slide& slide = m_player.slide();
     m_text->setText(m_player.isAsking() ? textInUse(slide.question->text)
                     : place.phase == LessonPlayer::Phase::Ended
@@ -198,6 +206,88 @@ void LessonPanel::sync()
                          : QStringLiteral("wrong"));
     syncLeftOut();
     syncContents();
+    keepHeight();
+}
+
+void LessonPanel::resizeEvent(QResizeEvent* event)
+{
+    QFrame::resizeEvent(event);
+    if (event->size().width() != event->oldSize().width())
+        m_keptFor = nullptr;
+    keepHeight();
+}
+
+/// A bar keeps its height from a question to its answer, whatever these say, and from slide to slide as far as that
+/// leaves the picture most of the window: the picture stays where it is.
+void LessonPanel::keepHeight()
+{
+    if (!m_bar || !m_player.isOpen()) {
+        m_buttons->setMinimumWidth(0);
+        m_buttons->setMaximumWidth(QWIDGETSIZE_MAX);
+        setMinimumHeight(0);
+        m_keptFor = nullptr;
+        return;
+    }
+    if (std::exchange(m_keptFor, &m_player.slide()) != &m_player.slide())
+        m_kept = 0;
+    m_buttons->setFixedWidth(widthOfButtons());
+    m_outer->activate();
+    constexpr double kShare = 0.15; // of the window's height; the picture has three fifths then
+    int ofAll = 0;
+    for (const Slide& slide : m_player.lesson().slides)
+        ofAll = std::max(ofAll, heightOfTexts(slide));
+    ofAll = std::min(ofAll, static_cast<int>(window()->height() * kShare));
+    m_kept = std::max({m_kept, m_outer->totalHeightForWidth(barWidth()), heightOfTexts(m_player.slide()), ofAll});
+    setMinimumHeight(m_kept);
+}
+
+/// The column at the left of a bar has one width, whichever of the links is shown: the text beside it keeps its lines.
+int LessonPanel::widthOfButtons() const
+{
+    const int leftOut = m_leftOut->isHidden() ? 0 : m_leftOut->sizeHint().width();
+    return std::max({m_row->sizeHint().width(), m_try->sizeHint().width(), m_back->sizeHint().width(), leftOut});
+}
+
+/// Before the layout has followed, the panel is as wide as it was beside the canvas.
+int LessonPanel::barWidth() const { return std::max(width(), parentWidget()->contentsRect().width() - 2 * kBorder); }
+
+/// The height of the bar for a slide's question, and for its caption with what became of the answer.
+int LessonPanel::heightOfTexts(const Slide& slide) const
+{
+    const QMargins around = m_outer->contentsMargins();
+    const int gap = m_column->spacing();
+    const int room = barWidth() - around.left() - around.right() - m_outer->spacing() - widthOfButtons();
+    m_measure->ensurePolished();
+    const auto heightOf = [&](const TwoTexts& text) {
+        m_measure->setText(textInUse(text));
+        return m_measure->heightForWidth(room);
+    };
+    int height = heightOf(textWithNumbers(slide.moment.caption, slide));
+    if (slide.question) {
+        const Question& question = *slide.question;
+        const auto heightOfVerdict = [&](const QString& text) {
+            const QRect place(0, 0, room, QWIDGETSIZE_MAX);
+            return gap + m_verdict->fontMetrics().boundingRect(place, Qt::TextWordWrap, text).height();
+        };
+        // Choices that are open are measured; those of other slides are taken for one line.
+        const bool isOpen = m_player.isAsking() && &slide == &m_player.slide();
+        const int box = std::max(m_question->rowHeight(), isOpen ? m_question->heightForWidth(room) : 0);
+        constexpr PixelScore kLong{100, 100, 100};
+        const QString tried = tryAgainText(question.kind == QuestionKind::Pixels ? std::optional(kLong) : std::nullopt);
+        height = std::max(height + heightOfVerdict(longestVerdict(question)),
+                          heightOf(question.text) + gap + box + heightOfVerdict(tried));
+    }
+    return height + around.top() + around.bottom();
+}
+
+/// Answers that are no choices are numbers or pixels, and short.
+QString LessonPanel::longestVerdict(const Question& question)
+{
+    QString longest;
+    for (const QuestionChoice& choice : question.choices)
+        if (const QString text = choiceText(choice); text.size() > longest.size())
+            longest = text;
+    return tr("\u2717 Not quite. The answer: %1").arg(longest);
 }
 
 /// Slides for a second look are not left out without a word.
@@ -219,14 +309,19 @@ QString LessonPanel::tryText() const
         return tr("Right so far: three digits, please.");
     if (m_player.tries().empty())
         return {};
+    return tryAgainText(m_player.triedPixels());
+}
+
+QString LessonPanel::tryAgainText(const std::optional<PixelScore>& score)
+{
     const QString again = tr("One more try; \u25b6 shows the answer.");
-    if (const auto score = m_player.triedPixels())
+    if (score)
         return pixelText(*score) + QStringLiteral(". ") + again;
     return tr("\u2717 Not quite.") + QLatin1Char(' ') + again;
 }
 
 /// How many of the pixels were found.
-QString LessonPanel::pixelText(const PixelScore& score) const
+QString LessonPanel::pixelText(const PixelScore& score)
 {
     return tr("\u2717 %1 of %2 found, %3 too many").arg(score.found).arg(score.wanted).arg(score.extra);
 }

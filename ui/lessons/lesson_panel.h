@@ -47,22 +47,31 @@ public:
 Q_SIGNALS:
     void tryWanted(); ///< what can be changed is to be brought to the front
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     QWidget* buildButtons(const Actions& actions);
     void sync();
     void syncContents();
     void syncLeftOut();
     [[nodiscard]] QString tryText() const;
-    [[nodiscard]] QString pixelText(const PixelScore& score) const;
+    [[nodiscard]] static QString tryAgainText(const std::optional<PixelScore>& score);
+    [[nodiscard]] static QString pixelText(const PixelScore& score);
     [[nodiscard]] QString verdictText() const;
     [[nodiscard]] QString endText() const;
+    void keepHeight();
+    [[nodiscard]] int heightOfTexts(const Slide& slide) const;
+    [[nodiscard]] int barWidth() const;
+    [[nodiscard]] int widthOfButtons() const;
+    [[nodiscard]] static QString longestVerdict(const Question& question);
 
     LessonPlayer& m_player;
     QBoxLayout* m_outer = nullptr; ///< buttons, and what is read, below them or at their right
     QVBoxLayout* m_column = nullptr;
     QWidget* m_buttons = nullptr;
     QBoxLayout* m_rows = nullptr; ///< of the buttons
-    QHBoxLayout* m_row = nullptr;
+    QHBoxLayout* m_row = nullptr; ///< the lowest of a bar: both buttons and the number
     QLabel* m_title = nullptr;
     QLabel* m_number = nullptr;
     QLabel* m_score = nullptr;
@@ -75,6 +84,9 @@ private:
     QListWidget* m_contents = nullptr;
     bool m_away = false;
     bool m_bar = false;
+    QLabel* m_measure = nullptr;      ///< hidden: tells the height of texts that are not shown
+    const Slide* m_keptFor = nullptr; ///< the slide that the height of the bar is kept for
+    int m_kept = 0;
 };
 
 } // namespace rasterlens

@@ -89,6 +89,8 @@ void QuestionBox::setWide(bool wide)
     m_choices->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }
 
+int QuestionBox::rowHeight() const { return std::max(m_field->sizeHint().height(), m_check->sizeHint().height()); }
+
 void QuestionBox::setQuestion(const Question* question)
 {
     if (question == m_question)

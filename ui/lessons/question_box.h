@@ -26,6 +26,8 @@ public:
     void setQuestion(const Question* question);
     /// Choices stand beside each other in place of below each other.
     void setWide(bool wide);
+    /// The height of a line with the field or with short choices.
+    [[nodiscard]] int rowHeight() const;
 
     /// Marks a pixel, or takes its mark away; nothing where the question does not ask for pixels.
     void togglePixel(QPoint pixel);

@@ -30,6 +30,28 @@ GlyphColors glyphColors(EdgeSign sign, bool isHollow)
     return {QColor(sign == EdgeSign::Plus ? kCanvasPlus : kCanvasMinus), Qt::white};
 }
 
+QColor lensVeil(const LensCell& cell, const QColor& paper)
+{
+    const bool waiting = cell.state == LensCell::State::Waiting;
+    bool inside = cell.state == LensCell::State::Covered;
+    if (waiting && cell.hasValues)
+        inside =
+            std::none_of(cell.signs.begin(), cell.signs.end(), [](EdgeSign sign) { return sign == EdgeSign::Minus; });
+    const double tint = inside ? (waiting ? 0.07 : 0.17) : 0;
+    const QColor plus(kCanvasPlus);
+    const auto mixed = [&](int a, int b) { return int(std::lround(a + (b - a) * tint)); };
+    return {mixed(paper.red(), plus.red()), mixed(paper.green(), plus.green()), mixed(paper.blue(), plus.blue()),
+            waiting ? 246 : 250};
+}
+
+QColor lensNumberColor(LensCell::State state)
+{
+    constexpr int kWaiting = 200;
+    QColor ink = QGuiApplication::palette().color(QPalette::Text);
+    ink.setAlpha(state == LensCell::State::Waiting ? kWaiting : 255);
+    return ink;
+}
+
 void paintGlyph(QPainter& painter, QPointF centre, double diameter, EdgeSign sign, std::size_t edge, bool isHollow)
 {
     const double r = diameter / 2;

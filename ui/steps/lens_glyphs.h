@@ -22,6 +22,11 @@ struct GlyphColors {
 /// The colours in the application's palette: sign and disc differ by a contrast of at least 7:1.
 [[nodiscard]] GlyphColors glyphColors(EdgeSign sign, bool isHollow);
 
+/// The colour that veils a sample: what is inside, and what was looked at.
+[[nodiscard]] QColor lensVeil(const LensCell& cell, const QColor& paper);
+/// The colour of the number on the veil.
+[[nodiscard]] QColor lensNumberColor(LensCell::State state);
+
 /// A sign in a circle, whose rim has the hue of its edge: 0 AB, 1 BC, 2 CA.
 void paintGlyph(QPainter& painter, QPointF centre, double diameter, EdgeSign sign, std::size_t edge, bool isHollow);
 

@@ -144,25 +144,10 @@ void LensOverlay::lookFar(const LensView& view) const
                                {left, top, seen.right() / view.grid - left + 1, seen.bottom() / view.grid - top + 1}));
 }
 
-/// The colour a sample is veiled with: what is inside, and what was looked at.
-QColor LensOverlay::veilOf(const LensCell& cell, const QColor& fill)
-{
-    const bool waiting = cell.state == LensCell::State::Waiting;
-    bool inside = cell.state == LensCell::State::Covered;
-    if (waiting && cell.hasValues)
-        inside =
-            std::none_of(cell.signs.begin(), cell.signs.end(), [](EdgeSign sign) { return sign == EdgeSign::Minus; });
-    const double tint = inside ? (waiting ? 0.07 : 0.17) : 0;
-    const QColor plus(kCanvasPlus);
-    const auto mixed = [&](int a, int b) { return int(std::lround(a + (b - a) * tint)); };
-    return {mixed(fill.red(), plus.red()), mixed(fill.green(), plus.green()), mixed(fill.blue(), plus.blue()),
-            waiting ? 246 : 250};
-}
-
 /// One sample: a veil that leaves the sample's own colour to be seen round its centre, and the three signs.
 void LensOverlay::paintCell(QPainter& painter, const QRectF& box, const LensCell& cell)
 {
-    const QColor veil = veilOf(cell, paper().fill);
+    const QColor veil = lensVeil(cell, paper().fill);
     const double s = box.width();
     const double hole = std::round(s * 0.2);
     const QRectF window(box.center() - QPointF(hole / 2, hole / 2), QSizeF(hole, hole));
@@ -189,8 +174,8 @@ void LensOverlay::paintVeils(LensView& view) const
     const QRect shown = view.visible(m_model->triangle().setup.bounds);
     for (int y = shown.top(); y <= shown.bottom(); ++y)
         for (int x = shown.left(), next = x; x <= shown.right(); x = next) {
-            const QColor veil = veilOf(m_model->cell(x, y), fill);
-            while (next <= shown.right() && veilOf(m_model->cell(next, y), fill) == veil)
+            const QColor veil = lensVeil(m_model->cell(x, y), fill);
+            while (next <= shown.right() && lensVeil(m_model->cell(next, y), fill) == veil)
                 ++next;
             view.painter.fillRect(QRectF(view.at({x, y}), view.at({next, y + 1})), withAlpha(veil, kVeilOpacity));
         }
@@ -239,7 +224,6 @@ void LensOverlay::paintNumbers(LensView& view) const
     const QFontMetricsF wordMetrics(words);
     const QFontMetricsF numberMetrics(numbers);
     const double digit = numberMetrics.horizontalAdvance(QLatin1Char('0'));
-    const QColor ink = paper().ink;
     for (const auto& [box, cell] : view.cells) {
         if (!cell.hasValues)
             continue;
@@ -255,7 +239,7 @@ void LensOverlay::paintNumbers(LensView& view) const
         if (!cell.tie && widthOf() > room)
             text = QString::number(cell.values[std::size_t(cell.deciding)] / setup.unitsPerArea, 'g', 3);
         const double width = widthOf();
-        view.painter.setPen(withAlpha(ink, cell.state == LensCell::State::Waiting ? 200 : 255));
+        view.painter.setPen(lensNumberColor(cell.state));
         view.painter.setFont(cell.tie ? words : numbers);
         const double ascent = cell.tie ? wordMetrics.ascent() : numberMetrics.ascent();
         view.painter.drawText(QPointF(box.center().x() - width / 2, box.top() + 2 + ascent), text);

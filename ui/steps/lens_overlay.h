@@ -35,7 +35,6 @@ public:
 private:
     void paintCells(LensView& view) const;
     void paintVeils(LensView& view) const;
-    [[nodiscard]] static QColor veilOf(const LensCell& cell, const QColor& fill);
     static void paintCell(QPainter& painter, const QRectF& box, const LensCell& cell);
     void paintNumbers(LensView& view) const;
     void paintBounds(LensView& view) const;

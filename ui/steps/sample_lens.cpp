@@ -2,6 +2,7 @@
 
 #include "core/pipeline/framebuffer.h"
 #include "ui/base/step_words.h"
+#include "ui/base/text_on.h"
 #include "ui/base/theme.h"
 #include "ui/steps/lens_view.h"
 
@@ -185,12 +186,12 @@ void SampleLens::paintResolve(QPainter& painter, const QRect& canvas, const Canv
     for (int i = 0; i < pixel.count && isGrid && cell.width() >= kSamplesFromCell; ++i) {
         const QRectF part(box.topLeft() + QPointF(i % grid * cell.width(), i / grid * cell.height()), cell);
         const QColor stored{QRgb(pixel.samples[std::size_t(i)].color)};
-        const QColor ink = stored.lightness() > 128 ? Qt::black : Qt::white;
+        const QColor ink = inkOn(stored.rgb()).ink;
         painter.fillRect(part, stored);
         painter.setPen(QPen(ink, 1));
         painter.drawRect(part);
         if (cell.height() >= kGlyphsFromCell)
-            painter.drawText(part, Qt::AlignCenter, QString::number(i + 1));
+            drawTextOn(painter, part, Qt::AlignCenter, QString::number(i + 1), stored.rgb());
         if (pixel.counted(i) == pixel.samples[std::size_t(i)].color)
             continue;
         painter.setPen(QPen(ink, 2));

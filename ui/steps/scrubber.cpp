@@ -27,15 +27,15 @@ QColor pipColor(PipKind kind, const QPalette& palette)
 {
     const Inks inks = inksFor(palette);
     const bool dark = isDark(palette);
-    const auto readable = [dark](QRgb color) { return dark ? QColor(color).lighter(165) : QColor(color); };
+    const auto readable = [dark](QRgb onLight, QRgb onDark) { return QColor(dark ? onDark : onLight); };
     switch (kind) {
     case PipKind::None: return Qt::transparent;
     case PipKind::Other: return palette.color(QPalette::Mid);
     case PipKind::Sample: return inks.plus;
     case PipKind::Outside: return inks.minus;
-    case PipKind::Cull: return readable(0x6a3d9a);
-    case PipKind::Clip: return readable(0x005f54);
-    case PipKind::DepthFail: return readable(0x7a4a6e);
+    case PipKind::Cull: return readable(0x6a3d9a, 0xc5a3e8);
+    case PipKind::Clip: return readable(0x005f54, 0x4fc3b0);
+    case PipKind::DepthFail: return readable(0x77466b, 0xe0a0cb);
     case PipKind::Tie: break;
     }
     return palette.color(QPalette::Text);

@@ -404,7 +404,7 @@ void TransportDock::syncIcons()
 {
     const QPalette colors = QGuiApplication::palette();
     const QColor ink = colors.color(QPalette::Text);
-    const QColor faded = colors.color(QPalette::Mid);
+    const QColor faded = colors.color(QPalette::PlaceholderText);
     for (const Button& button : m_buttons) {
         const bool pauses = button.sign == TransportSign::Play && m_session.isPlaying();
         const TransportSign sign = pauses ? TransportSign::Pause : button.sign;

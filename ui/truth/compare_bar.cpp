@@ -3,6 +3,7 @@
 #include "ui/base/field_row.h"
 #include "ui/base/flow_layout.h"
 #include "ui/base/parts.h"
+#include "ui/base/text_on.h"
 #include "ui/base/theme.h"
 
 #include <QEvent>
@@ -47,15 +48,13 @@ protected:
         const double each = static_cast<double>(width()) / static_cast<double>(scale.size());
         for (std::size_t i = 0; i < scale.size(); ++i) {
             const QRectF cell(static_cast<double>(i) * each, 0, each, height());
-            const QColor color(scale[i].color);
-            painter.fillRect(cell, color);
-            painter.setPen(color.lightness() > 110 ? QColor(10, 12, 16) : QColor(250, 251, 253));
+            painter.fillRect(cell, QColor(scale[i].color));
             // The smallest difference that takes this colour; whole steps are all there is.
             const int steps = (scale[i].steps + m_amplification - 1) / m_amplification;
             const bool used =
                 i + 1 == scale.size() || steps < (scale[i + 1].steps + m_amplification - 1) / m_amplification;
             if (used)
-                painter.drawText(cell, Qt::AlignCenter, QString::number(steps));
+                drawTextOn(painter, cell, Qt::AlignCenter, QString::number(steps), scale[i].color);
         }
     }
 
@@ -89,11 +88,9 @@ CompareBar::CompareBar(Document& document, Comparison& comparison, QWidget* pare
     row->addWidget(with);
     for (QToolButton* button : {m_pin, m_swap, m_wipe, m_blink, m_heat, m_close})
         row->addWidget(button);
+    row->addWidget(m_amplification);
+    row->addWidget(m_legend);
     column->addLayout(row);
-    auto* scale = new QHBoxLayout;
-    scale->addWidget(m_amplification);
-    scale->addWidget(m_legend, 1);
-    column->addLayout(scale);
     m_text->setWordWrap(true);
     column->addWidget(m_text);
     m_settings->setObjectName(QStringLiteral("muted"));
@@ -120,9 +117,9 @@ QToolButton* CompareBar::addViewButton(CompareView view)
     return button;
 }
 
-void CompareBar::setBrief(bool brief)
+void CompareBar::setExtent(Extent extent)
 {
-    m_brief = brief;
+    m_extent = extent;
     sync();
 }
 
@@ -130,6 +127,8 @@ void CompareBar::sync()
 {
     const CompareView view = m_comparison.view();
     setVisible(view != CompareView::Off);
+    m_text->setVisible(m_extent != Extent::Line);
+    m_settings->setVisible(m_extent == Extent::Full);
     if (view == CompareView::Off)
         return;
     const QSignalBlocker blockedWith(m_with);
@@ -149,7 +148,6 @@ void CompareBar::sync()
     constexpr std::size_t kRoom = 3;
     m_settings->setText(settingsText(kRoom));
     m_settings->setToolTip(settingsText(settingsFields().size()));
-    m_settings->setVisible(!m_brief);
 }
 
 /// What A and B are, in words: the settings in which they differ. The tool-tip has the settings that find no room.

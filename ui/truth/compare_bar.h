@@ -20,8 +20,9 @@ class CompareBar : public QFrame
 public:
     CompareBar(Document& document, Comparison& comparison, QWidget* parent = nullptr);
 
-    /// Without the line of settings.
-    void setBrief(bool brief);
+    /// All parts; without the line of settings; or the controls in one line.
+    enum class Extent { Full, Brief, Line };
+    void setExtent(Extent extent);
     [[nodiscard]] QComboBox* withBox() const { return m_with; }
     [[nodiscard]] QComboBox* amplificationBox() const { return m_amplification; }
 
@@ -35,7 +36,7 @@ private:
     [[nodiscard]] QString settingsText(std::size_t most) const;
 
     Comparison& m_comparison;
-    bool m_brief = false;
+    Extent m_extent = Extent::Full;
     QLabel* m_title;
     QComboBox* m_with;
     QToolButton* m_pin;

@@ -71,6 +71,8 @@ constexpr PixelVerdict kVerdicts[] = {PixelVerdict::Extra, PixelVerdict::Missing
 /// `3 extra`, in the language in use.
 [[nodiscard]] QString countText(PixelVerdict verdict, std::uint64_t count);
 
+/// The colour of a verdict, in which its glyph stands on kCanvasInk.
+[[nodiscard]] QRgb verdictColor(PixelVerdict verdict);
 /// One wrong pixel: colour, hatching, frame and glyph differ with the verdict; a halo makes it glow.
 void paintVerdict(QPainter& painter, const QRectF& cell, PixelVerdict verdict, bool thick);
 /// Its glyph alone, as a legend shows it.

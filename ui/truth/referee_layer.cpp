@@ -28,7 +28,7 @@ VerdictLook lookOf(PixelVerdict verdict)
     case PixelVerdict::Right: break;
     case PixelVerdict::OtherFace: return {0xfff0e442, Qt::HorPattern, "\u2260"};
     case PixelVerdict::HitLess: return {0xff2fc79a, Qt::VerPattern, "<"};
-    case PixelVerdict::HitTwice: return {0xffcc79a7, Qt::BDiagPattern, "2"};
+    case PixelVerdict::HitTwice: return {0xffd98fb8, Qt::BDiagPattern, "2"};
     case PixelVerdict::Extra: return {0xffe69f00, Qt::DiagCrossPattern, "\u00d7"};
     case PixelVerdict::Missing: return {0xff56b4e9, Qt::NoBrush, "\u25cb"};
     }
@@ -51,7 +51,7 @@ void paintHalo(QPainter& painter, const QRectF& cell, const QColor& color)
 /// Less than a cell's worth of pixels: a dot with a halo, however small the pixel is.
 void paintSpot(QPainter& painter, QPointF at, PixelVerdict verdict, bool thick)
 {
-    const QColor color(lookOf(verdict).color);
+    const QColor color(verdictColor(verdict));
     const double radius = thick ? 4 : 2.5;
     paintHalo(painter, QRectF(at.x() - radius, at.y() - radius, 2 * radius, 2 * radius), color);
     painter.setPen(QPen(QColor(kCanvasInk), 1));
@@ -109,6 +109,8 @@ std::vector<WrongPixel> inSight(const std::vector<WrongPixel>& wrong, const QRec
 }
 
 } // namespace
+
+QRgb verdictColor(PixelVerdict verdict) { return lookOf(verdict).color; }
 
 void paintVerdict(QPainter& painter, const QRectF& cell, PixelVerdict verdict, bool thick)
 {
@@ -172,7 +174,7 @@ void RefereeLayer::paint(QPainter& painter, const QRect& canvas, const CanvasTra
         const double side = std::max(transform.zoom, kDot);
         for (const WrongPixel& wrong : seen)
             painter.fillRect(QRectF(transform.toCanvas(QPointF(wrong.x, wrong.y)), QSizeF(side, side)),
-                             QColor(lookOf(wrong.verdict).color));
+                             QColor(verdictColor(wrong.verdict)));
         seen.clear();
     }
     for (const WrongPixel& wrong : seen) {

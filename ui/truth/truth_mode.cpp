@@ -166,11 +166,7 @@ void TruthMode::syncCanvas()
     m_viewport.setCompared(m_isStep ? nullptr : m_comparison.wiped(), m_isStep ? QString() : m_comparison.tag());
 }
 
-void TruthMode::setPresentation(bool on)
-{
-    m_refereeBar->setBrief(on);
-    m_compareBar->setBrief(on);
-}
+void TruthMode::setPresentation(bool on) { m_refereeBar->setBrief(on); }
 
 void TruthMode::showNextWrong()
 {

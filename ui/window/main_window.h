@@ -194,6 +194,7 @@ private:
     void connectField(Field* field, Refused refused, Mended mended);
     void leaveInnermost();
     void syncStage();
+    void syncCompareBar();
     [[nodiscard]] QString stageText() const;
     void syncCounters();
     void reportSaved(const std::optional<QString>& error, const QString& path);

@@ -22,6 +22,8 @@
 #include <QStatusBar>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace rasterlens
 {
 
@@ -86,7 +88,7 @@ void MainWindow::syncStage()
                                : StepListing::Place::Below);
     const bool hasLesson = m_lessons->player().isOpen();
     listing.setVisible(m_stepMode->session().isOpen() && (isWide || !isStage || !hasLesson)); // the slide says it
-    m_truth->compareBar().setBrief(isStage || hasLesson); // the slide says what differs
+    syncCompareBar();
     m_caption->setVisible(isStage && !hasLesson);
     if (isStage)
         m_lessons->panel().setVisible(hasLesson);
@@ -95,6 +97,21 @@ void MainWindow::syncStage()
     const QMargins around = m_caption->contentsMargins();
     m_caption->setMinimumHeight(kLines * m_caption->fontMetrics().lineSpacing() + around.top() + around.bottom());
     syncCaption();
+}
+
+/// The slide says what differs. On the stage the bar takes the place of the views, which stay in the menu: the picture
+/// is not to move when an answer shows a comparison.
+void MainWindow::syncCompareBar()
+{
+    using enum CompareBar::Extent;
+    CompareBar& bar = m_truth->compareBar();
+    const bool hasLesson = m_lessons->player().isOpen();
+    const bool isAlone = m_look.presentation && hasLesson;
+    bar.setExtent(isAlone ? Line : m_look.presentation || hasLesson ? Brief : Full);
+    m_canvasHeader->setVisible(!isAlone || m_truth->comparison().view() == CompareView::Off);
+    const int height = isAlone ? std::max(bar.sizeHint().height(), m_canvasHeader->sizeHint().height()) : 0;
+    bar.setMinimumHeight(height);
+    m_canvasHeader->setMinimumHeight(height);
 }
 
 void MainWindow::resetLayout()

@@ -6,11 +6,13 @@
 #include "ui/pipeline/mistake_badge.h"
 #include "ui/steps/step_listing.h"
 #include "ui/steps/step_mode.h"
+#include "ui/truth/truth_mode.h"
 #include "ui/window/main_window.h"
 #include "ui/window/panel_places.h"
 #include "ui/window/window_moment.h"
 
 #include <QSettings>
+#include <QTimer>
 
 #include <utility>
 
@@ -85,6 +87,8 @@ void MainWindow::connectLessons()
         m_shownPlace = player.place();
         if (const Diagnostics remarks = std::exchange(m_lessonRemarks, {}); !remarks.empty())
             m_message->show(remarks);
+        if (!m_look.presentation)
+            QTimer::singleShot(0, m_panels, &PanelPlaces::follow); // once the bars and panels of the slide have room
         tellIfSettled();
     });
     connect(m_moment, &WindowMoment::refused, this, [this, &player] {
@@ -93,6 +97,7 @@ void MainWindow::connectLessons()
     });
     connect(&m_document, &Document::opened, this, [this] { m_shownPlace = {}; }); // what is open now is no slide
     connect(&player, &LessonPlayer::changed, this, &MainWindow::syncStage);
+    connect(&m_truth->comparison(), &Comparison::changed, this, &MainWindow::syncCompareBar);
     connect(m_moment, &WindowMoment::changed, this,
             [this, &player] { m_lessons->setAway(player.isOpen() && m_moment->isChanged()); });
     m_document.setViewReader([this] { return toSessionView(m_moment->present()); });

@@ -165,6 +165,7 @@ void PanelPlaces::follow()
 {
     if (m_arranged)
         return;
+    noteOpen();
     if (m_narrow != isNarrow())
         arrange();
     sizeColumns();
@@ -173,8 +174,11 @@ void PanelPlaces::follow()
 void PanelPlaces::sizeColumns()
 {
     const auto isOpen = [this](const QDockWidget* dock) { return m_open.contains(dock) && !dock->isFloating(); };
+    const int scene = std::min(kSceneWidth, m_window.width() / 4);
     if (!m_atBottom)
         if (const auto tab = std::ranges::find_if(m_tabs, isOpen); tab != m_tabs.end()) {
+            if (!m_narrow)
+                m_window.resizeDocks({m_columns.scene}, {scene}, Qt::Horizontal);
             makeRoom(*tab);
             return;
         }
@@ -182,7 +186,6 @@ void PanelPlaces::sizeColumns()
         m_window.resizeDocks({m_columns.scene}, {kStatisticsWidth}, Qt::Horizontal);
         return;
     }
-    const int scene = std::min(kSceneWidth, m_window.width() / 4);
     m_window.resizeDocks({m_columns.scene, m_columns.statistics}, {scene, kStatisticsWidth}, Qt::Horizontal);
     const int column = m_columns.card->height() + m_columns.statistics->height();
     const int statistics = m_columns.statistics->sizeHint().height();
@@ -298,8 +301,7 @@ void PanelPlaces::makeRoom(QDockWidget* dock)
     const int spare = m_window.width() - other - static_cast<int>(m_window.width() * kCanvasShare);
     const int least = std::min(kTabWidth, spare);
     const int width = std::clamp(dock->width(), least, std::max(least, spare));
-    if (dock->width() != width)
-        m_window.resizeDocks({dock}, {width}, Qt::Horizontal);
+    m_window.resizeDocks({dock}, {width}, Qt::Horizontal);
     if (!m_narrow && !m_columns.statistics->isHidden())
         m_window.resizeDocks({dock, m_columns.statistics}, {m_window.height(), 1}, Qt::Vertical);
 }
