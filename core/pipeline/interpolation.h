@@ -64,8 +64,6 @@ public:
         const glm::dvec2 p(x + 0.5, y + 0.5);
         const double wa = twiceArea(b.position, c.position, p) * m_inverseArea2;
         const double wb = twiceArea(c.position, a.position, p) * m_inverseArea2;
-        if (m_weightUnit > 0)
-            return roundedWeights({wa, wb, twiceArea(a.position, b.position, p) * m_inverseArea2});
         return {wa, wb, 1 - wa - wb};
     }
 
