@@ -82,6 +82,7 @@ private Q_SLOTS:
     void levelsChangeAtPowersOfTwo();
     void cutFacesAreNotKnown();
     void footprintTellsPlaceStepsAndLevel();
+    void levelsAreShownInColours();
 };
 
 void TestExactTexels::bordersBelongToTheUpperTexel()
@@ -168,6 +169,27 @@ void TestExactTexels::footprintTellsPlaceStepsAndLevel()
     plain.shading = Shading::Gouraud;
     const WhyReport untextured = why(scene, plain, 3, 5);
     QVERIFY(!untextured.find(*untextured.visibleFace)->texels);
+}
+
+void TestExactTexels::levelsAreShownInColours()
+{
+    for (const int level : {0, 1, 2, 5}) {
+        const Scene scene = sceneOf(0, double(1 << level) / 64, 0, 0, 64);
+        Settings settings = scene.defaults;
+        settings.shading = Shading::MipLevel;
+        for (const Algorithm algorithm : {Algorithm::EdgeEquation, Algorithm::EdgeWalking}) {
+            settings.algorithm = algorithm;
+            Frame frame;
+            render(scene, settings, frame);
+            QCOMPARE(frame.image.pixel(3, 4), packColor(levelColor(float(level))));
+            QCOMPARE(frame.image.pixel(15, 15), frame.image.pixel(3, 4));
+        }
+        settings.algorithm = Algorithm::Tiled;
+        const auto reason = unsupported(scene, settings);
+        QVERIFY(reason && textOf(*reason).contains(QLatin1String("mip-level")));
+    }
+    QVERIFY(levelColor(0.5F) != levelColor(0) && levelColor(0.5F) != levelColor(1));
+    QVERIFY(levelColor(8) == levelColor(20) && levelColor(-1) == levelColor(0));
 }
 
 QTEST_APPLESS_MAIN(TestExactTexels)

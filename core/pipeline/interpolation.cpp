@@ -100,7 +100,7 @@ ScreenTriangle withCornerData(const ScreenTriangle& triangle, CornerData data)
 FaceInterpolation::FaceInterpolation(const ScreenTriangle& triangle, double area2, const Rules& rules, DepthUse use)
     : m_triangle(&triangle), m_inverseArea2(1 / area2),
       m_weightPerEdgeUnit(std::abs(m_inverseArea2) / (double(Grid<std::int64_t>::kUnit) * Grid<std::int64_t>::kUnit)),
-      m_isTurned(isTurned(area2, rules)), m_edgesFitDoubles(rules.weightUnit == 0 && edgesFitDoubles(triangle)),
+      m_isTurned(isTurned(area2, rules)), m_edgesFitDoubles(edgesFitDoubles(triangle)),
       m_depth(use == DepthUse::Read ? depthPlane(triangle, area2, rules) : DepthPlane()),
       m_varyingCount(static_cast<std::size_t>(rules.varyingCount)), m_perspectiveCorrect(rules.perspectiveCorrect),
       m_depthLinear(rules.depthLinear), m_weightUnit(rules.weightUnit)
@@ -121,8 +121,10 @@ double FaceInterpolation::depthOf(const Weights& screen) const
 {
     const auto& [a, b, c] = m_triangle->vertices;
     const Weights weights = m_depthLinear ? screen : perspective(screen);
-    if (m_weightUnit > 0) // does not rely on their sum
-        return weights[0] * a.depth + weights[1] * b.depth + weights[2] * c.depth;
+    if (m_weightUnit > 0) {
+        const Weights rounded = roundedWeights(weights);
+        return rounded[0] * a.depth + rounded[1] * b.depth + rounded[2] * c.depth;
+    }
     return a.depth + (weights[1] * (b.depth - a.depth) + weights[2] * (c.depth - a.depth));
 }
 

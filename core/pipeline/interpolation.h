@@ -66,8 +66,6 @@ public:
         const auto& [a, b, c] = m_triangle->vertices;
         const double wa = twiceArea(b.position, c.position, p) * m_inverseArea2;
         const double wb = twiceArea(c.position, a.position, p) * m_inverseArea2;
-        if (m_weightUnit > 0)
-            return roundedWeights({wa, wb, twiceArea(a.position, b.position, p) * m_inverseArea2});
         return {wa, wb, 1 - wa - wb};
     }
 

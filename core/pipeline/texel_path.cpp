@@ -17,8 +17,8 @@ glm::vec2 placeOnScreen(const ScreenTriangle& triangle, const Weights& screen, c
 
 bool takesOtherTexels(const Rules& rules)
 {
-    const bool readsTexels = rules.shading == Shading::Texture || rules.shading == Shading::Phong ||
-                             rules.shading == Shading::MipLevel;
+    const bool readsTexels =
+        rules.shading == Shading::Texture || rules.shading == Shading::Phong || rules.shading == Shading::MipLevel;
     return readsTexels && (rules.texels.uv != UvSource::Corners || rules.texels.level != LevelSource::Sample);
 }
 

@@ -42,7 +42,7 @@ enum class InsideTest {
     AllPositive,
     EitherSign, ///< also all negative, with the same thresholds
     Wrapped32,  ///< edge values are kept in 32 bits of whole pixel areas, which wrap around
-    Wrapped16,  ///< the same in 16 bits
+    Wrapped16,  ///< edge values are kept in 16 bits of whole pixel areas
     None,       ///< every sample of the bounding box is
 };
 
@@ -236,7 +236,7 @@ struct Rules {
     bool perspectiveCorrect = true;
     AttributePath attributePath = AttributePath::Planes;
     CornerData cornerData = CornerData::Own;
-    double weightUnit = 0; ///< each of the three weights is rounded to multiples of it by itself; 0: none is
+    double weightUnit = 0; ///< depth: each of the three weights is rounded to multiples of it by itself; 0: none is
     AttributeAt attributeAt = AttributeAt::Centre; ///< multi-sampling: where a pixel of a face is shaded
     /// Multi-sampling: derivatives are taken for differences to the neighbours in blocks of 2 x 2 pixels, as if all
     /// were shaded a pixel apart.

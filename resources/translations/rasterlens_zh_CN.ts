@@ -5638,10 +5638,6 @@
         <translation>只有 y 取整到整行</translation>
     </message>
     <message>
-        <source>Straight edges run in uneven steps and bend where corners meet.</source>
-        <translation>直边走出不均匀的台阶，在角点处弯折。</translation>
-    </message>
-    <message>
         <source>v.y = round(v.y), and v.x keeps its fraction and its slope</source>
         <translation>v.y = round(v.y)，而 v.x 保留小数和斜率</translation>
     </message>
