@@ -103,10 +103,12 @@ void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTran
     painter.setRenderHint(QPainter::Antialiasing);
     paintEdges(view);
     paintTies(view);
-    if (m_model->hasSetup() && view.cell >= kLensNumbersFromCell)
+    // The samples of a pattern lie where the numbers would be; the pointer asks for those.
+    const bool hasNumbers = view.cell >= kLensNumbersFromCell && !m_model->log().rules().multiSampled();
+    if (m_model->hasSetup() && hasNumbers)
         paintNumbers(view);
-    paintWalkOfSample(view);
     paintPattern(view, *m_model);
+    paintWalkOfSample(view);
     paintLine(view);
     paintColumn(view);
     paintCurrent(view);
@@ -114,7 +116,7 @@ void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTran
     paintHover(view);
     if (m_model->hasSetup() && view.cell >= kGlyphsFromCell)
         paintLensLegend(painter, canvas, boundsOf(view, m_model->triangle().setup), m_model->triangle().setup,
-                        view.cell >= kLensNumbersFromCell);
+                        hasNumbers);
     painter.restore();
 }
 

@@ -1,6 +1,6 @@
 #include "ui/steps/sample_lens.h"
 
-#include "core/pipeline/framebuffer.h"
+#include "core/observe/stored_samples.h"
 #include "ui/base/step_words.h"
 #include "ui/base/text_on.h"
 #include "ui/base/theme.h"
@@ -62,21 +62,6 @@ void paintGrid(QPainter& painter, const QRect& pixels, const CanvasTransform& tr
     if (cell >= kGridFromZoom)
         lines(grid, QColor(120, 128, 140, 90));
     lines(1, QColor(40, 46, 54, 190));
-}
-
-/// What the samples of a pixel store at the moment.
-ResolvedPixel storedAt(const StepCursor& cursor, QPoint pixel)
-{
-    const Rules& rules = cursor.log().rules();
-    ResolvedPixel stored;
-    stored.x = pixel.x();
-    stored.y = pixel.y();
-    stored.count = rules.samplesPerPixel();
-    for (int i = 0; i < stored.count; ++i) {
-        const std::size_t at = readIndex(rules, pixel.x(), pixel.y(), i);
-        stored.samples[std::size_t(i)] = {cursor.sampleColors()[at], cursor.sampleDepths()[at]};
-    }
-    return stored;
 }
 
 } // namespace
@@ -145,7 +130,7 @@ void SampleLens::paintPatterns(QPainter& painter, const QRect& seen, const Canva
         const QRect pixels = part.intersected(seen);
         for (int y = pixels.top(); y <= pixels.bottom(); ++y)
             for (int x = pixels.left(); x <= pixels.right(); ++x)
-                paintStored(painter, transform, storedAt(*m_cursor, {x, y}));
+                paintStored(painter, transform, storedSamples(*m_cursor, x, y));
     }
 }
 
@@ -219,7 +204,7 @@ void SampleLens::paintHover(QPainter& painter, const QRect& canvas, const Canvas
     const QString title = translated(QT_TRANSLATE_NOOP("Lens", "pixel (%1, %2): what its samples store now"))
                               .arg(pixel.x())
                               .arg(pixel.y());
-    const QStringList lines = QStringList{title} + storedWords(storedAt(*m_cursor, pixel));
+    const QStringList lines = QStringList{title} + storedWords(storedSamples(*m_cursor, pixel.x(), pixel.y()));
     const double height = QFontMetricsF(numberFont(0)).lineSpacing() * double(lines.size()) + 16;
     const QPointF above = transform.toCanvas(QRectF(pixel, QSizeF(1, 1))).topLeft() - QPointF(0, height);
     paintPlate(painter, canvas, above, lines, numberFont(0));
