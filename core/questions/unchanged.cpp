@@ -263,7 +263,8 @@ bool isOneOf(const char* id, Ids... ids)
 /// Reasons that lie in the settings alone.
 std::optional<Reason> whenNotAsked(const char* id, const Settings& settings)
 {
-    if (isOneOf(id, "steep-columns", "steep-step", "integer-weight", "missing-octant", "missing-last-pixel") &&
+    if (isOneOf(id, "steep-columns", "steep-step", "integer-weight", "missing-octant", "missing-last-pixel",
+                "line-tie-by-direction") &&
         settings.fill != Fill::Wireframe)
         return Reason(QT_TRANSLATE_NOOP("Diagnostic", "no lines are drawn"));
     if (isOneOf(id, "coverage-times-color", "one-depth-per-pixel") && settings.samples == Samples::One)
@@ -367,7 +368,7 @@ std::optional<Reason> whyUnchanged(const Mistake& mistake, const Settings& setti
         others.removeAll(QLatin1String(id));
         why = whenNoTies(withoutMistakes(facts, others));
     }
-    if (!why && isOneOf(id, "no-near-clip", "any-vertex-inside", "near-far-reject", "cut-corners",
+    if (!why && isOneOf(id, "no-near-clip", "z-clamped", "any-vertex-inside", "near-far-reject", "cut-corners",
                         "return-for-continue", "w-before-clipping"))
         why = whenNoneOutside(facts);
     return why;

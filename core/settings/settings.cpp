@@ -2,6 +2,7 @@
 
 #include "core/base/closed_list.h"
 #include "core/base/typed_numbers.h"
+#include "core/settings/numbers_field.h"
 #include "core/settings/view_planes.h"
 
 #include <QCoreApplication>
@@ -34,10 +35,17 @@ constexpr auto kFills = std::to_array<Choice>({{"solid", QT_TRANSLATE_NOOP("Sett
                                                {"points", QT_TRANSLATE_NOOP("Settings", "Points")}});
 constexpr auto kLines = std::to_array<Choice>(
     {{"bresenham", QT_TRANSLATE_NOOP("Settings", "Bresenham")}, {"dda", QT_TRANSLATE_NOOP("Settings", "DDA")}});
+constexpr auto kLineRules = std::to_array<Choice>({{"inclusive", QT_TRANSLATE_NOOP("Settings", "Both ends")},
+                                                   {"half-open", QT_TRANSLATE_NOOP("Settings", "Without the last")},
+                                                   {"diamond-exit", QT_TRANSLATE_NOOP("Settings", "Diamond exit")}});
+constexpr auto kLineTies =
+    std::to_array<Choice>({{"by-direction", QT_TRANSLATE_NOOP("Settings", "By the direction")},
+                           {"canonical", QT_TRANSLATE_NOOP("Settings", "One for both directions")}});
 constexpr auto kClippings =
     std::to_array<Choice>({{"frustum", QT_TRANSLATE_NOOP("Settings", "Frustum, 6 planes")},
                            {"frustum-w", QT_TRANSLATE_NOOP("Settings", "Frustum, 7 planes")},
                            {"guard-band", QT_TRANSLATE_NOOP("Settings", "Guard band")},
+                           {"depth-clamp", QT_TRANSLATE_NOOP("Settings", "Sides only, depth clamped")},
                            {"any-vertex-inside", QT_TRANSLATE_NOOP("Settings", "Any vertex inside")},
                            {"near-far-reject", QT_TRANSLATE_NOOP("Settings", "Near / far reject")},
                            {"cohen-sutherland", QT_TRANSLATE_NOOP("Settings", "Cohen-Sutherland")},
@@ -52,12 +60,16 @@ constexpr auto kCullSpaces = std::to_array<Choice>({{"screen", QT_TRANSLATE_NOOP
                                                     {"view", QT_TRANSLATE_NOOP("Settings", "Normal against gaze")}});
 constexpr auto kDepthTests = std::to_array<Choice>({{"less", QT_TRANSLATE_NOOP("Settings", "Less")},
                                                     {"lequal", QT_TRANSLATE_NOOP("Settings", "Less or equal")},
+                                                    {"equal", QT_TRANSLATE_NOOP("Settings", "Equal")},
+                                                    {"gequal", QT_TRANSLATE_NOOP("Settings", "Greater or equal")},
                                                     {"greater", QT_TRANSLATE_NOOP("Settings", "Greater")},
+                                                    {"notequal", QT_TRANSLATE_NOOP("Settings", "Not equal")},
                                                     {"always", QT_TRANSLATE_NOOP("Settings", "Always")},
                                                     {"none", QT_TRANSLATE_NOOP("Settings", "None")}});
 constexpr auto kDepthFormats = std::to_array<Choice>({{"float32", QT_TRANSLATE_NOOP("Settings", "Float, 32 bit")},
                                                       {"unorm24", QT_TRANSLATE_NOOP("Settings", "24 bit")},
-                                                      {"unorm16", QT_TRANSLATE_NOOP("Settings", "16 bit")}});
+                                                      {"unorm16", QT_TRANSLATE_NOOP("Settings", "16 bit")},
+                                                      {"unorm8", QT_TRANSLATE_NOOP("Settings", "8 bit")}});
 constexpr auto kDepthOrders =
     std::to_array<Choice>({{"before-shading", QT_TRANSLATE_NOOP("Settings", "Before shading")},
                            {"after-shading", QT_TRANSLATE_NOOP("Settings", "After shading")}});
@@ -204,6 +216,14 @@ constexpr SettingsField kFields[] = {
                         QT_TRANSLATE_NOOP("Settings", "Who owns a pixel centre that lies exactly on an edge.")),
     choice<&S::line>("line", Stage::Cover, kLines, QT_TRANSLATE_NOOP("Settings", "Lines"),
                      QT_TRANSLATE_NOOP("Settings", "How the lines of the wireframe are drawn.")),
+    choice<&S::lineRule>(
+        "line-rule", Stage::Cover, kLineRules, QT_TRANSLATE_NOOP("Settings", "Line rule"),
+        QT_TRANSLATE_NOOP("Settings", "Which pixels belong to a line: from the pixel of its start to that of its end, "
+                                      "the same without the last one, or those whose diamond it leaves.")),
+    choice<&S::lineTies>(
+        "line-ties", Stage::Cover, kLineTies, QT_TRANSLATE_NOOP("Settings", "Line ties"),
+        QT_TRANSLATE_NOOP("Settings", "Where a line passes half-way between two pixels: the choice depends on which "
+                                      "end is drawn first, or is one for both directions.")),
     choice<&S::samples>(
         "samples", Stage::Cover, kSamples, QT_TRANSLATE_NOOP("Settings", "Samples a pixel"),
         QT_TRANSLATE_NOOP(
@@ -468,6 +488,8 @@ QJsonObject toJson(const Settings& settings)
         case SettingsField::Kind::Flag: json[key] = field.get(settings) != 0; break;
         }
     }
+    for (const NumbersField& field : numbersFields())
+        json[QLatin1String(field.id)] = toJson(field, settings);
     return json;
 }
 
@@ -492,6 +514,9 @@ SettingsParse settingsFromJson(const QJsonObject& json, const Settings& base)
             reader.light(it.value(), settings.light);
         } else if (it.key() == QLatin1String("mistakes")) {
             reader.mistakes(it.value(), settings.mistakes);
+        } else if (const NumbersField* numbers = findNumbersField(it.key())) {
+            if (auto error = setFromJson(*numbers, it.value(), settings))
+                reader.errors.push_back(std::move(*error));
         } else if (const SettingsField* field = findSettingsField(it.key())) {
             reader.field(*field, it.value(), settings);
         } else {
