@@ -195,6 +195,8 @@ std::optional<Reason> whyDepthTest(const Settings& one, const Settings& other, c
         return (one.depthTest == first || one.depthTest == second) &&
                (other.depthTest == first || other.depthTest == second);
     };
+    if (one.depthTest == DepthTest::Equal || other.depthTest == DepthTest::Equal)
+        return std::nullopt; // nothing between 0 and 1 equals what the buffer is cleared to
     if (isEither(DepthTest::Always, DepthTest::None))
         return Reason(QT_TRANSLATE_NOOP("Diagnostic", "either way every fragment is drawn"));
     if (isEither(DepthTest::Less, DepthTest::LessEqual) && facts.samples && facts.samples->noEqualDepths)
