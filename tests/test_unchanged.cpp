@@ -270,7 +270,7 @@ void TestUnchanged::fieldsWithoutEffectHaveNone()
             }
         }
     }
-    QVERIFY(fields > 5);
+    QVERIFY(fields > 5 || scene.secondPassFrom > 0);
 }
 
 QTEST_GUILESS_MAIN(TestUnchanged)
