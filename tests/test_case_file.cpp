@@ -206,7 +206,8 @@ void TestCaseFile::broken_data()
     row("exact with a value", "size 1 1\nexact yes\n", 2, "exact: 1 values; none expected");
     row("cull", "size 1 1\ncull sideways\n", 2, "\"sideways\" is not one of back, front, none");
     row("cull without", "size 1 1\ncull\n", 2, "cull: 0 values; one expected");
-    row("depth test", "size 1 1\ndepth_test never\n", 2, "\"never\" is not one of less, lequal, greater, none");
+    row("depth test", "size 1 1\ndepth_test never\n", 2,
+        "\"never\" is not one of less, lequal, equal, gequal, greater, notequal, none");
     row("depth format", "size 1 1\ndepth_format float16\n", 2, "\"float16\" is not one of float32, unorm16, unorm24");
     row("zrange", "size 1 1\nzrange vulkan\n", 2, "\"vulkan\" is not one of gl, d3d");
     row("ssaa", "size 1 1\nssaa 5\n", 2, "\"5\" is not a whole number from 1 to 4");

@@ -3,6 +3,7 @@
 #include "core/io/byte_order_mark.h"
 #include "core/io/text_input.h"
 #include "core/io/texture_loader.h"
+#include "core/settings/numbers_field.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -24,12 +25,14 @@ struct Word {
 };
 
 constexpr Word<Culling> kCulling[] = {{"back", Culling::Back}, {"front", Culling::Front}, {"none", Culling::None}};
-constexpr Word<DepthTest> kDepthTest[] = {{"less", DepthTest::Less},
-                                          {"lequal", DepthTest::LessEqual},
-                                          {"greater", DepthTest::Greater},
+constexpr Word<DepthTest> kDepthTest[] = {{"less", DepthTest::Less},       {"lequal", DepthTest::LessEqual},
+                                          {"equal", DepthTest::Equal},     {"gequal", DepthTest::GreaterEqual},
+                                          {"greater", DepthTest::Greater}, {"notequal", DepthTest::NotEqual},
                                           {"none", DepthTest::None}};
-constexpr Word<DepthFormat> kDepthFormat[] = {
-    {"float32", DepthFormat::Float32}, {"unorm16", DepthFormat::Unorm16}, {"unorm24", DepthFormat::Unorm24}};
+constexpr Word<DepthFormat> kDepthFormat[] = {{"float32", DepthFormat::Float32},
+                                              {"unorm16", DepthFormat::Unorm16},
+                                              {"unorm24", DepthFormat::Unorm24},
+                                              {"unorm8", DepthFormat::Unorm8}};
 constexpr Word<TextureFilter> kTextureFilter[] = {{"nearest", TextureFilter::Nearest},
                                                   {"bilinear", TextureFilter::Bilinear},
                                                   {"trilinear", TextureFilter::Trilinear}};
@@ -88,6 +91,11 @@ private:
             {"cull", &Parser::cull},
             {"depth_test", &Parser::depthTest},
             {"depth_format", &Parser::depthFormat},
+            {"depth_bias", &Parser::depthBias},
+            {"depth_range", &Parser::depthRange},
+            {"depth_clamp", &Parser::depthClamp},
+            {"depth_clear", &Parser::depthClear},
+            {"second_pass", &Parser::secondPass},
             {"clear", &Parser::clear},
             {"ssaa", &Parser::ssaa},
             {"samples", &Parser::samples},
@@ -106,9 +114,9 @@ private:
         m_diagnostics.error(
             m_line,
             {QT_TRANSLATE_NOOP("Diagnostic",
-                               "%1 is not a directive; size, subpixel_bits, exact, cull, depth_test, "
-                                "depth_format, clear, ssaa, samples, zrange, window, tri, triuv, texture, "
-                                "texture_filter, note or expect expected"),
+                               "%1 is not a directive; size, subpixel_bits, exact, cull, depth_test, depth_format, "
+                               "depth_bias, depth_range, depth_clamp, depth_clear, second_pass, clear, ssaa, samples, "
+                               "zrange, window, tri, triuv, texture, texture_filter, note or expect expected"),
              {quotedWord(m_directive)}});
     }
 
@@ -225,6 +233,44 @@ private:
                 return fault({QT_TRANSLATE_NOOP("Diagnostic", "%1 is not from 0 to 1"), {quotedWord(word)}});
             m_scene.background[i] = number.value;
         }
+    }
+
+    void numbers(const char* id)
+    {
+        if (const auto wrong =
+                setFromText(*findNumbersField(QLatin1String(id)), text(trimmed(m_rest)), m_scene.defaults))
+            fault(*wrong);
+    }
+    void depthBias() { numbers("depth-bias"); }
+    void depthRange() { numbers("depth-range"); }
+
+    void depthClamp()
+    {
+        if (words<0>(QT_TRANSLATE_NOOP("Diagnostic", "none")))
+            m_scene.defaults.clipping = Clipping::DepthClamp;
+    }
+
+    void depthClear()
+    {
+        const auto found = words<1>(QT_TRANSLATE_NOOP("Diagnostic", "one"));
+        if (!found)
+            return;
+        const NumberText number = numberFromText((*found)[0]);
+        if (number.fault != NumberFault::None)
+            return fault(describe(number.fault, (*found)[0]));
+        if (number.value < 0 || number.value > 1)
+            return fault({QT_TRANSLATE_NOOP("Diagnostic", "%1 is not from 0 to 1"), {quotedWord((*found)[0])}});
+        m_scene.depthClear = static_cast<double>(number.value);
+    }
+
+    /// The triangles that follow are drawn over those before.
+    void secondPass()
+    {
+        if (!words<0>(QT_TRANSLATE_NOOP("Diagnostic", "none")))
+            return;
+        if (m_scene.mesh.indices.empty() || m_scene.secondPassFrom > 0)
+            return fault(QT_TRANSLATE_NOOP("Diagnostic", "it stands once, behind the tri lines of the first pass"));
+        m_scene.secondPassFrom = static_cast<std::uint32_t>(m_scene.mesh.faceCount());
     }
 
     void window()

@@ -255,12 +255,17 @@ private:
         const bool passed = event.has(StepEvent::kPassed);
         const bool clear = step.storedDepth == m_rules.depthClear;
         const float stored = clear ? m_right.depthClear : step.storedDepth;
-        const bool passes = !m_right.depthTested || depthPasses(step.depth, stored, m_right.depthCompare);
+        const bool passes =
+            !m_right.depthTested || depthPasses(step.depth, stored, depthCompareOf(m_right, event.face));
         if (m_rules.depthTested != m_right.depthTested || passes != passed || (!passed && m_rules.depthWrittenOnFail) ||
             m_rules.integerLineWeights || event.has(StepEvent::kSharedDepth))
             return true;
         if (m_rules.depthFormat != m_right.depthFormat || m_rules.depthIsDistance || !m_rules.depthLinear ||
             m_rules.keptW != KeptW::Inverse || !m_rules.clipUpdatesW || m_rules.weightUnit > 0)
+            return true;
+        if (m_rules.depthTruncated || (m_rules.depthBias != m_right.depthBias && !isFirstPass(m_right, event.face)) ||
+            (m_rules.clipping == Clipping::DepthClamp && m_right.clipping != Clipping::DepthClamp &&
+             isHeld(step.depth)))
             return true;
         const ScreenTriangle& triangle = m_log.triangle(event)->screen;
         const auto& [a, b, c] = triangle.vertices;
@@ -269,6 +274,13 @@ private:
         const bool unlike = m_rules.perspectiveCorrect != m_right.perspectiveCorrect && m_rules.varyingCount > 0 &&
                             step.shaded && interpolation.perspective(step.screen) != step.weights;
         return moved || unlike;
+    }
+
+    /// Whether a depth lies at an end of the depth range, where those that are clamped come to lie.
+    [[nodiscard]] bool isHeld(float depth) const
+    {
+        const DepthStore store(m_rules);
+        return depth == static_cast<float>(store.low) || depth == static_cast<float>(store.high);
     }
 
     /// A frame that ends with a face that was rejected, and not for want of more faces.
@@ -320,6 +332,8 @@ bool drawOtherLines(const Rules& rules, const StepLog& log, const StepEvent& eve
             return (rules.lineOctants >> octantOf(line.from, line.to) & 1U) == 0;
         });
     const LineDecision& decision = log.payload<LineStep>(event).decision;
+    if (rules.lineTiesByDirection != log.rightRules().lineTiesByDirection && decision.decision == 0)
+        return true;
     return !rules.rightLineEnds &&
            std::ranges::any_of(lines, [&](const SampleLine& line) { return touchesRightEnd(line, event, decision); });
 }
@@ -356,7 +370,7 @@ StepKinds kindsFor(const StepLog& log, const StepEvent& event)
 std::vector<const Mistake*> becauseOf(const StepLog& log, std::size_t i)
 {
     const StepEvent& event = log.event(i);
-    if (log.rules().fill == Fill::Wireframe && isAboutLines(event.kind))
+    if (log.rules().fill == Fill::Wireframe && !isFirstPass(log.rules(), event.face) && isAboutLines(event.kind))
         return becauseOfLines(log, event);
     std::vector<const Mistake*> causes;
     const StepKinds kinds = kindsFor(log, event);

@@ -30,6 +30,7 @@ double nearDistance(const Rules& rules)
 
 CountingObserver::CountingObserver(const Rules& rules)
     : m_columns(rules.columns()), m_rows(rules.rows()), m_isFilled(rules.fill == Fill::Solid),
+      m_firstPassFaces(rules.firstPassFaces),
       m_nearDistance(nearDistance(rules))
 {
 }
@@ -75,7 +76,7 @@ void CountingObserver::onFragment(const Fragment& fragment, float, bool passedDe
         }
         return;
     }
-    if (!m_isFilled)
+    if (!m_isFilled && fragment.face >= m_firstPassFaces)
         return;
     for (std::size_t i = 0; i < 3; ++i) {
         if (fragment.screen[i] > m_nearEdge[i])

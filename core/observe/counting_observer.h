@@ -52,9 +52,10 @@ private:
 
     int m_columns;
     int m_rows;
-    int m_sample = 0;      ///< of a pattern
-    bool m_isFilled;       ///< false: lines and corners belong to both faces, no tie rule parts them
-    double m_nearDistance; ///< samples covered so close to an edge, in samples, are looked at for a second hit
+    int m_sample = 0;               ///< of a pattern
+    bool m_isFilled;                ///< false: lines and corners belong to both faces, no tie rule parts them
+    std::uint32_t m_firstPassFaces; ///< these are filled, whatever the others are
+    double m_nearDistance;          ///< samples covered so close to an edge, in samples, are looked at for a second hit
     Statistics m_statistics;
     std::optional<std::span<const std::uint64_t>> m_doubleHits; ///< those to come, if they are known
     std::array<glm::dvec2, 3> m_positions{};

@@ -144,7 +144,8 @@ void StepRecorder::beginFace(std::size_t nth)
     dropPending();
     m_now = {};
     m_now.face = nth;
-    if (m_index != nullptr && m_index->wantsPoint(++m_work))
+    const bool isSecondOfPair = m_rules.depthInLockstep && nth % 2 == 1; // it goes by what the first one has read
+    if (m_index != nullptr && m_index->wantsPoint(++m_work) && !isSecondOfPair)
         keepPoint(m_now);
 }
 
@@ -166,7 +167,7 @@ bool StepRecorder::takeCall()
     // Where the samples of a pixel are to share a depth at the end of the triangle, none but this end is a moment to
     // draw on from.
     if (m_index != nullptr && m_index->wantsPoint(++m_work) && m_now.calls > 1 && !m_rules.depthPerPixel &&
-        !isPending()) {
+        !m_rules.depthInLockstep && !isPending()) {
         ResumePoint before = m_now;
         --before.calls;
         keepPoint(before);

@@ -253,7 +253,7 @@ StepParts parts(const StepLog&, const StepEvent&, const LineStep& step)
 Reason depthTestText(const Rules& rules, const StepEvent& event, const FragmentStep& step)
 {
     const Reason depth = depthNumber(step.depth);
-    const QString sign = QLatin1String(depthSign(rules));
+    const QString sign = QLatin1String(depthSign(rules, event.face));
     if (sign.isEmpty())
         return {QT_TRANSLATE_NOOP("Steps", "depth %1, compared with nothing: passed"), {depth}};
     const char* const text = event.has(StepEvent::kPassed) ? QT_TRANSLATE_NOOP("Steps", "depth %1 %2 %3: passed")

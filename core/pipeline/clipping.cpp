@@ -14,7 +14,6 @@ namespace
 constexpr ClipPlanes kNearFar = planeBit(ClipPlane::Near) | planeBit(ClipPlane::Far);
 constexpr ClipPlanes kSides =
     planeBit(ClipPlane::Right) | planeBit(ClipPlane::Left) | planeBit(ClipPlane::Top) | planeBit(ClipPlane::Bottom);
-constexpr double kSmallestW = 1e-5;
 
 /// The guard band ends this many pixels from the origin, so that edge values fit 64 bits.
 constexpr double kGuardBandPixels = 32768;
@@ -51,6 +50,10 @@ ClipVolume clipVolume(const Rules& rules)
     case Clipping::Frustum:
     case Clipping::GuardBand:
     case Clipping::CohenSutherland: volume.cutBy = volume.known; break;
+    case Clipping::DepthClamp:
+        volume.known = kSides | planeBit(ClipPlane::W);
+        volume.cutBy = volume.known;
+        break;
     case Clipping::AnyVertexInside:
     case Clipping::NearFarReject:
     case Clipping::None: volume.cutBy = 0; break;
@@ -85,6 +88,7 @@ ClipVerdict clipVerdict(Clipping mode, const Outcode& a, const Outcode& b, const
     case Clipping::Frustum:
     case Clipping::FrustumW:
     case Clipping::GuardBand:
+    case Clipping::DepthClamp:
     case Clipping::CohenSutherland: break;
     }
     if ((a.view & b.view & c.view) != 0)

@@ -13,6 +13,8 @@
 namespace rasterlens
 {
 
+constexpr double kSmallestW = 1e-5; ///< the plane of w, where the mode has one
+
 /// Which planes there are, and which of them the mode looks at.
 struct ClipVolume {
     PlaneTable view;  ///< the view volume

@@ -1,12 +1,14 @@
 #pragma once
 #include "core/pipeline/clipping.h"
 #include "core/pipeline/culling.h"
+#include "core/pipeline/depth_bias.h"
 #include "core/pipeline/interpolation.h"
 #include "core/pipeline/observer.h"
 #include "core/pipeline/unsnapped.h"
 #include "core/pipeline/viewport.h"
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
+#include "core/settings/depth_rules.h"
 #include "core/settings/rules.h"
 
 #include <algorithm>
@@ -90,6 +92,8 @@ private:
                 triangle.vertices[i] = corners[i]->screen;
             triangle.face = face;
             triangle.area2 = area2;
+            if (isBiased(face))
+                bias(triangle.vertices, std::span(&triangle, 1));
         }
         return fate;
     }
@@ -112,6 +116,8 @@ private:
         const FaceFate fate = facing(face, corners, area2, observer);
         const int pieces = fate == FaceFate::Rasterized ? appendFan(face, polygon, area2, out) : 0;
         observer.onClipped(face, pieces);
+        if (isBiased(face))
+            bias(polygon, std::span(out).last(static_cast<std::size_t>(pieces)));
         if (!m_rules.clipUpdatesW)
             giveWOfCorners(corners, std::span(out).last(static_cast<std::size_t>(pieces)));
         return fate;
@@ -173,6 +179,20 @@ private:
     [[nodiscard]] static ScreenVertex unwrittenVertex(const ClipVertex& vertex)
     {
         return {{0, 0}, 0, 1 / vertex.positionClip.w, {}};
+    }
+
+    [[nodiscard]] bool isBiased(std::uint32_t face) const
+    {
+        return m_rules.depthBias.isOn() && !isFirstPass(m_rules, face);
+    }
+
+    /// Adds the depth bias of a face's polygon to the triangles made of it.
+    void bias(std::span<const ScreenVertex> polygon, std::span<ScreenTriangle> triangles) const
+    {
+        const double bias = depthBias(polygon, m_rules);
+        for (ScreenTriangle& triangle : triangles)
+            for (ScreenVertex& vertex : triangle.vertices)
+                vertex.depth += bias;
     }
 
     [[nodiscard]] ScreenVertex withDepthRule(const ClipVertex& vertex, ScreenVertex out) const

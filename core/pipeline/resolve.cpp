@@ -1,5 +1,6 @@
 #include "core/pipeline/resolve.h"
 
+#include "core/pipeline/depth_test.h"
 #include "core/pipeline/shading.h"
 
 #include <algorithm>
@@ -14,6 +15,9 @@ DepthCompare compareFor(DepthTest test, bool reversedZ)
     switch (test) {
     case DepthTest::Less: return reversedZ ? DepthCompare::Greater : DepthCompare::Less;
     case DepthTest::LessEqual: return reversedZ ? DepthCompare::GreaterEqual : DepthCompare::LessEqual;
+    case DepthTest::Equal: return DepthCompare::Equal;
+    case DepthTest::NotEqual: return DepthCompare::NotEqual;
+    case DepthTest::GreaterEqual: return reversedZ ? DepthCompare::LessEqual : DepthCompare::GreaterEqual;
     case DepthTest::Greater: return reversedZ ? DepthCompare::Less : DepthCompare::Greater;
     case DepthTest::Always:
     case DepthTest::None: break;
@@ -21,8 +25,12 @@ DepthCompare compareFor(DepthTest test, bool reversedZ)
     return DepthCompare::Always;
 }
 
-/// The value every first fragment beats.
-float clearValueFor(DepthTest test, bool reversedZ) { return (test == DepthTest::Greater) != reversedZ ? 0.0F : 1.0F; }
+/// The value every first fragment beats; of `equal` and `notequal`, that of `less`.
+float clearValueFor(DepthTest test, bool reversedZ)
+{
+    const bool nearIsLarger = test == DepthTest::Greater || test == DepthTest::GreaterEqual;
+    return nearIsLarger != reversedZ ? 0.0F : 1.0F;
+}
 
 Rules::TieThresholds thresholdsFor(TieRule rule)
 {
@@ -105,13 +113,22 @@ Rules rightRules(const Settings& settings, const Scene& scene, const Matrices& m
     rules.stepping = settings.stepping;
     rules.fill = settings.fill;
     rules.line = settings.line;
+    rules.lineRule = settings.lineRule;
+    rules.lineTiesByDirection = settings.lineTies == LineTies::ByDirection;
     rules.tie = thresholdsFor(settings.tieRule);
 
     rules.painter = settings.visibility == Visibility::Painter;
-    rules.depthTested = settings.visibility == Visibility::ZBuffer && settings.depthTest != DepthTest::None;
+    rules.firstPassFaces = std::min(scene.secondPassFrom, static_cast<std::uint32_t>(scene.mesh.faceCount()));
+    const bool firstPassTests = rules.firstPassFaces > 0;
+    rules.depthTested =
+        settings.visibility == Visibility::ZBuffer && (settings.depthTest != DepthTest::None || firstPassTests);
     rules.depthCompare = compareFor(settings.depthTest, settings.reversedZ);
-    rules.depthClear = clearValueFor(settings.depthTest, settings.reversedZ);
+    rules.depthClear = clearValueFor(firstPassTests ? DepthTest::Less : settings.depthTest, settings.reversedZ);
     rules.depthFormat = settings.depthFormat;
+    rules.depthRange = settings.depthRange;
+    rules.depthBias = settings.depthBias;
+    if (scene.depthClear)
+        rules.depthClear = storedDepth(*scene.depthClear, DepthStore(rules));
     rules.depthBeforeShading = settings.depthOrder == DepthOrder::BeforeShading;
 
     rules.perspectiveCorrect = settings.interpolation == Interpolation::Perspective;

@@ -57,7 +57,8 @@ ScreenVertex screenVertexAt(const glm::dvec2& position, const ClipVertex& vertex
         out.position.y = std::floor(out.position.y + 0.5);
     if (rules.verticesTruncated)
         out.position = glm::trunc(out.position);
-    out.depth = rules.clipZ == ClipZ::Gl ? (p.w + p.z) / (2 * p.w) : p.z / p.w;
+    const double depth = rules.clipZ == ClipZ::Gl ? (p.w + p.z) / (2 * p.w) : p.z / p.w;
+    out.depth = rules.depthRange.near + (rules.depthRange.far - rules.depthRange.near) * depth;
     out.invW = rules.keptW == KeptW::Inverse ? 1 / p.w : rules.keptW == KeptW::One ? 1 : p.w;
     out.varyings = vertex.varyings;
     return out;

@@ -200,6 +200,8 @@ std::optional<Reason> whyDepthTest(const Settings& one, const Settings& other, c
         return (one.depthTest == first || one.depthTest == second) &&
                (other.depthTest == first || other.depthTest == second);
     };
+    if (one.depthTest == DepthTest::Equal || other.depthTest == DepthTest::Equal)
+        return std::nullopt; // nothing between 0 and 1 equals what the buffer is cleared to
     if (isEither(DepthTest::Always, DepthTest::None))
         return Reason(QT_TRANSLATE_NOOP("Diagnostic", "either way every fragment is drawn"));
     if (isEither(DepthTest::Less, DepthTest::LessEqual) && facts.samples && facts.samples->noEqualDepths)
@@ -298,7 +300,8 @@ std::optional<Reason> whenNotOfPatterns(const char* id, const Settings& settings
 /// Reasons that lie in the settings alone.
 std::optional<Reason> whenNotAsked(const char* id, const Settings& settings)
 {
-    if (isOneOf(id, "steep-columns", "steep-step", "integer-weight", "missing-octant", "missing-last-pixel") &&
+    if (isOneOf(id, "steep-columns", "steep-step", "integer-weight", "missing-octant", "missing-last-pixel",
+                "line-tie-by-direction") &&
         settings.fill != Fill::Wireframe)
         return Reason(QT_TRANSLATE_NOOP("Diagnostic", "no lines are drawn"));
     if (isOneOf(id, "centre-outside", "centroid-gradient", "resolved-by-face"))
@@ -410,7 +413,7 @@ std::optional<Reason> whyUnchanged(const Mistake& mistake, const Settings& setti
         others.removeAll(QLatin1String(id));
         why = whenNoTies(withoutMistakes(facts, others));
     }
-    if (!why && isOneOf(id, "no-near-clip", "any-vertex-inside", "near-far-reject", "cut-corners",
+    if (!why && isOneOf(id, "no-near-clip", "z-clamped", "any-vertex-inside", "near-far-reject", "cut-corners",
                         "return-for-continue", "w-before-clipping", "reject-after-divide", "cut-keeps-attributes",
                         "cut-in-place", "cut-left-at-origin"))
         why = whenNoneOutside(facts);

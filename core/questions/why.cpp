@@ -176,7 +176,7 @@ private:
         const bool drawn = watch.fate == FaceFate::Rasterized;
         const bool cutAway = watch.cutBy != 0 && (drawn || watch.fate == FaceFate::Rejected);
         const bool concerned = watch.fate == FaceFate::NonFinite ||
-                               watch.boundsHold(m_centre, goesByCentre() ? 0 : m_margin) ||
+                               watch.boundsHold(m_centre, goesByCentre(face) ? 0 : m_margin) ||
                                ((cutAway || watch.fate == FaceFate::Rejected) && watch.isMetBy(m_ndc));
         if (!concerned)
             return watch.fate;
@@ -191,7 +191,10 @@ private:
     }
 
     /// Whether a face concerns the pixel only where its bounds hold the sample that the rows are about.
-    [[nodiscard]] bool goesByCentre() const { return m_rules.coversByCentres() && !m_rules.multiSampled(); }
+    [[nodiscard]] bool goesByCentre(std::uint32_t face) const
+    {
+        return passRules(m_rules, face).coversByCentres() && !m_rules.multiSampled();
+    }
 
     void draw()
     {
@@ -261,7 +264,7 @@ private:
     /// Goes through what the recorder saw and raises verdicts.
     void judge()
     {
-        if (m_rules.fill == Fill::Solid && m_rules.algorithm == Algorithm::EdgeWalking)
+        if ((m_rules.fill == Fill::Solid || m_rules.firstPassFaces > 0) && m_rules.algorithm == Algorithm::EdgeWalking)
             judgeUntested();
         WhyFace* lastWritten = nullptr;
         for (const StepEvent& event : m_log->events()) {
@@ -507,9 +510,10 @@ WhyReport why(const Scene& scene, const Settings& settings, int x, int y, const 
     WhyReport report = Inquiry(scene, resolved, x, y, stop).answer();
     nameMistakes(report, scene, shown, stop);
     // Lines and columns elsewhere do not concern the pixel, unless it is for a mistake that they do.
-    if (!report.rules.coversByCentres())
-        std::erase_if(report.faces,
-                      [](const WhyFace& row) { return row.verdict == WhyVerdict::OutsideEdge && row.because.empty(); });
+    std::erase_if(report.faces, [&](const WhyFace& row) {
+        return row.verdict == WhyVerdict::OutsideEdge && row.because.empty() &&
+               !passRules(report.rules, row.face).coversByCentres();
+    });
     return report;
 }
 

@@ -40,10 +40,10 @@ QString verdictText(const WhyReport& report, const WhyFace& row)
                                                  .arg(fullNumber(row.facing->screenArea / 2));
     case WhyVerdict::ClippedAway: return QStringLiteral("clipped away by %1").arg(planesText(row.planes));
     case WhyVerdict::OutsideEdge:
-        if (!report.rules.coversByCentres())
-            return report.rules.fill == Fill::Points  ? QStringLiteral("no corner of it is drawn here")
-                   : report.rules.fill == Fill::Solid ? QStringLiteral("no column of it is filled here")
-                                                      : QStringLiteral("no line of it is drawn here");
+        if (const Rules pass = passRules(report.rules, row.face); !pass.coversByCentres())
+            return pass.fill == Fill::Points  ? QStringLiteral("no corner of it is drawn here")
+                   : pass.fill == Fill::Solid ? QStringLiteral("no column of it is filled here")
+                                              : QStringLiteral("no line of it is drawn here");
         return row.edge < 0 ? QStringLiteral("outside the pieces that clipping left")
                             : QStringLiteral("outside edge %1").arg(edgeText(row, row.edges[std::size_t(row.edge)]));
     case WhyVerdict::LostTie: {
@@ -58,10 +58,11 @@ QString verdictText(const WhyReport& report, const WhyFace& row)
         return QStringLiteral("cut out by the alpha test: the texture is opaque by %1 here, less than %2")
             .arg(depthNumber(row.opacity), depthNumber(kLeastOpacity));
     case WhyVerdict::FailedDepth:
-        return row.fragment ? QStringLiteral("failed the depth test: not %1 %2 %3")
-                                  .arg(depthNumber(row.fragment->depth), QLatin1String(depthSign(report.rules)),
-                                       depthNumber(row.fragment->storedDepth))
-                            : QStringLiteral("covered, but not drawn by this algorithm");
+        return row.fragment
+                   ? QStringLiteral("failed the depth test: not %1 %2 %3")
+                         .arg(depthNumber(row.fragment->depth), QLatin1String(depthSign(report.rules, row.face)),
+                              depthNumber(row.fragment->storedDepth))
+                   : QStringLiteral("covered, but not drawn by this algorithm");
     case WhyVerdict::Written: {
         const QString later = row.overwrittenBy
                                   ? QStringLiteral("overwritten later by %1")

@@ -9,6 +9,7 @@
 #include "core/pipeline/sample_router.h"
 #include "core/rasterizers/lines.h"
 #include "core/render/list.h"
+#include "core/settings/depth_rules.h"
 
 namespace rasterlens
 {
@@ -38,10 +39,23 @@ template <class Rasterizer, class Stage, class Observer>
     return coverArea<Rasterizer, double, Stage, Observer>;
 }
 
+template <class Stage, class Observer>
+[[nodiscard]] Cover<Stage, Observer> coverFor(const Rules& rules);
+
+/// Where the two passes of a scene are not filled alike: finds the samples as the pass of the triangle does.
+template <class Stage, class Observer>
+void coverByPass(const ScreenTriangle& triangle, const Rules& rules, Stage& stage, Observer& observer)
+{
+    const Rules pass = passRules(rules, triangle.face);
+    coverFor<Stage, Observer>(pass)(triangle, pass, stage, observer);
+}
+
 /// The way to samples that the rules ask for: lines, corners, or the area by one of the algorithms.
 template <class Stage, class Observer>
 [[nodiscard]] Cover<Stage, Observer> coverFor(const Rules& rules)
 {
+    if (rules.firstPassFaces > 0 && rules.fill != Fill::Solid)
+        return coverByPass<Stage, Observer>;
     switch (rules.fill) {
     case Fill::Wireframe: return drawWireframe<Stage, Observer>;
     case Fill::Points: return drawPoints<Stage, Observer>;

@@ -135,6 +135,32 @@ constexpr BuiltinScene kScenes[] = {
          "the middle z/w is 0.8938 and the distance 1.818: z/w is linear on the screen, the distance is not. "
          "Board and markers have equal colours at equal distances, unless interpolation is affine."),
      makeFourZ},
+    {"decal", QT_TRANSLATE_NOOP("BuiltinScene", "Paint on a road"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "Two passes: the road, then paint in its plane. Depths of the two are as good as equal, and without the depth "
+         "bias chance decides pixel by pixel which is nearer."),
+     makeDecal},
+    {"wire-over-fill", QT_TRANSLATE_NOOP("BuiltinScene", "Wireframe over a surface"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "Two passes: a surface, then the lines of its faces. A pixel of a line is up to half a pixel "
+                       "beside the line; how much depth that is depends on the slope of the face."),
+     makeWireOverFill},
+    {"equal-pass", QT_TRANSLATE_NOOP("BuiltinScene", "A second pass at equal depth"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "Two passes: a board, then tiles at the same depth, drawn where depths are equal. Each has "
+                       "another w, so that z/w is off by a rounding, which 16 bits must round away."),
+     makeEqualPass},
+    {"beam-to-eye", QT_TRANSLATE_NOOP("BuiltinScene", "A beam up to the eye"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "The near plane cuts the beam, and one looks into it. Where depths are clamped in place of "
+                       "clipping, what lies before the plane is drawn too, all of it at depth 0."),
+     makeBeamToEye},
+    {"lockstep", QT_TRANSLATE_NOOP("BuiltinScene", "Three pairs of triangles"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "Of each pair the warm triangle is nearer and is sent first. Two threads without a lock draw "
+                       "the two at the same time."),
+     makeLockstep},
     {"cut-outs", QT_TRANSLATE_NOOP("BuiltinScene", "Leaves cut out of squares"),
      QT_TRANSLATE_NOOP(
          "BuiltinScene",
@@ -162,6 +188,11 @@ constexpr BuiltinScene kScenes[] = {
                        "The left square is counter-clockwise, the right one clockwise. A rule must treat both alike. "
                        "Colours tell how many triangles cover a pixel."),
      makeTwoWindings},
+    {"line-ties", QT_TRANSLATE_NOOP("BuiltinScene", "Diagonals drawn both ways"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "Both triangles of a rectangle draw its diagonal, one from each end. It passes half-way between "
+                       "two pixels: a choice that depends on the direction makes it two pixels thick there."),
+     makeLineTies},
     {"tiny-tiles", QT_TRANSLATE_NOOP("BuiltinScene", "Tiles smaller than a pixel"),
      QT_TRANSLATE_NOOP(
          "BuiltinScene",

@@ -37,6 +37,11 @@ namespace rasterlens
 [[nodiscard]] Scene makePainterCycle();
 [[nodiscard]] Scene makePiercing();
 [[nodiscard]] Scene makeZFighting();
+[[nodiscard]] Scene makeDecal();
+[[nodiscard]] Scene makeWireOverFill();
+[[nodiscard]] Scene makeEqualPass();
+[[nodiscard]] Scene makeBeamToEye();
+[[nodiscard]] Scene makeLockstep();
 [[nodiscard]] Scene makeFourZ();
 [[nodiscard]] Scene makeCutOuts();
 
@@ -45,6 +50,7 @@ namespace rasterlens
 [[nodiscard]] Scene makeThinGap();
 [[nodiscard]] Scene makeThreeLayers();
 [[nodiscard]] Scene makeTwoWindings();
+[[nodiscard]] Scene makeLineTies();
 [[nodiscard]] Scene makeTinyTiles();
 [[nodiscard]] Scene makeSamples();
 [[nodiscard]] Scene makeZeroArea();

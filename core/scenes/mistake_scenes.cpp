@@ -66,6 +66,18 @@ Scene makeTwoWindings()
     return scene;
 }
 
+Scene makeLineTies()
+{
+    Scene scene = clipScene(QSize(64, 40));
+    // From pixel centre to pixel centre; the diagonals pass half-way between two pixels again and again.
+    addRectangle(scene, {2.5, 2.5}, {34.5, 18.5}, {0.95F, 0.60F, 0.20F});
+    addRectangle(scene, {38.5, 2.5}, {54.5, 34.5}, {0.35F, 0.75F, 0.95F});
+    addRectangle(scene, {2.5, 24.5}, {34.5, 32.5}, {0.60F, 0.85F, 0.40F});
+    scene.defaults.fill = Fill::Wireframe;
+    scene.defaults.lineTies = LineTies::Canonical;
+    return scene;
+}
+
 Scene makeTinyTiles()
 {
     constexpr int kSide = 64;

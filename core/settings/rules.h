@@ -8,7 +8,7 @@
 namespace rasterlens
 {
 
-enum class DepthCompare { Less, LessEqual, Greater, GreaterEqual, Always };
+enum class DepthCompare { Less, LessEqual, Equal, GreaterEqual, Greater, NotEqual, Always };
 
 // The first enumerator of each of these is the right one; the others are for mistakes or for settings.
 
@@ -200,6 +200,8 @@ struct Rules {
     Stepping stepping = Stepping::Incremental;
     Fill fill = Fill::Solid;
     LineAlgorithm line = LineAlgorithm::Bresenham;
+    LineRule lineRule = LineRule::Inclusive;
+    bool lineTiesByDirection = true; ///< false: a line from B to A has the samples of that from A to B
     LineAdvance lineAdvance = LineAdvance::LongerAxis;
     unsigned lineOctants = 0xff; ///< the octants lines are drawn in, bit 0: 0 to 45 degrees, counter-clockwise
     bool rightLineEnds = true;   ///< lines include their right end
@@ -226,9 +228,16 @@ struct Rules {
     DepthCompare depthCompare = DepthCompare::Less;
     float depthClear = 1;
     DepthFormat depthFormat = DepthFormat::Float32;
+    DepthRange depthRange; ///< depths that are stored are held within it
+    DepthBias depthBias;   ///< of the faces that are not of a first pass
+    /// The faces before this one are the first pass of two: filled, the nearer ones win, and nothing biases them. 0:
+    /// there is one pass.
+    std::uint32_t firstPassFaces = 0;
     bool depthBeforeShading = true;
     bool depthWrittenOnFail = false; ///< the depth of a fragment is stored even if it is not drawn
     bool depthPerPixel = false;      ///< the samples of a pixel share one depth
+    bool depthTruncated = false;     ///< unorm formats store the code below in place of the nearest one
+    bool depthInLockstep = false;    ///< faces 2k and 2k + 1 are both tested before either is written
     bool depthIsDistance = false;    ///< depth is (w - near) / (far - near): linear in view space, not on the screen
     bool depthLinear = true;         ///< false: depth goes through the perspective correction of attributes
 

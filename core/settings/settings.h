@@ -20,12 +20,14 @@ enum class NumberType { Fixed, Float32, Float64 };
 enum class Stepping { Incremental, Direct };
 enum class Fill { Solid, Wireframe, Points };
 enum class LineAlgorithm { Bresenham, Dda };
-enum class Clipping { Frustum, FrustumW, GuardBand, AnyVertexInside, NearFarReject, CohenSutherland, None };
+enum class LineRule { Inclusive, HalfOpen, DiamondExit };
+enum class LineTies { ByDirection, Canonical };
+enum class Clipping { Frustum, FrustumW, GuardBand, DepthClamp, AnyVertexInside, NearFarReject, CohenSutherland, None };
 enum class Culling { Back, Front, None };
 enum class Winding { CounterClockwise, Clockwise };
 enum class CullSpace { Screen, Clip, View };
-enum class DepthTest { Less, LessEqual, Greater, Always, None };
-enum class DepthFormat { Float32, Unorm24, Unorm16 };
+enum class DepthTest { Less, LessEqual, Equal, GreaterEqual, Greater, NotEqual, Always, None };
+enum class DepthFormat { Float32, Unorm24, Unorm16, Unorm8 };
 enum class DepthOrder { BeforeShading, AfterShading };
 enum class ClipZ { Gl, D3d };
 enum class Projection { Perspective, Orthographic };
@@ -77,6 +79,26 @@ struct Light {
     friend bool operator==(const Light&, const Light&) = default;
 };
 
+/// What is added to the depths of a face before they are interpolated: the constant times the unit of the depth format,
+/// and the slope times the steepness of the face (core/pipeline/depth_bias.h).
+struct DepthBias {
+    double constant = 0;
+    double slope = 0;
+    double clamp = 0; ///< > 0: the sum is no more than this; < 0: no less; 0: not clamped
+
+    [[nodiscard]] bool isOn() const { return constant != 0 || slope != 0; }
+    friend bool operator==(const DepthBias&, const DepthBias&) = default;
+};
+
+/// The depths that near and far plane are mapped to, 0..1 each; far may be the smaller one, or both may be equal.
+struct DepthRange {
+    double near = 0;
+    double far = 1;
+
+    [[nodiscard]] bool isWhole() const { return near == 0 && far == 1; }
+    friend bool operator==(const DepthRange&, const DepthRange&) = default;
+};
+
 /// The value a user edits. Default-constructed = correct graphics.
 /// A lesson, a command-line run, a benchmark row, a test case and an undo step are each one Settings.
 struct Settings {
@@ -90,6 +112,8 @@ struct Settings {
     Stepping stepping = Stepping::Incremental;
     Fill fill = Fill::Solid;
     LineAlgorithm line = LineAlgorithm::Bresenham;
+    LineRule lineRule = LineRule::Inclusive;
+    LineTies lineTies = LineTies::ByDirection;
     Clipping clipping = Clipping::Frustum;
     Culling culling = Culling::Back;
     Winding winding = Winding::CounterClockwise;
@@ -97,6 +121,8 @@ struct Settings {
     DepthTest depthTest = DepthTest::Less;
     DepthFormat depthFormat = DepthFormat::Float32;
     DepthOrder depthOrder = DepthOrder::BeforeShading;
+    DepthBias depthBias;
+    DepthRange depthRange;
     bool reversedZ = false;
     ClipZ clipZ = ClipZ::Gl;
     Visibility visibility = Visibility::ZBuffer;
@@ -142,7 +168,7 @@ struct SettingsField {
     void (*set)(Settings&, int); ///< in: minimum <= value <= maximum
 };
 
-/// Every field but size, view, light and mistakes, in pipeline order.
+/// Every field but size, view, light, mistakes and those of numbers_field.h, in pipeline order.
 [[nodiscard]] std::span<const SettingsField> settingsFields();
 [[nodiscard]] const SettingsField* findSettingsField(const QString& id);
 
@@ -155,7 +181,7 @@ struct SettingsField {
 [[nodiscard]] std::optional<Reason> setFromText(const SettingsField& field, const QString& text, Settings& settings);
 
 /// All fields, also those at their default. `size` is "WxH", `view` an object, `light` "head" or three
-/// numbers, `mistakes` an array.
+/// numbers, `mistakes` an array, the fields of numbers_field.h arrays of numbers.
 [[nodiscard]] QJsonObject toJson(const Settings& settings);
 
 /// Reads what toJson writes; keys that are absent keep the value of `base`.

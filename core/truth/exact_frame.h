@@ -18,6 +18,7 @@ struct ExactSides {
     double sideX = 1;
     double sideY = 1;
     double smallestW = 0; ///< 0: no such plane
+    bool nearFar = true;  ///< false: nothing is cut at near and far
 };
 
 /// What the exact reference is asked for. Default-constructed = what a correct rasterizer with 24.8 fixed point draws.
@@ -26,12 +27,17 @@ struct ExactOptions {
     bool snap = true;     ///< false: vertices stay where they are (`exact` in case files)
     int subpixelBits = 8; ///< 0..8; vertices snap to 1/2^bits pixel, half to even
     ClipZ clipZ = ClipZ::Gl;
-    ExactSides sides; ///< of snapped frames; without snapping they change nothing that is visible
+    ExactSides sides; ///< of snapped frames; without snapping none but nearFar changes what is visible
     Culling culling = Culling::None;
     Winding winding = Winding::CounterClockwise;
     DepthCompare depthCompare = DepthCompare::Less;
-    double depthClear = 1;   ///< 0 or 1
+    double depthClear = 1;   ///< of unorm formats the value of a code
     bool depthTested = true; ///< false: a renderer need not keep depths; the truth's are those of the winners
+    /// The faces of the span before this one are compared by this; the others, by depthCompare.
+    std::size_t firstPassFaces = 0;
+    DepthCompare firstPassCompare = DepthCompare::Less;
+    DepthRange depthRange;                          ///< near and far come to lie there, and depths are held within it
+    DepthBias depthBias;                            ///< of the faces that are not of the first pass
     DepthFormat depthFormat = DepthFormat::Float32; ///< Float32: compared exactly; unorm: nearest code, half to even
     int sampleGrid = 1;        ///< 1..4 samples a pixel along each axis; vertices still snap to pixels
     int patternSamples = 1;    ///< multi-sampling: 2, 4, 8 or 16 samples a pixel; the sample grid is 1 then

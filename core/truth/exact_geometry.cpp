@@ -85,6 +85,15 @@ Integer inUnits(const Dyadic& value, int unit)
 
 } // namespace
 
+Fraction fractionOf(double value)
+{
+    const Dyadic dyadic = dyadicOf(value);
+    if (dyadic.mantissa == 0)
+        return {0, 1};
+    const int unit = std::min(dyadic.exponent, 0);
+    return {inUnits(dyadic, unit), Integer(1) << -unit};
+}
+
 IntegerTriangle integerTriangle(const ClipTriangle& triangle, double smallestW, const glm::dmat4& clipFromPosition)
 {
     // Each coordinate is the sum of four products of a matrix entry and a coordinate of the position.
@@ -174,6 +183,8 @@ std::vector<Corner> clipExactly(const IntegerTriangle& triangle, ClipZ clipZ, co
     const int planes = sides.smallestW > 0 ? 7 : 6;
     std::vector<Corner> polygon(triangle.corners.begin(), triangle.corners.end());
     for (int plane = 0; plane < planes && polygon.size() >= 3; ++plane) {
+        if ((plane == 4 || plane == 5) && !sides.nearFar)
+            continue;
         std::vector<Integer> distances;
         for (const Corner& corner : polygon)
             distances.push_back(planeDistance(corner, plane, clipZ, sides, triangle.smallestW));

@@ -29,6 +29,13 @@ using Integer =
 [[nodiscard]] Integer floorDivide(const Integer& numerator, const Integer& denominator);
 [[nodiscard]] Integer roundHalfToEven(const Integer& numerator, const Integer& denominator);
 
+/// A double as a fraction, the denominator a power of two.
+struct Fraction {
+    Integer numerator;
+    Integer denominator;
+};
+[[nodiscard]] Fraction fractionOf(double value);
+
 /// A linear function on the lattice of samples: perColumn * column + perRow * row + origin.
 struct Linear {
     Integer perColumn;

@@ -99,6 +99,10 @@
         <source>A pixel has one sample, and no mean is taken.</source>
         <translation>每个像素只有一个采样点，不求平均。</translation>
     </message>
+    <message>
+        <source>The diamonds alone decide which pixels a line has.</source>
+        <translation>一条线有哪些像素，只由菱形决定。</translation>
+    </message>
 </context>
 <context>
     <name>BuiltinScene</name>
@@ -509,6 +513,54 @@
     <message>
         <source>4 samples a pixel. The triangles share their edges, of which nothing may be seen.</source>
         <translation>每个像素 4 个采样点。三角形共用各条边，这些边不该看得见。</translation>
+    </message>
+    <message>
+        <source>Paint on a road</source>
+        <translation>路面上的漆</translation>
+    </message>
+    <message>
+        <source>Two passes: the road, then paint in its plane. Depths of the two are as good as equal, and without the depth bias chance decides pixel by pixel which is nearer.</source>
+        <translation>两遍：先画路面，再画同一平面上的漆。两者的深度几乎相等，没有深度偏移时，哪个更近逐像素全凭偶然。</translation>
+    </message>
+    <message>
+        <source>Wireframe over a surface</source>
+        <translation>曲面上的线框</translation>
+    </message>
+    <message>
+        <source>Two passes: a surface, then the lines of its faces. A pixel of a line is up to half a pixel beside the line; how much depth that is depends on the slope of the face.</source>
+        <translation>两遍：先画曲面，再画各面的边线。线上的像素最多偏离线半个像素；这相当于多少深度，取决于面的坡度。</translation>
+    </message>
+    <message>
+        <source>A second pass at equal depth</source>
+        <translation>深度相等的第二遍</translation>
+    </message>
+    <message>
+        <source>Two passes: a board, then tiles at the same depth, drawn where depths are equal. Each has another w, so that z/w is off by a rounding, which 16 bits must round away.</source>
+        <translation>两遍：先画一块板，再画同一深度的小块，只画在深度相等处。每块的 w 不同，z/w 会差一次舍入，16 位深度应当把它舍掉。</translation>
+    </message>
+    <message>
+        <source>A beam up to the eye</source>
+        <translation>伸到眼前的方梁</translation>
+    </message>
+    <message>
+        <source>The near plane cuts the beam, and one looks into it. Where depths are clamped in place of clipping, what lies before the plane is drawn too, all of it at depth 0.</source>
+        <translation>近平面切开方梁，可以看进去。若用钳制深度代替裁剪，近平面之前的部分也被画出，深度全是 0。</translation>
+    </message>
+    <message>
+        <source>Three pairs of triangles</source>
+        <translation>三对三角形</translation>
+    </message>
+    <message>
+        <source>Of each pair the warm triangle is nearer and is sent first. Two threads without a lock draw the two at the same time.</source>
+        <translation>每一对里暖色的三角形更近，先发送。两个没有加锁的线程同时画这两个。</translation>
+    </message>
+    <message>
+        <source>Diagonals drawn both ways</source>
+        <translation>两个方向各画一次的对角线</translation>
+    </message>
+    <message>
+        <source>Both triangles of a rectangle draw its diagonal, one from each end. It passes half-way between two pixels: a choice that depends on the direction makes it two pixels thick there.</source>
+        <translation>矩形的两个三角形都画对角线，各从一端开始。线从两个像素正中间穿过：若选择取决于方向，那里就有两个像素粗。</translation>
     </message>
 </context>
 <context>
@@ -2445,8 +2497,8 @@
         <translation>没有画点</translation>
     </message>
     <message>
-        <source>%1 is not a directive; size, subpixel_bits, exact, cull, depth_test, depth_format, clear, ssaa, zrange, window, tri, triuv, texture, texture_filter, note or expect expected</source>
-        <translation>%1 不是指令；应为 size、subpixel_bits、exact、cull、depth_test、depth_format、clear、ssaa、zrange、window、tri、triuv、texture、texture_filter、note 或 expect</translation>
+        <source>%1 is not a directive; size, subpixel_bits, exact, cull, depth_test, depth_format, depth_bias, depth_range, depth_clamp, depth_clear, second_pass, clear, ssaa, samples, zrange, window, tri, triuv, texture, texture_filter, note or expect expected</source>
+        <translation>%1 不是指令；应为 size、subpixel_bits、exact、cull、depth_test、depth_format、depth_bias、depth_range、depth_clamp、depth_clear、second_pass、clear、ssaa、samples、zrange、window、tri、triuv、texture、texture_filter、note 或 expect</translation>
     </message>
     <message>
         <source>&quot;checker&quot; and a size, or the name of an image, is expected</source>
@@ -2455,10 +2507,6 @@
     <message>
         <source>27 (x y z w r g b u v of three corners)</source>
         <translation>27（三个角的 x y z w r g b u v）</translation>
-    </message>
-    <message>
-        <source>%1 is not a directive; size, subpixel_bits, exact, cull, depth_test, depth_format, clear, ssaa, samples, zrange, window, tri, note or expect expected</source>
-        <translation>%1 不是指令；应为 size、subpixel_bits、exact、cull、depth_test、depth_format、clear、ssaa、samples、zrange、window、tri、note 或 expect</translation>
     </message>
     <message>
         <source>needs MSAA: samples msaa2 to msaa16</source>
@@ -2471,6 +2519,22 @@
     <message>
         <source>attributes are taken at the pixels&apos; centres</source>
         <translation>属性取在像素中心</translation>
+    </message>
+    <message>
+        <source>it stands once, behind the tri lines of the first pass</source>
+        <translation>它只能出现一次，并且在第一遍的 tri 行之后</translation>
+    </message>
+    <message>
+        <source>two numbers n,f from 0 to 1</source>
+        <translation>0 到 1 之间的两个数 n,f</translation>
+    </message>
+    <message>
+        <source>two or three numbers c,s[,m] of at most 1e9: units, slopes, and the clamp</source>
+        <translation>绝对值不超过 1e9 的两个或三个数 c,s[,m]：单位数、坡度倍数和上限</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; takes an array of %2</source>
+        <translation>“%1”应为数组，内容是%2</translation>
     </message>
 </context>
 <context>
@@ -4502,6 +4566,138 @@
         <source>The middle texel of each repeat lies under the centre.</source>
         <translation>每次重复的中间那个纹素在中心之下。</translation>
     </message>
+    <message>
+        <source>corner orders equal depth</source>
+        <translation>顶点次序与相等深度</translation>
+    </message>
+    <message>
+        <source>The same face in the other five corner orders, drawn where depths are equal: every pixel passes each time.</source>
+        <translation>同一个面以另外五种顶点次序再画，只画在深度相等处：每次所有像素都通过。</translation>
+    </message>
+    <message>
+        <source>llvmpipe loses 42 % of the pixels of such a pass, SwiftShader 14 %.</source>
+        <translation>这样的一遍，llvmpipe 丢失 42 % 的像素，SwiftShader 丢失 14 %。</translation>
+    </message>
+    <message>
+        <source>constant depth float32</source>
+        <translation>恒定深度 float32</translation>
+    </message>
+    <message>
+        <source>One depth everywhere, whatever x, y and w of the corners: a second pass where depths are equal covers all of the first.</source>
+        <translation>无论顶点的 x、y、w 如何，深度处处相同：只画在深度相等处的第二遍盖住整个第一遍。</translation>
+    </message>
+    <message>
+        <source>constant depth unorm24</source>
+        <translation>恒定深度 unorm24</translation>
+    </message>
+    <message>
+        <source>constant depth unorm16</source>
+        <translation>恒定深度 unorm16</translation>
+    </message>
+    <message>
+        <source>equal other tessellation</source>
+        <translation>相等深度，另一种剖分</translation>
+    </message>
+    <message>
+        <source>A plane cut by its other diagonal in a second pass, where depths are equal: every pixel passes.</source>
+        <translation>第二遍沿另一条对角线剖分同一平面，只画在深度相等处：所有像素都通过。</translation>
+    </message>
+    <message>
+        <source>slope ten thousand</source>
+        <translation>坡度一万</translation>
+    </message>
+    <message>
+        <source>Depth rises by more than 10,000 a pixel across a needle: on its edge it is that of the edge.</source>
+        <translation>横穿细针形三角形时，深度每像素升高一万以上：在边上，它就是边的深度。</translation>
+    </message>
+    <message>
+        <source>bias constant unorm16</source>
+        <translation>常数偏移 unorm16</translation>
+    </message>
+    <message>
+        <source>A bias of minus one unit brings a second pass one code nearer: it wins everywhere.</source>
+        <translation>负一个单位的偏移让第二遍近一个编码：它处处胜出。</translation>
+    </message>
+    <message>
+        <source>bias float32 exponent</source>
+        <translation>float32 偏移随指数变化</translation>
+    </message>
+    <message>
+        <source>The unit of float32 follows the exponent of the deepest corner: at 0.3 it is 2^-25, at 0.75 it is 2^-24.</source>
+        <translation>float32 的单位取决于最深顶点的指数：0.3 处是 2^-25，0.75 处是 2^-24。</translation>
+    </message>
+    <message>
+        <source>bias slope</source>
+        <translation>坡度偏移</translation>
+    </message>
+    <message>
+        <source>A bias of two slopes moves a face by what depth changes on two pixels.</source>
+        <translation>两倍坡度的偏移，使面移动两个像素上的深度变化量。</translation>
+    </message>
+    <message>
+        <source>bias clamped</source>
+        <translation>偏移有上限</translation>
+    </message>
+    <message>
+        <source>The same bias of two slopes, held at 0.01.</source>
+        <translation>同样两倍坡度的偏移，限制在 0.01。</translation>
+    </message>
+    <message>
+        <source>bias clamped below</source>
+        <translation>偏移有下限</translation>
+    </message>
+    <message>
+        <source>A negative clamp holds a negative bias, and no positive one.</source>
+        <translation>负的限制只限制负的偏移，不限制正的。</translation>
+    </message>
+    <message>
+        <source>depth range middle</source>
+        <translation>深度范围在中间</translation>
+    </message>
+    <message>
+        <source>Near is mapped to 0.25 and far to 0.75.</source>
+        <translation>近平面映射到 0.25，远平面映射到 0.75。</translation>
+    </message>
+    <message>
+        <source>depth range reversed</source>
+        <translation>深度范围颠倒</translation>
+    </message>
+    <message>
+        <source>Near is mapped to 0.75 and far to 0.25: the greater depth is the nearer one.</source>
+        <translation>近平面映射到 0.75，远平面映射到 0.25：深度大的更近。</translation>
+    </message>
+    <message>
+        <source>depth range empty</source>
+        <translation>深度范围为空</translation>
+    </message>
+    <message>
+        <source>Near and far are both mapped to 0.5: all depths are equal, and the first face stays.</source>
+        <translation>近、远平面都映射到 0.5：所有深度相等，先画的面留下。</translation>
+    </message>
+    <message>
+        <source>depth clear not representable</source>
+        <translation>清除值无法精确表示</translation>
+    </message>
+    <message>
+        <source>The buffer is cleared to 0.35, which 16 bits do not hold: a face at 0.35 is equal all the same.</source>
+        <translation>缓冲清除为 0.35，16 位存不下这个数：深度 0.35 的面仍然相等。</translation>
+    </message>
+    <message>
+        <source>depth clamp before near</source>
+        <translation>近平面之前钳制深度</translation>
+    </message>
+    <message>
+        <source>Half of the face lies before the near plane: it is drawn there at depth 0.</source>
+        <translation>面的一半在近平面之前：那里以深度 0 画出。</translation>
+    </message>
+    <message>
+        <source>depth clamp beyond far</source>
+        <translation>远平面之后钳制深度</translation>
+    </message>
+    <message>
+        <source>Half of the face lies beyond the far plane: it is drawn there at depth 1.</source>
+        <translation>面的一半在远平面之后：那里以深度 1 画出。</translation>
+    </message>
 </context>
 <context>
     <name>ImageExport</name>
@@ -5937,6 +6133,102 @@
         <source>The picture has one colour a pixel, so a pixel is made as soon as there is one.</source>
         <translation>图像每个像素一种颜色，于是一有颜色就合成像素。</translation>
     </message>
+    <message>
+        <source>Ties of a line go by its direction</source>
+        <translation>线的平局取决于方向</translation>
+    </message>
+    <message>
+        <source>The line from B to A has other pixels than that from A to B: drawn both ways it is thick here and there.</source>
+        <translation>从 B 到 A 的线与从 A 到 B 的线像素不同：两个方向都画，线就时粗时细。</translation>
+    </message>
+    <message>
+        <source>if (error &gt; 0) y += step, from whichever end is named first</source>
+        <translation>if (error &gt; 0) y += step，从先给出的一端开始</translation>
+    </message>
+    <message>
+        <source>A line has two ends, and both are equal.</source>
+        <translation>一条线有两端，两端是平等的。</translation>
+    </message>
+    <message>
+        <source>z is clamped in place of clipped</source>
+        <translation>用钳制 z 代替裁剪</translation>
+    </message>
+    <message>
+        <source>What lies before the near plane is drawn, flat on it: whatever came first is in front there.</source>
+        <translation>近平面之前的东西被压平画在近平面上：那里谁先画谁在前。</translation>
+    </message>
+    <message>
+        <source>z = clamp(z / w, 0, 1)</source>
+        <translation>z = clamp(z / w, 0, 1)</translation>
+    </message>
+    <message>
+        <source>Depth must lie within 0 and 1, and then it does.</source>
+        <translation>深度必须在 0 和 1 之间，这样就在了。</translation>
+    </message>
+    <message>
+        <source>Depth is kept in 8 bits</source>
+        <translation>深度只存 8 位</translation>
+    </message>
+    <message>
+        <source>Surfaces that are close share one step of depth: what was drawn first stays in front.</source>
+        <translation>靠得近的曲面落在同一级深度上：先画的留在前面。</translation>
+    </message>
+    <message>
+        <source>uint8_t zbuffer[]; viewport(.., 0, 255)</source>
+        <translation>uint8_t zbuffer[]; viewport(.., 0, 255)</translation>
+    </message>
+    <message>
+        <source>Colours have 8 bits, and the depth map is a grey picture, too.</source>
+        <translation>颜色是 8 位的，深度图也是一张灰度图。</translation>
+    </message>
+    <message>
+        <source>Depth is truncated to its code, not rounded</source>
+        <translation>深度截断成编码，而不是舍入</translation>
+    </message>
+    <message>
+        <source>A second pass that asks for equal depth loses whole faces: one code too low is not equal.</source>
+        <translation>要求深度相等的第二遍会丢失整个面：低一个编码就不相等。</translation>
+    </message>
+    <message>
+        <source>code = (int)(z * 65535)</source>
+        <translation>code = (int)(z * 65535)</translation>
+    </message>
+    <message>
+        <source>A cast is the shortest way to an integer.</source>
+        <translation>强制转换是得到整数最短的写法。</translation>
+    </message>
+    <message>
+        <source>Depth bias without the slope of the face</source>
+        <translation>深度偏移不乘面的坡度</translation>
+    </message>
+    <message>
+        <source>Lines over a surface are whole where it faces the eye, and dashed where it is steep.</source>
+        <translation>曲面正对眼睛处，上面的线是完整的；陡峭处变成虚线。</translation>
+    </message>
+    <message>
+        <source>offset = (factor + units) * r</source>
+        <translation>offset = (factor + units) * r</translation>
+    </message>
+    <message>
+        <source>glPolygonOffset takes two numbers, and both are offsets, are they not?</source>
+        <translation>glPolygonOffset 有两个数，两个都是偏移量，不是吗？</translation>
+    </message>
+    <message>
+        <source>Two threads test depth, then both write</source>
+        <translation>两个线程先都测试深度，再都写入</translation>
+    </message>
+    <message>
+        <source>Where two faces that are drawn at the same time overlap, the second one wins, nearer or not. Here faces 2k and 2k + 1 run in lockstep; real threads do it at random.</source>
+        <translation>同时画的两个面重叠处，无论远近都是第二个胜出。这里第 2k 和 2k + 1 个面步调一致地运行；真正的线程则是随机的。</translation>
+    </message>
+    <message>
+        <source>read A, read B, write A, write B</source>
+        <translation>读 A，读 B，写 A，写 B</translation>
+    </message>
+    <message>
+        <source>One line of code looks like one step.</source>
+        <translation>一行代码看起来就是一步。</translation>
+    </message>
 </context>
 <context>
     <name>Moment</name>
@@ -6525,6 +6817,78 @@
     <message>
         <source>Samples are averaged as the numbers the display is sent (gamma), or as amounts of light.</source>
         <translation>按送往显示器的数值（gamma）求平均，或按光的量求平均。</translation>
+    </message>
+    <message>
+        <source>Depth range</source>
+        <translation>深度范围</translation>
+    </message>
+    <message>
+        <source>The depths that the near and the far plane are mapped to, 0,1 unless asked otherwise. Far may be the smaller one.</source>
+        <translation>近平面和远平面映射到的深度，默认 0,1。远的可以更小。</translation>
+    </message>
+    <message>
+        <source>Depth bias</source>
+        <translation>深度偏移</translation>
+    </message>
+    <message>
+        <source>Added to the depths of a face: c units of the depth format and s times its slope a pixel; the sum is no more than m where m &gt; 0, no less where m &lt; 0. In a scene of two passes it moves the second.</source>
+        <translation>加到面的深度上：c 个深度格式的单位，加 s 倍每像素的坡度；m &gt; 0 时总和不大于 m，m &lt; 0 时不小于 m。两遍的场景里只移动第二遍。</translation>
+    </message>
+    <message>
+        <source>Both ends</source>
+        <translation>含两端</translation>
+    </message>
+    <message>
+        <source>Without the last</source>
+        <translation>不含末端</translation>
+    </message>
+    <message>
+        <source>Diamond exit</source>
+        <translation>离开菱形</translation>
+    </message>
+    <message>
+        <source>By the direction</source>
+        <translation>按方向</translation>
+    </message>
+    <message>
+        <source>One for both directions</source>
+        <translation>两个方向相同</translation>
+    </message>
+    <message>
+        <source>Sides only, depth clamped</source>
+        <translation>只裁侧面，钳制深度</translation>
+    </message>
+    <message>
+        <source>Equal</source>
+        <translation>等于</translation>
+    </message>
+    <message>
+        <source>Greater or equal</source>
+        <translation>大于或等于</translation>
+    </message>
+    <message>
+        <source>Not equal</source>
+        <translation>不等于</translation>
+    </message>
+    <message>
+        <source>8 bit</source>
+        <translation>8 位</translation>
+    </message>
+    <message>
+        <source>Line rule</source>
+        <translation>线的规则</translation>
+    </message>
+    <message>
+        <source>Which pixels belong to a line: from the pixel of its start to that of its end, the same without the last one, or those whose diamond it leaves.</source>
+        <translation>哪些像素属于一条线：从起点的像素到终点的像素；同样但不含最后一个；或者线离开其菱形的那些像素。</translation>
+    </message>
+    <message>
+        <source>Line ties</source>
+        <translation>线的平局</translation>
+    </message>
+    <message>
+        <source>Where a line passes half-way between two pixels: the choice depends on which end is drawn first, or is one for both directions.</source>
+        <translation>线从两个像素正中间穿过时：选择取决于先画哪一端，或者两个方向选择相同。</translation>
     </message>
 </context>
 <context>
@@ -7305,10 +7669,6 @@
         <translation>分块算法不能绘制这些设置</translation>
     </message>
     <message>
-        <source>this algorithm is not built in</source>
-        <translation>这个程序里没有这种算法</translation>
-    </message>
-    <message>
         <source>algorithm tiled computes no mip level by itself: it does not draw shading mip-level</source>
         <translation>tiled 算法不单独计算 mip 级别：它不画 mip-level 着色</translation>
     </message>
@@ -7339,6 +7699,26 @@
     <message>
         <source>algorithm tiled with several samples a pixel needs resolve gamma</source>
         <translation>分块算法在每个像素有多个采样点时，只能按显示值求平均</translation>
+    </message>
+    <message>
+        <source>algorithm tiled does not clamp depths in place of clipping; edge-equation and edge-walking do</source>
+        <translation>算法 tiled 不能用钳制深度代替裁剪；edge-equation 和 edge-walking 可以</translation>
+    </message>
+    <message>
+        <source>algorithm tiled needs a depth-test of an order: less, lequal, gequal, greater, always or none</source>
+        <translation>算法 tiled 需要比较大小的 depth-test：less、lequal、gequal、greater、always 或 none</translation>
+    </message>
+    <message>
+        <source>algorithm tiled draws one pass, and this scene has two; edge-equation and edge-walking draw both</source>
+        <translation>算法 tiled 只画一遍，而这个场景有两遍；edge-equation 和 edge-walking 两遍都画</translation>
+    </message>
+    <message>
+        <source>algorithm tiled has no depth-bias; edge-equation and edge-walking have</source>
+        <translation>算法 tiled 没有 depth-bias；edge-equation 和 edge-walking 有</translation>
+    </message>
+    <message>
+        <source>algorithm tiled needs depth-range 0,1</source>
+        <translation>算法 tiled 需要 depth-range 0,1</translation>
     </message>
 </context>
 <context>
@@ -10513,6 +10893,13 @@
         <source>Drag the bright side of the ball. With Shift the light comes from behind it.</source>
         <translation>拖动球的亮面。按住 Shift 时，光从球的后面照来。</translation>
     </message>
+    <message>
+        <source>Put back what the scene asks for</source>
+        <translation>恢复场景要求的值</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::NumbersRow</name>
     <message>
         <source>Put back what the scene asks for</source>
         <translation>恢复场景要求的值</translation>

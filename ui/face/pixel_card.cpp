@@ -53,7 +53,10 @@ QString sideText(EdgeSide side)
     return PixelCard::tr("neither left nor top");
 }
 
-QString printedDepthSign(const WhyReport& report) { return printedSigns(QLatin1String(depthSign(report.rules))); }
+QString printedDepthSign(const WhyReport& report, const WhyFace& face)
+{
+    return printedSigns(QLatin1String(depthSign(report.rules, face.face)));
+}
 
 QString planesWords(std::uint32_t planes) { return planes == 0 ? PixelCard::tr("no plane") : planeSigns(planes); }
 
@@ -70,10 +73,10 @@ QString verdictWords(const WhyReport& report, const WhyFace& face)
                                                   .arg(shortNumber(face.facing->screenArea / 2));
     case WhyVerdict::ClippedAway: return PixelCard::tr("clipped away by %1").arg(planesWords(face.planes));
     case WhyVerdict::OutsideEdge: {
-        if (!report.rules.coversByCentres())
-            return report.rules.fill == Fill::Points  ? PixelCard::tr("no corner of it is drawn here")
-                   : report.rules.fill == Fill::Solid ? PixelCard::tr("no column of it is filled here")
-                                                      : PixelCard::tr("no line of it is drawn here");
+        if (const Rules pass = passRules(report.rules, face.face); !pass.coversByCentres())
+            return pass.fill == Fill::Points  ? PixelCard::tr("no corner of it is drawn here")
+                   : pass.fill == Fill::Solid ? PixelCard::tr("no column of it is filled here")
+                                              : PixelCard::tr("no line of it is drawn here");
         if (face.edge < 0)
             return PixelCard::tr("outside of what clipping left");
         const WhyEdge& edge = face.edges[static_cast<std::size_t>(face.edge)];
@@ -90,7 +93,7 @@ QString verdictWords(const WhyReport& report, const WhyFace& face)
         return PixelCard::tr("cut out by the alpha test: the texture is opaque by %1").arg(face.opacity, 0, 'g', 3);
     case WhyVerdict::FailedDepth:
         return face.fragment ? PixelCard::tr("failed depth: not %1 %2 %3")
-                                   .arg(depthNumber(face.fragment->depth), printedDepthSign(report),
+                                   .arg(depthNumber(face.fragment->depth), printedDepthSign(report, face),
                                         depthNumber(face.fragment->storedDepth))
                              : PixelCard::tr("covered, but not drawn by this algorithm");
     case WhyVerdict::Written:
@@ -141,7 +144,7 @@ void addFragmentLines(const WhyReport& report, const WhyFace& face, QStringList&
     lines << weights(fragment.screen);
     if (fragment.shaded && fragment.weights != fragment.screen)
         lines << PixelCard::tr("perspective %1").arg(weights(fragment.weights));
-    const QString sign = printedDepthSign(report);
+    const QString sign = printedDepthSign(report, face);
     if (face.texels)
         lines << texelLine(*face.texels);
     if (!sign.isEmpty() && face.verdict == WhyVerdict::Written)

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace rasterlens
 {
@@ -212,16 +213,19 @@ const LineStep* LensModel::line() const
 std::optional<std::array<glm::ivec2, 2>> LensModel::lineEnds() const
 {
     const LineStep* step = line();
-    return step != nullptr ? rasterlens::lineEnds(m_triangle->screen, step->decision) : std::nullopt;
+    return step != nullptr ? rasterlens::lineEnds(m_triangle->screen, step->decision, m_log->rules()) : std::nullopt;
 }
 
-std::optional<std::array<glm::ivec2, 2>> lineEnds(const ScreenTriangle& triangle, const LineDecision& decision)
+std::optional<std::array<glm::ivec2, 2>> lineEnds(const ScreenTriangle& triangle, const LineDecision& decision,
+                                                  const Rules& rules)
 {
     const auto sampleOf = [&](std::size_t i) { return glm::ivec2(glm::floor(triangle.vertices[i].position)); };
     const int axis = decision.steep ? 1 : 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        const glm::ivec2 from = sampleOf(i);
-        const glm::ivec2 to = sampleOf((i + 1) % 3);
+        glm::ivec2 from = sampleOf(i);
+        glm::ivec2 to = sampleOf((i + 1) % 3);
+        if (!rules.lineTiesByDirection && std::pair(from.y, from.x) > std::pair(to.y, to.x))
+            std::swap(from, to);
         const glm::ivec2 size = glm::abs(to - from);
         if (size[axis] != decision.longer || size[1 - axis] != decision.shorter)
             continue;

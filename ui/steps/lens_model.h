@@ -109,7 +109,7 @@ private:
 
 /// The ends of the line of a triangle that a decision belongs to, in samples.
 [[nodiscard]] std::optional<std::array<glm::ivec2, 2>> lineEnds(const ScreenTriangle& triangle,
-                                                                const LineDecision& decision);
+                                                                const LineDecision& decision, const Rules& rules);
 
 /// Why an edge owns its points or does not: `left edge`. In the language in use.
 [[nodiscard]] QString edgeSideText(EdgeSide side);

@@ -116,7 +116,7 @@ private:
 
     [[nodiscard]] QString fragment() const
     {
-        if (depthSign(m_log.rules())[0] == '\0')
+        if (depthSign(m_log.rules(), m_event.face)[0] == '\0')
             return tr("%1 of face %2 is taken: depth is not tested.").arg(where()).arg(m_event.face);
         const FragmentStep& step = m_log.payload<FragmentStep>(m_event);
         const bool passed = m_event.has(StepEvent::kPassed);
