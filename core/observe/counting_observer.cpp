@@ -30,8 +30,7 @@ double nearDistance(const Rules& rules)
 
 CountingObserver::CountingObserver(const Rules& rules)
     : m_columns(rules.columns()), m_rows(rules.rows()), m_isFilled(rules.fill == Fill::Solid),
-      m_firstPassFaces(rules.firstPassFaces),
-      m_nearDistance(nearDistance(rules))
+      m_firstPassFaces(rules.firstPassFaces), m_nearDistance(nearDistance(rules))
 {
 }
 
