@@ -3,6 +3,7 @@
 #include "core/pipeline/shading.h"
 #include "core/questions/vertex_table.h"
 #include "core/render/render.h"
+#include "tests/seed.h"
 #include "ui/pipeline/stage_strip.h"
 #include "ui/pipeline/views_bar.h"
 #include "ui/truth/truth_mode.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <set>
 
 using namespace rasterlens;
@@ -28,6 +30,8 @@ private Q_SLOTS:
     void facingsAreThoseThatCullingSees();
     void facingsFollowTheSteps();
     void winnersAreKnownDeepInARecord();
+    void framesFollowTheCursor_data();
+    void framesFollowTheCursor();
     void numbersAreWhatTheViewShows();
     void keysChooseViewsAndOverlays();
     void undoAndSessionKeepTheView();
@@ -159,7 +163,7 @@ void TestViews::facingsFollowTheSteps()
     for (const std::size_t position : {std::size_t(0), session.size() / 3, session.size()}) {
         session.moveTo(position);
         QVERIFY(complete());
-        const auto owners = m_window->stepMode().owners();
+        const auto owners = viewport().frame()->frame.ids;
         QVERIFY(views().facing().picture());
         QCOMPARE(views().facing().picture()->frame.ids, owners);
         const auto owned = std::size_t(std::ranges::count_if(owners, [](std::int32_t id) { return id >= 0; }));
@@ -167,7 +171,7 @@ void TestViews::facingsFollowTheSteps()
     }
     Frame finished;
     render(*document().scene(), settings(), finished, {.depth = true, .ids = true});
-    QCOMPARE(m_window->stepMode().owners(), finished.ids);
+    QCOMPARE(viewport().frame()->frame.ids, finished.ids);
 }
 
 /// Far from the beginning only a part of the record is at hand; whose the pixels are is known there, too.
@@ -176,8 +180,7 @@ void TestViews::winnersAreKnownDeepInARecord()
     QVERIFY(openSmall(QStringLiteral("builtin:teapot"), {320, 240}));
     QVERIFY(show(CanvasView::Facing));
     views().setOverlay(&OverlayOptions::outline, true);
-    StepMode& mode = m_window->stepMode();
-    StepSession& session = mode.session();
+    StepSession& session = m_window->stepMode().session();
     session.open();
     QVERIFY(complete());
     Frame finished;
@@ -186,7 +189,7 @@ void TestViews::winnersAreKnownDeepInARecord()
         session.moveTo(session.size() / 4 * part);
         QVERIFY(complete());
         QVERIFY(session.log()->first() > 0);
-        const std::vector<std::int32_t> owners = mode.owners();
+        const std::vector<std::int32_t> owners = viewport().frame()->frame.ids;
         const auto last = std::ranges::max_element(owners);
         QVERIFY(*last > 0);
         QCOMPARE(views().facing().picture()->frame.ids, owners);
@@ -197,14 +200,71 @@ void TestViews::winnersAreKnownDeepInARecord()
     }
     session.moveTo(session.size());
     QVERIFY(complete());
-    QCOMPARE(mode.owners(), finished.ids);
+    QCOMPARE(viewport().frame()->frame.ids, finished.ids);
     // A record of one face knows who else was drawn.
     session.selectFace(0);
     session.setScope(StepScope::SelectedFace);
     QVERIFY(complete());
     session.moveTo(session.size());
     QVERIFY(complete());
-    QCOMPARE(mode.owners(), finished.ids);
+    QCOMPARE(viewport().frame()->frame.ids, finished.ids);
+}
+
+void TestViews::framesFollowTheCursor_data()
+{
+    QTest::addColumn<QString>("scene");
+    QTest::addColumn<Samples>("samples");
+    QTest::addColumn<QString>("mistake");
+    QTest::newRow("one sample") << QStringLiteral("builtin:teapot") << Samples::One << QString();
+    QTest::newRow("2 x 2") << QStringLiteral("builtin:piercing") << Samples::Grid2 << QString();
+    QTest::newRow("resolved by mistake") << QStringLiteral("builtin:piercing") << Samples::Grid2
+                                         << QStringLiteral("coverage-times-color");
+}
+
+/// Two frames take turns, and each is brought up to the present moment only where it is out of date.
+void TestViews::framesFollowTheCursor()
+{
+    QFETCH(QString, scene);
+    QFETCH(Samples, samples);
+    QFETCH(QString, mistake);
+    QVERIFY(openSmall(scene, {160, 120}));
+    Settings next = settings();
+    next.samples = samples;
+    if (!mistake.isEmpty())
+        next.mistakes = {mistake};
+    document().setSettings(next);
+    StepSession& session = m_window->stepMode().session();
+    session.open();
+    QVERIFY(complete());
+    std::mt19937 random(test::seedOfRun());
+    const auto isUpToDate = [&] {
+        const StepCursor& cursor = *session.cursor();
+        const Frame& frame = viewport().frame()->frame;
+        const int grid = cursor.log().grid();
+        for (int y = 0; y < frame.image.height(); ++y)
+            for (int x = 0; x < frame.image.width(); ++x) {
+                const auto sample = std::size_t(y * grid + grid / 2) * std::size_t(cursor.log().columns()) +
+                                    std::size_t(x * grid + grid / 2);
+                const auto pixel = std::size_t(y) * std::size_t(frame.image.width()) + std::size_t(x);
+                if (frame.depth[pixel] != cursor.sampleDepths()[sample] ||
+                    frame.ids[pixel] != cursor.sampleOwners()[sample])
+                    return false;
+            }
+        return frame.image == cursor.image();
+    };
+    for (int i = 0; i < 40; ++i) {
+        const std::size_t far = std::uniform_int_distribution<std::size_t>(0, session.size())(random);
+        session.moveTo(i == 20 ? session.size() : i % 3 == 0 ? far : session.position() + 1);
+        QVERIFY2(isUpToDate(), qPrintable(QString::number(session.position())));
+    }
+    // Another record begins anew.
+    next.culling = Culling::Front;
+    document().setSettings(next);
+    QVERIFY(complete());
+    for (const std::size_t part : {2U, 1U, 3U}) {
+        session.moveTo(session.size() / 4 * part);
+        QVERIFY(isUpToDate());
+    }
 }
 
 void TestViews::numbersAreWhatTheViewShows()

@@ -1,6 +1,9 @@
 #include "core/observe/frame_history.h"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
+#include <type_traits>
 #include <utility>
 
 namespace rasterlens
@@ -8,26 +11,63 @@ namespace rasterlens
 namespace
 {
 
-/// A run of samples out of whole planes.
-FramePlanes runOf(const FramePlanes& planes, std::size_t first, std::size_t count)
+FramePlanes firstSample(const FramePlanes& planes)
 {
-    FramePlanes run;
-    FramePlanes::forEachPair(run, planes, [&](auto& part, const auto& plane) {
-        if (!plane.empty())
-            part.assign(plane.begin() + std::ptrdiff_t(first), plane.begin() + std::ptrdiff_t(first + count));
-    });
-    return run;
+    const auto firstOf = [](const auto& plane) {
+        return std::remove_cvref_t<decltype(plane)>(plane.begin(), plane.begin() + (plane.empty() ? 0 : 1));
+    };
+    FramePlanes first;
+    first.color = firstOf(planes.color);
+    first.depth = firstOf(planes.depth);
+    first.coverCount = firstOf(planes.coverCount);
+    first.ownDepth = firstOf(planes.ownDepth);
+    first.owners = firstOf(planes.owners);
+    return first;
 }
 
 } // namespace
 
 FrameHistory::FrameHistory(const FramePlanes& cleared)
-    : m_sampleCount(cleared.color.size()), m_clear(runOf(cleared, 0, std::min(kRun, cleared.color.size()))),
-      m_isTouched((cleared.color.size() + kRun - 1) / kRun, 0), m_versions(m_isTouched.size())
+    : m_sampleCount(cleared.color.size()), m_clear(firstSample(cleared)), m_cleared(pack(m_clear, 0, 1)),
+      m_isTouched(cleared.runs.size(), 0), m_versions(cleared.runs.size())
 {
-    m_bytesOfRun = sizeof(Version);
-    FramePlanes::forEachPair(m_clear, m_clear, [&](const auto& plane, const auto&) {
-        m_bytesOfRun += plane.size() * sizeof(plane.front());
+}
+
+FrameHistory::Packed FrameHistory::pack(const FramePlanes& planes, std::size_t first, std::size_t count)
+{
+    Packed packed;
+    std::uint32_t bit = 1;
+    std::array<std::byte, 5 * kRun * sizeof(float)> bytes;
+    std::size_t size = 0;
+    FramePlanes::forEach(planes, [&](const auto& plane) {
+        const auto* from = plane.data() + first;
+        constexpr std::size_t kSize = sizeof(*from);
+        // Each sample is as the next one.
+        const bool isUniform = std::memcmp(from, from + 1, (count - 1) * kSize) == 0;
+        const std::size_t length = (isUniform ? 1 : count) * kSize;
+        std::memcpy(bytes.data() + size, from, length);
+        size += length;
+        packed.uniform |= isUniform ? bit : 0;
+        bit *= 2;
+    });
+    packed.bytes.assign(bytes.begin(), bytes.begin() + std::ptrdiff_t(size));
+    return packed;
+}
+
+void FrameHistory::unpack(const Packed& samples, FramePlanes& planes, std::size_t first, std::size_t count)
+{
+    const std::byte* from = samples.bytes.data();
+    std::uint32_t bit = 1;
+    FramePlanes::forEach(planes, [&](auto& plane) {
+        auto* to = plane.data() + first;
+        constexpr std::size_t kSize = sizeof(*to);
+        const bool isUniform = (samples.uniform & bit) != 0;
+        const std::size_t length = (isUniform ? 1 : count) * kSize;
+        std::memcpy(to, from, length);
+        if (isUniform)
+            std::fill_n(to, count, *to);
+        from += length;
+        bit *= 2;
     });
 }
 
@@ -38,14 +78,12 @@ void FrameHistory::keep(std::uint32_t moment, const FramePlanes& planes)
             continue;
         m_isTouched[run] = 0;
         std::vector<Version>& versions = m_versions[run];
-        const std::size_t first = run * kRun;
-        Version version{moment, runOf(planes, first, std::min(kRun, m_sampleCount - first))};
         if (!versions.empty() && versions.back().moment == moment) { // kept of a moment that was forgotten
-            versions.back() = std::move(version);
-            continue;
+            m_bytes -= versions.back().size();
+            versions.pop_back();
         }
-        versions.push_back(std::move(version));
-        m_bytes += m_bytesOfRun;
+        versions.push_back({moment, ++m_lastId, pack(planes, run * kRun, lengthOf(run))});
+        m_bytes += versions.back().size();
     }
 }
 
@@ -56,11 +94,11 @@ void FrameHistory::thin()
         for (std::size_t i = 0; i < versions.size(); ++i) {
             // What has changed up to an odd moment is seen from the next even one on.
             versions[i].moment = (versions[i].moment + 1) / 2;
-            const bool isLater = kept > 0 && versions[kept - 1].moment == versions[i].moment;
-            m_bytes -= isLater ? m_bytesOfRun : 0;
-            kept += isLater ? 0 : 1;
-            if (kept - 1 != i)
-                versions[kept - 1] = std::move(versions[i]);
+            if (kept > 0 && versions[kept - 1].moment == versions[i].moment)
+                m_bytes -= versions[--kept].size();
+            if (kept != i)
+                versions[kept] = std::move(versions[i]);
+            ++kept;
         }
         versions.resize(kept);
     }
@@ -68,18 +106,20 @@ void FrameHistory::thin()
 
 void FrameHistory::restore(std::uint32_t moment, FramePlanes& planes) const
 {
-    FramePlanes::forEachPair(planes, m_clear,
-                             [&](auto& plane, const auto& clear) { plane.resize(clear.empty() ? 0 : m_sampleCount); });
+    if (planes.runs.size() != m_versions.size()) {
+        planes = m_clear;
+        FramePlanes::forEach(planes, [&](auto& plane) { plane.resize(m_sampleCount, plane.front()); });
+        planes.runs.resize(m_versions.size());
+    }
     for (std::size_t run = 0; run < m_versions.size(); ++run) {
         const std::vector<Version>& versions = m_versions[run];
         const auto after = std::ranges::upper_bound(versions, moment, {}, &Version::moment);
-        const FramePlanes& samples = after == versions.begin() ? m_clear : std::prev(after)->samples;
-        const std::size_t first = run * kRun;
-        const std::size_t count = std::min(kRun, m_sampleCount - first);
-        FramePlanes::forEachPair(planes, samples, [&](auto& plane, const auto& part) {
-            if (!plane.empty())
-                std::copy_n(part.begin(), count, plane.begin() + std::ptrdiff_t(first));
-        });
+        const bool isCleared = after == versions.begin();
+        const std::uint32_t id = isCleared ? 0 : std::prev(after)->id;
+        if (planes.runs[run].version == id)
+            continue;
+        unpack(isCleared ? m_cleared : std::prev(after)->samples, planes, run * kRun, lengthOf(run));
+        planes.runs[run] = {id, planes.turn};
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include "core/observe/frame_planes.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -13,13 +14,11 @@ namespace rasterlens
 class FrameHistory
 {
 public:
-    static constexpr std::size_t kRun = 128; ///< samples that are kept or not kept together
-
     /// in  the planes of the cleared frame
     explicit FrameHistory(const FramePlanes& cleared);
 
     /// The sample has changed since the last moment that was kept.
-    void touch(std::uint32_t sample) { m_isTouched[sample / kRun] = 1; }
+    void touch(std::uint32_t sample) { m_isTouched[sample / FramePlanes::kRun] = 1; }
     /// Keeps the next moment.
     ///
     /// in  its number, one more than the last one
@@ -28,23 +27,38 @@ public:
     void thin();
     /// Makes the planes those of a moment.
     ///
-    /// out   planes of the right size; memory they have is used again
-    /// cost  one copy of all planes
+    /// in    planes of the cleared frame, or those of this history at another moment, drawn on or not; or empty ones
+    /// cost  a copy of the runs that are not as they were at this moment
     void restore(std::uint32_t moment, FramePlanes& planes) const;
     /// The memory of what is kept.
     [[nodiscard]] std::size_t bytes() const { return m_bytes; }
 
 private:
+    static constexpr std::size_t kRun = FramePlanes::kRun;
+
+    /// A run of samples: of each plane one value where all of its samples have the same bits, else all of them.
+    struct Packed {
+        std::uint32_t uniform = 0; ///< one bit a plane
+        std::vector<std::byte> bytes;
+    };
     struct Version {
-        std::uint32_t moment;
-        FramePlanes samples;
+        std::uint32_t moment; ///< from which on the run is so
+        std::uint32_t id;     ///< different from those of all other versions; 0 stands for the cleared frame
+        Packed samples;
+
+        [[nodiscard]] std::size_t size() const { return sizeof(Version) + samples.bytes.capacity(); }
     };
 
+    [[nodiscard]] std::size_t lengthOf(std::size_t run) const { return std::min(kRun, m_sampleCount - run * kRun); }
+    [[nodiscard]] static Packed pack(const FramePlanes& planes, std::size_t first, std::size_t count);
+    static void unpack(const Packed& samples, FramePlanes& planes, std::size_t first, std::size_t count);
+
     std::size_t m_sampleCount;
-    FramePlanes m_clear; ///< one run of the cleared frame
+    FramePlanes m_clear; ///< one sample of the cleared frame
+    Packed m_cleared;    ///< a run of it
     std::vector<char> m_isTouched;
     std::vector<std::vector<Version>> m_versions; ///< of each run, by moment
-    std::size_t m_bytesOfRun = 0;
+    std::uint32_t m_lastId = 0;
     std::size_t m_bytes = 0;
 };
 

@@ -23,6 +23,7 @@ FramePlanes clearedPlanes(const Rules& rules, const Pixel& clear, bool hasDepth,
     if (rules.depthPerPixel)
         assignInPieces(planes.ownDepth, samples, clear.depth, stop);
     assignInPieces(planes.owners, samples, std::int32_t(-1), stop);
+    planes.runs.resize((samples + FramePlanes::kRun - 1) / FramePlanes::kRun);
     return planes;
 }
 

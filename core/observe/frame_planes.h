@@ -12,12 +12,24 @@ namespace rasterlens
 
 /// All samples of a frame at one moment, in the order they are stored. Planes that the rules do not call for are empty.
 struct FramePlanes {
+    static constexpr std::size_t kRun = 64;                 ///< samples of which it is known when they changed
+    static constexpr std::uint32_t kNoVersion = 0xffffffff; ///< Run::version
+    /// What is known of so many samples that follow each other.
+    struct Run {
+        std::uint32_t version = 0; ///< of a FrameHistory, if the run is still as it was restored; 0 as it was cleared
+        std::uint32_t turn = 0;    ///< in which it changed last
+    };
+
     std::vector<std::uint32_t> color; ///< 0xffRRGGBB as it is shown: with overdraw, the colour of the count
     std::vector<float> depth;
     std::vector<std::uint16_t> coverCount; ///< overdraw only: how often the sample was covered
     std::vector<float> ownDepth;           ///< rules.depthPerPixel only: the depth last written for this sample alone
     std::vector<std::int32_t> owners;      ///< the face drawn last, -1 none
+    std::vector<Run> runs;
+    std::uint32_t turn = 0; ///< counts what is told apart by Run::turn
 
+    /// A sample changes.
+    void touch(std::uint32_t sample) { runs[sample / kRun] = {kNoVersion, turn}; }
     /// What a sample stores.
     ///
     /// in  planes with depth
@@ -26,17 +38,22 @@ struct FramePlanes {
         color[sample] = state.pixel.color;
         depth[sample] = state.pixel.depth;
         owners[sample] = state.owner;
+        touch(sample);
     }
 
-    /// Calls visit(plane, other's plane) for each pair of planes.
-    template <class A, class B, class Visit>
-    static void forEachPair(A& a, B& b, Visit&& visit)
+    /// Calls visit(plane) for each plane that is not empty.
+    template <class Planes, class Visit>
+    static void forEach(Planes& planes, Visit&& visit)
     {
-        visit(a.color, b.color);
-        visit(a.depth, b.depth);
-        visit(a.coverCount, b.coverCount);
-        visit(a.ownDepth, b.ownDepth);
-        visit(a.owners, b.owners);
+        const auto visitOne = [&](auto& plane) {
+            if (!plane.empty())
+                visit(plane);
+        };
+        visitOne(planes.color);
+        visitOne(planes.depth);
+        visitOne(planes.coverCount);
+        visitOne(planes.ownDepth);
+        visitOne(planes.owners);
     }
 };
 

@@ -157,6 +157,17 @@ bool StepRecorder::takeTriangle(std::size_t nth)
     return !m_isResuming || nth >= m_part.from.triangle;
 }
 
+bool StepRecorder::skipsLine(int line)
+{
+    if (m_isResuming && line < m_part.from.line)
+        return true;
+    if (m_isResuming && line == m_part.from.line)
+        m_now.calls = m_part.from.callsBeforeLine;
+    m_now.line = line;
+    m_now.callsBeforeLine = m_now.calls;
+    return false;
+}
+
 bool StepRecorder::takeCall()
 {
     ++m_now.calls;
@@ -333,6 +344,7 @@ void StepRecorder::addEffect(const StepEffect& effect)
 {
     if (m_index != nullptr)
         m_index->touch(effect.sample);
+    m_planes->touch(effect.sample);
     // What a window draws after its end is taken back, so it has to be known.
     if (m_index != nullptr || isBeforeWindow() || (m_full && !m_isWindow))
         return;

@@ -80,6 +80,8 @@ public:
     void beginFace(std::size_t nth);
     /// The n-th triangle of the present face is next. False: it was drawn before the resume point.
     [[nodiscard]] bool takeTriangle(std::size_t nth);
+    /// The algorithm comes to a row or column of samples. True: all of its calls came before the resume point.
+    [[nodiscard]] bool skipsLine(int line);
     /// The algorithm calls for a sample. False: not now, for it was drawn before the resume point, or comes after the
     /// end.
     [[nodiscard]] bool takeCall();

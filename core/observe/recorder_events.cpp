@@ -145,7 +145,8 @@ void StepRecorder::onTriangle(const ScreenTriangle& triangle)
     m_counter.onTriangle(triangle);
     m_isLine = false;
     m_sample = 0;
-    m_now.calls = 0;
+    m_now.calls = m_now.callsBeforeLine = 0;
+    m_now.line = std::numeric_limits<int>::min();
     m_previousX = m_previousY = -2;
     if (!isFaceWanted())
         return;

@@ -6,15 +6,10 @@
 #include <array>
 #include <limits>
 #include <span>
+#include <utility>
 
 namespace rasterlens
 {
-namespace
-{
-
-constexpr int kNowhere = std::numeric_limits<int>::max();
-
-} // namespace
 
 StepCursor::StepCursor(std::shared_ptr<const StepLog> log) : m_log(std::move(log)) { clear(); }
 
@@ -34,7 +29,8 @@ void StepCursor::clear()
     m_image = QImage(m_log->columns() / grid, m_log->rows() / grid, QImage::Format_RGB32);
     m_image.fill(m_log->clear().color);
     m_planes = clearedPlanes(m_log->rules(), m_log->clear(), true, {});
-    m_touched.assign(std::size_t(m_image.height()), {kNowhere, -1});
+    m_planes.turn = 1;
+    touchAll();
 }
 
 bool StepCursor::isInLog(std::size_t position) const
@@ -54,13 +50,12 @@ void StepCursor::openWindow(std::size_t position)
     if (!isInLog(position))
         m_log = m_record->window(last, count, m_planes);
     m_position = m_log->last();
-    for (RowRange& row : m_touched)
-        row = {0, m_image.width() - 1};
 }
 
 void StepCursor::moveTo(std::size_t position)
 {
     position = std::min(position, size());
+    ++m_planes.turn;
     const bool isFar = !isInLog(position);
     if (isFar)
         openWindow(position);
@@ -68,15 +63,14 @@ void StepCursor::moveTo(std::size_t position)
     const std::size_t from = m_log->effectsAt(positionInLog());
     const std::size_t to = m_log->effectsAt(inLog(position));
     for (std::size_t i = from; i < to; ++i)
-        put(effects[i].sample, effects[i].after);
+        m_planes.put(effects[i].sample, effects[i].after);
     for (std::size_t i = from; i > to; --i)
-        put(effects[i - 1].sample, effects[i - 1].before);
+        m_planes.put(effects[i - 1].sample, effects[i - 1].before);
     m_position = position;
-    m_changed = {};
+    if (isFar && std::exchange(m_resolved, 0) > 0)
+        touchAll();
     if (from != to || isFar)
         show();
-    if (isFar)
-        m_resolved = 0;
     if (!finishedImage().isNull())
         resolveUpTo(m_log->resolvedPixels(positionInLog()));
 }
@@ -85,6 +79,7 @@ void StepCursor::resolveUpTo(std::size_t pixels)
 {
     if (pixels == m_resolved)
         return;
+    touchAll();
     const auto width = static_cast<std::size_t>(m_image.width());
     auto* const colors = reinterpret_cast<std::uint32_t*>(m_image.bits()); // rows of 32 bits follow without gaps
     const auto* const finished = reinterpret_cast<const std::uint32_t*>(finishedImage().constBits());
@@ -93,7 +88,6 @@ void StepCursor::resolveUpTo(std::size_t pixels)
     for (std::size_t i = pixels; i < m_resolved; ++i)
         colors[i] = meanAt(static_cast<int>(i % width), static_cast<int>(i / width));
     m_resolved = pixels;
-    m_changed = {0, 0, m_image.width(), m_image.height()};
 }
 
 std::uint32_t StepCursor::meanAt(int x, int y) const
@@ -103,52 +97,55 @@ std::uint32_t StepCursor::meanAt(int x, int y) const
     const int count = rules.samplesPerPixel();
     for (int i = 0; i < count; ++i)
         colors[static_cast<std::size_t>(i)] = m_planes.color[readIndex(rules, x, y, i)];
-    return meanColor(std::span(colors).first(static_cast<std::size_t>(count)), rules.resolveLight);
+    const auto samples = std::span(colors).first(static_cast<std::size_t>(count));
+    const bool isOneColor = std::ranges::count(samples, samples.front()) == count; // as of most pixels: their mean
+    return isOneColor ? 0xff000000U | samples.front() : meanColor(samples, rules.resolveLight);
 }
 
-void StepCursor::put(std::uint32_t sample, const StepEffect::State& state)
+std::vector<StepCursor::RowRange> StepCursor::changedSince(std::uint32_t turn) const
 {
-    m_planes.put(sample, state);
-    const auto columns = static_cast<std::uint32_t>(m_log->columns());
-    const auto grid = static_cast<std::uint32_t>(m_log->grid());
-    std::uint32_t y = sample / columns / grid;
-    if (m_log->rules().multiSampled())
-        y %= static_cast<std::uint32_t>(m_touched.size());
-    if (y >= m_touched.size())
-        return;
-    const int x = static_cast<int>(sample % columns / grid);
-    RowRange& row = m_touched[y];
-    row.left = std::min(row.left, x);
-    row.right = std::max(row.right, x);
+    std::vector<RowRange> rows(std::size_t(m_image.height()), {std::numeric_limits<int>::max(), -1});
+    const auto columns = static_cast<std::size_t>(m_log->columns());
+    const auto grid = static_cast<std::size_t>(m_log->grid());
+    const auto height = static_cast<std::size_t>(m_log->rows()); // of the frame of one sample of a pattern
+    const auto frames = static_cast<std::size_t>(m_log->rules().patternSamples);
+    const std::size_t read = columns * height * frames; // others are stored, but not read
+    for (std::size_t run = 0; run < m_planes.runs.size(); ++run) {
+        if (m_planes.runs[run].turn <= turn)
+            continue;
+        const std::size_t last = std::min((run + 1) * FramePlanes::kRun, read);
+        for (std::size_t first = run * FramePlanes::kRun; first < last;) {
+            const std::size_t line = first / columns;
+            const std::size_t end = std::min(last, (line + 1) * columns);
+            RowRange& row = rows[line % height / grid];
+            row.left = std::min(row.left, static_cast<int>((first - line * columns) / grid));
+            row.right = std::max(row.right, static_cast<int>((end - 1 - line * columns) / grid));
+            first = end;
+        }
+    }
+    return rows;
+}
+
+void StepCursor::touchAll()
+{
+    for (FramePlanes::Run& run : m_planes.runs)
+        run.turn = m_planes.turn;
 }
 
 void StepCursor::show()
 {
-    int left = kNowhere;
-    int right = -1;
-    int top = kNowhere;
-    int bottom = -1;
+    const std::vector<RowRange> rows = changedSince(m_planes.turn - 1);
+    const auto columns = static_cast<std::size_t>(m_log->columns());
     uchar* const bits = m_image.bits();
     for (int y = 0; y < m_image.height(); ++y) {
-        RowRange& row = m_touched[std::size_t(y)];
-        if (row.left > row.right)
-            continue;
+        const auto [left, right] = rows[std::size_t(y)];
         auto* line = reinterpret_cast<std::uint32_t*>(bits + y * m_image.bytesPerLine());
-        const std::uint32_t* samples = m_planes.color.data();
-        const auto columns = std::size_t(m_log->columns());
-        if (m_log->samplesPerPixel() == 1)
-            std::copy_n(samples + std::size_t(y) * columns + std::size_t(row.left), row.right - row.left + 1,
-                        line + row.left);
-        else
-            for (int x = row.left; x <= row.right; ++x)
-                line[x] = meanAt(x, y);
-        left = std::min(left, row.left);
-        right = std::max(right, row.right);
-        top = std::min(top, y);
-        bottom = y;
-        row = {kNowhere, -1};
+        if (m_log->samplesPerPixel() == 1 && left <= right)
+            std::copy_n(m_planes.color.data() + std::size_t(y) * columns + std::size_t(left), right - left + 1,
+                        line + left);
+        for (int x = left; m_log->samplesPerPixel() > 1 && x <= right; ++x)
+            line[x] = meanAt(x, y);
     }
-    m_changed = {left, top, right - left + 1, bottom - top + 1};
 }
 
 } // namespace rasterlens

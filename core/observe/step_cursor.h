@@ -42,8 +42,16 @@ public:
     /// Pixels, Format_RGB32: with several samples their mean. Where a mistake makes the picture something else than the
     /// mean, a pixel is that from its step Resolve on.
     [[nodiscard]] const QImage& image() const { return m_image; }
-    /// The pixels that the last moveTo changed lie within; empty: none.
-    [[nodiscard]] PixelRect changedPixels() const { return m_changed; }
+    /// Pixels [left, right] of a row; left > right: none.
+    struct RowRange {
+        int left;
+        int right;
+    };
+    /// Counts the moves that have changed samples or pixels.
+    [[nodiscard]] std::uint32_t turn() const { return m_planes.turn; }
+    /// Where image(), and what its samples store, may have changed since it was `turn`; of each row of pixels. Since 0
+    /// all of them have.
+    [[nodiscard]] std::vector<RowRange> changedSince(std::uint32_t turn) const;
     /// 0xffRRGGBB of each sample, row by row.
     [[nodiscard]] std::span<const std::uint32_t> sampleColors() const { return m_planes.color; }
     /// Depth of each sample, row by row.
@@ -53,12 +61,6 @@ public:
     [[nodiscard]] Statistics counters() const { return m_log->countersAt(positionInLog()); }
 
 private:
-    /// Pixels [left, right] of a row; left > right: none.
-    struct RowRange {
-        int left;
-        int right;
-    };
-
     [[nodiscard]] std::uint32_t meanAt(int x, int y) const;
     /// Gives pixels the colours of the finished picture, or takes them away.
     void resolveUpTo(std::size_t pixels);
@@ -71,8 +73,9 @@ private:
     [[nodiscard]] bool isInLog(std::size_t position) const;
     void openWindow(std::size_t position);
     void clear();
-    void put(std::uint32_t sample, const StepEffect::State& state);
-    /// Makes pixels of the samples that were put.
+    /// All pixels are to be made anew.
+    void touchAll();
+    /// Makes pixels of the samples that this move has changed.
     void show();
 
     std::shared_ptr<const StepRecord> m_record; ///< null: the log is all there is
@@ -80,9 +83,7 @@ private:
     std::size_t m_position = 0;
     QImage m_image;
     FramePlanes m_planes;
-    std::vector<RowRange> m_touched; ///< of each row of pixels
-    std::size_t m_resolved = 0;      ///< pixels, row by row, that have the colours of the finished picture
-    PixelRect m_changed;
+    std::size_t m_resolved = 0; ///< pixels, row by row, that have the colours of the finished picture
 };
 
 } // namespace rasterlens

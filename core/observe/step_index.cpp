@@ -7,7 +7,7 @@ namespace rasterlens
 namespace
 {
 
-constexpr std::size_t kMostPoints = 2048;
+constexpr std::size_t kMostPoints = 4096;
 
 constexpr StepStop::Kind kMarkedStops[] = {StepStop::Kind::SignChange, StepStop::Kind::Tie, StepStop::Kind::DepthFail,
                                            StepStop::Kind::Clip, StepStop::Kind::NonFinite};

@@ -13,9 +13,9 @@ namespace rasterlens
 
 /// What a record may keep, and how much it makes anew at a time.
 struct RecordMemory {
-    std::uint64_t workBetween = 1 << 15;             ///< samples and faces between resume points, if there is room
+    std::uint64_t workBetween = 1 << 13;             ///< samples and faces between resume points, if there is room
     std::size_t history = std::size_t(72) << 20;     ///< bytes of the frames at resume points
-    std::size_t windowEvents = std::size_t(1) << 15; ///< events of a window
+    std::size_t windowEvents = std::size_t(1) << 13; ///< events of a window
 };
 
 /// A moment from which a frame can be drawn on: before a face, between two samples of a triangle, or, once all faces
@@ -26,6 +26,9 @@ struct ResumePoint {
     std::size_t triangle = 0; ///< of that face: how many were drawn before it
     /// How often the algorithm had called for the triangle (CountedStage): 0 stands for the moment before the face.
     std::uint64_t calls = 0;
+    /// The row or column of samples at which the algorithm was (skipsLine()), and `calls` at its beginning.
+    int line = std::numeric_limits<int>::min();
+    std::uint64_t callsBeforeLine = 0;
     bool resolves = false; ///< all faces are drawn, and so many pixels as `calls` are made
     Statistics statistics;
 

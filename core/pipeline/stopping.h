@@ -16,4 +16,17 @@ template <class Emit>
         return false;
 }
 
+/// Whether a row or column of samples is to be left out, since it was drawn before the moment from which the triangle
+/// is drawn on. Algorithms ask at each of their lines, in the order of its number, and tell nothing of one left out.
+///
+/// in  emit  as for isStopped(); one without a member skipsLine() leaves out none
+template <class Emit>
+[[nodiscard]] bool skipsLine(Emit& emit, int line)
+{
+    if constexpr (requires { emit.skipsLine(line); })
+        return emit.skipsLine(line);
+    else
+        return false;
+}
+
 } // namespace rasterlens

@@ -34,7 +34,7 @@ struct ColumnFill {
                                           ColumnWalker(corners[2], corners[0])};
         const auto [first, last] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
         for (int x = first; x <= std::min(last, rules.columns() - 1) && !isStopped(emit); ++x) {
-            if (x >= 0)
+            if (x >= 0 && !skipsLine(emit, x))
                 fillColumn(columnOf(x, edges), triangle, rules, emit, observer);
             for (ColumnWalker& edge : edges)
                 if (edge.holds(x) && !edge.isVertical())

@@ -101,6 +101,8 @@ private:
         const Steps<T> steps(setup);
         Values<T> row = steps.first;
         for (int y = box.y; y < box.y + box.height && !isStopped(emit); ++y, step(row, steps.perRow)) {
+            if (skipsLine(emit, y))
+                continue;
             Values<T> e = row;
             for (int x = box.x; x < box.x + box.width; ++x, step(e, steps.perColumn)) {
                 const bool covered = inside(e, setup);
@@ -184,7 +186,9 @@ private:
     static void coverByRules(const TriangleSetup<T>& setup, const Rules& rules, Emit& emit, Observer& observer)
     {
         const PixelRect box = rules.samplesTruncated ? wholePixels(setup.bounds, rules.sampleGrid) : setup.bounds;
-        for (int y = box.y; y < box.y + box.height && !isStopped(emit); ++y)
+        for (int y = box.y; y < box.y + box.height && !isStopped(emit); ++y) {
+            if (skipsLine(emit, y))
+                continue;
             for (int x = box.x; x < box.x + box.width; ++x) {
                 Values<T> e;
                 bool allNegative = rules.insideTest == InsideTest::EitherSign;
@@ -198,6 +202,7 @@ private:
                 if (covered)
                     emit(x, y);
             }
+        }
     }
 
     /// Evaluates the edge functions anew at every sample.
@@ -206,7 +211,9 @@ private:
     {
         const PixelRect& box = setup.bounds;
         const auto& edges = setup.edges;
-        for (int y = box.y; y < box.y + box.height && !isStopped(emit); ++y)
+        for (int y = box.y; y < box.y + box.height && !isStopped(emit); ++y) {
+            if (skipsLine(emit, y))
+                continue;
             for (int x = box.x; x < box.x + box.width; ++x) {
                 const Point<T> p = TriangleSetup<T>::centre(x, y);
                 const Values<T> e{edges[0].at(p), edges[1].at(p), edges[2].at(p)};
@@ -215,6 +222,7 @@ private:
                 if (covered)
                     emitWithEdges(x, y, e, emit);
             }
+        }
     }
 };
 

@@ -323,6 +323,8 @@ private:
                          const TriangleSetup<T>& setup, const ScreenTriangle& triangle, const Rules& rules, Emit& emit,
                          Observer& observer)
     {
+        if (skipsLine(emit, y))
+            return;
         const bool longIsLeft = s.longEdgeIsLeft || !rules.spanEndsSorted;
         const EdgeWalker<T>& leftEdge = longIsLeft ? longEdge : shortEdge;
         const EdgeWalker<T>& rightEdge = longIsLeft ? shortEdge : longEdge;

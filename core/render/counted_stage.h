@@ -37,6 +37,7 @@ public:
             m_stage.finish();
     }
 
+    [[nodiscard]] bool skipsLine(int line) { return !kDrawsPixels && m_recorder->skipsLine(line); }
     [[nodiscard]] bool stopped() const { return m_stage.stopped(); }
 
 private:

@@ -241,18 +241,9 @@ void CanvasViews::showStage(Stage stage)
     }
 }
 
-bool CanvasViews::wantsOwners() const
-{
-    const OverlayOptions& options = m_viewport.overlays();
-    const bool aboutPixel = options.outline || options.barycentric || options.midLine;
-    return m_facingOn || (m_viewport.selectedPixel() && aboutPixel);
-}
-
-void CanvasViews::setFrame(const FramePtr& frame, Owners owners)
+void CanvasViews::setFrame(const FramePtr& frame)
 {
     m_frame = frame;
-    m_askOwners = std::move(owners);
-    m_owners.clear();
     follow();
 }
 
@@ -268,8 +259,6 @@ std::span<const std::int32_t> CanvasViews::owners() const
         return {};
     const QSize size = m_frame->frame.image.size();
     const auto pixels = std::size_t(size.width()) * std::size_t(size.height());
-    if (m_owners.size() == pixels)
-        return m_owners;
     if (m_frame->counted && m_frame->frame.ids.size() == pixels)
         return m_frame->frame.ids;
     return {};
@@ -298,8 +287,6 @@ void CanvasViews::follow()
 {
     if (!m_frame)
         return;
-    if (m_askOwners && wantsOwners())
-        m_owners = std::exchange(m_askOwners, nullptr)();
     m_geometry.setWinner(owner());
     m_geometry.setTiles(double(tileSide()) / sampleGrid(m_frame->settings.samples), m_frame->frame.image.size());
     followFaces();

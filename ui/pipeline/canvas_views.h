@@ -10,7 +10,6 @@
 #include <QStringList>
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -82,12 +81,8 @@ public:
     /// Shows the data of a stage, or the colours where that is what is shown already.
     void showStage(Stage stage);
 
-    /// The face that owns each pixel, -1 none.
-    using Owners = std::function<std::vector<std::int32_t>()>;
     /// The picture on the canvas.
-    ///
-    /// in  `owners`: asked for once if they are needed; null: the frame knows them
-    void setFrame(const FramePtr& frame, Owners owners = nullptr);
+    void setFrame(const FramePtr& frame);
     /// Pictures are compared: facings are not shown.
     void setCompared(bool on);
 
@@ -120,7 +115,6 @@ private:
     void syncActions();
     [[nodiscard]] std::optional<std::uint32_t> owner() const;
     [[nodiscard]] std::span<const std::int32_t> owners() const;
-    [[nodiscard]] bool wantsOwners() const;
     [[nodiscard]] bool wantsFaces() const;
 
     Document& m_document;
@@ -136,8 +130,6 @@ private:
     std::optional<Stage> m_stage;                   ///< its data is shown, and nothing else has been chosen since
     bool OverlayOptions::*m_stageOverlay = nullptr; ///< laid over the picture for a stage
     FramePtr m_frame;
-    Owners m_askOwners;                 ///< of a step, as long as they are not needed
-    std::vector<std::int32_t> m_owners; ///< of a step
     std::optional<Key> m_facesKey;
     std::optional<Key> m_weightsKey;
     LatestResult<std::shared_ptr<const ScreenFaces>> m_facesJob; ///< last: their threads use the members above

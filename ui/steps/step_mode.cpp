@@ -17,22 +17,36 @@ namespace rasterlens
 namespace
 {
 
-std::size_t pixelCount(const QImage& image) { return std::size_t(image.width()) * std::size_t(image.height()); }
-
-/// What each pixel has in a plane of the samples: that of the sample nearest its centre.
+/// Writes what the pixels of a row have in a plane of the samples: that of the sample nearest their centres.
 template <class T>
-void copyOfPixels(const StepCursor& cursor, std::span<const T> samples, T* to)
+void copyRow(const StepCursor& cursor, std::span<const T> samples, int y, StepCursor::RowRange pixels, T* to)
 {
     const int grid = cursor.log().grid();
-    const auto columns = std::size_t(cursor.log().columns());
-    const QSize size = cursor.image().size();
-    if (grid == 1) {
-        std::copy_n(samples.begin(), pixelCount(cursor.image()), to);
-        return;
+    const T* from = samples.data() + std::size_t(y * grid + grid / 2) * std::size_t(cursor.log().columns());
+    T* row = to + std::size_t(y) * std::size_t(cursor.image().width());
+    for (int x = pixels.left; x <= pixels.right; ++x)
+        row[x] = from[x * grid + grid / 2];
+}
+
+/// Brings the picture, depths and owners of a frame up to the cursor, where these have changed since `turn`.
+void copyChanges(const StepCursor& cursor, std::uint32_t turn, Frame& frame)
+{
+    const QImage& image = cursor.image();
+    const auto pixels = std::size_t(image.width()) * std::size_t(image.height());
+    if (frame.image.size() != image.size())
+        frame.image = QImage(image.size(), image.format());
+    float* const depths = frame.depth.write(pixels);
+    frame.ids.resize(pixels);
+    const std::vector<StepCursor::RowRange> rows = cursor.changedSince(turn);
+    for (int y = 0; y < image.height(); ++y) {
+        const StepCursor::RowRange changed = rows[std::size_t(y)];
+        if (changed.left > changed.right)
+            continue;
+        std::copy_n(reinterpret_cast<const QRgb*>(image.constScanLine(y)) + changed.left,
+                    changed.right - changed.left + 1, reinterpret_cast<QRgb*>(frame.image.scanLine(y)) + changed.left);
+        copyRow(cursor, cursor.sampleDepths(), y, changed, depths);
+        copyRow(cursor, cursor.sampleOwners(), y, changed, frame.ids.data());
     }
-    for (int y = 0; y < size.height(); ++y)
-        for (int x = 0; x < size.width(); ++x)
-            *to++ = samples[std::size_t(y * grid + grid / 2) * columns + std::size_t(x * grid + grid / 2)];
 }
 
 } // namespace
@@ -126,31 +140,19 @@ FramePtr StepMode::frame()
     const StepCursor* cursor = m_session.cursor();
     if (!cursor || m_session.isRecording())
         return nullptr;
-    // The memory of the picture before the last, which is not shown any more, is used again.
-    std::swap(m_frame, m_formerFrame);
-    if (!m_frame || m_frame.use_count() > 1)
-        m_frame = std::make_shared<RenderedFrame>();
-    RenderedFrame& frame = *m_frame;
+    // The picture before the last is not shown any more, and little of it is out of date.
+    std::swap(m_shown, m_formerShown);
+    if (!m_shown.frame || m_shown.frame.use_count() > 1)
+        m_shown = {std::make_shared<RenderedFrame>()};
+    if (std::exchange(m_shown.record, m_session.recordNumber()) != m_session.recordNumber())
+        m_shown.turn = 0;
+    RenderedFrame& frame = *m_shown.frame;
     frame.scene = m_session.document().scene();
     frame.settings = m_session.settings();
-    const QImage& image = cursor->image();
-    if (frame.frame.image.size() != image.size())
-        frame.frame.image = QImage(image.size(), image.format());
-    std::copy_n(image.constBits(), image.sizeInBytes(), frame.frame.image.bits());
-    copyOfPixels(*cursor, cursor->sampleDepths(), frame.frame.depth.write(pixelCount(image)));
+    copyChanges(*cursor, std::exchange(m_shown.turn, cursor->turn()), frame.frame);
     frame.statistics = cursor->counters();
     frame.counted = true;
-    return m_frame;
-}
-
-std::vector<std::int32_t> StepMode::owners() const
-{
-    const StepCursor* cursor = m_session.cursor();
-    if (!cursor)
-        return {};
-    std::vector<std::int32_t> owners(pixelCount(cursor->image()));
-    copyOfPixels(*cursor, cursor->sampleOwners(), owners.data());
-    return owners;
+    return m_shown.frame;
 }
 
 std::optional<std::size_t> StepMode::moment() const

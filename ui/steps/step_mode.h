@@ -40,14 +40,11 @@ public:
     [[nodiscard]] const SampleLens& sampleLens() const { return m_sampleLens; }
     [[nodiscard]] const MomentOverlay& geometry() const { return m_geometry; }
 
-    /// The picture at the position, with its counters; null when it is the document's own that is to be shown, as while
-    /// a change is recorded: motion stays visible.
+    /// The picture at the position, with depths, owners and counters; null when it is the document's own that is to be
+    /// shown, as while a change is recorded: motion stays visible.
     [[nodiscard]] FramePtr frame();
     /// The step after which that frame is; nothing: the finished frame is shown.
     [[nodiscard]] std::optional<std::size_t> moment() const;
-
-    /// The face that owns each pixel of that frame, -1 none; empty without a record.
-    [[nodiscard]] std::vector<std::int32_t> owners() const;
 
     /// Opens the step mode and goes there as soon as the record is there; to its end where it has no such place.
     void showPlace(const StepPlace& place);
@@ -83,6 +80,13 @@ private:
     void syncSelection();
     void followStep();
 
+    /// A frame that was handed out, and which moment of which record it shows.
+    struct Shown {
+        std::shared_ptr<RenderedFrame> frame;
+        std::uint64_t record = 0; ///< StepSession::recordNumber()
+        std::uint32_t turn = 0;   ///< StepCursor::turn()
+    };
+
     StepSession m_session;
     ViewportWidget& m_viewport;
     SampleLens m_sampleLens;
@@ -91,9 +95,9 @@ private:
     TransportDock* m_transport = nullptr;
     StepListing* m_listing = nullptr;
     QMainWindow& m_window;
-    std::shared_ptr<RenderedFrame> m_frame;       ///< last handed out
-    std::shared_ptr<RenderedFrame> m_formerFrame; ///< before that
-    std::optional<StepPlace> m_wanted;            ///< where to go when the record is there
+    Shown m_shown;                     ///< last handed out
+    Shown m_formerShown;               ///< before that
+    std::optional<StepPlace> m_wanted; ///< where to go when the record is there
     /// The face and pixel to go to when the record is there.
     std::optional<std::pair<quint32, QPoint>> m_wantedFace;
 };

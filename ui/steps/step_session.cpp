@@ -104,6 +104,7 @@ void StepSession::take(std::shared_ptr<const StepRecord> record)
     m_finder.reset();
     m_cursor.reset();
     m_record = std::move(record);
+    ++m_recordNumber;
     try {
         m_cursor = std::make_unique<StepCursor>(m_record);
         m_finder = std::make_unique<StepFinder>(m_record);

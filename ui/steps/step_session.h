@@ -48,6 +48,8 @@ public:
     [[nodiscard]] const Settings& settings() const { return m_settings; }
     /// The record; null where there is none (yet).
     [[nodiscard]] const std::shared_ptr<const StepRecord>& record() const { return m_record; }
+    /// Different for each record there was.
+    [[nodiscard]] std::uint64_t recordNumber() const { return m_recordNumber; }
     /// Its window about the position; null without a record.
     [[nodiscard]] std::shared_ptr<const StepLog> log() const { return m_cursor ? m_cursor->sharedLog() : nullptr; }
     /// The position in that window.
@@ -136,6 +138,7 @@ private:
     Settings m_settings;                  ///< of the record
     bool m_open = false;
     std::shared_ptr<const StepRecord> m_record;
+    std::uint64_t m_recordNumber = 0;
     std::unique_ptr<StepCursor> m_cursor;
     std::unique_ptr<StepFinder> m_finder;
     LookedAt m_lookedAt;

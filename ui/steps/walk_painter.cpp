@@ -122,7 +122,12 @@ private:
             const QPolygonF area = half(isUpper);
             const QPointF middle = (area[0] + area[1] + area[2]) / 3;
             const QPointF size(metrics.horizontalAdvance(name) + 16, metrics.lineSpacing() + 10);
-            paintPlate(m_view.painter, m_view.canvas, middle - size / 2, {name}, font);
+            QPointF corner = middle - size / 2;
+            if (hasUpper() && hasLower()) { // each on its side of the cut, also where the halves are lower than a name
+                const double cut = m_view.at(m_walk.vertices[1]).y();
+                corner.setY(isUpper ? std::min(corner.y(), cut - size.y() - 1) : std::max(corner.y(), cut + 1));
+            }
+            paintPlate(m_view.painter, m_view.canvas, corner, {name}, font);
         }
     }
 

@@ -476,7 +476,7 @@ void MainWindow::showFrame()
     if (!frame)
         return;
     m_truth->showOnCanvas(frame, step != nullptr);
-    m_views->setFrame(frame, step ? [this] { return m_stepMode->owners(); } : CanvasViews::Owners());
+    m_views->setFrame(frame);
     m_stageStrip->setFrame(frame);
     const StepEvent* event = step ? m_stepMode->session().event() : nullptr;
     m_stageStrip->setCurrent(event ? std::optional(stageOf(event->kind)) : std::nullopt);

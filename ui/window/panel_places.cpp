@@ -166,22 +166,41 @@ void PanelPlaces::follow()
     if (m_arranged)
         return;
     noteOpen();
-    if (m_narrow != isNarrow())
+    const QDockWidget* tab = openTab();
+    if (m_narrow != isNarrow() || (areStatisticsTab() && (!tab || hasRoomForStatistics(tab))))
         arrange();
     sizeColumns();
 }
 
-void PanelPlaces::sizeColumns()
+/// The panel that is open beside the pixel card; null: none.
+QDockWidget* PanelPlaces::openTab() const
 {
     const auto isOpen = [this](const QDockWidget* dock) { return m_open.contains(dock) && !dock->isFloating(); };
+    const auto tab = std::ranges::find_if(m_tabs, isOpen);
+    return m_atBottom || tab == m_tabs.end() ? nullptr : *tab;
+}
+
+/// In a wide window, whose statistics have a place of their own.
+bool PanelPlaces::areStatisticsTab() const
+{
+    return !m_narrow && m_window.tabifiedDockWidgets(m_columns.card).contains(m_columns.statistics);
+}
+
+/// Whether the column is so high that a panel has the height it asks for and the statistics what they need.
+bool PanelPlaces::hasRoomForStatistics(const QDockWidget* dock) const
+{
+    return m_canvas.height() >= dock->sizeHint().height() + m_columns.statistics->minimumSizeHint().height();
+}
+
+void PanelPlaces::sizeColumns()
+{
     const int scene = std::min(kSceneWidth, m_window.width() / 4);
-    if (!m_atBottom)
-        if (const auto tab = std::ranges::find_if(m_tabs, isOpen); tab != m_tabs.end()) {
-            if (!m_narrow)
-                m_window.resizeDocks({m_columns.scene}, {scene}, Qt::Horizontal);
-            makeRoom(*tab);
-            return;
-        }
+    if (QDockWidget* tab = openTab()) {
+        if (!m_narrow)
+            m_window.resizeDocks({m_columns.scene}, {scene}, Qt::Horizontal);
+        makeRoom(tab);
+        return;
+    }
     if (m_narrow) {
         m_window.resizeDocks({m_columns.scene}, {kStatisticsWidth}, Qt::Horizontal);
         return;
@@ -272,8 +291,9 @@ void PanelPlaces::visibilityChanged(QDockWidget* dock)
         if (isOpen) {
             m_growing = dock;
             makeRoom(dock);
-        } else if (m_open.isEmpty() && !m_arranged)
-            sizeColumns();
+        } else if (m_open.isEmpty()) {
+            follow();
+        }
         limit();
     });
 }
@@ -302,8 +322,16 @@ void PanelPlaces::makeRoom(QDockWidget* dock)
     const int least = std::min(kTabWidth, spare);
     const int width = std::clamp(dock->width(), least, std::max(least, spare));
     m_window.resizeDocks({dock}, {width}, Qt::Horizontal);
-    if (!m_narrow && !m_columns.statistics->isHidden())
+    if (m_narrow || m_columns.statistics->isHidden() || areStatisticsTab())
+        return;
+    if (m_arranged || hasRoomForStatistics(dock)) {
         m_window.resizeDocks({dock, m_columns.statistics}, {m_window.height(), 1}, Qt::Vertical);
+        return;
+    }
+    quietly([this, dock] {
+        m_window.tabifyDockWidget(m_columns.card, m_columns.statistics);
+        dock->raise();
+    });
 }
 
 /// Panels below the canvas leave it half of the window's height; where that is not enough for them, they go beside it.

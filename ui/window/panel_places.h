@@ -17,7 +17,8 @@ namespace rasterlens
 
 /// Where the panels lie and which keys open them. Three have their columns: the scene, the statistics and the pixel
 /// card. The others are tabs beside the pixel card, or below the canvas where the user wants them there, and then never
-/// so high that the canvas has less than half of the window's height.
+/// so high that the canvas has less than half of the window's height. The statistics lie below the card and its tabs,
+/// or are one of the tabs while a panel is open that needs the height.
 class PanelPlaces : public QObject
 {
     Q_OBJECT
@@ -79,6 +80,9 @@ private:
     void noteOpen();
     void visibilityChanged(QDockWidget* dock);
     void makeRoom(QDockWidget* dock);
+    [[nodiscard]] QDockWidget* openTab() const;
+    [[nodiscard]] bool areStatisticsTab() const;
+    [[nodiscard]] bool hasRoomForStatistics(const QDockWidget* dock) const;
     void limit();
     void syncActions();
 
