@@ -123,7 +123,7 @@ Found pixelsOfEvents(MomentFacts& facts, std::uint32_t face, StepKind kind, std:
         if (const StepEvent& event = log.event(at); event.face == face && event.has(flag))
             pixels.emplace_back(event.x / log.grid(), event.y / log.grid());
     std::ranges::sort(pixels, {}, [](QPoint p) { return std::pair(p.y(), p.x()); });
-    pixels.erase(std::ranges::unique(pixels).begin(), pixels.end());
+    pixels.erase(std::unique(pixels.begin(), pixels.end()), pixels.end()); // clang 14 makes no subrange of std::ranges
     return found(std::move(pixels));
 }
 

@@ -16,7 +16,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <ranges>
 
 namespace rasterlens
 {
@@ -158,9 +157,9 @@ QString CompareBar::settingsText(std::size_t most) const
         return tr("A and B have the same settings: change one, or pin A and go on");
     QStringList a;
     QStringList b;
-    for (const auto& difference : differences | std::views::take(most)) {
-        a << tr("%1: %2").arg(difference.title, difference.a).toHtmlEscaped();
-        b << tr("%1: %2").arg(difference.title, difference.b).toHtmlEscaped();
+    for (std::size_t i = 0; i < std::min(most, differences.size()); ++i) {
+        a << tr("%1: %2").arg(differences[i].title, differences[i].a).toHtmlEscaped();
+        b << tr("%1: %2").arg(differences[i].title, differences[i].b).toHtmlEscaped();
     }
     if (differences.size() > most)
         b << tr("%1 more").arg(differences.size() - most);
