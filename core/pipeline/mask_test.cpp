@@ -23,7 +23,7 @@ float opacityAt(const MaskTest& test, const FaceInterpolation& interpolation, co
                 const Weights& weights)
 {
     const auto& [a, b, c] = interpolation.triangle().vertices;
-    const auto at = [&](std::size_t k) {
+    const auto at = [&, &a = a, &b = b, &c = c](std::size_t k) { // clang 14 wants bindings by name
         return static_cast<float>(weights[0] * a.varyings[k] + weights[1] * b.varyings[k] + weights[2] * c.varyings[k]);
     };
     const glm::vec2 uv(at(test.uv), at(test.uv + 1));

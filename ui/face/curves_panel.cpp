@@ -236,7 +236,7 @@ void CurvesPanel::paintBoard(QPainter& painter, const QRectF& where) const
         font.setBold(bold);
         painter.setFont(font);
         const QRectF box(where.left() + i * column, y, column, row);
-        painter.drawText(box, (i == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter, content);
+        painter.drawText(box, static_cast<int>((i == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter), content);
     };
     const auto heading = [&](int i, const QString& content) {
         painter.setPen(text);

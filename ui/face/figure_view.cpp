@@ -156,7 +156,8 @@ void FigureView::paintAxes(QPainter& painter) const
 void FigureView::paintXAxis(QPainter& painter, const QRectF& below) const
 {
     const bool hasTicks = !m_figure.xTicks.empty();
-    painter.drawText(below, (hasTicks ? Qt::AlignRight : Qt::AlignHCenter) | Qt::AlignTop, m_figure.xName);
+    painter.drawText(below, static_cast<int>((hasTicks ? Qt::AlignRight : Qt::AlignHCenter) | Qt::AlignTop),
+                     m_figure.xName);
     for (const FigureTick& tick : m_figure.xTicks) {
         const double x = below.left() + m_figure.partOfWidth(tick.at) * below.width();
         constexpr double kTick = 4;

@@ -212,8 +212,8 @@ void LensOverlay::paintNumbers(LensView& view) const
         if (!cell.hasValues)
             continue;
         QString text = lensCellText(setup, cell);
-        const auto widthOf = [&] {
-            return cell.tie ? wordMetrics.horizontalAdvance(text) : digit * double(text.size());
+        const auto widthOf = [&, isTie = cell.tie] {
+            return isTie ? wordMetrics.horizontalAdvance(text) : digit * double(text.size());
         };
         const double room = box.width() - 3;
         // The glyph says that it is a tie, and whose it is counts most; of a long number the first digits are enough.

@@ -59,6 +59,7 @@ public:
     /// 0 is the cleared frame, size() the end of the record.
     [[nodiscard]] std::size_t position() const { return m_cursor ? m_cursor->position() : 0; }
     [[nodiscard]] std::size_t size() const { return m_record ? m_record->size() : 0; }
+    using QObject::event;
     /// What happened last; null at position 0 and without a record.
     [[nodiscard]] const StepEvent* event() const { return m_cursor ? m_cursor->lastEvent() : nullptr; }
     /// The screen triangle that is looked at: that of the present event or, before coverage begins, the next triangle
