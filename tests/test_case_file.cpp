@@ -34,6 +34,7 @@ private Q_SLOTS:
     void everyDirective();
     void numbers();
     void nonFinitePositionsAreKept();
+    void textures();
     void notes();
     void anyLocale();
     void broken_data();
@@ -130,6 +131,39 @@ void TestCaseFile::nonFinitePositionsAreKept()
     QVERIFY(std::isfinite(load.scene->bounds.radius) && std::isfinite(load.scene->bounds.center.x));
 }
 
+void TestCaseFile::textures()
+{
+    const QByteArray kCorner = " 0 0 0 1 1 0 0 0.25 -2 ";
+    const SceneLoad load = parse("size 1 1\ntexture checker 3\ntexture_filter trilinear\ntriuv" + kCorner + kCorner +
+                                 " 0 0 0 1 1 0 0 16777216 0x1p-3\n");
+    QVERIFY2(load.scene && load.diagnostics.empty(), qPrintable(textOf(load.diagnostics)));
+    QVERIFY(load.scene->defaults.shading == Shading::Texture);
+    QVERIFY(load.scene->defaults.textureFilter == TextureFilter::Trilinear);
+    const Texture& checker = load.scene->textures.at(0);
+    QCOMPARE(checker.width, 3);
+    QCOMPARE(checker.height, 3);
+    QCOMPARE(checker.texels[0], 0xffe6e6e6U);
+    QCOMPARE(checker.texels[1], 0xff283c78U);
+    QCOMPARE(checker.texels[3], 0xff283c78U);
+    QCOMPARE(load.scene->materials.front().texture, 0);
+    QVERIFY(load.scene->mesh.vertices[0].uv == glm::vec2(0.25F, -2));
+    QVERIFY(load.scene->mesh.vertices[2].uv == glm::vec2(16777216, 0.125F));
+
+    // An image lies beside the case; its lower row is row 0.
+    const Folder folder;
+    QImage image(2, 3, QImage::Format_RGB32);
+    image.fill(qRgb(10, 20, 30));
+    image.setPixel(1, 2, qRgb(200, 100, 50));
+    QVERIFY(image.save(folder.path(QStringLiteral("two by three.png"))));
+    const QString path = folder.write(QStringLiteral("a.case"), "size 1 1\ntexture two by three.png\n" + kTri);
+    const SceneLoad withImage = loadCase(path);
+    QVERIFY2(withImage.scene, qPrintable(textOf(withImage.diagnostics)));
+    const Texture& texture = withImage.scene->textures.at(0);
+    QCOMPARE(texture.width, 2);
+    QCOMPARE(texture.height, 3);
+    QCOMPARE(texture.texels[1], 0xffc86432U);
+}
+
 void TestCaseFile::notes()
 {
     QCOMPARE(parse("# of the file \n# more\nsize 1 1\n").scene->note, QStringLiteral("of the file"));
@@ -172,7 +206,8 @@ void TestCaseFile::broken_data()
     row("exact with a value", "size 1 1\nexact yes\n", 2, "exact: 1 values; none expected");
     row("cull", "size 1 1\ncull sideways\n", 2, "\"sideways\" is not one of back, front, none");
     row("cull without", "size 1 1\ncull\n", 2, "cull: 0 values; one expected");
-    row("depth test", "size 1 1\ndepth_test never\n", 2, "\"never\" is not one of less, lequal, greater, none");
+    row("depth test", "size 1 1\ndepth_test never\n", 2,
+        "\"never\" is not one of less, lequal, equal, gequal, greater, notequal, none");
     row("depth format", "size 1 1\ndepth_format float16\n", 2, "\"float16\" is not one of float32, unorm16, unorm24");
     row("zrange", "size 1 1\nzrange vulkan\n", 2, "\"vulkan\" is not one of gl, d3d");
     row("ssaa", "size 1 1\nssaa 5\n", 2, "\"5\" is not a whole number from 1 to 4");
@@ -183,6 +218,15 @@ void TestCaseFile::broken_data()
     row("window outside", "window 4 4 5 4\nsize 8 8\n", 1, "not within the size 8 x 8");
     row("window empty", "size 8 8\nwindow 4 4 0 4\n", 2, "window: it is empty");
     row("tri of 20", "size 1 1\ntri 0 0 0 1 1 0 0  1 0 0 1 0 1 0  0 1 0 1 0 0\n", 2, "tri: 20 values; 21");
+    row("texture without", "size 1 1\ntexture\n", 2, "the name of an image, is expected");
+    row("texture without a size", "size 1 1\ntexture checker\n", 2, "texture: 0 values; one expected");
+    row("texture too large", "size 1 1\ntexture checker 1025\n", 2, "\"1025\" is not a whole number from 1 to 1024");
+    row("texture that is not there", "size 1 1\ntexture no.png\n", 2, "there is no such file");
+    row("texture filter", "size 1 1\ntexture_filter cubic\n", 2,
+        "\"cubic\" is not one of nearest, bilinear, trilinear");
+    row("triuv of 21", "size 1 1\ntriuv" + kTri.mid(3), 2, "triuv: 21 values; 27");
+    row("triuv with nan", "size 1 1\ntriuv 0 0 0 1 1 0 0 nan 0  1 0 0 1 0 1 0 0 0  0 1 0 1 0 0 1 0 0\n", 2,
+        "not finite");
     row("tri of 22", "size 1 1\n" + kTri.trimmed() + " 1\n", 2, "tri: 22 values; 21");
     row("tri with a word", "size 1 1\ntri zero" + kTri.mid(5), 2, "\"zero\" is not a number");
     row("tri too large", "size 1 1\ntri 1e39" + kTri.mid(5), 2, "\"1e39\" is beyond the range of float32");

@@ -32,6 +32,7 @@ private Q_SLOTS:
     void diffKnowsNan();
     void diffAsJson();
     void colorTagsAreNamed();
+    void countsOfSamples();
     void devicesAndPipesAreWrittenInto();
     void sessionThatContradictsItsScene();
     void sessionOfANewerVersion();
@@ -187,6 +188,37 @@ void TestCliFiles::colorTagsAreNamed()
     QVERIFY2(info.err.endsWith(QLatin1String("t.png: warning: ") + said), qPrintable(info.err));
     QCOMPARE(call(QStringLiteral("diff t.png t.png")).err, QString(QLatin1String("t.png: ") + said).repeated(2));
     QCOMPARE(call(QStringLiteral("render textured.obj --size 4x4")).err, QString());
+}
+
+/// The triangle of a.case is the right half of (0, 6), (4, 6), (4, 0): every sample as its three edges have it.
+void TestCliFiles::countsOfSamples()
+{
+    const Run run = call(QStringLiteral("render a.case --samples msaa4 --no-picture --sample-coverage s.npy"));
+    QVERIFY2(run.exitCode == 0, qPrintable(run.err));
+    const NpyRead read = readNpy(readFile(path("s.npy")));
+    QVERIFY2(read.array, qPrintable(read.error));
+    QCOMPARE(read.array->type, QStringLiteral("<u2"));
+    QCOMPARE(read.array->shape, (std::vector<qint64>{4, 6, 8}));
+    const auto& counts = std::get<std::vector<double>>(read.array->values);
+    constexpr int kOffsets[4][2] = {{-2, -6}, {6, -2}, {-6, 2}, {2, 6}};
+    for (int sample = 0; sample < 4; ++sample)
+        for (int y = 0; y < 6; ++y)
+            for (int x = 0; x < 8; ++x) {
+                const double px = x + 0.5 + kOffsets[sample][0] / 16.0;
+                const double py = y + 0.5 + kOffsets[sample][1] / 16.0;
+                const bool inside = px < 4 && 6 * px + 4 * py > 24; // no sample lies on an edge
+                QCOMPARE(counts[std::size_t((sample * 6 + y) * 8 + x)], inside ? 1.0 : 0.0);
+            }
+    writeFile(path("m.case"), readFile(path("a.case")) + "samples msaa16\n");
+    QCOMPARE(call(QStringLiteral("render m.case --no-picture --sample-coverage m.npy")).exitCode, 0);
+    QCOMPARE(readNpy(readFile(path("m.npy"))).array->shape, (std::vector<qint64>{16, 6, 8}));
+    const Run tiled = call(QStringLiteral("render a.case --algorithm tiled --samples 2x2 --sample-coverage t.npy"));
+    QCOMPARE(tiled.exitCode, 2);
+    QVERIFY2(tiled.err.contains(QLatin1String("--sample-coverage: algorithm tiled")), qPrintable(tiled.err));
+    QVERIFY(!QFileInfo::exists(path("t.npy")));
+    const Run patterns = call(QStringLiteral("render a.case --algorithm tiled --samples msaa4"));
+    QCOMPARE(patterns.exitCode, 2);
+    QVERIFY2(patterns.err.contains(QLatin1String("not yet the patterns")), qPrintable(patterns.err));
 }
 
 void TestCliFiles::devicesAndPipesAreWrittenInto()

@@ -61,6 +61,7 @@ void TestDepth::unormValuesAreDistinctAndInOrder_data()
 {
     QTest::addColumn<int>("format");
     QTest::addColumn<int>("codes");
+    QTest::newRow("unorm8") << int(DepthFormat::Unorm8) << (1 << 8);
     QTest::newRow("unorm16") << int(DepthFormat::Unorm16) << (1 << 16);
     QTest::newRow("unorm24") << int(DepthFormat::Unorm24) << (1 << 24);
 }
@@ -112,6 +113,8 @@ void TestDepth::comparisons()
     QCOMPARE(results(DepthCompare::LessEqual), (std::array{true, true, false}));
     QCOMPARE(results(DepthCompare::Greater), (std::array{false, false, true}));
     QCOMPARE(results(DepthCompare::GreaterEqual), (std::array{false, true, true}));
+    QCOMPARE(results(DepthCompare::Equal), (std::array{false, true, false}));
+    QCOMPARE(results(DepthCompare::NotEqual), (std::array{true, false, true}));
     QCOMPARE(results(DepthCompare::Always), (std::array{true, true, true}));
 }
 
@@ -125,6 +128,9 @@ void TestDepth::whatIsKept()
     };
     QCOMPARE(kept(DepthTest::Less), 1);
     QCOMPARE(kept(DepthTest::LessEqual), 3);
+    QCOMPARE(kept(DepthTest::Equal), -1);
+    QCOMPARE(kept(DepthTest::NotEqual), 3);
+    QCOMPARE(kept(DepthTest::GreaterEqual), 2);
     QCOMPARE(kept(DepthTest::Greater), 2);
     QCOMPARE(kept(DepthTest::Always), 3);
     QCOMPARE(kept(DepthTest::None), 3);
@@ -134,12 +140,13 @@ void TestDepth::clearValues()
 {
     const Scene nothing = layers({});
     for (const bool reversed : {false, true})
-        for (const DepthTest test :
-             {DepthTest::Less, DepthTest::LessEqual, DepthTest::Greater, DepthTest::Always, DepthTest::None}) {
+        for (const DepthTest test : {DepthTest::Less, DepthTest::LessEqual, DepthTest::GreaterEqual, DepthTest::Greater,
+                                     DepthTest::NotEqual, DepthTest::Always, DepthTest::None}) {
             Settings settings = layerSettings();
             settings.depthTest = test;
             settings.reversedZ = reversed;
-            const float expected = (test == DepthTest::Greater) != reversed ? 0 : 1;
+            const bool nearIsLarger = test == DepthTest::Greater || test == DepthTest::GreaterEqual;
+            const float expected = nearIsLarger != reversed ? 0 : 1;
             const Frame frame = draw(nothing, settings);
             QVERIFY(std::ranges::all_of(frame.depth, [&](float d) { return d == expected; }));
             QVERIFY(std::ranges::all_of(frame.ids, [](std::int32_t id) { return id == -1; }));

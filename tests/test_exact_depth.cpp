@@ -121,6 +121,8 @@ void TestExactDepth::depthTests()
     QCOMPARE(winner(DepthCompare::Greater, 0, {0.5, 0.75, 0.75, 0.25}), 1);
     QCOMPARE(winner(DepthCompare::GreaterEqual, 0, {0.5, 0.75, 0.75, 0.25}), 2);
     QCOMPARE(winner(DepthCompare::Always, 1, {0.5, 0.25, 0.75}), 2);
+    QCOMPARE(winner(DepthCompare::Equal, 1, {0.5, 1, 0.25}), 1);
+    QCOMPARE(winner(DepthCompare::NotEqual, 1, {1, 0.5, 0.5}), 1);
     QCOMPARE(winner(DepthCompare::Less, 1, {1}), -1); // depth 1 is not less than the cleared 1
     QCOMPARE(winner(DepthCompare::LessEqual, 1, {1}), 0);
     QCOMPARE(winner(DepthCompare::Less, 1, {-1}), 0);

@@ -39,7 +39,7 @@ QStringList caseFiles() { return QDir(QStringLiteral(RASTERLENS_CASES)).entryLis
 
 Outcome referenceOutcome(const Scene& scene)
 {
-    return outcomeOf(exactReference(scene, scene.defaults), scene.background);
+    return outcomeOf(caseTruth(scene, scene.defaults.samples), scene.background);
 }
 
 CaseVerdict verdict(const QString& name, const char* variant)
@@ -92,6 +92,14 @@ void TestHardCases::fixedPointPasses_data()
         QTest::newRow(qPrintable(name)) << name;
 }
 
+/// What tests/test_depth_passes.cpp has the reasons of.
+static bool asksForMoreThanTiledDraws(const Scene& scene)
+{
+    const Settings& s = scene.defaults;
+    return scene.secondPassFrom > 0 || s.depthBias.isOn() || !s.depthRange.isWhole() ||
+           s.clipping == Clipping::DepthClamp || s.depthTest == DepthTest::Equal || s.depthTest == DepthTest::NotEqual;
+}
+
 void TestHardCases::fixedPointPasses()
 {
     QFETCH(QString, name);
@@ -99,6 +107,10 @@ void TestHardCases::fixedPointPasses()
     const ExactFrame truth = caseTruth(scene, scene.defaults.samples);
     for (const char* id : {"edge-equation", "edge-walking", "edge-walking-spans", "tiled"}) {
         const CaseVerdict v = judgeCase(scene, truth, changedBy(*findVariant(QLatin1String(id)), scene.defaults));
+        if (QLatin1String(id) == QLatin1String("tiled") && asksForMoreThanTiledDraws(scene)) {
+            QCOMPARE(v.grade, CaseGrade::Unsupported);
+            continue;
+        }
         QVERIFY2(v.grade == CaseGrade::Passes || v.grade == CaseGrade::PassesWithin,
                  qPrintable(QLatin1String(id) + QStringLiteral(": ") + textOf(v.reasons)));
     }

@@ -96,7 +96,7 @@ void TestLessonWindow::compareWithSlide(const Moment& moment)
     StepSession& session = m_window->stepMode().session();
     QCOMPARE(session.isOpen(), moment.step.has_value());
     if (moment.step)
-        QCOMPARE(session.position(), *positionOf(*moment.step, session.record()));
+        QCOMPARE(session.position(), *positionOf(*moment.step, *session.log()));
     QCOMPARE(viewport().selectedPixel(), moment.pixel);
     Comparison& comparison = m_window->truthMode().comparison();
     QCOMPARE(static_cast<int>(comparison.view()), static_cast<int>(moment.compare.view));

@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+#include <array>
+#include <map>
 #include <set>
 
 using namespace rasterlens;
@@ -69,6 +71,12 @@ private Q_SLOTS:
     void samplesOffTheTargetAreDropped();
     void attributesRunAlongTheLine();
     void linesAreNotHitsAtAnEdge();
+    void diamondExitOfMoltenVK();
+    void diamondExitIsItsDefinition();
+    void stripsHaveNoSampleTwice_data();
+    void stripsHaveNoSampleTwice();
+    void canonicalTiesKnowNoDirection();
+    void accuracyOfTheRules();
 };
 
 void TestLines::nearestSamplesInAllOctants_data()
@@ -138,7 +146,7 @@ void TestLines::wireframeHasTheEdgesOfClippedTriangles()
         Settings settings = plainSettings({80, 60});
         settings.fill = Fill::Wireframe;
         settings.line = static_cast<LineAlgorithm>(round % 2);
-        settings.clipping = static_cast<Clipping>(round % 7);
+        settings.clipping = static_cast<Clipping>(round % 8);
         settings.depthTest = DepthTest::None;
         const Processed processed = process(scene, settings);
         QVERIFY(drawn(draw(scene, settings)) == edgesOf(processed.triangles, settings));
@@ -203,6 +211,221 @@ void TestLines::linesAreNotHitsAtAnEdge()
         Frame frame;
         QCOMPARE(renderCounted(scene, settings, frame).pixels.coveredTwice, std::uint64_t(0));
     }
+}
+
+/// The end points of MoltenVK #1123, in pixels from the centre of a row.
+void TestLines::diamondExitOfMoltenVK()
+{
+    const auto columns = [](glm::dvec2 from, glm::dvec2 to) {
+        std::set<int> drawn;
+        diamondExitLine(LinePoint::of(from), LinePoint::of(to), [&](int x, int y, double) {
+            if (y == 0)
+                drawn.insert(x);
+        });
+        return drawn;
+    };
+    const glm::dvec2 end(4.99, 0.5);
+    QVERIFY(columns({0.99, 0.5}, end).contains(0));
+    QVERIFY(!columns({0.99, 0.49}, {4.99, 0.49}).contains(0));
+    QVERIFY(!columns({0.7, 0.19}, {4.99, 0.19}).contains(0));
+    QVERIFY(!columns({0.5, 0.5}, end).contains(4));
+    QVERIFY(columns({0.5, 0.35}, {4.99, 0.35}).contains(4));
+    QCOMPARE(columns({0.5, 0.5}, end), (std::set<int>{0, 1, 2, 3}));
+}
+
+namespace
+{
+
+/// Whether a segment leaves a diamond, told by cutting it with the diamond's four sides, in fractions: it begins
+/// within, or passes through the inside, or through the corner that belongs to the diamond; and it does not end within.
+bool leavesDiamond(LinePoint from, LinePoint to, int column, int row)
+{
+    const bool steep = std::abs(to.y - from.y) > std::abs(to.x - from.x);
+    if (isInDiamond(to, column, row, steep) || isInDiamond(from, column, row, steep))
+        return !isInDiamond(to, column, row, steep);
+    struct Fraction {
+        std::int64_t top;
+        std::int64_t bottom; // > 0
+        [[nodiscard]] bool isLess(const Fraction& other) const { return top * other.bottom < other.top * bottom; }
+    };
+    const LinePoint a{from.x - column * 256 - 128, from.y - row * 256 - 128};
+    const LinePoint b{to.x - column * 256 - 128, to.y - row * 256 - 128};
+    Fraction enter{0, 1};
+    Fraction leave{1, 1};
+    bool passes = true;
+    for (const int sx : {-1, 1})
+        for (const int sy : {-1, 1}) {
+            const std::int64_t da = 128 - sx * a.x - sy * a.y;
+            const std::int64_t db = 128 - sx * b.x - sy * b.y;
+            passes = passes && (da > 0 || db > 0);
+            if (da < db && enter.isLess({-da, db - da}))
+                enter = {-da, db - da};
+            if (da > db && Fraction{da, da - db}.isLess(leave))
+                leave = {da, da - db};
+        }
+    const LinePoint corner = steep ? LinePoint{128, 0} : LinePoint{0, 128};
+    const LinePoint way{b.x - a.x, b.y - a.y};
+    const LinePoint toCorner{corner.x - a.x, corner.y - a.y};
+    const std::int64_t along = toCorner.x * way.x + toCorner.y * way.y;
+    const bool meetsCorner =
+        toCorner.x * way.y == toCorner.y * way.x && along > 0 && along < way.x * way.x + way.y * way.y;
+    return (passes && enter.isLess(leave)) || meetsCorner;
+}
+
+} // namespace
+
+void TestLines::diamondExitIsItsDefinition()
+{
+    Random random = seededRandom();
+    for (int round = 0; round < 4000; ++round) {
+        const int grid = round % 2 == 0 ? 1 : 64; // half of the lines have many ties
+        const auto place = [&] { return std::int64_t(grid) * integer(random, -2 * 256 / grid, 8 * 256 / grid); };
+        const LinePoint from{place(), place()};
+        const LinePoint to{place(), place()};
+        std::set<std::pair<int, int>> drawn;
+        diamondExitLine(from, to, [&](int x, int y, double t) {
+            QVERIFY(t >= 0 && t <= 1);
+            QVERIFY2(drawn.insert({x, y}).second, "a sample twice");
+        });
+        for (int y = -4; y < 11; ++y)
+            for (int x = -4; x < 11; ++x)
+                if (leavesDiamond(from, to, x, y) != drawn.contains({x, y}))
+                    QFAIL(qPrintable(QStringLiteral("(%1, %2) to (%3, %4) at (%5, %6): drawn %7")
+                                         .arg(from.x)
+                                         .arg(from.y)
+                                         .arg(to.x)
+                                         .arg(to.y)
+                                         .arg(x)
+                                         .arg(y)
+                                         .arg(drawn.contains({x, y}))));
+    }
+}
+
+void TestLines::stripsHaveNoSampleTwice_data()
+{
+    QTest::addColumn<int>("rule");
+    QTest::newRow("half-open") << int(LineRule::HalfOpen);
+    QTest::newRow("diamond-exit") << int(LineRule::DiamondExit);
+}
+
+/// A strip that goes on to the right: each sample once, the joints as well.
+void TestLines::stripsHaveNoSampleTwice()
+{
+    QFETCH(int, rule);
+    Random random = seededRandom();
+    Rules rules;
+    rules.lineRule = LineRule(rule);
+    NullObserver observer;
+    std::map<std::pair<int, int>, int> hits;
+    glm::dvec2 from(0.5, 50.5);
+    for (int i = 0; i < 200; ++i) {
+        const double dx = uniform(random, 2, 9);
+        const glm::dvec2 to = from + glm::dvec2(dx, uniform(random, -dx, dx));
+        drawLine(
+            from, to, rules,
+            [&](int x, int y, double) {
+                ++hits[{x, y}];
+            },
+            observer);
+        from = to;
+    }
+    for (const auto& [sample, count] : hits)
+        QCOMPARE(count, 1);
+}
+
+void TestLines::canonicalTiesKnowNoDirection()
+{
+    NullObserver observer;
+    int thick = 0;
+    for (const bool byDirection : {true, false})
+        for (const LineAlgorithm algorithm : {LineAlgorithm::Bresenham, LineAlgorithm::Dda})
+            for (int dy = -17; dy <= 17; ++dy)
+                for (int dx = -17; dx <= 17; ++dx) {
+                    Rules rules;
+                    rules.line = algorithm;
+                    rules.lineTiesByDirection = byDirection;
+                    const auto samples = [&](glm::dvec2 from, glm::dvec2 to) {
+                        std::set<std::pair<int, int>> drawn;
+                        drawLine(
+                            from, to, rules,
+                            [&](int x, int y, double) {
+                                drawn.insert({x, y});
+                            },
+                            observer);
+                        return drawn;
+                    };
+                    const glm::dvec2 a(20.5, 20.5);
+                    const glm::dvec2 b = a + glm::dvec2(dx, dy);
+                    if (byDirection)
+                        thick += samples(a, b) != samples(b, a);
+                    else
+                        QCOMPARE(samples(a, b), samples(b, a));
+                }
+    QVERIFY(thick > 0);
+}
+
+/// 64,000 random lines of up to 90 pixels, ends on the grid of 1/256: the pixels of each rule against those that the
+/// diamonds of the true line give, which leavesDiamond() finds near it one by one. Prints the table of
+/// docs/ACCURACY.md.
+void TestLines::accuracyOfTheRules()
+{
+    constexpr int kSide = 64;
+    struct Row {
+        const char* name;
+        LineRule rule;
+        LineAlgorithm algorithm;
+        std::uint64_t missing = 0;
+        std::uint64_t extra = 0;
+    };
+    std::array rows{Row{"inclusive, bresenham", LineRule::Inclusive, LineAlgorithm::Bresenham},
+                    Row{"inclusive, dda", LineRule::Inclusive, LineAlgorithm::Dda},
+                    Row{"half-open, bresenham", LineRule::HalfOpen, LineAlgorithm::Bresenham},
+                    Row{"half-open, dda", LineRule::HalfOpen, LineAlgorithm::Dda},
+                    Row{"diamond-exit", LineRule::DiamondExit, LineAlgorithm::Bresenham}};
+    Random random = seededRandom();
+    NullObserver observer;
+    std::uint64_t pixels = 0;
+    for (int n = 0; n < casesOfBuild(64'000); ++n) {
+        const auto place = [&] { return std::int64_t(integer(random, 0, kSide * 256)); };
+        const LinePoint from{place(), place()};
+        const LinePoint to{place(), place()};
+        const auto inSamples = [](LinePoint p) { return glm::dvec2(double(p.x), double(p.y)) / 256.0; };
+        const glm::dvec2 a = inSamples(from);
+        const glm::dvec2 b = inSamples(to);
+        const int axis = std::abs(b.y - a.y) > std::abs(b.x - a.x) ? 1 : 0;
+        std::set<std::pair<int, int>> truth;
+        for (int i = int(std::min(a[axis], b[axis])) - 1; i <= int(std::max(a[axis], b[axis])) + 1; ++i) {
+            const double t = b[axis] == a[axis] ? 0 : (i + 0.5 - a[axis]) / (b[axis] - a[axis]);
+            const int middle = int(std::floor(a[1 - axis] + t * (b[1 - axis] - a[1 - axis])));
+            for (int j = middle - 2; j <= middle + 2; ++j) {
+                const std::pair<int, int> pixel = axis == 0 ? std::pair(i, j) : std::pair(j, i);
+                if (leavesDiamond(from, to, pixel.first, pixel.second))
+                    truth.insert(pixel);
+            }
+        }
+        pixels += truth.size();
+        for (Row& row : rows) {
+            Rules rules;
+            rules.lineRule = row.rule;
+            rules.line = row.algorithm;
+            std::set<std::pair<int, int>> drawn;
+            drawLine(
+                a, b, rules,
+                [&](int x, int y, double) {
+                    drawn.insert({x, y});
+                },
+                observer);
+            for (const auto& pixel : truth)
+                row.missing += drawn.contains(pixel) ? 0 : 1;
+            for (const auto& pixel : drawn)
+                row.extra += truth.contains(pixel) ? 0 : 1;
+        }
+    }
+    for (const Row& row : rows)
+        qInfo("%-22s of %llu pixels: %llu missing, %llu extra", row.name, static_cast<unsigned long long>(pixels),
+              static_cast<unsigned long long>(row.missing), static_cast<unsigned long long>(row.extra));
+    QCOMPARE(rows.back().missing + rows.back().extra, std::uint64_t(0));
+    QVERIFY(rows.front().missing + rows.front().extra > 0);
 }
 
 QTEST_APPLESS_MAIN(TestLines)

@@ -74,6 +74,8 @@ private Q_SLOTS:
     void steepLineRunsPastItsEnd();
     void heightPlusOneStandsOutAtTheMiddleCorner();
     void nudgedCutLosesTheSharedEdge();
+    void whatIsOffByOneIsCounted();
+    void texelsLeftOfZeroAreMoved();
 };
 
 void TestMistakes::tableIsComplete()
@@ -93,6 +95,10 @@ void TestMistakes::tableIsComplete()
     }
     for (int number = 1; number <= 40; ++number)
         QCOMPARE(numbers.contains(QStringLiteral("M%1").arg(number)), number != 7);
+    const QStringList metByOthers{"C7", "C8", "C9", "C15", "C16", "C18", "D8", "K3", "K4", "K5", "K7", "T1", "T2",
+                                  "T3", "T5", "T6", "T7",  "T8",  "T9",  "V1", "V2", "V3", "V4", "V5", "V7", "V8"};
+    for (const QString& number : metByOthers)
+        QVERIFY2(numbers.contains(number), qPrintable(number));
     QCOMPARE(findMistake(QStringLiteral("nonsense")), nullptr);
 }
 
@@ -278,6 +284,34 @@ void TestMistakes::nudgedCutLosesTheSharedEdge()
     even.clipping = Clipping::CohenSutherland;
     even.numberType = NumberType::Float64;
     QVERIFY(drawCounted(demo.scene, even).frame.ids == right.frame.ids);
+}
+
+void TestMistakes::whatIsOffByOneIsCounted()
+{
+    // The last column and the last row of 8 x 8.
+    QCOMPARE(mistakenValue("viewport-one-short", Proof::Holes), 15.0);
+    // The points at -0.5 hit the first column and the first row of 12 x 10 pixels once more, and the corner three
+    // times.
+    QCOMPARE(mistakenValue("truncate-to-zero", Proof::WrongPixels), 21.0);
+    QCOMPARE(mistakenValue("truncate-to-zero", Proof::Covered), 120.0 + 12 + 10 + 1);
+    // A blade is seen whole, or not at all where its middle corner lies left of the long edge.
+    const MistakeDemo demo = mistakeDemo(mistakeOf("ends-not-sorted"));
+    const CountedPicture right = drawCounted(demo.scene, demo.right);
+    const CountedPicture wrong = drawCounted(demo.scene, demo.mistaken);
+    for (std::int32_t face = 0; face < 16; ++face) {
+        const auto seen = std::ranges::count(wrong.frame.ids, face);
+        QVERIFY(seen == 0 || seen == std::ranges::count(right.frame.ids, face));
+    }
+}
+
+void TestMistakes::texelsLeftOfZeroAreMoved()
+{
+    // Left of the middle, where u is below 0, every texel is the one that belongs 8 pixels further right.
+    const MistakeDemo demo = mistakeDemo(mistakeOf("negative-uv"));
+    const QImage right = drawCounted(demo.scene, demo.right).frame.image;
+    const QImage wrong = drawCounted(demo.scene, demo.mistaken).frame.image;
+    for (int x = 0; x < 96; ++x) // in the upper half, where v is not below 0
+        QCOMPARE(wrong.pixel(x, 20), right.pixel(x < 48 ? x + 8 : x, 20));
 }
 
 QTEST_GUILESS_MAIN(TestMistakes)

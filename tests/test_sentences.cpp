@@ -100,7 +100,9 @@ QString readVertices(const Scene& scene, const Settings& settings, const Rules& 
         for (const int axis : {0, 1})
             if (std::abs(row.screen[axis]) < 1e5 &&
                 !isNear(row.screen[axis], row.snapped[axis],
-                        rules.verticesTruncated ? 1 + unit : unit / 2 + 1e-9 * (1 + std::abs(row.screen[axis]))))
+                        rules.verticesTruncated ? 1 + unit
+                        : rules.rowsRounded     ? 0.5 + unit
+                                                : unit / 2 + 1e-9 * (1 + std::abs(row.screen[axis]))))
                 return QStringLiteral("a corner at %1 is snapped to %2").arg(row.screen[axis]).arg(row.snapped[axis]);
     return {};
 }

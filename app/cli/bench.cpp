@@ -1,4 +1,5 @@
 #include "app/cli/bench_plot.h"
+#include "app/cli/coverage_chart.h"
 #include "app/cli/distance_chart.h"
 #include "app/cli/input.h"
 #include "app/cli/options.h"
@@ -62,7 +63,8 @@ OptionGroup measuredOptions()
          value("--chart", "NAME",
                QStringLiteral("Another chart in place of speed against error: %1. distance: how far corners and pixels "
                               "are from the truth as SCENE is moved away from 0, with positions held as OBJ files are "
-                              "read and as float32 from 0; --csv, --json and --plot hold it.")
+                              "read and as float32 from 0. msaa: how well the samples of grids and patterns tell what "
+                              "part of a pixel is covered. --csv, --json and --plot hold it.")
                    .arg(chartNames().join(QStringLiteral(", ")))),
          value("--error", "MEASURE",
                QStringLiteral("The error of the plot's axis and of the frontier: %1 (default color). coverage: pixels "
@@ -181,7 +183,7 @@ void checkChart(const Arguments& arguments)
         fail(QStringLiteral("--chart: \"%1\" is not a value of chart, which takes: %2")
                  .arg(*chart, chartNames().join(QStringLiteral(", "))));
     if (arguments.operands.size() > 1)
-        fail(QStringLiteral("--chart distance takes one scene"));
+        fail(QStringLiteral("--chart %1 takes one scene").arg(*chart));
     for (const char* option : {"--variants", "--frames", "--reference", "--error"})
         if (arguments.has(QLatin1String(option)))
             fail(QStringLiteral("%1: cannot be combined with --chart").arg(QLatin1String(option)));
@@ -393,7 +395,9 @@ ExitCode runBench(const QStringList& words)
         return ExitCode::Fine;
     const Request request = requestOf(*arguments);
     if (arguments->has(QStringLiteral("--chart"))) {
-        printDistanceChart(openInput(request.scenes.first(), *arguments), *arguments);
+        const bool isDistance = *arguments->value(QStringLiteral("--chart")) == QLatin1String("distance");
+        const auto print = isDistance ? printDistanceChart : printCoverageChart;
+        print(openInput(request.scenes.first(), *arguments), *arguments);
         return ExitCode::Fine;
     }
     std::vector<ExperimentRow> all;

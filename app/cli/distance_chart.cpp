@@ -49,7 +49,7 @@ QString tableOf(const Input& input, std::span<const DistanceRow> rows)
 
 } // namespace
 
-QStringList chartNames() { return {QStringLiteral("distance")}; }
+QStringList chartNames() { return {QStringLiteral("distance"), QStringLiteral("msaa")}; }
 
 void printDistanceChart(const Input& input, const Arguments& arguments)
 {

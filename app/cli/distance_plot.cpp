@@ -1,11 +1,8 @@
 #include "app/cli/distance_plot.h"
 
-#include "app/cli/output.h"
+#include "app/cli/figure_bytes.h"
 
-#include <QBuffer>
-#include <QGuiApplication>
 #include <QPainter>
-#include <QSvgGenerator>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +15,6 @@ namespace
 // pixels
 constexpr QSize kFigure(900, 520);
 constexpr QMargins kMargins(96, 56, 40, 72);
-constexpr int kFontPixels = 13;
 constexpr double kTextHeight = 22;
 
 const QColor kInk(0x22, 0x22, 0x22);
@@ -158,10 +154,6 @@ private:
 void paintFigure(QPainter& painter, std::span<const DistanceRow> rows, const QString& scene, double stepPixels)
 {
     painter.fillRect(QRect({0, 0}, kFigure), Qt::white);
-    QFont font = QGuiApplication::font();
-    font.setPixelSize(kFontPixels);
-    painter.setFont(font);
-    painter.setRenderHint(QPainter::Antialiasing);
     DistancePlot(painter, rows, stepPixels).paint(scene);
 }
 
@@ -170,32 +162,8 @@ void paintFigure(QPainter& painter, std::span<const DistanceRow> rows, const QSt
 QByteArray distanceFigure(std::span<const DistanceRow> rows, const QString& scene, double stepPixels,
                           const QByteArray& format)
 {
-    // Fonts need an application; this one asks for no display.
-    char program[] = "rasterlens-cli";
-    char option[] = "-platform";
-    char platform[] = "offscreen";
-    char* words[] = {program, option, platform, nullptr};
-    int count = 3;
-    const QGuiApplication application(count, words);
-
-    if (format == "svg") {
-        QByteArray bytes;
-        QBuffer buffer(&bytes);
-        QSvgGenerator svg;
-        svg.setOutputDevice(&buffer);
-        svg.setSize(kFigure);
-        svg.setViewBox(QRect({0, 0}, kFigure));
-        svg.setTitle(QStringLiteral("Error against distance from the origin"));
-        QPainter painter(&svg);
-        paintFigure(painter, rows, scene, stepPixels);
-        painter.end();
-        return bytes;
-    }
-    QImage image(kFigure, QImage::Format_RGB32);
-    QPainter painter(&image);
-    paintFigure(painter, rows, scene, stepPixels);
-    painter.end();
-    return imageBytes(image, format);
+    return figureBytes(format, kFigure, QStringLiteral("Error against distance from the origin"),
+                       [&](QPainter& painter) { paintFigure(painter, rows, scene, stepPixels); });
 }
 
 } // namespace rasterlens::cli

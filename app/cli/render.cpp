@@ -11,6 +11,8 @@
 
 #include <QJsonDocument>
 
+#include <array>
+
 namespace rasterlens::cli
 {
 namespace
@@ -37,6 +39,9 @@ Usage usage()
               "The line of the OBJ file on which the f statement stands that is seen at each pixel: int32, counted "
               "from 1, -1 none; of other scenes -1 everywhere."),
          file("--coverage", "F.npy", "How many faces cover each pixel's centre, before the depth test: uint16."),
+         file("--sample-coverage", "F.npy",
+              "How many faces cover each sample, before the depth test: uint16 of shape (samples, height, width), the "
+              "samples in the pattern's order, those of a grid row by row."),
          file("--stats", "F.json",
               "Counters, times, settings, and the threads and vector instructions that worked. The frame is drawn "
               "twice: once counted, once timed without counting.")}};
@@ -55,7 +60,7 @@ Usage usage()
             sceneHelp(),
         {QStringLiteral("SCENE")},
         QList<OptionGroup>{outputs, input} + settingsOptionGroups(),
-        QStringLiteral("The .npy files are NumPy arrays of shape (height, width), row 0 on top.\n"
+        QStringLiteral("The .npy files are NumPy arrays of shape (height, width) unless said otherwise, row 0 on top.\n"
                        "All outputs are written, each of them whole, or none is. An option given twice counts as given "
                        "last.\n\n"
                        "Exit codes: 0 drawn; 2 bad arguments, or settings that cannot be combined; 3 input that cannot "
@@ -70,6 +75,7 @@ struct OutputNames {
     QString ids;
     QString faceLines;
     QString coverage;
+    QString sampleCoverage;
     QString stats;
 
     explicit OutputNames(const Arguments& arguments)
@@ -78,17 +84,18 @@ struct OutputNames {
           ids(arguments.value(QStringLiteral("--ids")).value_or(QString())),
           faceLines(arguments.value(QStringLiteral("--face-lines")).value_or(QString())),
           coverage(arguments.value(QStringLiteral("--coverage")).value_or(QString())),
+          sampleCoverage(arguments.value(QStringLiteral("--sample-coverage")).value_or(QString())),
           stats(arguments.value(QStringLiteral("--stats")).value_or(QString()))
     {
         if (all().isEmpty())
             failArguments(QStringLiteral("rasterlens-cli render: --no-picture leaves nothing to write; one of --depth, "
-                                         "--ids, --face-lines, --coverage, --stats is expected"));
+                                         "--ids, --face-lines, --coverage, --sample-coverage, --stats is expected"));
         checkOutputs(all());
     }
 
     [[nodiscard]] QStringList all() const
     {
-        QStringList names{image, depth, ids, faceLines, coverage, stats};
+        QStringList names{image, depth, ids, faceLines, coverage, sampleCoverage, stats};
         names.removeAll(QString());
         return names;
     }
@@ -139,7 +146,10 @@ void renderTo(const Scene& scene, const Settings& settings, const OutputNames& n
     const Outputs outputs{.depth = !names.depth.isEmpty(),
                           .ids = !names.ids.isEmpty() || !names.faceLines.isEmpty(),
                           .coverage = !names.coverage.isEmpty(),
-                          .picture = !names.image.isEmpty()};
+                          .picture = !names.image.isEmpty(),
+                          .sampleCoverage = !names.sampleCoverage.isEmpty()};
+    if (const auto reason = unsupportedOutputs(settings, outputs))
+        failArguments(QStringLiteral("rasterlens-cli render: --sample-coverage: %1").arg(textOf(*reason)));
     const Statistics statistics = counted ? renderCounted(scene, settings, frame, outputs) : Statistics();
     render(scene, settings, frame, outputs);
 
@@ -151,6 +161,10 @@ void renderTo(const Scene& scene, const Settings& settings, const OutputNames& n
     if (!names.faceLines.isEmpty())
         addArray(files, names.faceLines, faceLines(scene.mesh, frame.ids), settings.size);
     addArray(files, names.coverage, frame.coverage, settings.size);
+    if (outputs.sampleCoverage)
+        files.add(names.sampleCoverage, npyBytes(std::span<const std::uint16_t>(frame.sampleCoverage),
+                                                 std::array{samplesPerPixel(settings.samples), settings.size.height(),
+                                                            settings.size.width()}));
     if (counted)
         files.add(names.stats,
                   QJsonDocument(toJson(statistics, frame.times, settings, withWorkers(settings))).toJson());

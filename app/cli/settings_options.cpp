@@ -4,6 +4,7 @@
 #include "core/base/typed_numbers.h"
 #include "core/render/render.h"
 #include "core/settings/mistakes.h"
+#include "core/settings/numbers_field.h"
 #include "core/settings/view_planes.h"
 
 #include <glm/glm.hpp>
@@ -32,6 +33,7 @@ QStringList mistakeIds()
 }
 
 QString optionName(const SettingsField& field) { return QStringLiteral("--") + QLatin1String(field.id); }
+QString optionName(const NumbersField& field) { return QStringLiteral("--") + QLatin1String(field.id); }
 
 bool isThreads(const SettingsField& field) { return field.id == QLatin1String("threads"); }
 
@@ -67,6 +69,9 @@ QList<Option> fieldOptions()
                           isFlag ? QString() : valueName,
                           QString::fromUtf8(field.help) + QLatin1Char('\n') + valueHelp(field)};
     }
+    for (const NumbersField& field : numbersFields())
+        options << Option{optionName(field), Option::Kind::Value, QString::fromLatin1(field.form),
+                          QString::fromUtf8(field.help)};
     return options;
 }
 
@@ -282,6 +287,10 @@ Settings withOptions(Settings settings, const Arguments& arguments)
     for (const SettingsField& field : settingsFields())
         if (const auto text = arguments.value(optionName(field)))
             readField(field, *text, settings);
+    for (const NumbersField& field : numbersFields())
+        if (const auto text = arguments.value(optionName(field)))
+            if (const auto wrong = setFromText(field, *text, settings))
+                failArguments(QStringLiteral("%1: %2").arg(optionName(field), textOf(*wrong)));
     readMistakes(arguments.values(QStringLiteral("--mistake")), settings.mistakes);
     return settings;
 }

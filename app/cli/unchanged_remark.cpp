@@ -2,6 +2,7 @@
 
 #include "core/questions/unchanged.h"
 #include "core/questions/without_effect.h"
+#include "core/settings/numbers_field.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -27,6 +28,13 @@ std::vector<const SettingsField*> changedFields(const Settings& settings, const 
 
 void remarkIfUnchanged(const Scene& scene, const Settings& settings)
 {
+    const auto remark = [&](const QString& what, const Reason& why) {
+        std::fprintf(stderr, "%s: note: %s changes nothing here: %s\n", qUtf8Printable(scene.id), qUtf8Printable(what),
+                     qUtf8Printable(textOf(why)));
+    };
+    for (const NumbersField& field : numbersFields())
+        if (const auto why = whyWithoutEffect(field, settings); why && !isEqual(field, settings, scene.defaults))
+            remark(QStringLiteral("--%1 %2").arg(QLatin1String(field.id), valueText(field, settings)), *why);
     const std::vector<const SettingsField*> fields = changedFields(settings, scene.defaults);
     const bool isLightMoved = settings.light != scene.defaults.light;
     if (fields.empty() && settings.mistakes.empty() && !isLightMoved)
@@ -39,10 +47,6 @@ void remarkIfUnchanged(const Scene& scene, const Settings& settings)
             ? FactsOf::Samples
             : FactsOf::Faces;
     const FrameFacts facts = frameFacts(scene, settings, what);
-    const auto remark = [&](const QString& what, const Reason& why) {
-        std::fprintf(stderr, "%s: note: %s changes nothing here: %s\n", qUtf8Printable(scene.id), qUtf8Printable(what),
-                     qUtf8Printable(textOf(why)));
-    };
     for (const SettingsField* field : fields) {
         Settings asked = settings;
         field->set(asked, field->get(scene.defaults));

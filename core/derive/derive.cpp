@@ -50,8 +50,11 @@ Derived derive(DerivationTopic topic, const Scene& scene, const Settings& settin
 {
     DerivationPlace at = place;
     at.edge = edgeOf(topic, scene, settings, place);
+    Settings about = settings;
+    if (patternSamples(settings.samples) > 1) // derivations are about the centre of a pixel
+        about.samples = Samples::One;
     try {
-        return {functionOf(topic)(scene, settings, at, stop), Reason(QString()), at.edge};
+        return {functionOf(topic)(scene, about, at, stop), Reason(QString()), at.edge};
     } catch (const NoDerivation& none) {
         return {std::nullopt, none.why, at.edge};
     }

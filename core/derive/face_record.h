@@ -33,7 +33,7 @@ public:
     [[nodiscard]] const Rules& rules() const { return m_log->rules(); }
     [[nodiscard]] const StepLog& log() const { return *m_log; }
     [[nodiscard]] const std::array<VertexRow, 3>& corners() const { return m_corners; }
-    [[nodiscard]] Matrices matrices() const { return cameraMatrices(*m_scene, m_settings); }
+    [[nodiscard]] Matrices matrices() const { return cameraMatrices(*m_scene, m_settings, rules().camera); }
 
     /// A position in samples as a place on the canvas, in pixels.
     [[nodiscard]] glm::dvec2 pixels(const glm::dvec2& samples) const { return samples / double(rules().sampleGrid); }

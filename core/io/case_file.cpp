@@ -2,7 +2,10 @@
 
 #include "core/io/byte_order_mark.h"
 #include "core/io/text_input.h"
+#include "core/io/texture_loader.h"
+#include "core/settings/numbers_field.h"
 
+#include <QDir>
 #include <QFileInfo>
 
 #include <array>
@@ -22,12 +25,17 @@ struct Word {
 };
 
 constexpr Word<Culling> kCulling[] = {{"back", Culling::Back}, {"front", Culling::Front}, {"none", Culling::None}};
-constexpr Word<DepthTest> kDepthTest[] = {{"less", DepthTest::Less},
-                                          {"lequal", DepthTest::LessEqual},
-                                          {"greater", DepthTest::Greater},
+constexpr Word<DepthTest> kDepthTest[] = {{"less", DepthTest::Less},       {"lequal", DepthTest::LessEqual},
+                                          {"equal", DepthTest::Equal},     {"gequal", DepthTest::GreaterEqual},
+                                          {"greater", DepthTest::Greater}, {"notequal", DepthTest::NotEqual},
                                           {"none", DepthTest::None}};
-constexpr Word<DepthFormat> kDepthFormat[] = {
-    {"float32", DepthFormat::Float32}, {"unorm16", DepthFormat::Unorm16}, {"unorm24", DepthFormat::Unorm24}};
+constexpr Word<DepthFormat> kDepthFormat[] = {{"float32", DepthFormat::Float32},
+                                              {"unorm16", DepthFormat::Unorm16},
+                                              {"unorm24", DepthFormat::Unorm24},
+                                              {"unorm8", DepthFormat::Unorm8}};
+constexpr Word<TextureFilter> kTextureFilter[] = {{"nearest", TextureFilter::Nearest},
+                                                  {"bilinear", TextureFilter::Bilinear},
+                                                  {"trilinear", TextureFilter::Trilinear}};
 constexpr Word<ClipZ> kClipZ[] = {{"gl", ClipZ::Gl}, {"d3d", ClipZ::D3d}};
 
 QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
@@ -83,11 +91,20 @@ private:
             {"cull", &Parser::cull},
             {"depth_test", &Parser::depthTest},
             {"depth_format", &Parser::depthFormat},
+            {"depth_bias", &Parser::depthBias},
+            {"depth_range", &Parser::depthRange},
+            {"depth_clamp", &Parser::depthClamp},
+            {"depth_clear", &Parser::depthClear},
+            {"second_pass", &Parser::secondPass},
             {"clear", &Parser::clear},
             {"ssaa", &Parser::ssaa},
+            {"samples", &Parser::samples},
             {"zrange", &Parser::zRange},
             {"window", &Parser::window},
             {"tri", &Parser::tri},
+            {"triuv", &Parser::triuv},
+            {"texture", &Parser::texture},
+            {"texture_filter", &Parser::textureFilter},
             {"note", &Parser::note},
             {"expect", &Parser::expect},
         };
@@ -96,8 +113,10 @@ private:
                 return (this->*directive.handle)();
         m_diagnostics.error(
             m_line,
-            {QT_TRANSLATE_NOOP("Diagnostic", "%1 is not a directive; size, subpixel_bits, exact, cull, depth_test, "
-                                             "depth_format, clear, ssaa, zrange, window, tri, note or expect expected"),
+            {QT_TRANSLATE_NOOP("Diagnostic",
+                               "%1 is not a directive; size, subpixel_bits, exact, cull, depth_test, depth_format, "
+                               "depth_bias, depth_range, depth_clamp, depth_clear, second_pass, clear, ssaa, samples, "
+                               "zrange, window, tri, triuv, texture, texture_filter, note or expect expected"),
              {quotedWord(m_directive)}});
     }
 
@@ -192,6 +211,16 @@ private:
             m_scene.defaults.samples = static_cast<Samples>((*v)[0] - 1);
     }
 
+    /// The side of a grid, as for ssaa, or a pattern: 1, 2, 3, 4, msaa2, msaa4, msaa8, msaa16.
+    void samples()
+    {
+        static constexpr Word<Samples> kSamples[] = {{"1", Samples::One},       {"2", Samples::Grid2},
+                                                     {"3", Samples::Grid3},     {"4", Samples::Grid4},
+                                                     {"msaa2", Samples::Msaa2}, {"msaa4", Samples::Msaa4},
+                                                     {"msaa8", Samples::Msaa8}, {"msaa16", Samples::Msaa16}};
+        choice<Samples>(kSamples, m_scene.defaults.samples);
+    }
+
     void clear()
     {
         const auto found = words<3>(QT_TRANSLATE_NOOP("Diagnostic", "red, green and blue"));
@@ -206,6 +235,44 @@ private:
         }
     }
 
+    void numbers(const char* id)
+    {
+        if (const auto wrong =
+                setFromText(*findNumbersField(QLatin1String(id)), text(trimmed(m_rest)), m_scene.defaults))
+            fault(*wrong);
+    }
+    void depthBias() { numbers("depth-bias"); }
+    void depthRange() { numbers("depth-range"); }
+
+    void depthClamp()
+    {
+        if (words<0>(QT_TRANSLATE_NOOP("Diagnostic", "none")))
+            m_scene.defaults.clipping = Clipping::DepthClamp;
+    }
+
+    void depthClear()
+    {
+        const auto found = words<1>(QT_TRANSLATE_NOOP("Diagnostic", "one"));
+        if (!found)
+            return;
+        const NumberText number = numberFromText((*found)[0]);
+        if (number.fault != NumberFault::None)
+            return fault(describe(number.fault, (*found)[0]));
+        if (number.value < 0 || number.value > 1)
+            return fault({QT_TRANSLATE_NOOP("Diagnostic", "%1 is not from 0 to 1"), {quotedWord((*found)[0])}});
+        m_scene.depthClear = static_cast<double>(number.value);
+    }
+
+    /// The triangles that follow are drawn over those before.
+    void secondPass()
+    {
+        if (!words<0>(QT_TRANSLATE_NOOP("Diagnostic", "none")))
+            return;
+        if (m_scene.mesh.indices.empty() || m_scene.secondPassFrom > 0)
+            return fault(QT_TRANSLATE_NOOP("Diagnostic", "it stands once, behind the tri lines of the first pass"));
+        m_scene.secondPassFrom = static_cast<std::uint32_t>(m_scene.mesh.faceCount());
+    }
+
     void window()
     {
         if (const auto v = integers<4>(QT_TRANSLATE_NOOP("Diagnostic", "x, y, width and height"), 0, kMaxViewport)) {
@@ -214,13 +281,52 @@ private:
         }
     }
 
-    /// Three corners of x y z w r g b. Positions may be non-finite: that is what some cases are about.
-    void tri()
+    void textureFilter() { choice<TextureFilter>(kTextureFilter, m_scene.defaults.textureFilter); }
+
+    /// `checker N`: N x N texels, light and dark in turn; else an image beside the case.
+    void texture()
     {
-        constexpr std::size_t kPerCorner = 7;
+        const QString rest = text(trimmed(m_rest));
+        const std::string_view first = nextWord(m_rest);
+        if (first.empty())
+            return fault(
+                QT_TRANSLATE_NOOP("Diagnostic", "\"checker\" and a size, or the name of an image, is expected"));
+        std::optional<Texture> made;
+        if (first == "checker") {
+            const auto side = integers<1>(QT_TRANSLATE_NOOP("Diagnostic", "one"), 1, 1024);
+            if (!side)
+                return;
+            made = checkerOf((*side)[0]);
+        } else {
+            TextureLoad load = loadTexture(QFileInfo(m_scene.id).dir().filePath(rest));
+            if (load.problem)
+                return fault(*load.problem);
+            made = std::move(load.texture);
+        }
+        m_scene.textures = {std::move(*made)};
+        m_scene.materials.front().texture = 0;
+        m_scene.defaults.shading = Shading::Texture;
+    }
+
+    static Texture checkerOf(int side)
+    {
+        Texture checker{QStringLiteral("checker"), side, side, {}};
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x)
+                checker.texels.push_back((x + y) % 2 == 0 ? 0xffe6e6e6 : 0xff283c78);
+        return checker;
+    }
+
+    void tri() { corners<7>(QT_TRANSLATE_NOOP("Diagnostic", "21 (x y z w r g b of three corners)")); }
+    void triuv() { corners<9>(QT_TRANSLATE_NOOP("Diagnostic", "27 (x y z w r g b u v of three corners)")); }
+
+    /// Three corners of x y z w r g b, and u v if there are nine numbers. Positions may be non-finite: that is what
+    /// some cases are about.
+    template <std::size_t kPerCorner>
+    void corners(const char* expected)
+    {
         constexpr std::size_t kPosition = 4;
-        const auto found =
-            words<3 * kPerCorner>(QT_TRANSLATE_NOOP("Diagnostic", "21 (x y z w r g b of three corners)"));
+        const auto found = words<3 * kPerCorner>(expected);
         if (!found)
             return;
         std::array<float, 3 * kPerCorner> v{};
@@ -233,8 +339,11 @@ private:
         }
         for (std::size_t i = 0; i < v.size(); i += kPerCorner) {
             m_scene.mesh.indices.push_back(static_cast<std::uint32_t>(m_scene.mesh.vertices.size()));
-            m_scene.mesh.vertices.push_back(
-                {.position = {v[i], v[i + 1], v[i + 2], v[i + 3]}, .color = {v[i + 4], v[i + 5], v[i + 6]}});
+            MeshVertex& corner = m_scene.mesh.vertices.emplace_back();
+            corner.position = {v[i], v[i + 1], v[i + 2], v[i + 3]};
+            corner.color = {v[i + 4], v[i + 5], v[i + 6]};
+            if constexpr (kPerCorner > 7)
+                corner.uv = {v[i + 7], v[i + 8]};
         }
     }
 

@@ -1,5 +1,6 @@
 #include "core/io/npy.h"
 
+#include <QByteArrayList>
 #include <QFloat16>
 #include <QRegularExpression>
 #include <QStringList>
@@ -189,10 +190,13 @@ std::vector<std::size_t> placesColumnsFirst(const std::vector<qint64>& shape, st
 
 } // namespace
 
-QByteArray npyHeader(const char* type, int rows, int columns)
+QByteArray npyHeader(const char* type, std::span<const int> shape)
 {
-    QByteArray dictionary = QByteArray("{'descr': '") + type + "', 'fortran_order': False, 'shape': (" +
-                            QByteArray::number(rows) + ", " + QByteArray::number(columns) + "), }";
+    QByteArrayList lengths;
+    for (const int length : shape)
+        lengths << QByteArray::number(length);
+    QByteArray dictionary =
+        QByteArray("{'descr': '") + type + "', 'fortran_order': False, 'shape': (" + lengths.join(", ") + "), }";
     const qsizetype unpadded = kPreambleSize + dictionary.size() + 1;
     dictionary.append((kAlignment - unpadded % kAlignment) % kAlignment, ' ');
     dictionary.append('\n');

@@ -3,9 +3,11 @@
 #include <QString>
 #include <QtEndian>
 
+#include <array>
 #include <cassert>
 #include <concepts>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <variant>
@@ -33,21 +35,34 @@ template <NpyNumber T>
 /// What stands before the numbers of a NumPy file, format version 1.0, row by row from the top.
 ///
 /// exact   a multiple of 64 bytes long, ends in a newline
-[[nodiscard]] QByteArray npyHeader(const char* type, int rows, int columns);
-
-/// A NumPy file of shape (rows, columns).
-///
-/// in      rows * columns numbers, row by row
-template <NpyNumber T>
-[[nodiscard]] QByteArray npyBytes(std::span<const T> values, int rows, int columns)
+[[nodiscard]] QByteArray npyHeader(const char* type, std::span<const int> shape);
+[[nodiscard]] inline QByteArray npyHeader(const char* type, int rows, int columns)
 {
-    assert(values.size() == static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns));
-    QByteArray bytes = npyHeader(npyType<T>(), rows, columns);
+    return npyHeader(type, std::array{rows, columns});
+}
+
+/// A NumPy file of this shape.
+///
+/// in      as many numbers as the shape has, the last dimension running fastest
+template <NpyNumber T>
+[[nodiscard]] QByteArray npyBytes(std::span<const T> values, std::span<const int> shape)
+{
+    assert(values.size() == std::accumulate(shape.begin(), shape.end(), std::size_t(1), [](std::size_t n, int length) {
+               return n * static_cast<std::size_t>(length);
+           }));
+    QByteArray bytes = npyHeader(npyType<T>(), shape);
     const qsizetype headerSize = bytes.size();
     bytes.resize(headerSize + static_cast<qsizetype>(values.size_bytes()));
     if (!values.empty()) // an empty span may have no address, and memcpy asks for one
         qToLittleEndian<T>(values.data(), static_cast<qsizetype>(values.size()), bytes.data() + headerSize);
     return bytes;
+}
+
+/// A NumPy file of shape (rows, columns).
+template <NpyNumber T>
+[[nodiscard]] QByteArray npyBytes(std::span<const T> values, int rows, int columns)
+{
+    return npyBytes(values, std::array{rows, columns});
 }
 
 /// The array of a NumPy file.

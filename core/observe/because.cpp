@@ -6,9 +6,11 @@
 #include "core/pipeline/depth_test.h"
 #include "core/pipeline/interpolation.h"
 #include "core/pipeline/line_places.h"
+#include "core/pipeline/texel_path.h"
 #include "core/pipeline/triangle_setup.h"
 #include "core/pipeline/viewport.h"
 #include "core/settings/mistakes.h"
+#include "core/settings/sample_pattern.h"
 
 #include <QCoreApplication>
 
@@ -43,25 +45,91 @@ public:
         case StepKind::Span: return differs(event, m_log.payload<SpanStep>(event));
         case StepKind::Sample: return covers(event, event.x, event.y) != event.has(StepEvent::kCovered);
         case StepKind::Fragment: return differs(event, m_log.payload<FragmentStep>(event));
-        case StepKind::Shade: return m_rules.cornerData != CornerData::Own;
-        case StepKind::Write: return m_rules.strideIsRows && event.y > 0;
+        case StepKind::Shade:
+            return m_rules.cornerData != CornerData::Own || shadeDiffers(event) || isShadedElsewhere(event);
+        case StepKind::Write: return (m_rules.strideIsRows && event.y > 0) || m_rules.resolvedByFace;
         case StepKind::Resolve: return m_log.payload<ResolveStep>(event).pixel.black != 0;
         case StepKind::End: return m_rules.resolve != m_right.resolve || endsEarly(i);
-        case StepKind::Vertex:
-        case StepKind::ClipPlane:
+        case StepKind::Vertex: return vertexDiffers();
+        case StepKind::ClipPlane: return differs(m_log.payload<ClipStep>(event));
+        case StepKind::LineSample: return m_rules.fill == Fill::Points && isMovedPoint(event);
         case StepKind::Clipped:
         case StepKind::Triangle:
         case StepKind::Outline:
         case StepKind::Walk:
         case StepKind::Sides:
         case StepKind::Column:
-        case StepKind::LineDecision:
-        case StepKind::LineSample: break; // see becauseOfLines()
+        case StepKind::LineDecision: break; // see becauseOfLines()
         }
         return false;
     }
 
 private:
+    [[nodiscard]] bool vertexDiffers() const
+    {
+        return m_rules.camera != m_right.camera || m_rules.normals != m_right.normals ||
+               m_rules.texels.vUp != m_right.texels.vUp;
+    }
+
+    /// Whether new corners are given other attributes, or a corner outside is cut at twice and written over.
+    [[nodiscard]] bool differs(const ClipStep& step) const
+    {
+        const std::size_t n = step.distances.size();
+        const auto isInside = [&](std::size_t i) { return step.distances[i % n] >= 0; };
+        bool isCutTwice = false;
+        for (std::size_t i = 0; i < n; ++i)
+            isCutTwice = isCutTwice || (!isInside(i) && isInside(i + 1) && isInside(i + n - 1));
+        return (!m_rules.clipInterpolates && !step.cuts.empty()) ||
+               (m_rules.cutStore == CutStore::InPlace && isCutTwice);
+    }
+
+    /// Whether some corner of the triangle is drawn at this sample that lies in another one.
+    [[nodiscard]] bool isMovedPoint(const StepEvent& event) const
+    {
+        return std::ranges::any_of(m_log.triangle(event)->screen.vertices, [&](const ScreenVertex& vertex) {
+            const GridPoint drawn = sampleOf(vertex.position, m_rules.gridRounding);
+            const GridPoint right = sampleOf(vertex.position, m_right.gridRounding);
+            return drawn.x == event.x && drawn.y == event.y && (drawn.x != right.x || drawn.y != right.y);
+        });
+    }
+
+    /// Whether texels or light are made of something else than they should be at this sample.
+    [[nodiscard]] bool shadeDiffers(const StepEvent& event) const
+    {
+        const bool showsLevel = m_rules.shading == Shading::MipLevel;
+        if (m_rules.shading != Shading::Texture && m_rules.shading != Shading::Phong && !showsLevel)
+            return false;
+        if (m_rules.shading == Shading::Phong && (!m_rules.colorsClamped || !m_rules.normals.normalized))
+            return true;
+        const ScreenTriangle& triangle = m_log.triangle(event)->screen;
+        const FaceInterpolation interpolation(triangle, triangle.area2, m_right, DepthUse::Ignored);
+        const Weights screen = interpolation.weightsAt(event.x, event.y);
+        const Weights weights = interpolation.perspective(screen);
+        Varyings varyings{};
+        interpolation.varyings(weights, varyings);
+        const TexelRules& texels = m_rules.texels;
+        const glm::vec2 uv(varyings[kVaryingUv], varyings[kVaryingUv + 1]);
+        const bool isBelowZero = m_rules.textureFilter == TextureFilter::Nearest && (uv.x < 0 || uv.y < 0);
+        if (texels.uv != UvSource::Corners || (!texels.floored && isBelowZero && !showsLevel))
+            return true;
+        const bool blends = m_rules.textureFilter != TextureFilter::Nearest && !showsLevel;
+        const bool readsLevel = m_rules.textureFilter == TextureFilter::Trilinear || showsLevel;
+        return (blends && texels.centre != m_right.texels.centre) ||
+               (readsLevel && levelDiffers(interpolation, screen, weights, varyings));
+    }
+
+    /// Whether the mip level comes from other derivatives, or rises otherwise, at a sample.
+    [[nodiscard]] bool levelDiffers(const FaceInterpolation& interpolation, const Weights& screen,
+                                    const Weights& weights, Varyings varyings) const
+    {
+        const UvGradient right = interpolation.uvGradient(screen, weights, kVaryingUv);
+        UvGradient taken = right;
+        takeOtherTexels(interpolation, m_rules, screen, varyings, taken);
+        constexpr float kRounding = 1e-4F; // of differences of coordinates
+        return glm::distance(taken.perX, right.perX) > kRounding || glm::distance(taken.perY, right.perY) > kRounding ||
+               m_rules.texels.levelsPerDoubling != m_right.texels.levelsPerDoubling;
+    }
+
     /// Whether the cuts are moved, of which there are some where a corner lies outside, or corners are left out.
     [[nodiscard]] bool differs(const CohenSutherlandStep& step) const
     {
@@ -117,7 +185,7 @@ private:
     [[nodiscard]] bool differs(FaceFate fate, std::size_t i) const
     {
         if (fate == FaceFate::Rejected)
-            return m_rules.clipping != m_right.clipping;
+            return m_rules.clipping != m_right.clipping || m_rules.rejectBy != m_right.rejectBy;
         const auto isFacing = [&](const StepEvent& event) {
             return event.kind == StepKind::Facing && event.face == m_log.event(i).face;
         };
@@ -129,6 +197,23 @@ private:
     {
         const bool isTurned = triangle.hasSetup && triangle.setup.area2 < 0;
         return isTurned || m_rules.bounds != m_right.bounds;
+    }
+
+    /// Whether a pixel of a pattern is shaded at another place, or with other derivatives: those to a neighbour that is
+    /// shaded as far away as the right rules think.
+    [[nodiscard]] bool isShadedElsewhere(const StepEvent& event) const
+    {
+        const StepTriangle& triangle = *m_log.triangle(event);
+        if (!m_rules.multiSampled() || !triangle.hasSetup)
+            return false;
+        const auto offsetAt = [&](const Rules& rules, int x, int y) {
+            return shadingOffset(rules, coveredSamples(triangle.setup, m_right, x, y));
+        };
+        const glm::dvec2 right = offsetAt(m_right, event.x, event.y);
+        if (right != offsetAt(m_rules, event.x, event.y))
+            return true;
+        return m_rules.gradientByNeighbours &&
+               (right != offsetAt(m_right, event.x ^ 1, event.y) || right != offsetAt(m_right, event.x, event.y ^ 1));
     }
 
     template <class T>
@@ -147,7 +232,10 @@ private:
     /// Whether the triangle of an event covers a sample.
     [[nodiscard]] bool covers(const StepEvent& event, int x, int y) const
     {
-        const ScreenTriangle& triangle = m_log.triangle(event)->screen;
+        ScreenTriangle triangle = m_log.triangle(event)->screen;
+        if (m_right.multiSampled())
+            for (ScreenVertex& vertex : triangle.vertices)
+                vertex.position -= testedOffset(m_right, event.sample).pixels();
         switch (m_right.numberType) {
         case NumberType::Fixed: return covers<std::int64_t>(triangle, x, y);
         case NumberType::Float32: return covers<float>(triangle, x, y);
@@ -167,12 +255,17 @@ private:
         const bool passed = event.has(StepEvent::kPassed);
         const bool clear = step.storedDepth == m_rules.depthClear;
         const float stored = clear ? m_right.depthClear : step.storedDepth;
-        const bool passes = !m_right.depthTested || depthPasses(step.depth, stored, m_right.depthCompare);
+        const bool passes =
+            !m_right.depthTested || depthPasses(step.depth, stored, depthCompareOf(m_right, event.face));
         if (m_rules.depthTested != m_right.depthTested || passes != passed || (!passed && m_rules.depthWrittenOnFail) ||
             m_rules.integerLineWeights || event.has(StepEvent::kSharedDepth))
             return true;
         if (m_rules.depthFormat != m_right.depthFormat || m_rules.depthIsDistance || !m_rules.depthLinear ||
-            m_rules.keptW != KeptW::Inverse || !m_rules.clipUpdatesW)
+            m_rules.keptW != KeptW::Inverse || !m_rules.clipUpdatesW || m_rules.weightUnit > 0)
+            return true;
+        if (m_rules.depthTruncated || (m_rules.depthBias != m_right.depthBias && !isFirstPass(m_right, event.face)) ||
+            (m_rules.clipping == Clipping::DepthClamp && m_right.clipping != Clipping::DepthClamp &&
+             isHeld(step.depth)))
             return true;
         const ScreenTriangle& triangle = m_log.triangle(event)->screen;
         const auto& [a, b, c] = triangle.vertices;
@@ -181,6 +274,13 @@ private:
         const bool unlike = m_rules.perspectiveCorrect != m_right.perspectiveCorrect && m_rules.varyingCount > 0 &&
                             step.shaded && interpolation.perspective(step.screen) != step.weights;
         return moved || unlike;
+    }
+
+    /// Whether a depth lies at an end of the depth range, where those that are clamped come to lie.
+    [[nodiscard]] bool isHeld(float depth) const
+    {
+        const DepthStore store(m_rules);
+        return depth == static_cast<float>(store.low) || depth == static_cast<float>(store.high);
     }
 
     /// A frame that ends with a face that was rejected, and not for want of more faces.
@@ -232,6 +332,8 @@ bool drawOtherLines(const Rules& rules, const StepLog& log, const StepEvent& eve
             return (rules.lineOctants >> octantOf(line.from, line.to) & 1U) == 0;
         });
     const LineDecision& decision = log.payload<LineStep>(event).decision;
+    if (rules.lineTiesByDirection != log.rightRules().lineTiesByDirection && decision.decision == 0)
+        return true;
     return !rules.rightLineEnds &&
            std::ranges::any_of(lines, [&](const SampleLine& line) { return touchesRightEnd(line, event, decision); });
 }
@@ -268,7 +370,7 @@ StepKinds kindsFor(const StepLog& log, const StepEvent& event)
 std::vector<const Mistake*> becauseOf(const StepLog& log, std::size_t i)
 {
     const StepEvent& event = log.event(i);
-    if (log.rules().fill == Fill::Wireframe && isAboutLines(event.kind))
+    if (log.rules().fill == Fill::Wireframe && !isFirstPass(log.rules(), event.face) && isAboutLines(event.kind))
         return becauseOfLines(log, event);
     std::vector<const Mistake*> causes;
     const StepKinds kinds = kindsFor(log, event);

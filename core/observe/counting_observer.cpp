@@ -29,7 +29,8 @@ double nearDistance(const Rules& rules)
 } // namespace
 
 CountingObserver::CountingObserver(const Rules& rules)
-    : m_columns(rules.columns()), m_isFilled(rules.fill == Fill::Solid), m_nearDistance(nearDistance(rules))
+    : m_columns(rules.columns()), m_rows(rules.rows()), m_isFilled(rules.fill == Fill::Solid),
+      m_firstPassFaces(rules.firstPassFaces), m_nearDistance(nearDistance(rules))
 {
 }
 
@@ -52,6 +53,7 @@ void CountingObserver::onClipped(std::uint32_t, int pieces)
 
 void CountingObserver::onTriangle(const ScreenTriangle& triangle)
 {
+    m_sample = 0;
     for (std::size_t i = 0; i < 3; ++i)
         m_positions[i] = triangle.vertices[i].position;
     const double area2 = twiceArea(m_positions[0], m_positions[1], m_positions[2]);
@@ -73,7 +75,7 @@ void CountingObserver::onFragment(const Fragment& fragment, float, bool passedDe
         }
         return;
     }
-    if (!m_isFilled)
+    if (!m_isFilled && fragment.face >= m_firstPassFaces)
         return;
     for (std::size_t i = 0; i < 3; ++i) {
         if (fragment.screen[i] > m_nearEdge[i])
@@ -82,8 +84,8 @@ void CountingObserver::onFragment(const Fragment& fragment, float, bool passedDe
         glm::dvec2 to = m_positions[(i + 2) % 3];
         if (!m_counterClockwise)
             std::swap(from, to);
-        const std::uint64_t sample = static_cast<std::uint64_t>(fragment.y) * static_cast<std::uint64_t>(m_columns) +
-                                     static_cast<std::uint64_t>(fragment.x);
+        const std::int64_t row = std::int64_t(m_sample) * m_rows + fragment.y;
+        const auto sample = static_cast<std::uint64_t>(row * m_columns + fragment.x);
         m_hits.insert({from, to, sample});
         if (m_hits.contains({to, from, sample}) && m_hitTwice.insert(sample).second)
             ++pixels.coveredTwice;

@@ -24,6 +24,7 @@ public:
     void onFace(std::uint32_t, FaceFate fate);
     void onClipped(std::uint32_t, int pieces);
     void onTriangle(const ScreenTriangle& triangle);
+    void onPatternSample(int sample) { m_sample = sample; }
     void onSpan(int, int xBegin, int xEnd, const SpanEnds&)
     {
         m_statistics.pixels.tested += static_cast<std::uint64_t>(xEnd - xBegin);
@@ -50,8 +51,11 @@ private:
     };
 
     int m_columns;
-    bool m_isFilled;       ///< false: lines and corners belong to both faces, no tie rule parts them
-    double m_nearDistance; ///< samples covered so close to an edge, in samples, are looked at for a second hit
+    int m_rows;
+    int m_sample = 0;               ///< of a pattern
+    bool m_isFilled;                ///< false: lines and corners belong to both faces, no tie rule parts them
+    std::uint32_t m_firstPassFaces; ///< these are filled, whatever the others are
+    double m_nearDistance;          ///< samples covered so close to an edge, in samples, are looked at for a second hit
     Statistics m_statistics;
     std::optional<std::span<const std::uint64_t>> m_doubleHits; ///< those to come, if they are known
     std::array<glm::dvec2, 3> m_positions{};

@@ -57,11 +57,12 @@ struct FramePlanes {
     }
 };
 
-/// How many samples a frame stores: columns * rows, but for a mistake in their addresses.
+/// How many samples a frame stores: columns * rows, times those of a pattern, but for a mistake in their addresses.
 [[nodiscard]] inline std::size_t storedSamples(const Rules& rules)
 {
     const int stride = rules.strideIsRows ? rules.rows() : rules.columns();
-    return std::size_t(std::max(rules.columns(), stride)) * std::size_t(rules.rows());
+    return std::size_t(std::max(rules.columns(), stride)) * std::size_t(rules.rows()) *
+           std::size_t(rules.patternSamples);
 }
 
 /// What a sample of the cleared frame shows and stores.

@@ -122,6 +122,7 @@ void StepRecorder::beginFaceOf(std::uint32_t face)
 {
     dropPending();
     m_face = face;
+    m_sample = 0;
     m_triangle = StepEvent::kNone;
     m_faceKept = false;
     m_triangleKept = true;
@@ -143,7 +144,8 @@ void StepRecorder::beginFace(std::size_t nth)
     dropPending();
     m_now = {};
     m_now.face = nth;
-    if (m_index != nullptr && m_index->wantsPoint(++m_work))
+    const bool isSecondOfPair = m_rules.depthInLockstep && nth % 2 == 1; // it goes by what the first one has read
+    if (m_index != nullptr && m_index->wantsPoint(++m_work) && !isSecondOfPair)
         keepPoint(m_now);
 }
 
@@ -176,7 +178,7 @@ bool StepRecorder::takeCall()
     // Where the samples of a pixel are to share a depth at the end of the triangle, none but this end is a moment to
     // draw on from.
     if (m_index != nullptr && m_index->wantsPoint(++m_work) && m_now.calls > 1 && !m_rules.depthPerPixel &&
-        !isPending()) {
+        !m_rules.depthInLockstep && !isPending()) {
         ResumePoint before = m_now;
         --before.calls;
         keepPoint(before);
@@ -281,6 +283,7 @@ StepEvent StepRecorder::faceEvent(StepKind kind, std::uint8_t flags) const
     event.flags = flags;
     event.face = m_face;
     event.triangle = m_triangle;
+    event.sample = static_cast<std::int8_t>(m_sample);
     return event;
 }
 

@@ -98,15 +98,19 @@ public:
     void onClipped(std::uint32_t face, int pieces);
     void onFacing(std::uint32_t face, const FacingDecision& decision);
     void onTriangle(const ScreenTriangle& triangle);
+    void onPatternSample(int sample)
+    {
+        m_counter.onPatternSample(sample);
+        m_sample = sample;
+    }
+    void onShared(int x, int y, Pixel before, Pixel after);
     template <class T>
     void onSetup(const std::optional<TriangleSetup<T>>& setup)
     {
         if (!isFaceWanted())
             return;
-        if (setup && !m_log->m_triangles.empty()) {
-            m_log->m_triangles.back().hasSetup = true;
-            m_log->m_triangles.back().setup = stepSetup(*setup);
-        }
+        if (setup && !m_log->m_triangles.empty())
+            keepSetup(stepSetup(*setup));
         storeFaceEvent(StepKind::Setup);
     }
     void onOutline();
@@ -173,13 +177,16 @@ private:
     [[nodiscard]] StepEvent sampleEvent(StepKind kind, int x, int y, std::uint8_t flags = 0) const;
     [[nodiscard]] StepEvent faceEvent(StepKind kind, std::uint8_t flags = 0) const;
 
+    void keepSetup(StepSetup setup);
     void addEffect(const StepEffect& effect);
     void writePixel(int x, int y, Pixel before, const StepEffect::State& after);
     void shareDepth(int x, int y);
     [[nodiscard]] std::size_t gapBegin() const { return m_log->m_events.empty() ? 0 : m_log->m_events.back().effects; }
     [[nodiscard]] std::uint32_t sampleIndex(int x, int y) const
     {
-        return static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(m_stride) + static_cast<std::uint32_t>(x);
+        const std::uint32_t row = static_cast<std::uint32_t>(m_sample) * static_cast<std::uint32_t>(m_rules.rows()) +
+                                  static_cast<std::uint32_t>(y);
+        return row * static_cast<std::uint32_t>(m_stride) + static_cast<std::uint32_t>(x);
     }
 
     const Scene* m_scene;
@@ -187,6 +194,7 @@ private:
     StepFilter m_filter;
     PixelRect m_samples; ///< filter.pixels in samples
     int m_stride = 0;    ///< samples from one row of the frame buffer to the next
+    int m_sample = 0;    ///< of a pattern: what happens belongs to it; -1: to the pixel
     ClipVolume m_volume;
     std::stop_source m_stopDrawing;
     FramePlanes* m_planes;

@@ -3,6 +3,7 @@
 
 #include "core/pipeline/shading.h"
 #include "core/pipeline/unsnapped.h"
+#include "core/settings/sample_pattern.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +28,7 @@ std::uint8_t flagIf(bool condition, std::uint8_t flag) { return condition ? flag
 std::vector<ClipVertex> corners(const ClipPolygon& polygon) { return {polygon.span().begin(), polygon.span().end()}; }
 
 /// The cuts of a plane in the order of the polygon's edges, matched with the corners they made.
-std::vector<ClipCut> cutsOf(const ClipStep& step)
+std::vector<ClipCut> cutsOf(const ClipStep& step, CutStore store)
 {
     std::vector<ClipCut> cuts;
     const int n = static_cast<int>(step.before.size());
@@ -38,6 +39,9 @@ std::vector<ClipCut> cutsOf(const ClipStep& step)
         const bool nextInside = step.distances[static_cast<std::size_t>(next)] >= 0;
         corner += isInside ? 1 : 0;
         if (isInside == nextInside)
+            continue;
+        const bool isMoved = step.distances[static_cast<std::size_t>((i + n - 1) % n)] >= 0; // by the cut before
+        if (store == CutStore::InPlace && !isInside && isMoved)
             continue;
         ClipCut cut{isInside ? i : next, isInside ? next : i, 0, step.after.empty() ? -1 : corner};
         cut.t = cutParameter(step.distances[static_cast<std::size_t>(cut.inside)],
@@ -91,7 +95,7 @@ void StepRecorder::onClipPlane(std::uint32_t, ClipPlane plane, const ClipPolygon
     storeWith(faceEvent(StepKind::ClipPlane), [&] {
         ClipStep step{plane, corners(before), corners(after), {}, {}};
         step.distances.assign(before.distances.begin(), before.distances.begin() + before.count);
-        step.cuts = cutsOf(step);
+        step.cuts = cutsOf(step, m_rules.cutStore);
         return step;
     });
 }
@@ -140,6 +144,7 @@ void StepRecorder::onTriangle(const ScreenTriangle& triangle)
     endTriangle();
     m_counter.onTriangle(triangle);
     m_isLine = false;
+    m_sample = 0;
     m_now.calls = m_now.callsBeforeLine = 0;
     m_now.line = std::numeric_limits<int>::min();
     m_previousX = m_previousY = -2;
@@ -162,6 +167,25 @@ void StepRecorder::onTriangle(const ScreenTriangle& triangle)
         m_log->m_triangles.push_back({triangle, false, {}});
     }
     storeFaceEvent(StepKind::Triangle);
+}
+
+/// The set-up of the triangle, as it lies on the screen; with a pattern it was moved, and each sample has bounds of its
+/// own.
+void StepRecorder::keepSetup(StepSetup setup)
+{
+    StepTriangle& triangle = m_log->m_triangles.back();
+    if (m_rules.multiSampled())
+        setup.move(testedOffset(m_rules, m_sample).pixels());
+    if (triangle.hasSetup) {
+        const PixelRect& a = triangle.setup.bounds;
+        const PixelRect& b = setup.bounds;
+        const int left = std::min(a.x, b.x);
+        const int top = std::min(a.y, b.y);
+        setup.bounds = {left, top, std::max(a.x + a.width, b.x + b.width) - left,
+                        std::max(a.y + a.height, b.y + b.height) - top};
+    }
+    triangle.hasSetup = true;
+    triangle.setup = setup;
 }
 
 void StepRecorder::onWalk(const WalkedTriangle& walk)
@@ -301,6 +325,8 @@ void StepRecorder::onFragment(const Fragment& fragment, float storedDepth, bool 
     flags |= flagIf(passed, StepEvent::kPassed);
     flags |= flagIf(isSecondHit, StepEvent::kHitTwice);
     flags |= flagIf(!m_planes->ownDepth.empty() && m_planes->ownDepth[sample] != storedDepth, StepEvent::kSharedDepth);
+    flags |= flagIf(m_rules.depthInLockstep && !m_planes->depth.empty() && m_planes->depth[sample] != storedDepth,
+                    StepEvent::kSharedDepth);
     storeWith(sampleEvent(StepKind::Fragment, fragment.x, fragment.y, flags), [&] {
         FragmentStep step{fragment.screen, weights, invW, fragment.depth, storedDepth, {}, shaded};
         if (interpolated)
@@ -319,6 +345,11 @@ void StepRecorder::writePixel(int x, int y, Pixel before, const StepEffect::Stat
         m_planes->depth[sample] = after.pixel.depth;
     const std::int32_t ownerBefore = std::exchange(m_planes->owners[sample], after.owner);
     addEffect({sample, {before, ownerBefore}, after});
+}
+
+void StepRecorder::onShared(int x, int y, Pixel before, Pixel after)
+{
+    writePixel(x, y, before, {after, m_planes->owners[sampleIndex(x, y)]});
 }
 
 void StepRecorder::onShade(const Fragment& fragment, std::uint32_t color)
@@ -351,6 +382,7 @@ void StepRecorder::onWrite(int x, int y, Pixel before, Pixel after)
 void StepRecorder::onResolve(const ResolvedPixel& pixel)
 {
     leaveFaces();
+    m_sample = -1;
     const auto isCleared = [&](const Pixel& sample) { return sample == m_log->m_clear; };
     const auto samples = std::span(pixel.samples).first(static_cast<std::size_t>(pixel.count));
     const int grid = m_rules.sampleGrid;

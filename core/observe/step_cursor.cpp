@@ -3,7 +3,9 @@
 #include "core/pipeline/framebuffer.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace rasterlens
@@ -90,17 +92,14 @@ void StepCursor::resolveUpTo(std::size_t pixels)
 
 std::uint32_t StepCursor::meanAt(int x, int y) const
 {
-    const auto columns = static_cast<std::size_t>(m_log->columns());
-    const auto grid = static_cast<std::size_t>(m_log->grid());
-    const std::uint32_t* const first =
-        m_planes.color.data() + static_cast<std::size_t>(y) * grid * columns + static_cast<std::size_t>(x) * grid;
-    bool isOneColor = true; // as of most pixels: their mean
-    for (std::size_t row = 0; row < grid; ++row)
-        for (std::size_t column = 0; column < grid; ++column)
-            isOneColor = isOneColor && first[row * columns + column] == *first;
-    return isOneColor ? 0xff000000U | *first : meanOfSamples(m_log->grid(), x, y, [&](int column, int row) {
-        return m_planes.color[static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column)];
-    });
+    std::array<std::uint32_t, ResolvedPixel::kMostSamples> colors;
+    const Rules& rules = m_log->rules();
+    const int count = rules.samplesPerPixel();
+    for (int i = 0; i < count; ++i)
+        colors[static_cast<std::size_t>(i)] = m_planes.color[readIndex(rules, x, y, i)];
+    const auto samples = std::span(colors).first(static_cast<std::size_t>(count));
+    const bool isOneColor = std::ranges::count(samples, samples.front()) == count; // as of most pixels: their mean
+    return isOneColor ? 0xff000000U | samples.front() : meanColor(samples, rules.resolveLight);
 }
 
 std::vector<StepCursor::RowRange> StepCursor::changedSince(std::uint32_t turn) const
@@ -108,17 +107,19 @@ std::vector<StepCursor::RowRange> StepCursor::changedSince(std::uint32_t turn) c
     std::vector<RowRange> rows(std::size_t(m_image.height()), {std::numeric_limits<int>::max(), -1});
     const auto columns = static_cast<std::size_t>(m_log->columns());
     const auto grid = static_cast<std::size_t>(m_log->grid());
-    const std::size_t read = columns * static_cast<std::size_t>(m_log->rows()); // others are stored, but not read
+    const auto height = static_cast<std::size_t>(m_log->rows()); // of the frame of one sample of a pattern
+    const auto frames = static_cast<std::size_t>(m_log->rules().patternSamples);
+    const std::size_t read = columns * height * frames; // others are stored, but not read
     for (std::size_t run = 0; run < m_planes.runs.size(); ++run) {
         if (m_planes.runs[run].turn <= turn)
             continue;
         const std::size_t last = std::min((run + 1) * FramePlanes::kRun, read);
         for (std::size_t first = run * FramePlanes::kRun; first < last;) {
-            const std::size_t y = first / columns;
-            const std::size_t end = std::min(last, (y + 1) * columns);
-            RowRange& row = rows[y / grid];
-            row.left = std::min(row.left, static_cast<int>((first - y * columns) / grid));
-            row.right = std::max(row.right, static_cast<int>((end - 1 - y * columns) / grid));
+            const std::size_t line = first / columns;
+            const std::size_t end = std::min(last, (line + 1) * columns);
+            RowRange& row = rows[line % height / grid];
+            row.left = std::min(row.left, static_cast<int>((first - line * columns) / grid));
+            row.right = std::max(row.right, static_cast<int>((end - 1 - line * columns) / grid));
             first = end;
         }
     }
@@ -139,10 +140,10 @@ void StepCursor::show()
     for (int y = 0; y < m_image.height(); ++y) {
         const auto [left, right] = rows[std::size_t(y)];
         auto* line = reinterpret_cast<std::uint32_t*>(bits + y * m_image.bytesPerLine());
-        if (m_log->grid() == 1 && left <= right)
+        if (m_log->samplesPerPixel() == 1 && left <= right)
             std::copy_n(m_planes.color.data() + std::size_t(y) * columns + std::size_t(left), right - left + 1,
                         line + left);
-        for (int x = left; m_log->grid() > 1 && x <= right; ++x)
+        for (int x = left; m_log->samplesPerPixel() > 1 && x <= right; ++x)
             line[x] = meanAt(x, y);
     }
 }

@@ -293,6 +293,8 @@ QJsonObject stepJson(const StepLog& log, std::size_t i)
         object.insert(QStringLiteral("x"), event.x);
     if (isSample || event.kind == StepKind::Span || event.kind == StepKind::Crossing)
         object.insert(QStringLiteral("y"), event.y);
+    if (isOfPattern(log, event))
+        object.insert(QStringLiteral("sample"), event.sample);
     return object;
 }
 

@@ -31,8 +31,18 @@ EdgeValues StepSetup::at(const glm::dvec2& point) const
     return values;
 }
 
-glm::dvec2 testedPoint(const Rules& rules, int x, int y)
+void StepSetup::move(const glm::dvec2& offset)
 {
+    for (glm::dvec2& vertex : vertices)
+        vertex += offset;
+    for (StepEdge& edge : edges)
+        edge.from += offset * unitsPerSample;
+}
+
+glm::dvec2 testedPoint(const Rules& rules, int x, int y, int sample)
+{
+    if (rules.multiSampled() && sample >= 0 && !rules.samplesTruncated)
+        return glm::dvec2(x + 0.5, y + 0.5) + testedOffset(rules, sample).pixels();
     const int grid = rules.sampleGrid;
     return rules.samplesTruncated ? glm::dvec2(x / grid * grid, y / grid * grid) : glm::dvec2(x + 0.5, y + 0.5);
 }
@@ -58,6 +68,8 @@ DecidingEdge decidingEdge(const StepSetup& setup, const EdgeValues& values, cons
         failed = failed || fails;
         allAtMost = allAtMost && values[i] <= setup.edges[i].threshold;
     }
+    if (rules.insideTest == InsideTest::None) // as if nothing could fail
+        return {smallest, values[smallest], -std::numeric_limits<double>::infinity(), DecidingEdge::Sign::AtLeast};
     const bool either = failed && allAtMost;
     const std::size_t edge = either ? largest : smallest;
     using Sign = DecidingEdge::Sign;
@@ -65,6 +77,21 @@ DecidingEdge decidingEdge(const StepSetup& setup, const EdgeValues& values, cons
             either   ? Sign::AtMost
             : failed ? Sign::Below
                      : Sign::AtLeast};
+}
+
+bool isOfPattern(const StepLog& log, const StepEvent& event)
+{
+    const bool isInTriangle = event.kind != StepKind::Triangle && event.triangle != StepEvent::kNone;
+    return log.rules().multiSampled() && isInTriangle && event.sample >= 0;
+}
+
+SampleMask coveredSamples(const StepSetup& setup, const Rules& rules, int x, int y)
+{
+    unsigned mask = 0;
+    for (int sample = 0; sample < rules.patternSamples; ++sample)
+        if (decidingEdge(setup, setup.at(testedPoint(rules, x, y, sample)), rules).isInside())
+            mask |= 1U << sample;
+    return static_cast<SampleMask>(mask);
 }
 
 bool isStepBoundary(const StepEvent& before, const StepEvent& after, StepLevel level)

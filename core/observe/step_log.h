@@ -4,6 +4,7 @@
 #include "core/pipeline/statistics.h"
 #include "core/settings/mistakes.h"
 #include "core/settings/rules.h"
+#include "core/settings/sample_pattern.h"
 #include "core/settings/step_kind.h"
 
 #include <QImage>
@@ -43,6 +44,7 @@ struct StepEvent {
 
     StepKind kind = StepKind::End;
     std::uint8_t flags = 0;
+    std::int8_t sample = 0; ///< multi-sampling: which of the pattern; -1: the event belongs to the whole pixel
     std::uint32_t face = kNone;
     std::uint32_t triangle = kNone; ///< index for StepLog::triangle, from Triangle on
     std::int32_t x = -1;            ///< sample column; -1: the event belongs to no sample
@@ -209,10 +211,22 @@ struct StepSetup {
     ///
     /// exact  in fixed point, below 2^53
     [[nodiscard]] EdgeValues at(const glm::dvec2& point) const;
+
+    /// Moves the triangle, but not its bounds, by so many samples.
+    void move(const glm::dvec2& offset);
 };
 
-/// Where the rules test a sample: at its centre, or at its pixel's corner. In samples.
-[[nodiscard]] glm::dvec2 testedPoint(const Rules& rules, int x, int y);
+/// Where the rules test a sample: at its centre, or at its pixel's corner, or where the pattern has it. In samples.
+///
+/// in   of a pattern, the number of the sample; -1: the pixel's centre
+[[nodiscard]] glm::dvec2 testedPoint(const Rules& rules, int x, int y, int sample = 0);
+
+class StepLog;
+/// Whether an event belongs to one sample of a pattern, rather than to a pixel or a face.
+[[nodiscard]] bool isOfPattern(const StepLog& log, const StepEvent& event);
+
+/// The samples of a pattern that a triangle covers of a pixel.
+[[nodiscard]] SampleMask coveredSamples(const StepSetup& setup, const Rules& rules, int x, int y);
 
 /// Whether edge equation adds up its edge values from sample to sample; else it evaluates them anew at each.
 [[nodiscard]] bool addsUpEdgeValues(const Rules& rules);
@@ -268,7 +282,7 @@ struct StepEffect {
         std::int32_t owner;
     };
 
-    std::uint32_t sample; ///< where it is read from: row * columns + column
+    std::uint32_t sample; ///< where it is read from: row * columns + column; the samples of a pattern follow each other
     State before;
     State after;
 };
@@ -321,7 +335,8 @@ public:
     [[nodiscard]] const Rules& rightRules() const { return m_rightRules; }
     [[nodiscard]] int columns() const { return m_rules.columns(); } ///< samples
     [[nodiscard]] int rows() const { return m_rules.rows(); }       ///< samples
-    /// How many samples the frame buffer holds: columns * rows, but for a mistake in their addresses.
+    /// How many samples the frame buffer holds: columns * rows, times those of a pattern, but for a mistake in their
+    /// addresses.
     [[nodiscard]] std::size_t sampleCount() const { return m_sampleCount; }
     [[nodiscard]] int grid() const { return m_rules.sampleGrid; } ///< samples a pixel along each axis
     [[nodiscard]] int varyingCount() const { return m_rules.varyingCount; }
@@ -376,6 +391,8 @@ public:
     [[nodiscard]] std::size_t resolvedPixels(std::size_t position) const;
     /// The finished picture where a mistake makes it something else than the mean of the samples; else null.
     [[nodiscard]] const QImage& finishedImage() const { return m_finished; }
+    /// Samples a pixel, on a grid or in a pattern.
+    [[nodiscard]] int samplesPerPixel() const { return m_rules.samplesPerPixel(); }
 
     [[nodiscard]] std::span<const StepEffect> effects() const { return m_effects; }
     /// How many effects there are at a position.

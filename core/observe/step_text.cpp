@@ -1,6 +1,7 @@
 #include "core/observe/step_text.h"
 
 #include "core/observe/step_payload.h"
+#include "core/pipeline/framebuffer.h"
 #include "core/scene/origin.h"
 #include "core/settings/depth_rules.h"
 
@@ -252,7 +253,7 @@ StepParts parts(const StepLog&, const StepEvent&, const LineStep& step)
 Reason depthTestText(const Rules& rules, const StepEvent& event, const FragmentStep& step)
 {
     const Reason depth = depthNumber(step.depth);
-    const QString sign = QLatin1String(depthSign(rules));
+    const QString sign = QLatin1String(depthSign(rules, event.face));
     if (sign.isEmpty())
         return {QT_TRANSLATE_NOOP("Steps", "depth %1, compared with nothing: passed"), {depth}};
     const char* const text = event.has(StepEvent::kPassed) ? QT_TRANSLATE_NOOP("Steps", "depth %1 %2 %3: passed")
@@ -383,11 +384,38 @@ const WalkedTriangle* walkOf(const StepLog& log, const StepEvent& event)
     return isThere ? &log.payload<WalkStep>(log.event(*at)).walk : nullptr;
 }
 
+namespace
+{
+
+/// `R: light (0.871 + 0) / 2 = 0.436 -> 177`
+QString meanOfLight(const ResolvedPixel& pixel, char name, int shift)
+{
+    QStringList terms;
+    double sum = 0;
+    for (int i = 0; i < pixel.count; ++i) {
+        const double light = lightOfValue(pixel.counted(i) >> shift & 255U);
+        terms << shortNumber(light);
+        sum += light;
+    }
+    return QStringLiteral("%1: light (%2) / %3 = %4 -> %5")
+        .arg(QLatin1Char(name))
+        .arg(terms.join(QStringLiteral(" + ")))
+        .arg(pixel.count)
+        .arg(shortNumber(sum / pixel.count))
+        .arg(pixel.color >> shift & 255U);
+}
+
+} // namespace
+
 QStringList meanSums(const ResolvedPixel& pixel)
 {
     constexpr std::array<std::pair<char, int>, 3> kChannels{{{'R', 16}, {'G', 8}, {'B', 0}}};
     QStringList sums;
     for (const auto& [name, shift] : kChannels) {
+        if (pixel.light == ResolveLight::Linear) {
+            sums << meanOfLight(pixel, name, shift);
+            continue;
+        }
         QStringList terms;
         std::uint32_t sum = 0;
         for (int i = 0; i < pixel.count; ++i) {
@@ -447,6 +475,8 @@ QString stepText(const StepLog& log, std::size_t i)
         line += QStringLiteral(" (%1, %2)").arg(event.x).arg(event.y);
     else if (event.kind == StepKind::Span || event.kind == StepKind::Crossing)
         line += QStringLiteral(" row %1").arg(event.y);
+    if (isOfPattern(log, event))
+        line += QStringLiteral(" sample %1").arg(event.sample + 1);
     const StepParts parts = stepParts(log, i);
     for (const Reason* part : {&parts.what, &parts.numbers})
         if (!isEmpty(*part))

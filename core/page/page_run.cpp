@@ -103,6 +103,8 @@ QJsonObject frameJson(const Scene& scene, const Settings& settings, const StepLo
             {"columns", log.columns()},
             {"rows", log.rows()},
             {"grid", log.grid()},
+            {"pattern", log.rules().patternSamples},
+            {"linear", log.rules().resolveLight == ResolveLight::Linear},
             {"samples", static_cast<qint64>(log.sampleCount())},
             {"clear", QJsonArray{colorText(log.clear().color), number(double(log.clear().depth))}},
             {"mistakes", mistakes}};

@@ -1,5 +1,7 @@
 #include "core/pipeline/clipping.h"
 
+#include "core/pipeline/viewport.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -12,7 +14,6 @@ namespace
 constexpr ClipPlanes kNearFar = planeBit(ClipPlane::Near) | planeBit(ClipPlane::Far);
 constexpr ClipPlanes kSides =
     planeBit(ClipPlane::Right) | planeBit(ClipPlane::Left) | planeBit(ClipPlane::Top) | planeBit(ClipPlane::Bottom);
-constexpr double kSmallestW = 1e-5;
 
 /// The guard band ends this many pixels from the origin, so that edge values fit 64 bits.
 constexpr double kGuardBandPixels = 32768;
@@ -49,6 +50,10 @@ ClipVolume clipVolume(const Rules& rules)
     case Clipping::Frustum:
     case Clipping::GuardBand:
     case Clipping::CohenSutherland: volume.cutBy = volume.known; break;
+    case Clipping::DepthClamp:
+        volume.known = kSides | planeBit(ClipPlane::W);
+        volume.cutBy = volume.known;
+        break;
     case Clipping::AnyVertexInside:
     case Clipping::NearFarReject:
     case Clipping::None: volume.cutBy = 0; break;
@@ -83,12 +88,24 @@ ClipVerdict clipVerdict(Clipping mode, const Outcode& a, const Outcode& b, const
     case Clipping::Frustum:
     case Clipping::FrustumW:
     case Clipping::GuardBand:
+    case Clipping::DepthClamp:
     case Clipping::CohenSutherland: break;
     }
     if ((a.view & b.view & c.view) != 0)
         return ClipVerdict::Reject;
     const ClipPlanes crossed = mode == Clipping::CohenSutherland ? a.view | b.view | c.view : a.cut | b.cut | c.cut;
     return crossed != 0 ? ClipVerdict::Cut : ClipVerdict::Keep;
+}
+
+bool isDividedBoxOutside(const std::array<const ClipVertex*, 3>& corners)
+{
+    const auto allBeyond = [&](auto axis, double sign) {
+        return std::ranges::all_of(corners, [&](const ClipVertex* corner) {
+            return sign * (corner->positionClip.*axis) / corner->positionClip.w > 1;
+        });
+    };
+    return allBeyond(&glm::dvec4::x, 1) || allBeyond(&glm::dvec4::x, -1) || allBeyond(&glm::dvec4::y, 1) ||
+           allBeyond(&glm::dvec4::y, -1);
 }
 
 Clipper::Clipper(const ClipTriangle& triangle, const ClipVolume& volume, ClipPlanes crossed, const Rules& rules)
@@ -116,7 +133,16 @@ bool Clipper::isBeforeEye() const
 
 bool Clipper::isNew(std::size_t vertex) const { return !TriangleLines::isVertex(m_now->corners[vertex]); }
 
-glm::dvec2 Clipper::snapped(std::size_t vertex) const { return m_lines.snapped(m_now->corners[vertex], *m_rules); }
+glm::dvec2 Clipper::snapped(std::size_t vertex) const
+{
+    if (m_rules->cutStore != CutStore::InPlace)
+        return m_lines.snapped(m_now->corners[vertex], *m_rules);
+    // What is cut in place does not keep to its lines.
+    const glm::dvec4& p = m_now->vertices[vertex].positionClip;
+    const int shortBy = m_rules->viewportShort;
+    return {snapToGrid(p.x, p.w, m_rules->width - shortBy, m_rules->subpixelBits),
+            snapToGrid(m_rules->screenUp * p.y, p.w, m_rules->height - shortBy, m_rules->subpixelBits)};
+}
 
 bool isWellConditioned(const glm::dvec4& a, const glm::dvec4& b, double w)
 {
@@ -135,7 +161,9 @@ void Clipper::cutBy(ClipPlane plane)
     const auto n = static_cast<std::size_t>(from.count);
     for (std::size_t i = 0; i < n; ++i) {
         const double estimate = m_volume->cut[lineOf(plane)].carefulDistance(from.vertices[i].positionClip);
-        from.distances[i] = m_lines.distance(from.corners[i], lineOf(plane), estimate);
+        from.distances[i] = m_rules->cutStore == CutStore::InPlace
+                                ? estimate
+                                : m_lines.distance(from.corners[i], lineOf(plane), estimate);
     }
     const auto addCut = [&](std::size_t inside, std::size_t outside, ClipCorner corner) {
         const ClipVertex& a = from.vertices[inside];
@@ -148,7 +176,12 @@ void Clipper::cutBy(ClipPlane plane)
             cut.positionClip = m_lines.position(corner);
         const float s = static_cast<float>(t);
         for (std::size_t k = 0; k < static_cast<std::size_t>(m_rules->varyingCount); ++k)
-            cut.varyings[k] = a.varyings[k] + s * (b.varyings[k] - a.varyings[k]);
+            cut.varyings[k] =
+                m_rules->clipInterpolates ? a.varyings[k] + s * (b.varyings[k] - a.varyings[k]) : b.varyings[k];
+    };
+    // In place, the second cut at a corner is made from where the first one has moved it: it falls on the first.
+    const auto isMoved = [&](std::size_t outside) {
+        return m_rules->cutStore == CutStore::InPlace && from.distances[(outside + n - 1) % n] >= 0;
     };
     for (std::size_t i = 0; i < n; ++i) {
         const std::size_t next = (i + 1) % n;
@@ -158,7 +191,7 @@ void Clipper::cutBy(ClipPlane plane)
             append(from.corners[i]) = from.vertices[i];
         if (isInside && !nextInside)
             addCut(i, next, {from.corners[i].leaving, lineOf(plane)});
-        else if (!isInside && nextInside)
+        else if (!isInside && nextInside && !isMoved(i))
             addCut(next, i, {lineOf(plane), from.corners[i].leaving});
     }
     if (m_now->count < 3)

@@ -13,6 +13,8 @@
 namespace rasterlens
 {
 
+constexpr double kSmallestW = 1e-5; ///< the plane of w, where the mode has one
+
 /// Which planes there are, and which of them the mode looks at.
 struct ClipVolume {
     PlaneTable view;  ///< the view volume
@@ -36,6 +38,10 @@ struct Outcode {
 enum class ClipVerdict { Reject, Keep, Cut };
 
 [[nodiscard]] ClipVerdict clipVerdict(Clipping mode, const Outcode& a, const Outcode& b, const Outcode& c);
+
+/// Whether all three corners lie beyond one side of the screen after the divide, also those behind the eye, whose signs
+/// the divide turns round: what RejectBy::DividedBox rejects by.
+[[nodiscard]] bool isDividedBoxOutside(const std::array<const ClipVertex*, 3>& corners);
 
 /// How far along an edge its plane is crossed, 0..1, from the distances of its ends.
 [[nodiscard]] constexpr double cutParameter(double inside, double outside) { return inside / (inside - outside); }

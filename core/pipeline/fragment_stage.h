@@ -3,8 +3,10 @@
 #include "core/pipeline/framebuffer.h"
 #include "core/pipeline/gouraud_batch.h"
 #include "core/pipeline/interpolation.h"
+#include "core/pipeline/lockstep_depths.h"
 #include "core/pipeline/observer.h"
 #include "core/pipeline/shading.h"
+#include "core/pipeline/texel_path.h"
 #include "core/settings/rules.h"
 
 #include <algorithm>
@@ -72,14 +74,17 @@ public:
     FragmentStage(const Scene& scene, const Rules& rules, const SampleBuffer& samples, const glm::vec3& eyeWorld,
                   Observer& observer)
         : m_scene(&scene), m_rules(&rules), m_samples(samples), m_eyeWorld(eyeWorld), m_observer(&observer),
+          m_store(rules),
           m_readsDepth(kReadsFragments<Observer> || samples.depth != nullptr || rules.shading == Shading::Depth),
-          m_readsAttributes(varyingCount(rules.shading) > 0),
+          m_readsAttributes(varyingCount(rules.shading) > 0), m_takesOtherTexels(takesOtherTexels(rules)),
           m_readsUniforms(rules.shading != Shading::Gouraud && rules.shading != Shading::Depth),
           m_drawsBatches(std::is_same_v<Observer, NullObserver> && rules.shading == Shading::Gouraud &&
                          rules.depthTested && !rules.depthWrittenOnFail && rules.depthFormat == DepthFormat::Float32 &&
-                         samples.depth != nullptr && samples.color != nullptr),
+                         rules.depthRange.isWhole() && !rules.depthInLockstep && samples.depth != nullptr &&
+                         samples.color != nullptr),
           m_testsRowsFirst(std::is_same_v<Observer, NullObserver> && rules.depthTested && rules.depthBeforeShading &&
-                           !rules.depthWrittenOnFail && samples.depth != nullptr && samples.color != nullptr)
+                           !rules.depthWrittenOnFail && !rules.depthInLockstep && samples.depth != nullptr &&
+                           samples.color != nullptr)
     {
     }
 
@@ -91,6 +96,9 @@ public:
     void begin(const ScreenTriangle& triangle)
     {
         m_interpolation.emplace(triangle, triangle.area2, *m_rules, m_readsDepth ? DepthUse::Read : DepthUse::Ignored);
+        m_compare = depthCompareOf(*m_rules, triangle.face);
+        if (m_rules->depthInLockstep)
+            m_lockstep.begin(triangle.face);
         if (m_readsUniforms)
             m_uniforms = faceUniforms(*m_scene, triangle.face, *m_rules);
     }
@@ -151,11 +159,13 @@ public:
     void drawBatch()
     {
         computeDepths(*m_interpolation, m_batch);
-        switch (m_rules->depthCompare) {
+        switch (m_compare) {
         case DepthCompare::Less: testBatch<DepthCompare::Less>(); break;
         case DepthCompare::LessEqual: testBatch<DepthCompare::LessEqual>(); break;
-        case DepthCompare::Greater: testBatch<DepthCompare::Greater>(); break;
+        case DepthCompare::Equal: testBatch<DepthCompare::Equal>(); break;
         case DepthCompare::GreaterEqual: testBatch<DepthCompare::GreaterEqual>(); break;
+        case DepthCompare::Greater: testBatch<DepthCompare::Greater>(); break;
+        case DepthCompare::NotEqual: testBatch<DepthCompare::NotEqual>(); break;
         case DepthCompare::Always: testBatch<DepthCompare::Always>(); break;
         }
         computeColors(*m_interpolation, m_batch);
@@ -204,11 +214,13 @@ private:
     void drawTestedRow(int y, int xBegin, int xEnd)
     {
         PassedSamples passed;
-        switch (m_rules->depthCompare) {
+        switch (m_compare) {
         case DepthCompare::Less: testRow<DepthCompare::Less>(y, xBegin, xEnd, passed); break;
         case DepthCompare::LessEqual: testRow<DepthCompare::LessEqual>(y, xBegin, xEnd, passed); break;
-        case DepthCompare::Greater: testRow<DepthCompare::Greater>(y, xBegin, xEnd, passed); break;
+        case DepthCompare::Equal: testRow<DepthCompare::Equal>(y, xBegin, xEnd, passed); break;
         case DepthCompare::GreaterEqual: testRow<DepthCompare::GreaterEqual>(y, xBegin, xEnd, passed); break;
+        case DepthCompare::Greater: testRow<DepthCompare::Greater>(y, xBegin, xEnd, passed); break;
+        case DepthCompare::NotEqual: testRow<DepthCompare::NotEqual>(y, xBegin, xEnd, passed); break;
         case DepthCompare::Always: testRow<DepthCompare::Always>(y, xBegin, xEnd, passed); break;
         }
         for (std::size_t i = 0; i < static_cast<std::size_t>(passed.count); ++i) {
@@ -222,13 +234,13 @@ private:
     template <DepthCompare compare>
     void testRow(int y, int xBegin, int xEnd, PassedSamples& passed)
     {
-        const DepthFormat format = m_rules->depthFormat;
+        const DepthStore store = m_store;
         std::size_t count = 0;
         for (int x = xBegin; x < xEnd; ++x) {
             const std::size_t at = m_samples.index(x, y);
             if (m_samples.coverage != nullptr && m_samples.coverage[at] != 0xffff)
                 ++m_samples.coverage[at];
-            const float depth = storedDepth(AreaSample{*m_interpolation, x, y}.depth(), format);
+            const float depth = storedDepth(AreaSample{*m_interpolation, x, y}.depth(), store);
             passed.x[count] = x;
             passed.depth[count] = depth;
             count += depthPasses(depth, m_samples.depth[at], compare) ? 1 : 0;
@@ -266,9 +278,11 @@ private:
         const std::size_t at = m_samples.index(x, y);
         if (m_samples.coverage != nullptr && m_samples.coverage[at] != 0xffff)
             ++m_samples.coverage[at];
-        const float depth = m_readsDepth ? storedDepth(sample.depth(), m_rules->depthFormat) : 0;
-        const float stored = m_samples.depth != nullptr ? m_samples.depth[at] : m_rules->depthClear;
-        const bool passed = !m_rules->depthTested || depthPasses(depth, stored, m_rules->depthCompare);
+        const float depth = m_readsDepth ? storedDepth(sample.depth(), m_store) : 0;
+        const float stored = m_samples.depth == nullptr ? m_rules->depthClear
+                             : m_rules->depthInLockstep ? m_lockstep.read(at, m_samples.depth[at])
+                                                        : m_samples.depth[at];
+        const bool passed = !m_rules->depthTested || depthPasses(depth, stored, m_compare);
         const bool shaded = m_samples.color != nullptr && (passed || !m_rules->depthBeforeShading);
         std::uint32_t color = 0;
         if constexpr (kReadsFragments<Observer>)
@@ -324,6 +338,8 @@ private:
         UvGradient gradient;
         if (needsUvGradient(*m_rules, m_uniforms))
             gradient = m_interpolation->uvGradient(screen, weights, kVaryingUv);
+        if (m_takesOtherTexels)
+            takeOtherTexels(*m_interpolation, *m_rules, screen, varyings, gradient);
         return shadeFragment(*m_rules, m_uniforms, varyings, depth, m_eyeWorld, gradient);
     }
 
@@ -347,8 +363,12 @@ private:
     SampleBuffer m_samples;
     glm::vec3 m_eyeWorld;
     Observer* m_observer;
+    DepthStore m_store;
+    DepthCompare m_compare = DepthCompare::Always; ///< of the face that the samples belong to
+    LockstepDepths m_lockstep;                     ///< with depthInLockstep
     bool m_readsDepth;
     bool m_readsAttributes;
+    bool m_takesOtherTexels;
     bool m_readsUniforms;
     bool m_drawsBatches;
     bool m_testsRowsFirst;                            ///< see drawRow()

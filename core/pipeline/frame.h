@@ -19,6 +19,7 @@ struct Outputs {
     bool ids = false;
     bool coverage = false;
     bool picture = true;
+    bool sampleCoverage = false;
 };
 
 /// A finished picture. All arrays are row by row from the top, width * height of the image.
@@ -27,6 +28,8 @@ struct Frame {
     DepthBuffer depth;             ///< depth buffer, 0..1; with several samples that of the sample nearest the centre
     std::vector<std::int32_t> ids; ///< face written last, -1 none; sample as for depth
     std::vector<std::uint16_t> coverage; ///< faces that covered that sample, before the depth test
+    /// Faces that covered each sample: all first samples of the pixels, then all second ones, and so on.
+    std::vector<std::uint16_t> sampleCoverage;
     StageTimes times;
     std::shared_ptr<TiledContext> tiled; ///< threads and memory of the tiled algorithm, for the next picture
 };

@@ -4,6 +4,8 @@
 #include "core/pipeline/shading.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <new>
 
 namespace rasterlens
@@ -62,47 +64,82 @@ void sizePicture(Frame& frame, const Rules& rules, Outputs outputs)
         throw std::bad_alloc();
 }
 
-/// Where a sample is read from: what is stored elsewhere (rules.strideIsRows) is not found.
-std::size_t readIndex(const SampleBuffer& samples, int x, int y)
-{
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(samples.columns) + static_cast<std::size_t>(x);
-}
-
 /// The samples of a pixel, one bit each, that do not belong to the face drawn last in it: taken as black, they make the
 /// mean the colour of that face times the part of the pixel it covers.
-std::uint32_t samplesOfEarlierFaces(const SampleBuffer& samples, int grid, int x, int y)
+std::uint32_t samplesOfEarlierFaces(const SampleBuffer& samples, const Rules& rules, int x, int y)
 {
-    const auto idOf = [&](int sample) {
-        return samples.ids[readIndex(samples, x * grid + sample % grid, y * grid + sample / grid)];
-    };
+    const auto idOf = [&](int sample) { return samples.ids[readIndex(rules, x, y, sample)]; };
     std::int32_t last = -1;
-    for (int sample = 0; sample < grid * grid; ++sample)
+    for (int sample = 0; sample < rules.samplesPerPixel(); ++sample)
         last = std::max(last, idOf(sample));
     std::uint32_t earlier = 0;
-    for (int sample = 0; sample < grid * grid; ++sample)
+    for (int sample = 0; sample < rules.samplesPerPixel(); ++sample)
         if (idOf(sample) != last)
             earlier |= 1U << sample;
     return earlier;
 }
 
+std::array<double, 256> lightsOfValues()
+{
+    std::array<double, 256> lights{};
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        lights[i] = lightOfValue(static_cast<std::uint32_t>(i));
+    return lights;
+}
+
+/// The value whose light is nearest to this one.
+std::uint32_t valueOfLight(double light, const std::array<double, 256>& lights)
+{
+    const auto above = std::ranges::lower_bound(lights, light);
+    const auto i = static_cast<std::uint32_t>(above - lights.begin());
+    if (above == lights.end())
+        return 255;
+    return i > 0 && light - lights[i - 1] < *above - light ? i - 1 : i;
+}
+
 } // namespace
+
+double lightOfValue(std::uint32_t channel)
+{
+    const double value = channel / 255.0;
+    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+std::uint32_t meanColor(std::span<const std::uint32_t> colors, ResolveLight light)
+{
+    static const std::array<double, 256> lights = lightsOfValues();
+    const auto count = static_cast<std::uint32_t>(colors.size());
+    const auto channel = [&](int shift) {
+        std::uint32_t values = count / 2;
+        double sum = 0;
+        for (const std::uint32_t color : colors) {
+            values += color >> shift & 255U;
+            sum += lights[color >> shift & 255U];
+        }
+        return light == ResolveLight::Gamma ? values / count : valueOfLight(sum / count, lights);
+    };
+    return 0xff000000U | channel(16) << 16 | channel(8) << 8 | channel(0);
+}
 
 ResolvedPixel resolvedPixel(const SampleBuffer& samples, const Rules& rules, int x, int y)
 {
-    const int grid = rules.sampleGrid;
     ResolvedPixel pixel;
     pixel.x = x;
     pixel.y = y;
-    for (int row = y * grid; row < (y + 1) * grid; ++row)
-        for (int column = x * grid; column < (x + 1) * grid; ++column) {
-            const std::size_t at = readIndex(samples, column, row);
-            const float depth = samples.depth != nullptr ? samples.depth[at] : rules.depthClear;
-            pixel.samples[static_cast<std::size_t>(pixel.count++)] = {samples.color[at], depth};
-        }
+    pixel.count = rules.samplesPerPixel();
+    pixel.isPattern = rules.multiSampled();
+    pixel.light = rules.resolveLight;
+    for (int sample = 0; sample < pixel.count; ++sample) {
+        const std::size_t at = readIndex(rules, x, y, sample);
+        const float depth = samples.depth != nullptr ? samples.depth[at] : rules.depthClear;
+        pixel.samples[static_cast<std::size_t>(sample)] = {samples.color[at], depth};
+    }
     if (rules.resolve == Resolve::LastFace)
-        pixel.black = samplesOfEarlierFaces(samples, grid, x, y);
-    int sample = 0;
-    pixel.color = meanOfSamples(grid, x, y, [&](int, int) { return pixel.counted(sample++); });
+        pixel.black = samplesOfEarlierFaces(samples, rules, x, y);
+    std::array<std::uint32_t, ResolvedPixel::kMostSamples> colors{};
+    for (int sample = 0; sample < pixel.count; ++sample)
+        colors[static_cast<std::size_t>(sample)] = pixel.counted(sample);
+    pixel.color = meanColor(std::span(colors).first(static_cast<std::size_t>(pixel.count)), rules.resolveLight);
     return pixel;
 }
 
@@ -128,16 +165,17 @@ Framebuffer::Framebuffer(Frame& frame, const Rules& rules, Outputs outputs, std:
         m_samples.depth = cleared(direct ? frame.depth : m_depth, count, rules.depthClear, stop);
     if (outputs.ids || rules.resolve == Resolve::LastFace)
         m_samples.ids = cleared(direct ? frame.ids : m_ids, count, std::int32_t(-1), stop);
-    if (outputs.coverage || rules.shading == Shading::Overdraw)
+    if (outputs.coverage || outputs.sampleCoverage || rules.shading == Shading::Overdraw)
         m_samples.coverage = cleared(direct ? frame.coverage : m_coverage, count, std::uint16_t(0), stop);
 }
 
-bool Framebuffer::isDirect() const { return m_rules.sampleGrid == 1 && m_samples.stride == m_samples.columns; }
+bool Framebuffer::isDirect() const { return m_rules.samplesPerPixel() == 1 && m_samples.stride == m_samples.columns; }
 
 std::size_t Framebuffer::sampleCount() const
 {
     return static_cast<std::size_t>(m_samples.rows) *
-           static_cast<std::size_t>(std::max(m_samples.columns, m_samples.stride));
+           static_cast<std::size_t>(std::max(m_samples.columns, m_samples.stride)) *
+           static_cast<std::size_t>(m_rules.patternSamples);
 }
 
 void Framebuffer::resolve(const ResolveListener& listener)
@@ -147,7 +185,8 @@ void Framebuffer::resolve(const ResolveListener& listener)
             m_samples.color[i] = overdrawColor(m_samples.coverage[i]);
     const int grid = m_rules.sampleGrid;
     if (!isDirect()) {
-        if (m_outputs.picture && (listener || m_rules.resolve != Resolve::AllSamples))
+        const bool isPlainMean = m_rules.resolve == Resolve::AllSamples && m_rules.resolveLight == ResolveLight::Gamma;
+        if (m_outputs.picture && (listener || !isPlainMean || m_rules.multiSampled()))
             resolveColorOneByOne(listener);
         else if (m_outputs.picture)
             resolveColor();
@@ -158,6 +197,7 @@ void Framebuffer::resolve(const ResolveListener& listener)
         if (m_outputs.coverage)
             pickCentres(m_coverage, m_frame->coverage, m_rules.width, m_rules.height, grid);
     }
+    takeSampleCoverage();
     if (!m_outputs.depth)
         m_frame->depth.clear();
     if (!m_outputs.ids)
@@ -166,13 +206,29 @@ void Framebuffer::resolve(const ResolveListener& listener)
         m_frame->coverage.clear();
 }
 
+/// The counts of the first samples of all pixels, then those of the second ones, and so on.
+void Framebuffer::takeSampleCoverage()
+{
+    std::vector<std::uint16_t>& out = m_frame->sampleCoverage;
+    out.clear();
+    if (!m_outputs.sampleCoverage)
+        return;
+    const std::vector<std::uint16_t>& samples = isDirect() ? m_frame->coverage : m_coverage;
+    for (int sample = 0; sample < m_rules.samplesPerPixel(); ++sample)
+        for (int y = 0; y < m_rules.height; ++y)
+            for (int x = 0; x < m_rules.width; ++x)
+                out.push_back(samples[readIndex(m_rules, x, y, sample)]);
+}
+
 void Framebuffer::resolveColor()
 {
     auto* out = reinterpret_cast<std::uint32_t*>(m_frame->image.bits());
     for (int y = 0; y < m_rules.height; ++y)
         for (int x = 0; x < m_rules.width; ++x)
-            *out++ = meanOfSamples(m_rules.sampleGrid, x, y,
-                                   [&](int column, int row) { return m_color[readIndex(column, row)]; });
+            *out++ = meanOfSamples(m_rules.sampleGrid, x, y, [&](int column, int row) {
+                return m_color[static_cast<std::size_t>(row) * static_cast<std::size_t>(m_samples.columns) +
+                               static_cast<std::size_t>(column)];
+            });
 }
 
 void Framebuffer::resolveColorOneByOne(const ResolveListener& listener)

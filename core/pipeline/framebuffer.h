@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -27,9 +28,40 @@ struct SampleBuffer {
     {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(stride) + static_cast<std::size_t>(x);
     }
+
+    /// Multi-sampling: where a sample of the pattern of pixel (x, y) is stored. The frames of the samples follow each
+    /// other.
+    [[nodiscard]] std::size_t index(int x, int y, int sample) const
+    {
+        return static_cast<std::size_t>(sample) * static_cast<std::size_t>(stride) * static_cast<std::size_t>(rows) +
+               index(x, y);
+    }
 };
 
-/// The mean of the samples of pixel (x, y), channel by channel, rounded to nearest.
+/// Where the i-th sample of pixel (x, y) is read from: on a grid row by row, in a pattern in its order.
+[[nodiscard]] inline std::size_t readIndex(const Rules& rules, int x, int y, int i)
+{
+    const auto columns = static_cast<std::size_t>(rules.columns());
+    if (rules.multiSampled())
+        return (static_cast<std::size_t>(i) * static_cast<std::size_t>(rules.rows()) + static_cast<std::size_t>(y)) *
+                   columns +
+               static_cast<std::size_t>(x);
+    const int grid = rules.sampleGrid;
+    return static_cast<std::size_t>(y * grid + i / grid) * columns + static_cast<std::size_t>(x * grid + i % grid);
+}
+
+/// The light that a display makes of a channel of 0..255: 0..1.
+///
+/// source  IEC 61966-2-1 (sRGB)
+[[nodiscard]] double lightOfValue(std::uint32_t channel);
+
+/// The mean of colours as the rules want it, channel by channel, rounded to nearest: of the values, or of the light
+/// that a display makes of them.
+///
+/// in   at least one colour
+[[nodiscard]] std::uint32_t meanColor(std::span<const std::uint32_t> colors, ResolveLight light);
+
+/// The mean of the samples of pixel (x, y) on a grid, of their values, channel by channel, rounded to nearest.
 template <class ColorAt>
 [[nodiscard]] std::uint32_t meanOfSamples(int grid, int x, int y, ColorAt&& colorAt)
 {
@@ -47,7 +79,8 @@ template <class ColorAt>
     return 0xff000000U | red / samplesPerPixel << 16 | green / samplesPerPixel << 8 | blue / samplesPerPixel;
 }
 
-/// What the samples of pixel (x, y) store, row by row, and the colour that the picture has of them.
+/// What the samples of pixel (x, y) store, row by row or in the order of the pattern, and the colour that the picture
+/// has of them.
 ///
 /// in  samples with colours and, under Resolve::LastFace, ids
 [[nodiscard]] ResolvedPixel resolvedPixel(const SampleBuffer& samples, const Rules& rules, int x, int y);
@@ -78,11 +111,7 @@ private:
     void resolveColorOneByOne(const ResolveListener& listener);
     [[nodiscard]] bool isDirect() const;
     [[nodiscard]] std::size_t sampleCount() const;
-    /// Where a sample is read from: what is stored elsewhere (rules.strideIsRows) is not found.
-    [[nodiscard]] std::size_t readIndex(int x, int y) const
-    {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(m_samples.columns) + static_cast<std::size_t>(x);
-    }
+    void takeSampleCoverage();
 
     Frame* m_frame;
     Rules m_rules;

@@ -171,8 +171,11 @@ std::vector<std::uint32_t> Geometry::order() const
             const double d = perspective ? p.w : sign * p.z / p.w;
             distance[face] += std::isfinite(d) ? d : 0;
         }
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return distance[a] > distance[b]; });
+    // Each pass is sorted by itself.
+    const auto secondPass = order.begin() + static_cast<std::ptrdiff_t>(m_rules.firstPassFaces);
+    const auto isFarther = [&](std::uint32_t a, std::uint32_t b) { return distance[a] > distance[b]; };
+    std::stable_sort(order.begin(), secondPass, isFarther);
+    std::stable_sort(secondPass, order.end(), isFarther);
     return order;
 }
 

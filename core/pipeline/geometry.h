@@ -1,12 +1,14 @@
 #pragma once
 #include "core/pipeline/clipping.h"
 #include "core/pipeline/culling.h"
+#include "core/pipeline/depth_bias.h"
 #include "core/pipeline/interpolation.h"
 #include "core/pipeline/observer.h"
 #include "core/pipeline/unsnapped.h"
 #include "core/pipeline/viewport.h"
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
+#include "core/settings/depth_rules.h"
 #include "core/settings/rules.h"
 
 #include <algorithm>
@@ -54,6 +56,8 @@ public:
             observer.onVertex(face, static_cast<int>(i), m_scene->mesh.indices[3 * face + i], corners[i]->clip);
         if (!a.finite || !b.finite || !c.finite)
             return FaceFate::NonFinite;
+        if (m_rules.rejectBy == RejectBy::DividedBox && isDividedBoxOutside({&a.clip, &b.clip, &c.clip}))
+            return FaceFate::Rejected;
         const ClipVerdict verdict = clipVerdict(m_rules.clipping, a.outcode, b.outcode, c.outcode);
         if (verdict == ClipVerdict::Reject)
             return FaceFate::Rejected;
@@ -88,6 +92,8 @@ private:
                 triangle.vertices[i] = corners[i]->screen;
             triangle.face = face;
             triangle.area2 = area2;
+            if (isBiased(face))
+                bias(triangle.vertices, std::span(&triangle, 1));
         }
         return fate;
     }
@@ -110,6 +116,8 @@ private:
         const FaceFate fate = facing(face, corners, area2, observer);
         const int pieces = fate == FaceFate::Rasterized ? appendFan(face, polygon, area2, out) : 0;
         observer.onClipped(face, pieces);
+        if (isBiased(face))
+            bias(polygon, std::span(out).last(static_cast<std::size_t>(pieces)));
         if (!m_rules.clipUpdatesW)
             giveWOfCorners(corners, std::span(out).last(static_cast<std::size_t>(pieces)));
         return fate;
@@ -151,9 +159,40 @@ private:
     [[nodiscard]] ScreenVertex screenVertex(const Clipper& clipper, std::size_t i) const
     {
         const ClipVertex& vertex = clipper.polygon().vertices[i];
+        if (m_rules.cutStore == CutStore::LastUnwritten && isLastNew(clipper, i))
+            return unwrittenVertex(vertex);
         if (m_rules.numberType != NumberType::Fixed || !clipper.isNew(i))
             return screenVertex(vertex);
         return withDepthRule(vertex, toScreen(vertex, clipper.snapped(i), m_rules));
+    }
+
+    /// Whether a vertex of a clipped polygon is the last one that a cut has made.
+    [[nodiscard]] static bool isLastNew(const Clipper& clipper, std::size_t i)
+    {
+        for (auto last = static_cast<std::size_t>(clipper.polygon().count); last-- > i;)
+            if (clipper.isNew(last))
+                return last == i;
+        return false;
+    }
+
+    /// What stands in memory that is cleared and not written: a corner at (0, 0). It keeps its w, by which all divide.
+    [[nodiscard]] static ScreenVertex unwrittenVertex(const ClipVertex& vertex)
+    {
+        return {{0, 0}, 0, 1 / vertex.positionClip.w, {}};
+    }
+
+    [[nodiscard]] bool isBiased(std::uint32_t face) const
+    {
+        return m_rules.depthBias.isOn() && !isFirstPass(m_rules, face);
+    }
+
+    /// Adds the depth bias of a face's polygon to the triangles made of it.
+    void bias(std::span<const ScreenVertex> polygon, std::span<ScreenTriangle> triangles) const
+    {
+        const double bias = depthBias(polygon, m_rules);
+        for (ScreenTriangle& triangle : triangles)
+            for (ScreenVertex& vertex : triangle.vertices)
+                vertex.depth += bias;
     }
 
     [[nodiscard]] ScreenVertex withDepthRule(const ClipVertex& vertex, ScreenVertex out) const

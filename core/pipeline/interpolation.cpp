@@ -55,7 +55,7 @@ DepthPlane depthPlane(const ScreenTriangle& triangle, double area2, const Rules&
     const double originAtZero = a.depth + perX * (0.5 - a.position.x) + perY * (0.5 - a.position.y);
     const double largest = std::abs(originAtZero) + std::abs(perX) * std::max(std::abs(high.x), kPlaneMargin) +
                            std::abs(perY) * std::max(std::abs(high.y), kPlaneMargin);
-    if (!std::isfinite(largest) || !rules.depthLinear)
+    if (!std::isfinite(largest) || !rules.depthLinear || rules.weightUnit > 0)
         return {.byWeights = true};
     const double quantum = powerOfTwoBelow(std::max(largest, 0x1p-900)) * 0x1p-51;
     const double extent = (high.x - low.x) + (high.y - low.y) + 1;
@@ -103,17 +103,28 @@ FaceInterpolation::FaceInterpolation(const ScreenTriangle& triangle, double area
       m_isTurned(isTurned(area2, rules)), m_edgesFitDoubles(edgesFitDoubles(triangle)),
       m_depth(use == DepthUse::Read ? depthPlane(triangle, area2, rules) : DepthPlane()),
       m_varyingCount(static_cast<std::size_t>(rules.varyingCount)), m_perspectiveCorrect(rules.perspectiveCorrect),
-      m_depthLinear(rules.depthLinear)
+      m_depthLinear(rules.depthLinear), m_weightUnit(rules.weightUnit)
 {
     for (std::size_t k = 0; k < m_varyingCount; ++k)
         for (std::size_t i = 0; i < 3; ++i)
             m_varyings[k][i] = triangle.vertices[i].varyings[k];
 }
 
+/// The sum of the three may be another one than 1.
+Weights FaceInterpolation::roundedWeights(const Weights& weights) const
+{
+    const auto rounded = [&](double weight) { return std::floor(weight / m_weightUnit + 0.5) * m_weightUnit; };
+    return {rounded(weights[0]), rounded(weights[1]), rounded(weights[2])};
+}
+
 double FaceInterpolation::depthOf(const Weights& screen) const
 {
     const auto& [a, b, c] = m_triangle->vertices;
     const Weights weights = m_depthLinear ? screen : perspective(screen);
+    if (m_weightUnit > 0) {
+        const Weights rounded = roundedWeights(weights);
+        return rounded[0] * a.depth + rounded[1] * b.depth + rounded[2] * c.depth;
+    }
     return a.depth + (weights[1] * (b.depth - a.depth) + weights[2] * (c.depth - a.depth));
 }
 

@@ -58,10 +58,12 @@ public:
     FaceInterpolation(const ScreenTriangle& triangle, double area2, const Rules& rules, DepthUse use = DepthUse::Read);
 
     /// Screen-space barycentric weights at the centre of sample (x, y): edge value over area.
-    [[nodiscard]] Weights weightsAt(int x, int y) const
+    [[nodiscard]] Weights weightsAt(int x, int y) const { return weightsAt(glm::dvec2(x + 0.5, y + 0.5)); }
+
+    /// Screen-space barycentric weights at a point, in samples.
+    [[nodiscard]] Weights weightsAt(const glm::dvec2& p) const
     {
         const auto& [a, b, c] = m_triangle->vertices;
-        const glm::dvec2 p(x + 0.5, y + 0.5);
         const double wa = twiceArea(b.position, c.position, p) * m_inverseArea2;
         const double wb = twiceArea(c.position, a.position, p) * m_inverseArea2;
         return {wa, wb, 1 - wa - wb};
@@ -88,6 +90,14 @@ public:
     [[nodiscard]] double depthAt(int x, int y, const Weights& screen) const
     {
         return depthAt(x, y, [&] { return screen; });
+    }
+
+    /// Depth beside the centre of a sample, by an offset in samples; linear on the screen.
+    [[nodiscard]] double depthAt(int x, int y, const glm::dvec2& offset) const
+    {
+        if (m_depth.byWeights)
+            return depthOf(weightsAt(glm::dvec2(x + 0.5, y + 0.5) + offset));
+        return m_depth.at(x, y) + (m_depth.perX * offset.x + m_depth.perY * offset.y);
     }
 
     /// Depth of a point known by its weights alone (lines).
@@ -134,6 +144,8 @@ public:
     [[nodiscard]] const ScreenTriangle& triangle() const { return *m_triangle; }
 
 private:
+    [[nodiscard]] Weights roundedWeights(const Weights& weights) const;
+
     const ScreenTriangle* m_triangle;
     double m_inverseArea2;
     double m_weightPerEdgeUnit; ///< edge values are positive inside, whatever the sign of area2
@@ -144,6 +156,7 @@ private:
     std::array<std::array<double, 3>, kMaxVaryings> m_varyings; ///< those that are carried, of A, B and C
     bool m_perspectiveCorrect;
     bool m_depthLinear;
+    double m_weightUnit; ///< rules.weightUnit
 };
 
 } // namespace rasterlens

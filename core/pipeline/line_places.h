@@ -1,4 +1,6 @@
 #pragma once
+#include "core/settings/rules.h"
+
 #include <glm/glm.hpp>
 
 #include <cmath>
@@ -25,8 +27,10 @@ struct GridPoint {
 }
 
 /// The sample that holds a point of the screen.
-[[nodiscard]] inline GridPoint sampleOf(const glm::dvec2& position)
+[[nodiscard]] inline GridPoint sampleOf(const glm::dvec2& position, GridRounding rounding = GridRounding::Floor)
 {
+    if (rounding == GridRounding::TowardsZero)
+        return {static_cast<int>(position.x), static_cast<int>(position.y)};
     return {static_cast<int>(std::floor(position.x)), static_cast<int>(std::floor(position.y))};
 }
 

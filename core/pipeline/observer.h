@@ -92,16 +92,18 @@ struct LineDecision {
     bool sideways = false; ///< the shorter axis is stepped along
 };
 
-/// Super-sampling: the samples of a pixel, and the colour that the picture has of them.
+/// The samples of a pixel, and the colour that the picture has of them.
 struct ResolvedPixel {
     static constexpr int kMostSamples = 16;
 
     int x = 0; ///< pixels
     int y = 0;
-    int count = 0;                             ///< samples, row by row
+    int count = 0;                             ///< samples, row by row, or in the order of the pattern
+    bool isPattern = false;                    ///< multi-sampling: the samples lie on no grid
     std::array<Pixel, kMostSamples> samples{}; ///< what is stored
     std::uint32_t black = 0;                   ///< one bit a sample: it counts as black, whatever it stores
     std::uint32_t color = 0;                   ///< 0xffRRGGBB
+    ResolveLight light = ResolveLight::Gamma;  ///< what the mean is taken of
 
     /// The colour that a sample brings into the mean.
     [[nodiscard]] std::uint32_t counted(int sample) const
@@ -138,6 +140,9 @@ struct NullObserver {
     constexpr void onClipped(std::uint32_t /*face*/, int /*pieces*/) {}
     constexpr void onFacing(std::uint32_t /*face*/, const FacingDecision&) {}
     constexpr void onTriangle(const ScreenTriangle&) {}
+    /// Multi-sampling: what follows, up to the next such event or triangle, belongs to this sample of the pattern; -1:
+    /// to none, but to the pixel.
+    constexpr void onPatternSample(int /*sample*/) {}
     /// An optional TriangleSetup<T> for the triangle of the last onTriangle; empty: it holds no sample's centre.
     template <class Setup>
     constexpr void onSetup(const Setup&)
@@ -160,6 +165,8 @@ struct NullObserver {
     constexpr void onFragment(const Fragment&, float /*storedDepth*/, bool /*passedDepth*/) {}
     constexpr void onShade(const Fragment&, std::uint32_t /*color*/) {}
     constexpr void onWrite(int /*x*/, int /*y*/, Pixel /*before*/, Pixel /*after*/) {}
+    /// A sample of a pattern is given the mean of its pixel (rules.resolvedByFace).
+    constexpr void onShared(int /*x*/, int /*y*/, Pixel /*before*/, Pixel /*after*/) {}
     /// After the last face, pixel by pixel in rows from the top; only where a pixel has several samples.
     constexpr void onResolve(const ResolvedPixel&) {}
 };

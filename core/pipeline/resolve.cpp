@@ -1,5 +1,6 @@
 #include "core/pipeline/resolve.h"
 
+#include "core/pipeline/depth_test.h"
 #include "core/pipeline/shading.h"
 
 #include <algorithm>
@@ -14,6 +15,9 @@ DepthCompare compareFor(DepthTest test, bool reversedZ)
     switch (test) {
     case DepthTest::Less: return reversedZ ? DepthCompare::Greater : DepthCompare::Less;
     case DepthTest::LessEqual: return reversedZ ? DepthCompare::GreaterEqual : DepthCompare::LessEqual;
+    case DepthTest::Equal: return DepthCompare::Equal;
+    case DepthTest::NotEqual: return DepthCompare::NotEqual;
+    case DepthTest::GreaterEqual: return reversedZ ? DepthCompare::LessEqual : DepthCompare::GreaterEqual;
     case DepthTest::Greater: return reversedZ ? DepthCompare::Less : DepthCompare::Greater;
     case DepthTest::Always:
     case DepthTest::None: break;
@@ -21,8 +25,12 @@ DepthCompare compareFor(DepthTest test, bool reversedZ)
     return DepthCompare::Always;
 }
 
-/// The value every first fragment beats.
-float clearValueFor(DepthTest test, bool reversedZ) { return (test == DepthTest::Greater) != reversedZ ? 0.0F : 1.0F; }
+/// The value every first fragment beats; of `equal` and `notequal`, that of `less`.
+float clearValueFor(DepthTest test, bool reversedZ)
+{
+    const bool nearIsLarger = test == DepthTest::Greater || test == DepthTest::GreaterEqual;
+    return nearIsLarger != reversedZ ? 0.0F : 1.0F;
+}
 
 Rules::TieThresholds thresholdsFor(TieRule rule)
 {
@@ -54,6 +62,7 @@ void carryMaskUv(Rules& rules)
 {
     switch (rules.shading) {
     case Shading::Texture:
+    case Shading::MipLevel:
     case Shading::Phong: rules.maskUv = kVaryingUv; break;
     case Shading::Uv: rules.maskUv = 0; break;
     case Shading::Gouraud:
@@ -77,6 +86,8 @@ Rules rightRules(const Settings& settings, const Scene& scene, const Matrices& m
     rules.light = lightDirection(settings.light, matrices.toViewer);
     rules.orthographic = matrices.orthographic;
     rules.toViewer = glm::vec3(matrices.toViewer);
+    rules.eye = glm::vec3(matrices.eyeObject);
+    rules.stretch = scene.stretch;
     rules.varyingCount = varyingCount(settings.shading);
     if (settings.alphaTest == AlphaTest::On && hasMasks(scene))
         carryMaskUv(rules);
@@ -88,6 +99,9 @@ Rules rightRules(const Settings& settings, const Scene& scene, const Matrices& m
     rules.width = settings.size.width();
     rules.height = settings.size.height();
     rules.sampleGrid = sampleGrid(settings.samples);
+    rules.patternSamples = patternSamples(settings.samples);
+    rules.attributeAt = settings.attributeAt;
+    rules.resolveLight = settings.resolveLight;
     rules.numberType = settings.numberType;
     rules.subpixelBits = settings.subpixelBits;
 
@@ -99,13 +113,22 @@ Rules rightRules(const Settings& settings, const Scene& scene, const Matrices& m
     rules.stepping = settings.stepping;
     rules.fill = settings.fill;
     rules.line = settings.line;
+    rules.lineRule = settings.lineRule;
+    rules.lineTiesByDirection = settings.lineTies == LineTies::ByDirection;
     rules.tie = thresholdsFor(settings.tieRule);
 
     rules.painter = settings.visibility == Visibility::Painter;
-    rules.depthTested = settings.visibility == Visibility::ZBuffer && settings.depthTest != DepthTest::None;
+    rules.firstPassFaces = std::min(scene.secondPassFrom, static_cast<std::uint32_t>(scene.mesh.faceCount()));
+    const bool firstPassTests = rules.firstPassFaces > 0;
+    rules.depthTested =
+        settings.visibility == Visibility::ZBuffer && (settings.depthTest != DepthTest::None || firstPassTests);
     rules.depthCompare = compareFor(settings.depthTest, settings.reversedZ);
-    rules.depthClear = clearValueFor(settings.depthTest, settings.reversedZ);
+    rules.depthClear = clearValueFor(firstPassTests ? DepthTest::Less : settings.depthTest, settings.reversedZ);
     rules.depthFormat = settings.depthFormat;
+    rules.depthRange = settings.depthRange;
+    rules.depthBias = settings.depthBias;
+    if (scene.depthClear)
+        rules.depthClear = storedDepth(*scene.depthClear, DepthStore(rules));
     rules.depthBeforeShading = settings.depthOrder == DepthOrder::BeforeShading;
 
     rules.perspectiveCorrect = settings.interpolation == Interpolation::Perspective;
@@ -126,6 +149,8 @@ Resolved resolve(const Settings& settings, const Scene& scene)
             mistake->apply(resolved.rules);
             resolved.mistakes.push_back(mistake);
         }
+    if (resolved.rules.camera != CameraRules())
+        resolved.matrices = cameraMatrices(scene, settings, resolved.rules.camera);
     // Orthographic depth is linear in the distance: who takes the one for the other makes no mistake there.
     if (resolved.rules.orthographic)
         resolved.rules.depthIsDistance = false;

@@ -3,6 +3,7 @@
 #include "core/scene/texel_border.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rasterlens
@@ -20,6 +21,12 @@ void put(Varyings& out, int at, const glm::vec3& v)
 {
     for (int i = 0; i < 3; ++i)
         out[static_cast<std::size_t>(at + i)] = v[i];
+}
+
+void put(Varyings& out, int at, const glm::vec2& v)
+{
+    out[static_cast<std::size_t>(at)] = v.x;
+    out[static_cast<std::size_t>(at + 1)] = v.y;
 }
 
 glm::vec3 get(const Varyings& v, std::size_t at) { return {v[at], v[at + 1], v[at + 2]}; }
@@ -43,6 +50,7 @@ struct TexelView {
     int width;
     int height;
     bool clamp;
+    const TexelRules* rules;
 
     /// A column or row of the texture for any whole number; what is no number is 0.
     [[nodiscard]] int index(double texel, int size) const
@@ -57,7 +65,8 @@ struct TexelView {
 glm::vec3 nearestTexel(const TexelView& view, const glm::vec2& uv)
 {
     const auto index = [&](float coordinate, int size) {
-        return view.index(double(texelFloor(coordinate * static_cast<float>(size))), size);
+        const float texels = coordinate * static_cast<float>(size);
+        return view.index(double(view.rules->floored ? texelFloor(texels) : std::trunc(texels)), size);
     };
     return view.at(index(uv.x, view.width), index(uv.y, view.height));
 }
@@ -65,8 +74,8 @@ glm::vec3 nearestTexel(const TexelView& view, const glm::vec2& uv)
 /// A blend of the four texel centres around the point.
 glm::vec3 bilinear(const TexelView& view, const glm::vec2& uv)
 {
-    const double u = double(uv.x) * view.width - 0.5;
-    const double v = double(uv.y) * view.height - 0.5;
+    const double u = double(uv.x) * view.width - view.rules->centre;
+    const double v = double(uv.y) * view.height - view.rules->centre;
     const double left = std::floor(u);
     const double below = std::floor(v);
     const float s = static_cast<float>(u - left);
@@ -79,17 +88,37 @@ glm::vec3 bilinear(const TexelView& view, const glm::vec2& uv)
 }
 
 /// A blend of the two mip levels between which the samples lie as close as texels.
-glm::vec3 trilinear(const Texture& texture, const glm::vec2& uv, const UvGradient& gradient)
+glm::vec3 trilinear(const Texture& texture, const glm::vec2& uv, const UvGradient& gradient, const TexelRules& rules)
 {
     const MipLevels& mips = texture.mipLevels();
     const auto last = static_cast<int>(mips.levels.size()) - 1;
-    const float level = std::min(mipLevel(texture, gradient), static_cast<float>(last));
+    const float level = std::min(mipLevel(texture, gradient, rules), static_cast<float>(last));
     const auto finer = static_cast<int>(level);
     const auto sample = [&](int l) {
         const MipLevels::Level& m = mips.levels[static_cast<std::size_t>(l)];
-        return bilinear({mips.texels.data() + m.first, m.width, m.height, texture.clamp}, uv);
+        return bilinear({mips.texels.data() + m.first, m.width, m.height, texture.clamp, &rules}, uv);
     };
     return glm::mix(sample(finer), sample(std::min(finer + 1, last)), level - static_cast<float>(finer));
+}
+
+/// What a byte keeps of 255 * c, as a colour of 0..1.
+glm::vec3 begunAgain(const glm::vec3& color)
+{
+    const glm::vec3 bytes = color * 255.0F;
+    return (bytes - 256.0F * glm::floor(bytes / 256.0F)) / 255.0F;
+}
+
+/// The normal of a corner after what the rules carry directions through.
+glm::vec3 cornerNormal(const MeshVertex& vertex, const Rules& rules)
+{
+    if (rules.normals == NormalRules())
+        return vertex.normal;
+    glm::vec3 normal = vertex.normal;
+    if (rules.normals.squashed)
+        normal *= rules.stretch * rules.stretch; // the normals of the shape, and those by the matrix of positions
+    if (rules.normals.moved)
+        normal -= rules.eye;
+    return rules.normals.squashed || rules.normals.moved ? glm::normalize(normal) : normal;
 }
 
 glm::vec3 faceNormal(const Mesh& mesh, std::uint32_t face)
@@ -107,10 +136,12 @@ glm::vec3 phong(const Rules& rules, const FaceUniforms& uniforms, const Varyings
 {
     glm::vec3 color = get(v, kVaryingColor);
     if (uniforms.texture != nullptr)
-        color *= sampleTexture(*uniforms.texture, {v[kVaryingUv], v[kVaryingUv + 1]}, rules.textureFilter, gradient);
+        color *= sampleTexture(*uniforms.texture, {v[kVaryingUv], v[kVaryingUv + 1]}, rules.textureFilter, gradient,
+                               rules.texels);
     if (!rules.lit)
         return color;
-    const glm::vec3 normal = glm::normalize(get(v, kVaryingNormal));
+    const glm::vec3 carried = get(v, kVaryingNormal);
+    const glm::vec3 normal = rules.normals.normalized ? glm::normalize(carried) : carried;
     const glm::vec3 toEye = rules.orthographic ? rules.toViewer : glm::normalize(eyeWorld - get(v, kVaryingPosition));
     const glm::vec3 between = rules.light + toEye;
     if (between == glm::vec3(0))
@@ -136,7 +167,8 @@ int varyingCount(Shading shading)
     switch (shading) {
     case Shading::Gouraud:
     case Shading::Normals: return 3;
-    case Shading::Texture: return kVaryingUv + 2;
+    case Shading::Texture:
+    case Shading::MipLevel: return kVaryingUv + 2;
     case Shading::Phong: return kVaryingPosition + 3;
     case Shading::Uv: return 2;
     case Shading::Flat:
@@ -152,24 +184,19 @@ void shadeVertex(const MeshVertex& vertex, const Rules& rules, Varyings& out)
 {
     switch (rules.shading) {
     case Shading::Phong:
-        put(out, kVaryingNormal, vertex.normal);
+        put(out, kVaryingNormal, cornerNormal(vertex, rules));
         put(out, kVaryingPosition, glm::vec3(vertex.position));
-        out[kVaryingUv] = vertex.uv.x;
-        out[kVaryingUv + 1] = vertex.uv.y;
+        put(out, kVaryingUv, cornerUv(vertex, rules.texels));
         put(out, kVaryingColor, vertex.color);
         break;
     case Shading::Texture:
-        out[kVaryingUv] = vertex.uv.x;
-        out[kVaryingUv + 1] = vertex.uv.y;
-        [[fallthrough]];
+    case Shading::MipLevel: put(out, kVaryingUv, cornerUv(vertex, rules.texels)); [[fallthrough]];
     case Shading::Gouraud:
-        put(out, kVaryingColor, rules.lit ? vertex.color * lambert(vertex.normal, rules.light) : vertex.color);
+        put(out, kVaryingColor,
+            rules.lit ? vertex.color * lambert(cornerNormal(vertex, rules), rules.light) : vertex.color);
         break;
-    case Shading::Normals: put(out, 0, vertex.normal); break;
-    case Shading::Uv:
-        out[0] = vertex.uv.x;
-        out[1] = vertex.uv.y;
-        break;
+    case Shading::Normals: put(out, 0, cornerNormal(vertex, rules)); break;
+    case Shading::Uv: put(out, 0, cornerUv(vertex, rules.texels)); break;
     case Shading::Flat:
     case Shading::RandomFlat:
     case Shading::Depth:
@@ -191,12 +218,13 @@ FaceUniforms faceUniforms(const Scene& scene, std::uint32_t face, const Rules& r
     case Shading::RandomFlat: uniforms.color = colorOfId(face * 2654435761U + 12345U); break;
     case Shading::TriangleId: uniforms.color = colorOfId(face); break;
     case Shading::Texture:
+    case Shading::MipLevel:
     case Shading::Phong: {
         const std::size_t material = mesh.faceMaterial.empty() ? 0 : mesh.faceMaterial[face];
         uniforms.material = &scene.materials[material];
         if (uniforms.material->texture >= 0)
             uniforms.texture = &scene.textures[static_cast<std::size_t>(uniforms.material->texture)];
-        else if (rules.shading == Shading::Texture)
+        else if (rules.shading != Shading::Phong)
             uniforms.texture = &plainTexture(scene);
         break;
     }
@@ -215,8 +243,14 @@ std::uint32_t shadeElaborately(const Rules& rules, const FaceUniforms& uniforms,
     switch (rules.shading) {
     case Shading::Texture:
         return packColor(get(v, kVaryingColor) * sampleTexture(*uniforms.texture, {v[kVaryingUv], v[kVaryingUv + 1]},
-                                                               rules.textureFilter, gradient));
-    case Shading::Phong: return packColor(phong(rules, uniforms, v, eyeWorld, gradient));
+                                                               rules.textureFilter, gradient, rules.texels));
+    case Shading::Phong: {
+        const glm::vec3 color = phong(rules, uniforms, v, eyeWorld, gradient);
+        return packColor(rules.colorsClamped ? color : begunAgain(color));
+    }
+    case Shading::MipLevel:
+        return packColor(
+            levelColor(uniforms.texture != nullptr ? mipLevel(*uniforms.texture, gradient, rules.texels) : 0));
     case Shading::Normals: return packColor(0.5F * glm::normalize(get(v, 0)) + 0.5F);
     case Shading::Uv: return packColor({fraction(v[0]), fraction(v[1]), 0});
     case Shading::Gouraud:
@@ -234,25 +268,35 @@ glm::vec3 unpackColor(std::uint32_t color)
     return glm::vec3(float(color >> 16 & 255U), float(color >> 8 & 255U), float(color & 255U)) * (1.0F / 255.0F);
 }
 
-glm::vec3 sampleTexture(const Texture& texture, const glm::vec2& uv, TextureFilter filter, const UvGradient& gradient)
+glm::vec3 sampleTexture(const Texture& texture, const glm::vec2& uv, TextureFilter filter, const UvGradient& gradient,
+                        const TexelRules& rules)
 {
-    const TexelView view{texture.texels.data(), texture.width, texture.height, texture.clamp};
+    const TexelView view{texture.texels.data(), texture.width, texture.height, texture.clamp, &rules};
     switch (filter) {
     case TextureFilter::Nearest: return nearestTexel(view, uv);
     case TextureFilter::Bilinear: return bilinear(view, uv);
     case TextureFilter::Trilinear: break;
     }
-    return trilinear(texture, uv, gradient);
+    return trilinear(texture, uv, gradient, rules);
 }
 
-float mipLevel(const Texture& texture, const UvGradient& gradient)
+UvGradient wrappedGradient(const glm::vec2& uv, const UvGradient& gradient)
+{
+    const auto difference = [&](const glm::vec2& step) {
+        const glm::vec2 next = uv + step;
+        return (next - glm::floor(next)) - (uv - glm::floor(uv));
+    };
+    return {difference(gradient.perX), difference(gradient.perY)};
+}
+
+float mipLevel(const Texture& texture, const UvGradient& gradient, const TexelRules& rules)
 {
     const auto squaredTexels = [&](const glm::vec2& step) {
         const glm::vec2 texels = step * glm::vec2(texture.width, texture.height);
         return texels.x * texels.x + texels.y * texels.y;
     };
     const float squared = std::max(squaredTexels(gradient.perX), squaredTexels(gradient.perY));
-    return squared > 1 ? 0.5F * std::log2(squared) : 0.0F;
+    return squared > 1 ? rules.levelsPerDoubling * 0.5F * std::log2(squared) : 0.0F;
 }
 
 std::uint32_t colorOfId(std::uint32_t id)
@@ -263,6 +307,22 @@ std::uint32_t colorOfId(std::uint32_t id)
     h = (h ^ (h >> 13)) * 0xc2b2ae35U;
     h ^= h >> 16;
     return 0xff000000U | ((h & 0x00bfbfbfU) + 0x00404040U);
+}
+
+glm::vec3 levelColor(float level)
+{
+    constexpr std::array<glm::vec3, 9> kColors{{{0.55F, 0.55F, 0.55F},
+                                                {0.85F, 0.20F, 0.15F},
+                                                {0.95F, 0.60F, 0.15F},
+                                                {0.95F, 0.90F, 0.25F},
+                                                {0.35F, 0.75F, 0.30F},
+                                                {0.20F, 0.75F, 0.75F},
+                                                {0.20F, 0.40F, 0.90F},
+                                                {0.55F, 0.25F, 0.80F},
+                                                {0.90F, 0.75F, 0.95F}}};
+    const float held = level > 0 ? std::min(level, static_cast<float>(kColors.size() - 1)) : 0; // NaN gives 0
+    const auto lower = std::min(static_cast<std::size_t>(held), kColors.size() - 2);
+    return glm::mix(kColors[lower], kColors[lower + 1], held - static_cast<float>(lower));
 }
 
 std::uint32_t overdrawColor(std::uint32_t count)

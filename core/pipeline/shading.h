@@ -46,7 +46,8 @@ struct FaceUniforms {
 /// Whether this face's colours depend on the gradient.
 [[nodiscard]] inline bool needsUvGradient(const Rules& rules, const FaceUniforms& uniforms)
 {
-    return rules.textureFilter == TextureFilter::Trilinear && uniforms.texture != nullptr;
+    return (rules.textureFilter == TextureFilter::Trilinear || rules.shading == Shading::MipLevel) &&
+           uniforms.texture != nullptr;
 }
 
 /// round(255 * clamp(c, 0, 1)) for each channel; NaN gives 0.
@@ -81,7 +82,8 @@ struct FaceUniforms {
     case Shading::Texture:
     case Shading::Phong:
     case Shading::Normals:
-    case Shading::Uv: break;
+    case Shading::Uv:
+    case Shading::MipLevel: break;
     }
     return shadeElaborately(rules, uniforms, varyings, eyeWorld, gradient);
 }
@@ -93,14 +95,27 @@ struct FaceUniforms {
 ///
 /// in   the gradient for trilinear only
 [[nodiscard]] glm::vec3 sampleTexture(const Texture& texture, const glm::vec2& uv, TextureFilter filter,
-                                      const UvGradient& gradient = {});
+                                      const UvGradient& gradient = {}, const TexelRules& rules = {});
 
 /// The mip level whose texels are as far apart as the samples: log2 of the texels that the longer of the two steps
 /// goes past, at least 0.
-[[nodiscard]] float mipLevel(const Texture& texture, const UvGradient& gradient);
+[[nodiscard]] float mipLevel(const Texture& texture, const UvGradient& gradient, const TexelRules& rules = {});
+
+/// The texture coordinates of a corner, with v as the rules count it.
+[[nodiscard]] inline glm::vec2 cornerUv(const MeshVertex& vertex, const TexelRules& rules)
+{
+    return {vertex.uv.x, rules.vUp ? vertex.uv.y : 1 - vertex.uv.y};
+}
+
+/// The differences of the coordinates of neighbours from which whole numbers have been taken off.
+[[nodiscard]] UvGradient wrappedGradient(const glm::vec2& uv, const UvGradient& gradient);
 
 /// A colour that differs for neighbouring numbers: what random-flat and triangle-id show.
 [[nodiscard]] std::uint32_t colorOfId(std::uint32_t id);
+
+/// A mip level in false colours: grey where texels are as far apart as samples or farther, then from red over yellow,
+/// green and blue to violet, a colour a level.
+[[nodiscard]] glm::vec3 levelColor(float level);
 
 /// The colour of a pixel that `count` faces covered: black, then from blue over green and yellow to red at 8 and more.
 [[nodiscard]] std::uint32_t overdrawColor(std::uint32_t count);

@@ -113,8 +113,8 @@ glm::dvec2 TriangleLines::snapped(ClipCorner corner, const Rules& rules) const
     const auto units = [&](int pixels) { return std::int64_t{pixels} << rules.subpixelBits; };
     const DoubleWeights weights = crossOf(m_lines[corner.arriving], m_lines[corner.leaving]);
     const Bounded w = weights.sum(coordinates(3));
-    return {snappedOn({0, 1, units(rules.width)}, corner, weights, w),
-            snappedOn({1, rules.screenUp, units(rules.height)}, corner, weights, w)};
+    return {snappedOn({0, 1, units(rules.width - rules.viewportShort)}, corner, weights, w),
+            snappedOn({1, rules.screenUp, units(rules.height - rules.viewportShort)}, corner, weights, w)};
 }
 
 } // namespace rasterlens

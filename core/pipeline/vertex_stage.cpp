@@ -29,8 +29,9 @@ void shadeOne(const Scene& scene, const Matrices& matrices, const Rules& rules, 
 void addMaskUv(const MeshVertex& vertex, const Rules& rules, ClipVertex& out)
 {
     const auto at = static_cast<std::size_t>(rules.maskUv);
-    out.varyings[at] = vertex.uv.x;
-    out.varyings[at + 1] = vertex.uv.y;
+    const glm::vec2 uv = cornerUv(vertex, rules.texels);
+    out.varyings[at] = uv.x;
+    out.varyings[at + 1] = uv.y;
 }
 
 } // namespace

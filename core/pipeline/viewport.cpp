@@ -20,7 +20,8 @@ double toPixels(double p, double w, int size) { return (p / w * 0.5 + 0.5) * siz
 
 glm::dvec2 inPixels(const glm::dvec4& p, const Rules& rules)
 {
-    return {toPixels(p.x, p.w, rules.width), toPixels(rules.screenUp * p.y, p.w, rules.height)};
+    return {toPixels(p.x, p.w, rules.width - rules.viewportShort),
+            toPixels(rules.screenUp * p.y, p.w, rules.height - rules.viewportShort)};
 }
 
 } // namespace
@@ -52,9 +53,12 @@ ScreenVertex screenVertexAt(const glm::dvec2& position, const ClipVertex& vertex
     const glm::dvec4& p = vertex.positionClip;
     ScreenVertex out;
     out.position = position + rules.screenShift;
+    if (rules.rowsRounded)
+        out.position.y = std::floor(out.position.y + 0.5);
     if (rules.verticesTruncated)
         out.position = glm::trunc(out.position);
-    out.depth = rules.clipZ == ClipZ::Gl ? (p.w + p.z) / (2 * p.w) : p.z / p.w;
+    const double depth = rules.clipZ == ClipZ::Gl ? (p.w + p.z) / (2 * p.w) : p.z / p.w;
+    out.depth = rules.depthRange.near + (rules.depthRange.far - rules.depthRange.near) * depth;
     out.invW = rules.keptW == KeptW::Inverse ? 1 / p.w : rules.keptW == KeptW::One ? 1 : p.w;
     out.varyings = vertex.varyings;
     return out;
@@ -72,8 +76,9 @@ ScreenVertex toScreen(const ClipVertex& vertex, const Rules& rules)
 {
     const glm::dvec4& p = vertex.positionClip;
     if (rules.numberType == NumberType::Fixed) {
-        const glm::dvec2 snapped(snapToGrid(p.x, p.w, rules.width, rules.subpixelBits),
-                                 snapToGrid(rules.screenUp * p.y, p.w, rules.height, rules.subpixelBits));
+        const glm::dvec2 snapped(
+            snapToGrid(p.x, p.w, rules.width - rules.viewportShort, rules.subpixelBits),
+            snapToGrid(rules.screenUp * p.y, p.w, rules.height - rules.viewportShort, rules.subpixelBits));
         return toScreen(vertex, snapped, rules);
     }
     const glm::dvec2 position = inPixels(p, rules);

@@ -40,7 +40,7 @@ std::optional<PixelRect> boundsWith(const ScreenTriangle& triangle, const Rules&
 /// The box of samples that coverage looks through; nothing where it holds none, or where none is looked through.
 std::optional<PixelRect> boundsOf(const ScreenTriangle& triangle, const Rules& rules)
 {
-    if (!rules.coversByCentres())
+    if (!passRules(rules, triangle.face).coversByCentres())
         return std::nullopt;
     switch (rules.numberType) {
     case NumberType::Fixed: return boundsWith<std::int64_t>(triangle, rules);

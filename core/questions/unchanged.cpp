@@ -54,19 +54,22 @@ class SampleObserver : public NullObserver
 public:
     explicit SampleObserver(const Rules& rules)
         : m_columns(static_cast<std::size_t>(rules.columns())),
-          m_isCovered(m_columns * static_cast<std::size_t>(rules.rows()), 0)
+          m_pixels(m_columns * static_cast<std::size_t>(rules.rows())),
+          m_isCovered(m_pixels * static_cast<std::size_t>(rules.patternSamples), 0)
     {
     }
 
     SampleFacts facts{true, true, true};
 
+    void onPatternSample(int sample) { m_sample = static_cast<std::size_t>(std::max(sample, 0)); }
     void onSample(int /*x*/, int /*y*/, const EdgeValues& values, bool /*covered*/)
     {
         facts.noTies = facts.noTies && std::ranges::min(values) != 0;
     }
     void onFragment(const Fragment& fragment, float storedDepth, bool /*passedDepth*/)
     {
-        char& isCovered = m_isCovered[static_cast<std::size_t>(fragment.y) * m_columns + std::size_t(fragment.x)];
+        char& isCovered = m_isCovered[m_sample * m_pixels + static_cast<std::size_t>(fragment.y) * m_columns +
+                                      std::size_t(fragment.x)];
         const bool isBetween = fragment.depth > 0 && fragment.depth < 1;
         facts.coveredOnce = facts.coveredOnce && isCovered == 0 && isBetween;
         facts.noEqualDepths = facts.noEqualDepths && fragment.depth != storedDepth;
@@ -75,6 +78,8 @@ public:
 
 private:
     std::size_t m_columns;
+    std::size_t m_pixels;     ///< samples, of a pattern those with one number
+    std::size_t m_sample = 0; ///< of a pattern
     std::vector<char> m_isCovered;
 };
 
@@ -195,6 +200,8 @@ std::optional<Reason> whyDepthTest(const Settings& one, const Settings& other, c
         return (one.depthTest == first || one.depthTest == second) &&
                (other.depthTest == first || other.depthTest == second);
     };
+    if (one.depthTest == DepthTest::Equal || other.depthTest == DepthTest::Equal)
+        return std::nullopt; // nothing between 0 and 1 equals what the buffer is cleared to
     if (isEither(DepthTest::Always, DepthTest::None))
         return Reason(QT_TRANSLATE_NOOP("Diagnostic", "either way every fragment is drawn"));
     if (isEither(DepthTest::Less, DepthTest::LessEqual) && facts.samples && facts.samples->noEqualDepths)
@@ -260,19 +267,54 @@ bool isOneOf(const char* id, Ids... ids)
     return ((QLatin1String(id) == QLatin1String(ids)) || ...);
 }
 
+/// Reasons that lie in shading and texture filter.
+std::optional<Reason> whenNothingIsLookedUp(const char* id, const Settings& settings)
+{
+    const bool readsTexels = settings.shading == Shading::Texture || settings.shading == Shading::Phong;
+    const bool showsLevel = settings.shading == Shading::MipLevel;
+    const bool isLevel = isOneOf(id, "lod-per-face", "wrap-before-derivative", "lod-doubled");
+    if (!readsTexels && (isOneOf(id, "no-half-texel") || (!showsLevel && (isLevel || isOneOf(id, "xy-for-uv")))))
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "this shading reads no texels"));
+    if (isLevel && !showsLevel && settings.textureFilter != TextureFilter::Trilinear)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "no mip levels are looked up"));
+    if (isOneOf(id, "no-half-texel") && settings.textureFilter == TextureFilter::Nearest)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "the nearest texel is taken, and none is blended"));
+    if (isOneOf(id, "no-clamp", "not-normalized") && settings.shading != Shading::Phong)
+        return Reason(
+            QT_TRANSLATE_NOOP("Diagnostic", "light is not computed at every pixel: the shading is not phong"));
+    return std::nullopt;
+}
+
+/// Reasons why mistakes of multi-sampling change nothing.
+std::optional<Reason> whenNotOfPatterns(const char* id, const Settings& settings)
+{
+    if (patternSamples(settings.samples) == 1)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "needs MSAA: samples msaa2 to msaa16"));
+    if (!isOneOf(id, "resolved-by-face") && settings.attributeAt == AttributeAt::Centre)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "attributes are taken at the pixels' centres"));
+    if (isOneOf(id, "centroid-gradient") && settings.textureFilter != TextureFilter::Trilinear)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "only texture-filter trilinear asks for derivatives"));
+    return std::nullopt;
+}
+
 /// Reasons that lie in the settings alone.
 std::optional<Reason> whenNotAsked(const char* id, const Settings& settings)
 {
-    if (isOneOf(id, "steep-columns", "steep-step", "integer-weight", "missing-octant", "missing-last-pixel") &&
+    if (isOneOf(id, "steep-columns", "steep-step", "integer-weight", "missing-octant", "missing-last-pixel",
+                "line-tie-by-direction") &&
         settings.fill != Fill::Wireframe)
         return Reason(QT_TRANSLATE_NOOP("Diagnostic", "no lines are drawn"));
+    if (isOneOf(id, "centre-outside", "centroid-gradient", "resolved-by-face"))
+        return whenNotOfPatterns(id, settings);
     if (isOneOf(id, "coverage-times-color", "one-depth-per-pixel") && settings.samples == Samples::One)
         return Reason(QT_TRANSLATE_NOOP("Diagnostic", "there is one sample a pixel"));
     if (isOneOf(id, "stride-exchanged") && settings.size.width() == settings.size.height())
         return Reason(QT_TRANSLATE_NOOP("Diagnostic", "the picture is as wide as it is high"));
     if (isOneOf(id, "cull-reversed", "cull-before-divide", "cull-before-clip") && settings.culling == Culling::None)
         return Reason(QT_TRANSLATE_NOOP("Diagnostic", "nothing is culled"));
-    return std::nullopt;
+    if (isOneOf(id, "truncate-to-zero") && settings.fill != Fill::Points)
+        return Reason(QT_TRANSLATE_NOOP("Diagnostic", "no points are drawn"));
+    return whenNothingIsLookedUp(id, settings);
 }
 
 } // namespace
@@ -349,7 +391,8 @@ std::optional<Reason> whyLightUnchanged(const Scene& scene, const Settings& sett
     case Shading::Normals:
     case Shading::Uv:
     case Shading::Overdraw:
-    case Shading::TriangleId: break;
+    case Shading::TriangleId:
+    case Shading::MipLevel: break;
     }
     return Reason(QT_TRANSLATE_NOOP("Diagnostic", "this shading asks for no light"));
 }
@@ -360,6 +403,9 @@ std::optional<Reason> whyUnchanged(const Mistake& mistake, const Settings& setti
     std::optional<Reason> why = whenNotAsked(id, settings);
     if (!why && isOneOf(id, "affine", "w-lost", "w-not-inverted", "z-corrected", "w-before-clipping"))
         why = whenEqualW(facts);
+    if (!why && isOneOf(id, "order-reversed", "rotation-inverted", "translate-by-target", "near-negative") &&
+        facts.noCamera)
+        why = Reason(QT_TRANSLATE_NOOP("Diagnostic", "the scene is given in clip space: no camera projects it"));
     if (isOneOf(id, "view-z-linear") && facts.orthographic)
         why = Reason(QT_TRANSLATE_NOOP("Diagnostic", "the depth of an orthographic camera is linear in the distance"));
     if (!why && factsFor(mistake) == FactsOf::Samples) {
@@ -367,8 +413,9 @@ std::optional<Reason> whyUnchanged(const Mistake& mistake, const Settings& setti
         others.removeAll(QLatin1String(id));
         why = whenNoTies(withoutMistakes(facts, others));
     }
-    if (!why && isOneOf(id, "no-near-clip", "any-vertex-inside", "near-far-reject", "cut-corners",
-                        "return-for-continue", "w-before-clipping"))
+    if (!why && isOneOf(id, "no-near-clip", "z-clamped", "any-vertex-inside", "near-far-reject", "cut-corners",
+                        "return-for-continue", "w-before-clipping", "reject-after-divide", "cut-keeps-attributes",
+                        "cut-in-place", "cut-left-at-origin"))
         why = whenNoneOutside(facts);
     return why;
 }

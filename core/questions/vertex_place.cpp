@@ -16,7 +16,8 @@ std::optional<glm::vec4> positionAtPixel(const Scene& scene, const Settings& set
         return std::nullopt;
 
     const glm::dvec2 unshifted = pixel - rules.screenShift / double(rules.sampleGrid);
-    const glm::dvec2 ndc(2 * unshifted.x / rules.width - 1, (2 * unshifted.y / rules.height - 1) / rules.screenUp);
+    const glm::dvec2 size = glm::max(glm::dvec2(rules.width, rules.height) - double(rules.viewportShort), 1.0);
+    const glm::dvec2 ndc(2 * unshifted.x / size.x - 1, (2 * unshifted.y / size.y - 1) / rules.screenUp);
     if (scene.space == SceneSpace::Clip) {
         const glm::vec4& former = scene.mesh.vertices[vertex].position;
         return glm::vec4(static_cast<float>(ndc.x * clip.w), static_cast<float>(ndc.y * clip.w), former.z, former.w);

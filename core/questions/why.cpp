@@ -8,6 +8,7 @@
 #include "core/render/steps.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -101,12 +102,20 @@ WhyVerdict verdictOf(FaceFate fate)
 }
 
 /// Hands on what falls into one pixel: the others need no fragments.
+template <class Stage>
 class PixelStage
 {
 public:
-    PixelStage(SampleRouter<StepRecorder>& stage, const PixelRect& samples) : m_stage(&stage), m_samples(samples) {}
+    PixelStage(Stage& stage, const PixelRect& samples) : m_stage(&stage), m_samples(samples) {}
 
     void begin(const ScreenTriangle& triangle) { m_stage->begin(triangle); }
+
+    void beginSample(int sample) requires requires(Stage& stage) { stage.beginSample(0); }
+    {
+        m_stage->beginSample(sample);
+    }
+
+    void finish() { m_stage->finish(); }
 
     [[nodiscard]] bool stopped() const { return m_stage->stopped(); }
 
@@ -119,7 +128,7 @@ public:
     }
 
 private:
-    SampleRouter<StepRecorder>* m_stage;
+    Stage* m_stage;
     PixelRect m_samples;
 };
 
@@ -140,7 +149,8 @@ public:
         m_margin = 1.0 + grid;
         if (m_rules.algorithm == Algorithm::ColumnFill) // its steep edges run on beyond their ends
             m_margin += m_rules.rows();
-        m_centre = glm::dvec2(m_report.sampleX, m_report.sampleY) + 0.5;
+        m_centre =
+            m_rules.multiSampled() ? testedPoint(m_rules, x, y) : glm::dvec2(m_report.sampleX, m_report.sampleY) + 0.5;
         m_ndc = {2 * m_centre.x / m_rules.columns() - 1, 1 - 2 * m_centre.y / m_rules.rows()};
     }
 
@@ -166,7 +176,7 @@ private:
         const bool drawn = watch.fate == FaceFate::Rasterized;
         const bool cutAway = watch.cutBy != 0 && (drawn || watch.fate == FaceFate::Rejected);
         const bool concerned = watch.fate == FaceFate::NonFinite ||
-                               watch.boundsHold(m_centre, m_rules.coversByCentres() ? 0 : m_margin) ||
+                               watch.boundsHold(m_centre, goesByCentre(face) ? 0 : m_margin) ||
                                ((cutAway || watch.fate == FaceFate::Rejected) && watch.isMetBy(m_ndc));
         if (!concerned)
             return watch.fate;
@@ -178,6 +188,12 @@ private:
         row.facing = watch.facing;
         m_report.faces.push_back(row);
         return watch.fate;
+    }
+
+    /// Whether a face concerns the pixel only where its bounds hold the sample that the rows are about.
+    [[nodiscard]] bool goesByCentre(std::uint32_t face) const
+    {
+        return passRules(m_rules, face).coversByCentres() && !m_rules.multiSampled();
     }
 
     void draw()
@@ -208,23 +224,33 @@ private:
     void drawPixel(Frame& frame, StepRecorder& recorder)
     {
         Framebuffer framebuffer(frame, m_rules, {true, false, false}, packColor(m_scene.background), m_stop);
-        SampleRouter<StepRecorder> stage(m_scene, m_rules, framebuffer.samples(),
-                                         glm::vec3(m_resolved.matrices.eyeObject), recorder);
+        const glm::vec3 eye(m_resolved.matrices.eyeObject);
+        if (m_rules.multiSampled())
+            drawPixel(MultisampleStage<StepRecorder>(m_scene, m_rules, framebuffer.samples(), eye, recorder), recorder);
+        else
+            drawPixel(SampleRouter<StepRecorder>(m_scene, m_rules, framebuffer.samples(), eye, recorder), recorder);
+        if (!m_stop.stop_requested())
+            resolvePicture(framebuffer, m_rules, recorder);
+    }
+
+    template <class Stage>
+    void drawPixel(Stage stage, StepRecorder& recorder)
+    {
         stage.stopBy(m_stop);
         const int grid = m_rules.sampleGrid;
-        const auto cover = coverFor<PixelStage, StepRecorder>(m_rules);
-        PixelStage pixelStage(stage, {m_report.x * grid, m_report.y * grid, grid, grid});
+        const auto cover = coverFor<PixelStage<Stage>, StepRecorder>(m_rules);
+        PixelStage<Stage> pixelStage(stage, {m_report.x * grid, m_report.y * grid, grid, grid});
         for (const std::uint32_t face : m_toDraw) {
             if (m_stop.stop_requested())
                 return;
             m_batch.clear();
             m_geometry.process(face, m_batch, recorder);
             for (const ScreenTriangle& triangle : m_batch)
-                if (isNear(triangle))
+                if (isNear(triangle)) {
                     drawTriangle(triangle, m_rules, cover, pixelStage, recorder);
+                    pixelStage.finish();
+                }
         }
-        if (!m_stop.stop_requested())
-            resolvePicture(framebuffer, m_rules, recorder);
     }
 
     [[nodiscard]] bool isNear(const ScreenTriangle& triangle) const
@@ -238,11 +264,11 @@ private:
     /// Goes through what the recorder saw and raises verdicts.
     void judge()
     {
-        if (m_rules.fill == Fill::Solid && m_rules.algorithm == Algorithm::EdgeWalking)
+        if ((m_rules.fill == Fill::Solid || m_rules.firstPassFaces > 0) && m_rules.algorithm == Algorithm::EdgeWalking)
             judgeUntested();
         WhyFace* lastWritten = nullptr;
         for (const StepEvent& event : m_log->events()) {
-            if (event.x != m_report.sampleX || event.y != m_report.sampleY)
+            if (event.x != m_report.sampleX || event.y != m_report.sampleY || event.sample != 0)
                 continue;
             const auto at = std::ranges::find(m_report.faces, event.face, &WhyFace::face);
             if (at == m_report.faces.end())
@@ -256,6 +282,38 @@ private:
             m_report.visibleFace = at->face;
         }
         judgeHoles();
+        if (m_rules.multiSampled())
+            judgeMasks();
+    }
+
+    /// Which samples the faces cover. What covers none and whose bounds do not even hold the first one does not concern
+    /// the pixel.
+    void judgeMasks()
+    {
+        NullObserver nobody;
+        for (WhyFace& row : m_report.faces) {
+            m_batch.clear();
+            m_geometry.process(row.face, m_batch, nobody);
+            for (const ScreenTriangle& triangle : m_batch)
+                row.coveredSamples |= maskOf(triangle);
+            if (row.hasEdges || row.coveredSamples == 0)
+                continue;
+            for (const ScreenTriangle& triangle : m_batch)
+                if (const auto setup = setupOf(triangle, std::countr_zero(row.coveredSamples)))
+                    judgeEdges(row, *setup, setup->at(m_centre));
+        }
+        std::erase_if(m_report.faces, [](const WhyFace& row) {
+            return row.verdict == WhyVerdict::OutsideEdge && !row.hasEdges && row.coveredSamples == 0;
+        });
+    }
+
+    [[nodiscard]] SampleMask maskOf(const ScreenTriangle& triangle) const
+    {
+        unsigned mask = 0;
+        for (int sample = 0; sample < m_rules.patternSamples; ++sample)
+            if (const auto setup = setupOf(triangle, sample); setup && covers(*setup, sample))
+                mask |= 1U << sample;
+        return static_cast<SampleMask>(mask);
     }
 
     void judgeEvent(WhyFace& row, const StepEvent& event) const
@@ -264,8 +322,10 @@ private:
             judgeEdges(row, m_log->triangle(event)->setup, m_log->payload<SampleStep>(event).values);
         } else if (event.kind == StepKind::Fragment) {
             // Lines of a face meet in its corners: what was written is not taken back by what fails after it.
-            if (row.verdict != WhyVerdict::Written || event.has(StepEvent::kPassed))
+            if (row.verdict != WhyVerdict::Written || event.has(StepEvent::kPassed)) {
                 row.fragment = m_log->payload<FragmentStep>(event);
+                row.texels = texelFootprint(m_scene, m_rules, m_log->triangle(event)->screen, *row.fragment);
+            }
             row.verdict = std::max(row.verdict, WhyVerdict::FailedDepth);
         } else if (event.kind == StepKind::Write) {
             row.write = m_log->payload<WriteStep>(event);
@@ -310,7 +370,7 @@ private:
     void judgeHole(WhyFace& row, const ScreenTriangle& triangle, const MaskTest& test) const
     {
         const FaceInterpolation interpolation(triangle, triangle.area2, m_rules);
-        const Weights screen = interpolation.weightsAt(m_report.sampleX, m_report.sampleY);
+        const Weights screen = interpolation.weightsAt(shadedAt(triangle));
         const float opacity = opacityAt(test, interpolation, screen, interpolation.perspective(screen));
         if (!(opacity < kLeastOpacity))
             return;
@@ -318,19 +378,38 @@ private:
         row.opacity = opacity;
     }
 
-    [[nodiscard]] bool covers(const StepSetup& setup) const
+    /// Where the alpha test of a triangle that covers the sample looks.
+    [[nodiscard]] glm::dvec2 shadedAt(const ScreenTriangle& triangle) const
     {
-        const EdgeValues values = setup.at(testedPoint(m_rules, m_report.sampleX, m_report.sampleY));
+        const glm::dvec2 centre = glm::dvec2(m_report.sampleX, m_report.sampleY) + 0.5;
+        if (!m_rules.multiSampled())
+            return centre;
+        const SampleMask shaded = m_rules.attributeAt == AttributeAt::Sample ? SampleMask(1) : maskOf(triangle);
+        return centre + shadingOffset(m_rules, shaded);
+    }
+
+    [[nodiscard]] bool covers(const StepSetup& setup, int sample = 0) const
+    {
+        const EdgeValues values = setup.at(testedPoint(m_rules, m_report.sampleX, m_report.sampleY, sample));
         return holdsSample(setup.bounds) && std::ranges::all_of(std::array{0U, 1U, 2U}, [&](std::size_t i) {
                    return values[i] >= setup.edges[i].threshold;
                });
     }
 
-    [[nodiscard]] std::optional<StepSetup> setupOf(const ScreenTriangle& triangle) const
+    /// The set-up by which a sample is tested, as it lies on the screen.
+    [[nodiscard]] std::optional<StepSetup> setupOf(const ScreenTriangle& triangle, int sample = 0) const
     {
+        const glm::dvec2 offset = m_rules.multiSampled() ? testedOffset(m_rules, sample).pixels() : glm::dvec2(0);
+        ScreenTriangle moved = triangle;
+        for (ScreenVertex& vertex : moved.vertices)
+            vertex.position -= offset;
         const auto as = [&]<class T>(T) -> std::optional<StepSetup> {
-            const auto setup = setupTriangle<T>(triangle, m_rules);
-            return setup ? std::optional(stepSetup(*setup)) : std::nullopt;
+            const auto setup = setupTriangle<T>(moved, m_rules);
+            if (!setup)
+                return std::nullopt;
+            StepSetup out = stepSetup(*setup);
+            out.move(offset);
+            return out;
         };
         switch (m_rules.numberType) {
         case NumberType::Fixed: return as(std::int64_t(0));
@@ -353,7 +432,8 @@ private:
         std::array<WhyEdge, 3> edges;
         for (std::size_t i = 0; i < 3; ++i) {
             const StepEdge& edge = setup.edges[i];
-            const bool passed = deciding.sign == DecidingEdge::Sign::AtMost || values[i] >= edge.threshold;
+            const bool passed = deciding.sign == DecidingEdge::Sign::AtMost || values[i] >= edge.threshold ||
+                                m_rules.insideTest == InsideTest::None;
             edges[i] = {edgeName(setup, int(i)), values[i], edge.threshold, edge.side, passed};
         }
         const WhyVerdict verdict = deciding.isInside() ? WhyVerdict::FailedDepth
@@ -430,9 +510,10 @@ WhyReport why(const Scene& scene, const Settings& settings, int x, int y, const 
     WhyReport report = Inquiry(scene, resolved, x, y, stop).answer();
     nameMistakes(report, scene, shown, stop);
     // Lines and columns elsewhere do not concern the pixel, unless it is for a mistake that they do.
-    if (!report.rules.coversByCentres())
-        std::erase_if(report.faces,
-                      [](const WhyFace& row) { return row.verdict == WhyVerdict::OutsideEdge && row.because.empty(); });
+    std::erase_if(report.faces, [&](const WhyFace& row) {
+        return row.verdict == WhyVerdict::OutsideEdge && row.because.empty() &&
+               !passRules(report.rules, row.face).coversByCentres();
+    });
     return report;
 }
 

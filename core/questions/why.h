@@ -1,7 +1,9 @@
 #pragma once
 #include "core/observe/step_log.h"
+#include "core/questions/texel_footprint.h"
 #include "core/scene/scene.h"
 #include "core/settings/mistakes.h"
+#include "core/settings/sample_pattern.h"
 
 #include <QJsonObject>
 #include <QString>
@@ -50,8 +52,10 @@ struct WhyFace {
     std::array<WhyEdge, 3> edges;
     int edge = -1; ///< OutsideEdge, LostTie: the one that decided
     double unitsPerArea = 1;
-    float opacity = 1; ///< Hole: of the texture at the sample, below kLeastOpacity
+    float opacity = 1;             ///< Hole: of the texture at the sample, below kLeastOpacity
+    SampleMask coveredSamples = 0; ///< multi-sampling: one bit a sample of the pattern
     std::optional<FragmentStep> fragment;
+    std::optional<TexelFootprint> texels;       ///< of the fragment, where a texture is looked up
     WriteStep write{};                          ///< Written
     std::optional<std::uint32_t> overwrittenBy; ///< Written: the face that was written next
     /// The mistakes without which the face would have another verdict, or other numbers.

@@ -7,6 +7,7 @@
 
 #include <QJsonArray>
 
+#include <bit>
 #include <cmath>
 
 namespace rasterlens
@@ -39,10 +40,10 @@ QString verdictText(const WhyReport& report, const WhyFace& row)
                                                  .arg(fullNumber(row.facing->screenArea / 2));
     case WhyVerdict::ClippedAway: return QStringLiteral("clipped away by %1").arg(planesText(row.planes));
     case WhyVerdict::OutsideEdge:
-        if (!report.rules.coversByCentres())
-            return report.rules.fill == Fill::Points  ? QStringLiteral("no corner of it is drawn here")
-                   : report.rules.fill == Fill::Solid ? QStringLiteral("no column of it is filled here")
-                                                      : QStringLiteral("no line of it is drawn here");
+        if (const Rules pass = passRules(report.rules, row.face); !pass.coversByCentres())
+            return pass.fill == Fill::Points  ? QStringLiteral("no corner of it is drawn here")
+                   : pass.fill == Fill::Solid ? QStringLiteral("no column of it is filled here")
+                                              : QStringLiteral("no line of it is drawn here");
         return row.edge < 0 ? QStringLiteral("outside the pieces that clipping left")
                             : QStringLiteral("outside edge %1").arg(edgeText(row, row.edges[std::size_t(row.edge)]));
     case WhyVerdict::LostTie: {
@@ -57,10 +58,11 @@ QString verdictText(const WhyReport& report, const WhyFace& row)
         return QStringLiteral("cut out by the alpha test: the texture is opaque by %1 here, less than %2")
             .arg(depthNumber(row.opacity), depthNumber(kLeastOpacity));
     case WhyVerdict::FailedDepth:
-        return row.fragment ? QStringLiteral("failed the depth test: not %1 %2 %3")
-                                  .arg(depthNumber(row.fragment->depth), QLatin1String(depthSign(report.rules)),
-                                       depthNumber(row.fragment->storedDepth))
-                            : QStringLiteral("covered, but not drawn by this algorithm");
+        return row.fragment
+                   ? QStringLiteral("failed the depth test: not %1 %2 %3")
+                         .arg(depthNumber(row.fragment->depth), QLatin1String(depthSign(report.rules, row.face)),
+                              depthNumber(row.fragment->storedDepth))
+                   : QStringLiteral("covered, but not drawn by this algorithm");
     case WhyVerdict::Written: {
         const QString later = row.overwrittenBy
                                   ? QStringLiteral("overwritten later by %1")
@@ -102,11 +104,27 @@ QJsonObject rowToJson(const WhyReport& report, const WhyFace& row)
                                  {"passed", edge.passed}};
         object.insert(QStringLiteral("edges"), edges);
     }
+    if (report.rules.multiSampled()) {
+        QJsonArray covered;
+        for (int sample = 0; sample < report.rules.patternSamples; ++sample)
+            if ((row.coveredSamples >> sample & 1U) != 0)
+                covered << sample;
+        object.insert(QStringLiteral("covered_samples"), covered);
+    }
     if (row.verdict == WhyVerdict::Hole)
         object.insert(QStringLiteral("opacity"), double(row.opacity));
     if (row.fragment) {
         object.insert(QStringLiteral("depth"), double(row.fragment->depth));
         object.insert(QStringLiteral("stored_depth"), double(row.fragment->storedDepth));
+    }
+    if (row.texels) {
+        const auto pair = [](const glm::dvec2& v) { return QJsonArray{finiteOrText(v.x), finiteOrText(v.y)}; };
+        object.insert(QStringLiteral("texels"),
+                      QJsonObject{{"size", QJsonArray{row.texels->size.width(), row.texels->size.height()}},
+                                  {"place", pair(row.texels->place)},
+                                  {"right", pair(row.texels->right)},
+                                  {"down", pair(row.texels->down)},
+                                  {"level", finiteOrText(row.texels->level)}});
     }
     if (row.verdict == WhyVerdict::Written) {
         object.insert(QStringLiteral("color_before"), colorText(row.write.before.color));
@@ -115,6 +133,15 @@ QJsonObject rowToJson(const WhyReport& report, const WhyFace& row)
             object.insert(QStringLiteral("overwritten_by"), static_cast<qint64>(*row.overwrittenBy));
     }
     return object;
+}
+
+/// The numbers of the samples that a face covers, counted from 1.
+QStringList samplesOf(const WhyFace& row)
+{
+    QStringList samples;
+    for (SampleMask left = row.coveredSamples; left != 0; left &= static_cast<SampleMask>(left - 1))
+        samples << QString::number(std::countr_zero(left) + 1);
+    return samples;
 }
 
 QString samplesText(const ResolvedPixel& pixel)
@@ -164,7 +191,14 @@ const char* whyVerdictId(WhyVerdict verdict)
 
 QString whyText(const WhyReport& report, const WhyFace& face)
 {
-    return QStringLiteral("%1: %2").arg(faceText(face.face, face.line), verdictText(report, face));
+    const QString text = QStringLiteral("%1: %2").arg(faceText(face.face, face.line), verdictText(report, face));
+    if (!report.rules.multiSampled() || !face.hasEdges)
+        return text;
+    return QStringLiteral("%1; covers %2 of %3 samples%4")
+        .arg(text)
+        .arg(std::popcount(face.coveredSamples))
+        .arg(report.rules.patternSamples)
+        .arg(face.coveredSamples == 0 ? QString() : QStringLiteral(": ") + samplesOf(face).join(QStringLiteral(", ")));
 }
 
 QStringList whySamples(const WhyReport& report)

@@ -31,7 +31,8 @@ bool withoutAttributes(const Settings& s)
     case Shading::Texture:
     case Shading::Phong:
     case Shading::Normals:
-    case Shading::Uv: break;
+    case Shading::Uv:
+    case Shading::MipLevel: break;
     }
     return false;
 }
@@ -53,12 +54,22 @@ constexpr Rule kRules[] = {
      QT_TRANSLATE_NOOP("Applicability", "Column fill takes the outline of every triangle with it.")},
     {"line", [](const Settings& s) { return s.fill != Fill::Wireframe; },
      QT_TRANSLATE_NOOP("Applicability", "Lines are drawn by the wireframe only.")},
+    {"line", [](const Settings& s) { return s.lineRule == LineRule::DiamondExit; },
+     QT_TRANSLATE_NOOP("Applicability", "The diamonds alone decide which pixels a line has.")},
+    {"line-ties", [](const Settings& s) { return s.lineRule == LineRule::DiamondExit; },
+     QT_TRANSLATE_NOOP("Applicability", "The diamonds alone decide which pixels a line has.")},
+    {"line-rule", [](const Settings& s) { return s.fill != Fill::Wireframe; },
+     QT_TRANSLATE_NOOP("Applicability", "Lines are drawn by the wireframe only.")},
+    {"line-ties", [](const Settings& s) { return s.fill != Fill::Wireframe; },
+     QT_TRANSLATE_NOOP("Applicability", "Lines are drawn by the wireframe only.")},
     {"winding", [](const Settings& s) { return s.culling == Culling::None; },
      QT_TRANSLATE_NOOP("Applicability", "Nothing is culled.")},
     {"cull-space", [](const Settings& s) { return s.culling == Culling::None; },
      QT_TRANSLATE_NOOP("Applicability", "Nothing is culled.")},
     {"depth-test", noDepthBuffer, QT_TRANSLATE_NOOP("Applicability", "Only the z-buffer compares depths.")},
     {"depth-format", noDepthBuffer, QT_TRANSLATE_NOOP("Applicability", "Only the z-buffer stores depths.")},
+    {"depth-bias", noDepthBuffer, QT_TRANSLATE_NOOP("Applicability", "Only the z-buffer compares depths.")},
+    {"depth-range", noDepthBuffer, QT_TRANSLATE_NOOP("Applicability", "Only the z-buffer stores depths.")},
     {"depth-order", noDepthBuffer, QT_TRANSLATE_NOOP("Applicability", "Only the z-buffer compares depths.")},
     {"depth-order",
      [](const Settings& s) { return s.depthTest == DepthTest::None || s.depthTest == DepthTest::Always; },
@@ -71,20 +82,36 @@ constexpr Rule kRules[] = {
      QT_TRANSLATE_NOOP("Applicability", "This shading reads no interpolated attributes.")},
     {"interpolation", withoutAttributes,
      QT_TRANSLATE_NOOP("Applicability", "This shading reads no interpolated attributes.")},
+    {"attribute-at", [](const Settings& s) { return patternSamples(s.samples) == 1; },
+     QT_TRANSLATE_NOOP("Applicability", "Only MSAA shades a pixel elsewhere than at its samples.")},
+    {"attribute-at", withoutAttributes,
+     QT_TRANSLATE_NOOP("Applicability", "This shading reads no interpolated attributes.")},
+    {"resolve", [](const Settings& s) { return s.samples == Samples::One; },
+     QT_TRANSLATE_NOOP("Applicability", "A pixel has one sample, and no mean is taken.")},
     {"texture-filter", [](const Settings& s) { return s.shading != Shading::Texture && s.shading != Shading::Phong; },
      QT_TRANSLATE_NOOP("Applicability", "Only texture and Phong shading read texels.")},
     {"threads", notTiled, QT_TRANSLATE_NOOP("Applicability", "Only the tiled algorithm uses threads.")},
     {"simd", notTiled, QT_TRANSLATE_NOOP("Applicability", "Only the tiled algorithm uses vector instructions.")},
 };
 
+std::optional<Reason> reasonFor(const char* field, const Settings& settings)
+{
+    for (const Rule& rule : kRules)
+        if (QLatin1String(rule.field) == QLatin1String(field) && rule.inert(settings))
+            return Reason(rule.reason);
+    return std::nullopt;
+}
+
 } // namespace
 
 std::optional<Reason> whyWithoutEffect(const SettingsField& field, const Settings& settings)
 {
-    for (const Rule& rule : kRules)
-        if (QLatin1String(rule.field) == QLatin1String(field.id) && rule.inert(settings))
-            return Reason(rule.reason);
-    return std::nullopt;
+    return reasonFor(field.id, settings);
+}
+
+std::optional<Reason> whyWithoutEffect(const NumbersField& field, const Settings& settings)
+{
+    return reasonFor(field.id, settings);
 }
 
 } // namespace rasterlens

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/base/reason.h"
+#include "core/settings/numbers_field.h"
 #include "core/settings/settings.h"
 
 #include <optional>
@@ -10,5 +11,6 @@ namespace rasterlens
 /// Why no value of a field has an effect beside the other settings, whatever the scene: a sentence of the context
 /// "Applicability"; nothing where one may have.
 [[nodiscard]] std::optional<Reason> whyWithoutEffect(const SettingsField& field, const Settings& settings);
+[[nodiscard]] std::optional<Reason> whyWithoutEffect(const NumbersField& field, const Settings& settings);
 
 } // namespace rasterlens

@@ -137,13 +137,27 @@ private:
         batch.count = count; // emit.finish() draws the rest
     }
 
-    /// An edge value as a 32-bit integer of whole pixel areas keeps it, without an overflow that C++ leaves undefined.
+    /// An edge value as an integer of whole pixel areas with so many bits keeps it, without an overflow that C++ leaves
+    /// undefined.
     template <class T>
-    static T wrapped(T e)
+    static T wrapped(T e, int bits)
     {
-        constexpr int kLostBits = 16; // of 64, with 16 bits behind the point
+        const int lostBits = 48 - bits; // of 64, with 16 bits behind the point
         if constexpr (std::is_same_v<T, std::int64_t>)
-            e = static_cast<std::int64_t>(static_cast<std::uint64_t>(e) << kLostBits) >> kLostBits;
+            e = static_cast<std::int64_t>(static_cast<std::uint64_t>(e) << lostBits) >> lostBits;
+        return e;
+    }
+
+    template <class T>
+    static T asKept(T e, InsideTest test)
+    {
+        switch (test) {
+        case InsideTest::Wrapped32: return wrapped(e, 32);
+        case InsideTest::Wrapped16: return wrapped(e, 16);
+        case InsideTest::AllPositive:
+        case InsideTest::EitherSign:
+        case InsideTest::None: break;
+        }
         return e;
     }
 
@@ -180,12 +194,10 @@ private:
                 bool allNegative = rules.insideTest == InsideTest::EitherSign;
                 for (std::size_t i = 0; i < 3; ++i) {
                     const EdgeFunction<T>& edge = setup.edges[i];
-                    e[i] = edge.at(testPoint<T>(x, y, rules));
-                    if (rules.insideTest == InsideTest::Wrapped32)
-                        e[i] = wrapped(e[i]);
+                    e[i] = asKept(edge.at(testPoint<T>(x, y, rules)), rules.insideTest);
                     allNegative = allNegative && e[i] <= edge.threshold;
                 }
-                const bool covered = inside(e, setup) || allNegative;
+                const bool covered = inside(e, setup) || allNegative || rules.insideTest == InsideTest::None;
                 observer.onSample(x, y, observed(e), covered);
                 if (covered)
                     emit(x, y);

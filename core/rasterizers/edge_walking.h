@@ -25,9 +25,11 @@ template <class T>
 class EdgeWalker
 {
 public:
-    EdgeWalker(Point<T> upper, Point<T> lower, int firstRow, Stepping stepping)
-        : m_upper(upper), m_slope((lower.x - upper.x) / (lower.y - upper.y)), m_stepping(stepping)
+    EdgeWalker(Point<T> upper, Point<T> lower, int firstRow, const Rules& rules)
+        : m_upper(upper), m_slope((lower.x - upper.x) / (lower.y - upper.y)), m_stepping(rules.stepping)
     {
+        if (!rules.edgesPreStepped)
+            m_upper.y = TriangleSetup<T>::centre(0, firstRow).y;
         jumpTo(firstRow);
     }
 
@@ -79,9 +81,11 @@ class EdgeWalker<std::int64_t>
 public:
     using T = std::int64_t;
 
-    EdgeWalker(Point<T> upper, Point<T> lower, int firstRow, Stepping stepping)
-        : m_upper(upper), m_dx(lower.x - upper.x), m_dy(lower.y - upper.y), m_stepping(stepping)
+    EdgeWalker(Point<T> upper, Point<T> lower, int firstRow, const Rules& rules)
+        : m_upper(upper), m_dx(lower.x - upper.x), m_dy(lower.y - upper.y), m_stepping(rules.stepping)
     {
+        if (!rules.edgesPreStepped)
+            m_upper.y = TriangleSetup<T>::centre(0, firstRow).y;
         const Fraction perRow = divide(Grid<T>::kUnit * m_dx);
         m_perRow = perRow;
         jumpTo(firstRow);
@@ -206,17 +210,17 @@ struct EdgeWalking {
         };
         if (y > rows.last)
             return;
-        EdgeWalker<T> longEdge(s.vertices[0], endOf(2), y, rules.stepping);
+        EdgeWalker<T> longEdge(s.vertices[0], endOf(2), y, rules);
         // Upper half: long edge and upper short edge. The row through the middle vertex belongs to the lower half
         // unless there is none.
         if (isUpperHalf(y, s)) {
-            EdgeWalker<T> shortEdge(s.vertices[0], endOf(1), y, rules.stepping);
+            EdgeWalker<T> shortEdge(s.vertices[0], endOf(1), y, rules);
             for (; y <= rows.last && isUpperHalf(y, s) && !isStopped(emit); ++y, longEdge.step(), shortEdge.step())
                 fillSpan(y, longEdge, shortEdge, s, setup, triangle, rules, emit, observer);
         }
         if (y <= rows.last && !isStopped(emit)) {
             longEdge.restartAt(y);
-            EdgeWalker<T> shortEdge(s.vertices[1], endOf(2), y, rules.stepping);
+            EdgeWalker<T> shortEdge(s.vertices[1], endOf(2), y, rules);
             for (; y <= rows.last && !isStopped(emit); ++y, longEdge.step(), shortEdge.step())
                 fillSpan(y, longEdge, shortEdge, s, setup, triangle, rules, emit, observer);
         }
@@ -321,8 +325,9 @@ private:
     {
         if (skipsLine(emit, y))
             return;
-        const EdgeWalker<T>& leftEdge = s.longEdgeIsLeft ? longEdge : shortEdge;
-        const EdgeWalker<T>& rightEdge = s.longEdgeIsLeft ? shortEdge : longEdge;
+        const bool longIsLeft = s.longEdgeIsLeft || !rules.spanEndsSorted;
+        const EdgeWalker<T>& leftEdge = longIsLeft ? longEdge : shortEdge;
+        const EdgeWalker<T>& rightEdge = longIsLeft ? shortEdge : longEdge;
         const RowCrossing left = leftEdge.crossing();
         const RowCrossing right = rightEdge.crossing();
         // Start inclusive, end exclusive: a left edge owns its points, a right one does not.
@@ -336,7 +341,7 @@ private:
         crossings.xEnd = xEnd;
         observer.onCrossing(crossings);
         observer.onSpan(y, xBegin, xEnd,
-                        {leftEdge.position(), rightEdge.position(), s.longEdgeIsLeft, isUpperHalf(y, s), begin, end,
+                        {leftEdge.position(), rightEdge.position(), longIsLeft, isUpperHalf(y, s), begin, end,
                          rules.tie.owner <= 0, rules.tie.other <= 0});
         if (rules.attributePath == AttributePath::Planes) {
             emitRow(y, xBegin, xEnd, emit);

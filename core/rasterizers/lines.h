@@ -2,12 +2,14 @@
 #include "core/pipeline/line_places.h"
 #include "core/pipeline/observer.h"
 #include "core/pipeline/types.h"
+#include "core/rasterizers/diamond_line.h"
 #include "core/settings/rules.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <utility>
 
 namespace rasterlens
 {
@@ -149,15 +151,50 @@ void oneRowLine(GridPoint from, GridPoint to, Plot&& plot)
     }
 }
 
+/// Draws the line from the centre of one sample to that of another, ends included.
+template <class Plot, class Observer>
+void centreLine(GridPoint from, GridPoint to, const Rules& rules, Plot&& plot, Observer& observer)
+{
+    if (rules.line == LineAlgorithm::Bresenham)
+        bresenhamLine(from, to, plot, observer);
+    else
+        ddaLine(from, to, plot);
+}
+
+/// Draws a line by the rules: plot(x, y, t) for each of its samples, also off the target.
+template <class Plot, class Observer>
+void drawLine(const glm::dvec2& start, const glm::dvec2& end, const Rules& rules, Plot&& plot, Observer& observer)
+{
+    const GridPoint from = sampleOf(start);
+    const GridPoint to = sampleOf(end);
+    if ((rules.lineOctants >> octantOf(from, to) & 1U) == 0)
+        return;
+    if (rules.lineAdvance == LineAdvance::Columns)
+        return columnLine(from, to, plot);
+    if (rules.lineAdvance == LineAdvance::OneRow)
+        return oneRowLine(from, to, plot);
+    if (rules.lineRule == LineRule::DiamondExit)
+        return diamondExitLine(LinePoint::of(start), LinePoint::of(end), plot);
+    const auto plotWanted = [&](int x, int y, double t) {
+        if (rules.lineRule == LineRule::Inclusive || x != to.x || y != to.y)
+            plot(x, y, t);
+    };
+    const bool isBackward = std::pair(from.y, from.x) > std::pair(to.y, to.x);
+    if (!rules.lineTiesByDirection && isBackward)
+        return centreLine(
+            to, from, rules, [&](int x, int y, double t) { plotWanted(x, y, 1 - t); }, observer);
+    centreLine(from, to, rules, plotWanted, observer);
+}
+
 /// Draws the three edges of a triangle: emit(x, y, weights) for every sample, also off the target.
 template <class Emit, class Observer>
 void drawWireframe(const ScreenTriangle& triangle, const Rules& rules, Emit& emit, Observer& observer)
 {
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t j = (i + 1) % 3;
-        const GridPoint from = sampleOf(triangle.vertices[i].position);
-        const GridPoint to = sampleOf(triangle.vertices[j].position);
-        const GridPoint rightEnd = from.x > to.x ? from : to;
+        const glm::dvec2& start = triangle.vertices[i].position;
+        const glm::dvec2& end = triangle.vertices[j].position;
+        const GridPoint rightEnd = sampleOf(sampleOf(start).x > sampleOf(end).x ? start : end);
         const auto plot = [&](int x, int y, double t) {
             if (!rules.rightLineEnds && x == rightEnd.x && y == rightEnd.y)
                 return;
@@ -168,27 +205,18 @@ void drawWireframe(const ScreenTriangle& triangle, const Rules& rules, Emit& emi
             weights[j] = t;
             emit(x, y, weights);
         };
-        if ((rules.lineOctants >> octantOf(from, to) & 1U) == 0)
-            continue;
-        if (rules.lineAdvance == LineAdvance::Columns)
-            columnLine(from, to, plot);
-        else if (rules.lineAdvance == LineAdvance::OneRow)
-            oneRowLine(from, to, plot);
-        else if (rules.line == LineAlgorithm::Bresenham)
-            bresenhamLine(from, to, plot, observer);
-        else
-            ddaLine(from, to, plot);
+        drawLine(start, end, rules, plot, observer);
     }
 }
 
 /// Draws the three corners of a triangle.
 template <class Emit, class Observer>
-void drawPoints(const ScreenTriangle& triangle, const Rules&, Emit& emit, Observer&)
+void drawPoints(const ScreenTriangle& triangle, const Rules& rules, Emit& emit, Observer&)
 {
     for (std::size_t i = 0; i < 3; ++i) {
         Weights weights{0, 0, 0};
         weights[i] = 1;
-        const GridPoint p = sampleOf(triangle.vertices[i].position);
+        const GridPoint p = sampleOf(triangle.vertices[i].position, rules.gridRounding);
         emit(p.x, p.y, weights);
     }
 }

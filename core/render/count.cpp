@@ -12,7 +12,7 @@ Statistics countPicture(const Scene& scene, const Settings& settings, const Fram
                         const std::stop_token& stop)
 {
     const bool counts = settings.shading == Shading::Overdraw;
-    if (settings.algorithm == Algorithm::Tiled)
+    if (settings.algorithm == Algorithm::Tiled || patternSamples(settings.samples) > 1)
         return renderCounted(scene, settings, counted, {.depth = true, .ids = true, .coverage = counts}, stop);
     QImage memory = std::exchange(counted.image, QImage());
     const Resolved resolved = resolve(settings, scene);

@@ -13,8 +13,8 @@ namespace rasterlens
 /// out     the statistics of renderCounted(), bit for bit; in `counted` depth, ids, for the overdraw view coverage, and
 /// the picture: copied where
 ///         `counted` brings memory of that size, else shared
-/// cost    that of coverage and the depth test; the tiled algorithm, which counts visible samples as it shades them,
-///         draws anew
+/// cost    that of coverage and the depth test; the tiled algorithm and multi-sampling, whose shadings are not those of
+///         the samples that pass, draw anew
 /// errors  throws std::bad_alloc, and std::system_error where threads cannot be started; `stop` ends the work early and
 ///         leaves an unfinished picture
 [[nodiscard]] Statistics countPicture(const Scene& scene, const Settings& settings, const Frame& picture,

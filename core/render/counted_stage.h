@@ -10,6 +10,9 @@ namespace rasterlens
 template <class Stage>
 class CountedStage
 {
+    /// Multi-sampling: samples are only noted, always, and what counts are the pixels that are drawn of them.
+    static constexpr bool kDrawsPixels = requires(Stage & stage) { stage.beginSample(0); };
+
 public:
     CountedStage(Stage stage, StepRecorder& recorder) : m_stage(std::move(stage)), m_recorder(&recorder) {}
 
@@ -19,17 +22,22 @@ public:
     template <class... Sample>
     void operator()(int x, int y, const Sample&... sample)
     {
-        if (m_recorder->takeCall())
+        if (kDrawsPixels || m_recorder->takeCall())
             m_stage(x, y, sample...);
     }
+
+    void beginSample(int sample) requires kDrawsPixels { m_stage.beginSample(sample); }
 
     void finish()
     {
         m_recorder->endTriangle();
-        m_stage.finish();
+        if constexpr (kDrawsPixels)
+            m_stage.finish([this] { return m_recorder->takeCall(); });
+        else
+            m_stage.finish();
     }
 
-    [[nodiscard]] bool skipsLine(int line) { return m_recorder->skipsLine(line); }
+    [[nodiscard]] bool skipsLine(int line) { return !kDrawsPixels && m_recorder->skipsLine(line); }
     [[nodiscard]] bool stopped() const { return m_stage.stopped(); }
 
 private:

@@ -4,10 +4,12 @@
 #include "core/pipeline/frame.h"
 #include "core/pipeline/framebuffer.h"
 #include "core/pipeline/geometry.h"
+#include "core/pipeline/multisample_stage.h"
 #include "core/pipeline/resolve.h"
 #include "core/pipeline/sample_router.h"
 #include "core/rasterizers/lines.h"
 #include "core/render/list.h"
+#include "core/settings/depth_rules.h"
 
 namespace rasterlens
 {
@@ -37,10 +39,23 @@ template <class Rasterizer, class Stage, class Observer>
     return coverArea<Rasterizer, double, Stage, Observer>;
 }
 
+template <class Stage, class Observer>
+[[nodiscard]] Cover<Stage, Observer> coverFor(const Rules& rules);
+
+/// Where the two passes of a scene are not filled alike: finds the samples as the pass of the triangle does.
+template <class Stage, class Observer>
+void coverByPass(const ScreenTriangle& triangle, const Rules& rules, Stage& stage, Observer& observer)
+{
+    const Rules pass = passRules(rules, triangle.face);
+    coverFor<Stage, Observer>(pass)(triangle, pass, stage, observer);
+}
+
 /// The way to samples that the rules ask for: lines, corners, or the area by one of the algorithms.
 template <class Stage, class Observer>
 [[nodiscard]] Cover<Stage, Observer> coverFor(const Rules& rules)
 {
+    if (rules.firstPassFaces > 0 && rules.fill != Fill::Solid)
+        return coverByPass<Stage, Observer>;
     switch (rules.fill) {
     case Fill::Wireframe: return drawWireframe<Stage, Observer>;
     case Fill::Points: return drawPoints<Stage, Observer>;
@@ -56,13 +71,35 @@ template <class Stage, class Observer>
     return cover;
 }
 
+/// Covers the triangle once for every sample of the pattern, each time moved so that the sample lies at the centre of
+/// its pixel: what is right for centres is right for samples.
+///
+/// exact  in fixed point, where positions are multiples of 1/256 pixel and samples of 1/16
+template <class Stage, class Observer>
+void coverPattern(ScreenTriangle triangle, const Rules& rules, Cover<Stage, Observer> cover, Stage& stage,
+                  Observer& observer)
+{
+    const std::array<ScreenVertex, 3> vertices = triangle.vertices;
+    for (int sample = 0; sample < rules.patternSamples && !isStopped(stage); ++sample) {
+        for (std::size_t i = 0; i < 3; ++i)
+            triangle.vertices[i].position = vertices[i].position - testedOffset(rules, sample).pixels();
+        observer.onPatternSample(sample);
+        if constexpr (requires { stage.beginSample(sample); })
+            stage.beginSample(sample);
+        cover(triangle, rules, stage, observer);
+    }
+}
+
 template <class Stage, class Observer>
 void drawTriangle(const ScreenTriangle& triangle, const Rules& rules, Cover<Stage, Observer> cover, Stage& stage,
                   Observer& observer)
 {
     stage.begin(triangle);
     observer.onTriangle(triangle);
-    cover(triangle, rules, stage, observer);
+    if (rules.multiSampled())
+        coverPattern(triangle, rules, cover, stage, observer);
+    else
+        cover(triangle, rules, stage, observer);
 }
 
 /// Adds up where the time of a frame goes.
@@ -108,7 +145,7 @@ template <class Observer>
 void resolvePicture(Framebuffer& framebuffer, const Rules& rules, Observer& observer)
 {
     if constexpr (kReadsResolve<Observer>) {
-        if (rules.sampleGrid > 1) {
+        if (rules.samplesPerPixel() > 1) {
             framebuffer.resolve([&](const ResolvedPixel& pixel) { observer.onResolve(pixel); });
             return;
         }
@@ -138,7 +175,9 @@ void drawScene(const Scene& scene, const Resolved& resolved, Frame& frame, Outpu
         drawFaces(geometry, order, rules, stage, observer, watch);
     };
     const glm::vec3 eye(matrices.eyeObject);
-    if (SampleRouter<Observer>::wanted(rules))
+    if (rules.multiSampled())
+        drawInto(MultisampleStage<Observer>(scene, rules, framebuffer.samples(), eye, observer));
+    else if (SampleRouter<Observer>::wanted(rules))
         drawInto(SampleRouter<Observer>(scene, rules, framebuffer.samples(), eye, observer));
     else
         drawInto(FragmentStage<Observer>(scene, rules, framebuffer.samples(), eye, observer));

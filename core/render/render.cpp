@@ -15,6 +15,39 @@ namespace
 /// 2 GiB of colour and depth: the largest viewport with one sample a pixel.
 constexpr std::int64_t kMaxSamples = std::int64_t(kMaxViewport) * kMaxViewport;
 
+/// Why these rules cannot be drawn with multi-sampling, whatever finds the covered samples.
+std::optional<Reason> patternSupports(const Rules& rules)
+{
+    if (!rules.multiSampled())
+        return std::nullopt;
+    if (rules.fill != Fill::Solid)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "samples msaa2 to msaa16 need fill solid: lines and points go "
+                                                       "from sample to sample of a grid, and a pattern has none")};
+    if (rules.algorithm == Algorithm::ColumnFill)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported",
+                                        "samples msaa2 to msaa16 need an algorithm that goes by centres; "
+                                        "column-fill goes by the grid points of the corners")};
+    if (rules.attributePath == AttributePath::EdgeThenSpan)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "samples msaa2 to msaa16 need attribute-path planes: a pixel is "
+                                                       "shaded once, and no span leads there")};
+    if (rules.depthPerPixel || rules.strideIsRows || rules.positionInterpolated || rules.bounds == Bounds::Unclamped)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "samples msaa2 to msaa16 do not go with a mistake about where "
+                                                       "samples are stored")};
+    return std::nullopt;
+}
+
+/// With one sample a pixel the counts of samples are those of pixels.
+void drawTiled(const Scene& scene, const Settings& settings, const Resolved& resolved, Frame& frame, Outputs outputs,
+               Statistics* statistics, const std::stop_token& stop)
+{
+    Outputs asked = outputs;
+    asked.coverage = outputs.coverage || outputs.sampleCoverage;
+    Tiled::draw(scene, settings, resolved, frame, asked, statistics, stop);
+    frame.sampleCoverage.clear();
+    if (outputs.sampleCoverage)
+        frame.sampleCoverage = outputs.coverage ? frame.coverage : std::exchange(frame.coverage, {});
+}
+
 } // namespace
 
 std::optional<Reason> unsupported(const Scene& scene, const Settings& settings)
@@ -27,12 +60,12 @@ std::optional<Reason> unsupported(const Scene& scene, const Settings& settings, 
     if (settings.cullSpace == CullSpace::View && scene.space == SceneSpace::Clip)
         return Reason{QT_TRANSLATE_NOOP(
             "Unsupported", "cull-space view needs object-space positions; this scene is given in clip space")};
-    const std::int64_t grid = sampleGrid(settings.samples);
-    if (std::int64_t(settings.size.width()) * settings.size.height() * grid * grid > kMaxSamples)
+    const std::int64_t samples = samplesPerPixel(settings.samples);
+    if (std::int64_t(settings.size.width()) * settings.size.height() * samples > kMaxSamples)
         return Reason{
             QT_TRANSLATE_NOOP("Unsupported", "%1x%2 pixels with %3 samples each need more than %4 million samples"),
-            {QString::number(settings.size.width()), QString::number(settings.size.height()),
-             QString::number(grid * grid), QString::number(kMaxSamples / 1000000)}};
+            {QString::number(settings.size.width()), QString::number(settings.size.height()), QString::number(samples),
+             QString::number(kMaxSamples / 1000000)}};
     for (const QString& id : settings.mistakes)
         if (findMistake(id) == nullptr)
             return Reason{QT_TRANSLATE_NOOP("Unsupported", "there is no mistake \"%1\"; \"rasterlens-cli render "
@@ -41,7 +74,16 @@ std::optional<Reason> unsupported(const Scene& scene, const Settings& settings, 
     if (settings.algorithm == Algorithm::Tiled)
         if (auto reason = Tiled::supports(settings))
             return reason;
-    return rasterizerSupports(resolved.rules);
+    if (auto reason = rasterizerSupports(resolved.rules))
+        return reason;
+    return patternSupports(resolved.rules);
+}
+
+std::optional<Reason> unsupportedOutputs(const Settings& settings, Outputs outputs)
+{
+    if (outputs.sampleCoverage && settings.algorithm == Algorithm::Tiled && settings.samples != Samples::One)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled keeps the counts of one sample a pixel only")};
+    return std::nullopt;
 }
 
 Settings withoutAuto(const Settings& settings)
@@ -74,7 +116,7 @@ void render(const Scene& scene, const Settings& settings, Frame& frame, Outputs 
 {
     const Resolved resolved = resolve(settings, scene);
     if (settings.algorithm == Algorithm::Tiled) {
-        Tiled::draw(scene, settings, resolved, frame, outputs, nullptr, stop);
+        drawTiled(scene, settings, resolved, frame, outputs, nullptr, stop);
         return;
     }
     NullObserver observer;
@@ -92,7 +134,7 @@ Statistics renderCounted(const Scene& scene, const Settings& settings, const Res
 {
     if (settings.algorithm == Algorithm::Tiled) {
         Statistics statistics;
-        Tiled::draw(scene, settings, resolved, frame, outputs, &statistics, stop);
+        drawTiled(scene, settings, resolved, frame, outputs, &statistics, stop);
         return statistics;
     }
     CountingObserver observer(resolved.rules);

@@ -14,6 +14,9 @@ namespace rasterlens
 /// Why these settings cannot be drawn, or nothing; a text of the context "Unsupported".
 [[nodiscard]] std::optional<Reason> unsupported(const Scene& scene, const Settings& settings);
 
+/// Why these outputs cannot be had of the settings, or nothing; a text of the context "Unsupported".
+[[nodiscard]] std::optional<Reason> unsupportedOutputs(const Settings& settings, Outputs outputs);
+
 /// The settings with what `auto` stands for on this machine: threads and vector instructions.
 [[nodiscard]] Settings withoutAuto(const Settings& settings);
 

@@ -88,7 +88,7 @@ private:
         if (!from.resolves)
             drawAllFaces(from, samples, recorder, stop);
         samples.ids = planes.owners.data(); // the recorder writes them
-        if (rules.sampleGrid > 1)
+        if (rules.samplesPerPixel() > 1)
             resolvePixels(from, samples, recorder, stop);
     }
 
@@ -106,7 +106,9 @@ private:
             stage.stopBy(stop);
             drawFaces(from, CountedStage<Stage>(std::move(stage), recorder), recorder);
         };
-        if (SampleRouter<StepRecorder>::wanted(rules))
+        if (rules.multiSampled())
+            drawInto(MultisampleStage<StepRecorder>(*m_scene, rules, samples, eye, recorder));
+        else if (SampleRouter<StepRecorder>::wanted(rules))
             drawInto(SampleRouter<StepRecorder>(*m_scene, rules, samples, eye, recorder));
         else
             drawInto(FragmentStage<StepRecorder>(*m_scene, rules, samples, eye, recorder));

@@ -14,10 +14,24 @@ struct Frame3 {
     glm::dvec3 up;
     glm::dvec3 back;
     glm::dvec3 eye;
+    glm::dvec3 target;
 };
 
-glm::dmat4 viewFromObject(const Frame3& f)
+/// The view as rules put it together that are not the right ones.
+glm::dmat4 viewByRules(const Frame3& f, const CameraRules& rules)
 {
+    const glm::dvec3& from = rules.origin == ViewOrigin::Eye ? f.eye : f.target;
+    const glm::dmat3 rows(f.right, f.up, f.back); // as columns: from the camera's axes to the world's
+    const glm::dmat3 turn = rules.axesAreRows ? glm::transpose(rows) : rows;
+    glm::dmat4 view(turn);
+    view[3] = glm::dvec4(rules.order == ViewOrder::TranslatedFirst ? -(turn * from) : -from, 1);
+    return view;
+}
+
+glm::dmat4 viewFromObject(const Frame3& f, const CameraRules& rules)
+{
+    if (rules != CameraRules())
+        return viewByRules(f, rules);
     return {glm::dvec4(f.right.x, f.up.x, f.back.x, 0), glm::dvec4(f.right.y, f.up.y, f.back.y, 0),
             glm::dvec4(f.right.z, f.up.z, f.back.z, 0),
             glm::dvec4(-glm::dot(f.right, f.eye), -glm::dot(f.up, f.eye), -glm::dot(f.back, f.eye), 1)};
@@ -32,7 +46,7 @@ Frame3 lookAt(const View& view, const glm::dvec3& origin)
     if (!(glm::length(right) > 1e-9))
         right = glm::cross(std::abs(back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1), back);
     right = glm::normalize(right);
-    return {right, glm::cross(back, right), back, view.eye - origin};
+    return {right, glm::cross(back, right), back, view.eye - origin, view.target - origin};
 }
 
 Frame3 fitted(const View& view, const BoundingSphere& bounds, double distance)
@@ -43,7 +57,7 @@ Frame3 fitted(const View& view, const BoundingSphere& bounds, double distance)
     const glm::dvec3 up(-std::sin(yaw) * std::sin(pitch), std::cos(pitch), -std::cos(yaw) * std::sin(pitch));
     const glm::dvec3 back(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch));
     const glm::dvec3 target = bounds.center + bounds.radius * (view.pan.x * right + view.pan.y * up);
-    return {right, up, back, target + distance * back};
+    return {right, up, back, target + distance * back, target};
 }
 
 /// Row z of a projection: z_clip = a * z_view + b. Perspective has w = -z_view, orthographic w = 1.
@@ -107,7 +121,7 @@ glm::dmat4 orthographic(double h, double aspect, const Planes& planes, const Set
 
 } // namespace
 
-Matrices cameraMatrices(const Scene& scene, const Settings& settings)
+Matrices cameraMatrices(const Scene& scene, const Settings& settings, const CameraRules& rules)
 {
     Matrices m;
     if (scene.space == SceneSpace::Clip)
@@ -133,7 +147,9 @@ Matrices cameraMatrices(const Scene& scene, const Settings& settings)
     const double toTarget = view.fit ? fitDistance : glm::length(view.eye - view.target);
     m.clipFromView = m.orthographic ? orthographic(toTarget > 0 ? h * toTarget : h, aspect, {m.near, m.far}, settings)
                                     : perspective(h, aspect, {m.near, m.far}, settings);
-    m.viewFromObject = viewFromObject(frame);
+    for (const int axis : {0, 1})
+        m.clipFromView[axis][axis] *= rules.nearSign;
+    m.viewFromObject = viewFromObject(frame, rules);
     m.clipFromObjectDouble = m.clipFromView * m.viewFromObject;
     m.clipFromObject = glm::mat4(m.clipFromObjectDouble);
     m.eyeObject = frame.eye;

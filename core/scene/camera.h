@@ -1,5 +1,6 @@
 #pragma once
 #include "core/scene/scene.h"
+#include "core/settings/rules.h"
 
 #include <glm/glm.hpp>
 
@@ -28,6 +29,8 @@ struct Matrices {
 ///         nothing of the sphere; OpenGL or Direct3D depth range, reversed or not; eye and target are given in world
 ///         space, the mesh's origin is taken off in double before anything is rounded
 /// exact   for the default view, the matrix of the peer harness bit for bit
-[[nodiscard]] Matrices cameraMatrices(const Scene& scene, const Settings& settings);
+///
+/// in      rules: how the matrices are made; other ones than the default are for mistakes
+[[nodiscard]] Matrices cameraMatrices(const Scene& scene, const Settings& settings, const CameraRules& rules = {});
 
 } // namespace rasterlens

@@ -62,13 +62,20 @@ struct Scene {
     QString title; ///< for people; builtin titles are marked for translation
     QString note;  ///< what to look at; may be empty
     SceneSpace space = SceneSpace::Object;
+    /// How the mesh was stretched along the axes after its shape was made; its normals are those of what came out.
+    glm::vec3 stretch{1, 1, 1};
     bool lit = true; ///< false: vertex colours are shown as they are
     glm::vec3 background{0.1F, 0.1F, 0.1F};
     Mesh mesh;
     std::vector<Material> materials; ///< at least one
     std::vector<Texture> textures;
     BoundingSphere bounds;
-    Settings defaults;                                     ///< what the scene asks for; the user may change all of it
+    Settings defaults; ///< what the scene asks for; the user may change all of it
+    /// The face with which a second pass begins, which is drawn over what the first has left in the buffers: a decal,
+    /// or a wireframe over a surface. Depth test, depth bias and fill of the settings are the second pass's; the first
+    /// is filled and compared by `less`. 0: there is one pass.
+    std::uint32_t secondPassFrom = 0;
+    std::optional<double> depthClear;                      ///< what the depth buffer is cleared to; none: the far end
     std::optional<PixelRect> window;                       ///< the part of the viewport worth looking at
     std::vector<std::pair<QString, QString>> expectations; ///< `expect key value` of case files
     bool exact = false;                                    ///< case file with `exact`: the reference is not to snap

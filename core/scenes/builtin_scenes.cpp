@@ -135,6 +135,32 @@ constexpr BuiltinScene kScenes[] = {
          "the middle z/w is 0.8938 and the distance 1.818: z/w is linear on the screen, the distance is not. "
          "Board and markers have equal colours at equal distances, unless interpolation is affine."),
      makeFourZ},
+    {"decal", QT_TRANSLATE_NOOP("BuiltinScene", "Paint on a road"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "Two passes: the road, then paint in its plane. Depths of the two are as good as equal, and without the depth "
+         "bias chance decides pixel by pixel which is nearer."),
+     makeDecal},
+    {"wire-over-fill", QT_TRANSLATE_NOOP("BuiltinScene", "Wireframe over a surface"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "Two passes: a surface, then the lines of its faces. A pixel of a line is up to half a pixel "
+                       "beside the line; how much depth that is depends on the slope of the face."),
+     makeWireOverFill},
+    {"equal-pass", QT_TRANSLATE_NOOP("BuiltinScene", "A second pass at equal depth"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "Two passes: a board, then tiles at the same depth, drawn where depths are equal. Each has "
+                       "another w, so that z/w is off by a rounding, which 16 bits must round away."),
+     makeEqualPass},
+    {"beam-to-eye", QT_TRANSLATE_NOOP("BuiltinScene", "A beam up to the eye"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "The near plane cuts the beam, and one looks into it. Where depths are clamped in place of "
+                       "clipping, what lies before the plane is drawn too, all of it at depth 0."),
+     makeBeamToEye},
+    {"lockstep", QT_TRANSLATE_NOOP("BuiltinScene", "Three pairs of triangles"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "Of each pair the warm triangle is nearer and is sent first. Two threads without a lock draw "
+                       "the two at the same time."),
+     makeLockstep},
     {"cut-outs", QT_TRANSLATE_NOOP("BuiltinScene", "Leaves cut out of squares"),
      QT_TRANSLATE_NOOP(
          "BuiltinScene",
@@ -162,6 +188,11 @@ constexpr BuiltinScene kScenes[] = {
                        "The left square is counter-clockwise, the right one clockwise. A rule must treat both alike. "
                        "Colours tell how many triangles cover a pixel."),
      makeTwoWindings},
+    {"line-ties", QT_TRANSLATE_NOOP("BuiltinScene", "Diagonals drawn both ways"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "Both triangles of a rectangle draw its diagonal, one from each end. It passes half-way between "
+                       "two pixels: a choice that depends on the direction makes it two pixels thick there."),
+     makeLineTies},
     {"tiny-tiles", QT_TRANSLATE_NOOP("BuiltinScene", "Tiles smaller than a pixel"),
      QT_TRANSLATE_NOOP(
          "BuiltinScene",
@@ -174,6 +205,22 @@ constexpr BuiltinScene kScenes[] = {
          "2 x 2 samples a pixel. The orange triangle is nearer and sent first; the white square is cut by its "
          "diagonal, of which nothing may be seen."),
      makeSamples},
+    {"msaa-sprite", QT_TRANSLATE_NOOP("BuiltinScene", "MSAA: sheets with a part of a texture"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "4 samples a pixel, attributes at centroids. Round the sheets' part of the texture all is magenta, "
+         "which must not be seen."),
+     makeMsaaSprite},
+    {"msaa-gradient", QT_TRANSLATE_NOOP("BuiltinScene", "MSAA: needles under fine stripes"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "8 samples a pixel, attributes at centroids. The needles lie in one plane, and their stripes are "
+         "finer than the pixels: all must be grey."),
+     makeMsaaGradient},
+    {"msaa-seams", QT_TRANSLATE_NOOP("BuiltinScene", "MSAA: a disc of 20 triangles"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "4 samples a pixel. The triangles share their edges, of which nothing may be seen."),
+     makeMsaaSeams},
     {"zero-area", QT_TRANSLATE_NOOP("BuiltinScene", "Triangles without area"),
      QT_TRANSLATE_NOOP("BuiltinScene",
                        "Three triangles are flattened to lines through pixel centres. They must not be seen."),
@@ -203,6 +250,51 @@ constexpr BuiltinScene kScenes[] = {
          "1000, "
          "above."),
      makeCutOnCentres},
+    {"between-rows", QT_TRANSLATE_NOOP("BuiltinScene", "Corners between the rows"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "Three arrow heads, whose lower halves mirror the upper ones. Their tips lie at half "
+                       "rows, the other corners elsewhere between them."),
+     makeBetweenRows},
+    {"small-screen", QT_TRANSLATE_NOOP("BuiltinScene", "A screen of 320 x 240"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "All corners lie on the screen, yet twice the area is 67,944: 16 bits, of which one "
+                       "is for the sign, hold it no more."),
+     makeSmallScreen},
+    {"points-over-border", QT_TRANSLATE_NOOP("BuiltinScene", "Points over the border"),
+     QT_TRANSLATE_NOOP("BuiltinScene", "A point in every pixel, and more of them beyond the left and the upper border. "
+                                       "Colours tell how often a pixel is hit: once."),
+     makePointsOverBorder},
+    {"signpost", QT_TRANSLATE_NOOP("BuiltinScene", "A letter before two pillars"),
+     QT_TRANSLATE_NOOP("BuiltinScene", "The red pillar stands on the left, the green one on the right, and the floor "
+                                       "ends behind them: every wrong step of the camera shows."),
+     makeSignpost},
+    {"road", QT_TRANSLATE_NOOP("BuiltinScene", "A road from far right to behind"),
+     QT_TRANSLATE_NOOP("BuiltinScene", "The corners on the left lie behind the eye. Divided by their negative w they "
+                                       "come out on the right, where all others are."),
+     makeRoad},
+    {"squashed-ball", QT_TRANSLATE_NOOP("BuiltinScene", "A ball pressed flat"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "A sphere stretched by 1, 0.3 and 1. Its normals are not stretched but pressed the other way round."),
+     makeSquashedBall},
+    {"picture-card", QT_TRANSLATE_NOOP("BuiltinScene", "A picture of 10 x 10 texels"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "A letter in a frame that is one texel wide on every side, blended between the centres of texels."),
+     makePictureCard},
+    {"texels-about-zero", QT_TRANSLATE_NOOP("BuiltinScene", "Texels left and right of 0"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "u and v are 0 in the middle and run from -1.5 to 1.5. All texels are 8 pixels wide."),
+     makeTexelsAboutZero},
+    {"disc-floor", QT_TRANSLATE_NOOP("BuiltinScene", "Discs to the horizon"),
+     QT_TRANSLATE_NOOP(
+         "BuiltinScene",
+         "A texture with mip levels that repeats every 2.5 units. Where it repeats, both sides have one colour."),
+     makeDiscFloor},
+    {"coarse-ball", QT_TRANSLATE_NOOP("BuiltinScene", "A glazed ball of few faces"),
+     QT_TRANSLATE_NOOP("BuiltinScene",
+                       "48 cells with smooth normals. In the highlights light is brighter than a screen can show."),
+     makeCoarseBall},
 };
 
 Scene makeWhole(const BuiltinScene& entry)

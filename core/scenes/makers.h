@@ -37,6 +37,11 @@ namespace rasterlens
 [[nodiscard]] Scene makePainterCycle();
 [[nodiscard]] Scene makePiercing();
 [[nodiscard]] Scene makeZFighting();
+[[nodiscard]] Scene makeDecal();
+[[nodiscard]] Scene makeWireOverFill();
+[[nodiscard]] Scene makeEqualPass();
+[[nodiscard]] Scene makeBeamToEye();
+[[nodiscard]] Scene makeLockstep();
 [[nodiscard]] Scene makeFourZ();
 [[nodiscard]] Scene makeCutOuts();
 
@@ -45,6 +50,7 @@ namespace rasterlens
 [[nodiscard]] Scene makeThinGap();
 [[nodiscard]] Scene makeThreeLayers();
 [[nodiscard]] Scene makeTwoWindings();
+[[nodiscard]] Scene makeLineTies();
 [[nodiscard]] Scene makeTinyTiles();
 [[nodiscard]] Scene makeSamples();
 [[nodiscard]] Scene makeZeroArea();
@@ -53,5 +59,20 @@ namespace rasterlens
 [[nodiscard]] Scene makeOverhang();
 [[nodiscard]] Scene makeFlatEdge();
 [[nodiscard]] Scene makeCutOnCentres();
+[[nodiscard]] Scene makeBetweenRows();
+[[nodiscard]] Scene makeSmallScreen();
+[[nodiscard]] Scene makePointsOverBorder();
+[[nodiscard]] Scene makeSignpost();
+[[nodiscard]] Scene makeRoad();
+[[nodiscard]] Scene makeSquashedBall();
+
+// What textures and light are looked up with.
+[[nodiscard]] Scene makePictureCard();
+[[nodiscard]] Scene makeTexelsAboutZero();
+[[nodiscard]] Scene makeDiscFloor();
+[[nodiscard]] Scene makeCoarseBall();
+[[nodiscard]] Scene makeMsaaSprite();
+[[nodiscard]] Scene makeMsaaGradient();
+[[nodiscard]] Scene makeMsaaSeams();
 
 } // namespace rasterlens

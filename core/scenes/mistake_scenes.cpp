@@ -66,6 +66,18 @@ Scene makeTwoWindings()
     return scene;
 }
 
+Scene makeLineTies()
+{
+    Scene scene = clipScene(QSize(64, 40));
+    // From pixel centre to pixel centre; the diagonals pass half-way between two pixels again and again.
+    addRectangle(scene, {2.5, 2.5}, {34.5, 18.5}, {0.95F, 0.60F, 0.20F});
+    addRectangle(scene, {38.5, 2.5}, {54.5, 34.5}, {0.35F, 0.75F, 0.95F});
+    addRectangle(scene, {2.5, 24.5}, {34.5, 32.5}, {0.60F, 0.85F, 0.40F});
+    scene.defaults.fill = Fill::Wireframe;
+    scene.defaults.lineTies = LineTies::Canonical;
+    return scene;
+}
+
 Scene makeTinyTiles()
 {
     constexpr int kSide = 64;
@@ -136,18 +148,35 @@ Scene makeHugeTriangle()
     return scene;
 }
 
+namespace
+{
+
+/// Appends a triangle that points to the right.
+void addArrowHead(Scene& scene, double top, double halfHeight)
+{
+    const QSize size = scene.defaults.size;
+    addClipTriangle(scene.mesh, cornerAtPixel({2, top}, size, kYellow),
+                    cornerAtPixel({2, top + 2 * halfHeight}, size, kGreen),
+                    cornerAtPixel({30, top + halfHeight}, size, kRed));
+}
+
+} // namespace
+
 Scene makeFlatEdge()
 {
-    const QSize size(32, 32);
-    Scene scene = clipScene(size);
-    const auto addArrowHead = [&](double top, double halfHeight) {
-        addClipTriangle(scene.mesh, cornerAtPixel({2, top}, size, kYellow),
-                        cornerAtPixel({2, top + 2 * halfHeight}, size, kGreen),
-                        cornerAtPixel({30, top + halfHeight}, size, kRed));
-    };
-    addArrowHead(3, 2);
-    addArrowHead(9, 4);
-    addArrowHead(19, 6);
+    Scene scene = clipScene(QSize(32, 32));
+    addArrowHead(scene, 3, 2);
+    addArrowHead(scene, 9, 4);
+    addArrowHead(scene, 19, 6);
+    return scene;
+}
+
+Scene makeBetweenRows()
+{
+    Scene scene = clipScene(QSize(32, 32));
+    addArrowHead(scene, 3.25, 2.25);
+    addArrowHead(scene, 9.375, 4.125);
+    addArrowHead(scene, 19.625, 5.875);
     return scene;
 }
 
@@ -171,6 +200,36 @@ Scene makeOverhang()
     Scene scene = clipScene(size);
     addClipTriangle(scene.mesh, cornerAtPixel({90, 20}, size, kRed), cornerAtPixel({110, 100}, size, kGreen),
                     cornerAtPixel({230, 50}, size, kBlue));
+    scene.defaults.clipping = Clipping::GuardBand;
+    return scene;
+}
+
+Scene makeSmallScreen()
+{
+    const QSize size(320, 240);
+    Scene scene = clipScene(size);
+    addClipTriangle(scene.mesh, cornerAtPixel({4, 6}, size, kRed), cornerAtPixel({20, 234}, size, kGreen),
+                    cornerAtPixel({310, 120}, size, kBlue));
+    return scene;
+}
+
+Scene makePointsOverBorder()
+{
+    constexpr int kColumns = 14;
+    constexpr int kRows = 12;
+    const QSize size(12, 10);
+    Scene scene = clipScene(size);
+    // A point in every pixel and in a row and a column beyond the borders, three a triangle.
+    const auto point = [&](int column, int row) {
+        return cornerAtPixel({column - 0.5, row - 0.5}, size, rainbow(0.381966 * (column + row)));
+    };
+    for (int row = 0; row < kRows; row += 3)
+        for (int column = 0; column < kColumns; column += 2) {
+            addClipTriangle(scene.mesh, point(column, row), point(column, row + 1), point(column + 1, row));
+            addClipTriangle(scene.mesh, point(column + 1, row + 1), point(column, row + 2), point(column + 1, row + 2));
+        }
+    scene.defaults.fill = Fill::Points;
+    scene.defaults.shading = Shading::Overdraw;
     scene.defaults.clipping = Clipping::GuardBand;
     return scene;
 }

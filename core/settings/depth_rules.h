@@ -10,16 +10,43 @@ namespace rasterlens
     switch (compare) {
     case DepthCompare::Less: return "<";
     case DepthCompare::LessEqual: return "<=";
-    case DepthCompare::Greater: return ">";
+    case DepthCompare::Equal: return "==";
     case DepthCompare::GreaterEqual: return ">=";
+    case DepthCompare::Greater: return ">";
+    case DepthCompare::NotEqual: return "!=";
     case DepthCompare::Always: break;
     }
     return "";
 }
-/// The sign of the comparison that the rules make; empty where depth is not tested.
-[[nodiscard]] constexpr const char* depthSign(const Rules& rules)
+
+/// Whether a face belongs to the first pass of two.
+[[nodiscard]] constexpr bool isFirstPass(const Rules& rules, std::uint32_t face) { return face < rules.firstPassFaces; }
+
+/// How the depths of a face's fragments are compared.
+[[nodiscard]] constexpr DepthCompare depthCompareOf(const Rules& rules, std::uint32_t face)
 {
-    return rules.depthTested ? compareSign(rules.depthCompare) : "";
+    if (isFirstPass(rules, face))
+        return rules.reversedZ ? DepthCompare::Greater : DepthCompare::Less;
+    return rules.depthCompare;
+}
+
+/// The rules by which the pass of a face is drawn, as if it were the only one.
+[[nodiscard]] inline Rules passRules(const Rules& rules, std::uint32_t face)
+{
+    Rules pass = rules;
+    pass.depthCompare = depthCompareOf(rules, face);
+    pass.firstPassFaces = 0;
+    if (isFirstPass(rules, face)) {
+        pass.fill = Fill::Solid;
+        pass.depthBias = {};
+    }
+    return pass;
+}
+
+/// The sign of the comparison that the rules make for a face; empty where depth is not tested.
+[[nodiscard]] constexpr const char* depthSign(const Rules& rules, std::uint32_t face)
+{
+    return rules.depthTested ? compareSign(depthCompareOf(rules, face)) : "";
 }
 
 /// What depth 1 is stored as where depth is stored as a whole number, 2^bits - 1; 0 where it is a float.
@@ -29,6 +56,7 @@ namespace rasterlens
     case DepthFormat::Float32: break;
     case DepthFormat::Unorm24: return 0xffffff;
     case DepthFormat::Unorm16: return 0xffff;
+    case DepthFormat::Unorm8: return 0xff;
     }
     return 0;
 }

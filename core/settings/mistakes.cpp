@@ -1,10 +1,10 @@
 #include "core/settings/mistakes.h"
 
-#include <QCoreApplication>
+#include "core/settings/mistake_row.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
+#include <vector>
 
 namespace rasterlens
 {
@@ -12,23 +12,6 @@ namespace
 {
 
 using enum StepKind;
-
-constexpr StepKinds at(auto... kinds) { return (kindBit(kinds) | ...); }
-
-/// A mistake, and the steps it shows at.
-struct MistakeRow {
-    const char* id;
-    const char* number;
-    const char* title;
-    const char* symptom;
-    const char* wrongLine;
-    const char* seed;
-    const char* scene;
-    Proof proof;
-    Change change;
-    StepKinds steps;
-    void (*apply)(Rules&);
-};
 
 // id, number, title; what one sees; the wrong line; why people write it; scene, proof; the steps it shows at; the rule
 // it gets wrong.
@@ -156,6 +139,12 @@ constexpr MistakeRow kRows[] = {
      QT_TRANSLATE_NOOP("Mistake", "Loops end before the end."),
      "lines", Proof::Covered, Change::Falls, at(LineSample),
      [](Rules& r) { r.rightLineEnds = false; }},
+    {"line-tie-by-direction", "L3",
+     QT_TRANSLATE_NOOP("Mistake", "Ties of a line go by its direction"),
+     QT_TRANSLATE_NOOP("Mistake", "The line from B to A has other pixels than that from A to B: drawn both ways it is thick here and there."),
+     QT_TRANSLATE_NOOP("Mistake", "if (error > 0) y += step, from whichever end is named first"),
+     QT_TRANSLATE_NOOP("Mistake", "A line has two ends, and both are equal."),
+     "line-ties", Proof::Strays, Change::Rises, at(LineDecision), [](Rules& r) { r.lineTiesByDirection = true; }},
     {"affine", "M16",
      QT_TRANSLATE_NOOP("Mistake", "Attributes are linear on the screen"),
      QT_TRANSLATE_NOOP("Mistake", "Tiles and lines break at the diagonal of the square and swim when the camera moves."),
@@ -216,6 +205,13 @@ constexpr MistakeRow kRows[] = {
      QT_TRANSLATE_NOOP("Mistake", "It avoids the division by zero, and cutting."),
      "tunnel", Proof::Holes, Change::Rises, at(ClipPlane),
      [](Rules& r) { r.clipping = Clipping::NearFarReject; }},
+    {"z-clamped", "K9",
+     QT_TRANSLATE_NOOP("Mistake", "z is clamped in place of clipped"),
+     QT_TRANSLATE_NOOP("Mistake", "What lies before the near plane is drawn, flat on it: whatever came first is in front there."),
+     QT_TRANSLATE_NOOP("Mistake", "z = clamp(z / w, 0, 1)"),
+     QT_TRANSLATE_NOOP("Mistake", "Depth must lie within 0 and 1, and then it does."),
+     "beam-to-eye", Proof::WrongFaces, Change::Rises, at(Viewport, Fragment),
+     [](Rules& r) { r.clipping = Clipping::DepthClamp; }},
     {"cut-corners", "M24",
      QT_TRANSLATE_NOOP("Mistake", "Only edges are clipped"),
      QT_TRANSLATE_NOOP("Mistake", "Where the triangle covers a corner of the screen, the corner is cut off."),
@@ -322,6 +318,35 @@ constexpr MistakeRow kRows[] = {
      QT_TRANSLATE_NOOP("Mistake", "The nearer the near plane, the less is lost, one thinks; it takes most of the depth values."),
      "thin-gap",
      Proof::WrongFaces, Change::Rises, at(Fragment), [](Rules& r) { r.depthFormat = DepthFormat::Unorm16; }},
+    {"depth-in-8-bits", "D4",
+     QT_TRANSLATE_NOOP("Mistake", "Depth is kept in 8 bits"),
+     QT_TRANSLATE_NOOP("Mistake", "Surfaces that are close share one step of depth: what was drawn first stays in front."),
+     QT_TRANSLATE_NOOP("Mistake", "uint8_t zbuffer[]; viewport(.., 0, 255)"),
+     QT_TRANSLATE_NOOP("Mistake", "Colours have 8 bits, and the depth map is a grey picture, too."),
+     "thin-gap", Proof::WrongFaces, Change::Rises, at(Fragment), [](Rules& r) { r.depthFormat = DepthFormat::Unorm8; }},
+    {"depth-truncated", "D7",
+     QT_TRANSLATE_NOOP("Mistake", "Depth is truncated to its code, not rounded"),
+     QT_TRANSLATE_NOOP("Mistake", "A second pass that asks for equal depth loses whole faces: one code too low is not equal."),
+     QT_TRANSLATE_NOOP("Mistake", "code = (int)(z * 65535)"),
+     QT_TRANSLATE_NOOP("Mistake", "A cast is the shortest way to an integer."),
+     "equal-pass", Proof::WrongFaces, Change::Rises, at(Fragment), [](Rules& r) { r.depthTruncated = true; }},
+    {"bias-without-slope", "D10",
+     QT_TRANSLATE_NOOP("Mistake", "Depth bias without the slope of the face"),
+     QT_TRANSLATE_NOOP("Mistake", "Lines over a surface are whole where it faces the eye, and dashed where it is steep."),
+     QT_TRANSLATE_NOOP("Mistake", "offset = (factor + units) * r"),
+     QT_TRANSLATE_NOOP("Mistake", "glPolygonOffset takes two numbers, and both are offsets, are they not?"),
+     "wire-over-fill", Proof::WrongFaces, Change::Rises, at(Fragment),
+     [](Rules& r) {
+         r.depthBias.constant += r.depthBias.slope;
+         r.depthBias.slope = 0;
+     }},
+    {"lost-race", "D13",
+     QT_TRANSLATE_NOOP("Mistake", "Two threads test depth, then both write"),
+     QT_TRANSLATE_NOOP("Mistake", "Where two faces that are drawn at the same time overlap, the second one wins, nearer or not. Here "
+          "faces 2k and 2k + 1 run in lockstep; real threads do it at random."),
+     QT_TRANSLATE_NOOP("Mistake", "read A, read B, write A, write B"),
+     QT_TRANSLATE_NOOP("Mistake", "One line of code looks like one step."),
+     "lockstep", Proof::WrongFaces, Change::Rises, at(Fragment), [](Rules& r) { r.depthInLockstep = true; }},
     {"coverage-times-color", "M32",
      QT_TRANSLATE_NOOP("Mistake", "Coverage times colour in place of stored samples"),
      QT_TRANSLATE_NOOP("Mistake", "Dark lines along edges, also where two triangles of one colour meet."),
@@ -343,6 +368,27 @@ constexpr MistakeRow kRows[] = {
      QT_TRANSLATE_NOOP("Mistake", "The compiler converts in silence."),
      "samples",
      Proof::Colors, Change::Falls, at(Sample), [](Rules& r) { r.samplesTruncated = true; }},
+    {"centre-outside", "M81",
+     QT_TRANSLATE_NOOP("Mistake", "MSAA: attributes at a centre that the face does not cover"),
+     QT_TRANSLATE_NOOP("Mistake", "Dots in a foreign colour along the edges: texels from beyond the face's part of the texture."),
+     QT_TRANSLATE_NOOP("Mistake", "in vec2 uv; without centroid"),
+     QT_TRANSLATE_NOOP("Mistake", "With one sample a pixel the centre of what is drawn is always covered."),
+     "msaa-sprite", Proof::WrongPixels, Change::Rises, at(Shade),
+     [](Rules& r) { r.attributeAt = AttributeAt::Centre; }},
+    {"centroid-gradient", "M82",
+     QT_TRANSLATE_NOOP("Mistake", "MSAA: derivatives of what is taken at centroids"),
+     QT_TRANSLATE_NOOP("Mistake", "Along the edges of faces the texture is blurred or too sharp: the level of detail jumps."),
+     QT_TRANSLATE_NOOP("Mistake", "centroid in vec2 uv; .. dFdx(uv) as if all were a pixel apart"),
+     QT_TRANSLATE_NOOP("Mistake", "The difference to the neighbour is the derivative, is it not?"),
+     "msaa-gradient", Proof::WrongPixels, Change::Rises, at(Shade),
+     [](Rules& r) { r.gradientByNeighbours = true; }},
+    {"resolved-by-face", "M83",
+     QT_TRANSLATE_NOOP("Mistake", "MSAA: resolved while the frame is drawn"),
+     QT_TRANSLATE_NOOP("Mistake", "The background shines through every edge that two faces share."),
+     QT_TRANSLATE_NOOP("Mistake", "resolve() in the loop over the faces, not after it"),
+     QT_TRANSLATE_NOOP("Mistake", "The picture has one colour a pixel, so a pixel is made as soon as there is one."),
+     "msaa-seams", Proof::MissingLight, Change::Rises, at(Write),
+     [](Rules& r) { r.resolvedByFace = true; }},
     {"stride-exchanged", "M35",
      QT_TRANSLATE_NOOP("Mistake", "Rows of samples at the wrong stride"),
      QT_TRANSLATE_NOOP("Mistake", "The picture is sheared into stripes; in a square window it is right."),
@@ -408,26 +454,43 @@ constexpr MistakeRow kRows[] = {
      Proof::WrongPixels, Change::Rises, at(Viewport), [](Rules& r) { r.screenUp = 1; }},
 };
 
-constexpr auto kMistakes = [] {
-    std::array<Mistake, std::size(kRows)> mistakes{};
-    for (std::size_t i = 0; i < mistakes.size(); ++i) {
-        const MistakeRow& r = kRows[i];
-        mistakes[i] = {r.id, r.number, r.title, r.symptom, r.wrongLine, r.seed, r.scene, r.proof, r.change, r.apply};
-    }
-    return mistakes;
-}();
+/// The rows of all tables, one after the other.
+const std::vector<MistakeRow>& rows()
+{
+    static const std::vector<MistakeRow> all = [] {
+        std::vector<MistakeRow> joined;
+        for (const std::span<const MistakeRow> table :
+             {std::span<const MistakeRow>(kRows), cameraMistakes(), coverageMistakes(), textureMistakes()})
+            joined.insert(joined.end(), table.begin(), table.end());
+        return joined;
+    }();
+    return all;
+}
 
 } // namespace
 
-std::span<const Mistake> mistakes() { return kMistakes; }
+std::span<const Mistake> mistakes()
+{
+    static const std::vector<Mistake> all = [] {
+        std::vector<Mistake> made;
+        for (const MistakeRow& r : rows())
+            made.push_back(
+                {r.id, r.number, r.title, r.symptom, r.wrongLine, r.seed, r.scene, r.proof, r.change, r.apply});
+        return made;
+    }();
+    return all;
+}
 
-StepKinds stepsOf(const Mistake& mistake) { return kRows[&mistake - kMistakes.data()].steps; }
+StepKinds stepsOf(const Mistake& mistake)
+{
+    return rows()[static_cast<std::size_t>(&mistake - mistakes().data())].steps;
+}
 
 const Mistake* findMistake(const QString& id)
 {
     const auto found =
-        std::ranges::find_if(kMistakes, [&](const Mistake& mistake) { return id == QLatin1String(mistake.id); });
-    return found == std::end(kMistakes) ? nullptr : &*found;
+        std::ranges::find_if(mistakes(), [&](const Mistake& mistake) { return id == QLatin1String(mistake.id); });
+    return found == mistakes().end() ? nullptr : &*found;
 }
 
 } // namespace rasterlens

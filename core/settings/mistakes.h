@@ -44,7 +44,7 @@ struct Mistake {
     void (*apply)(Rules&); ///< makes the mistake
 };
 
-/// All mistakes, by number.
+/// All mistakes: the course's list by number, then those of other stages.
 [[nodiscard]] std::span<const Mistake> mistakes();
 
 /// The mistake of that id, or null.

@@ -14,7 +14,9 @@ NumberBudget numberBudget(const Settings& settings)
     const auto rows = static_cast<std::uint64_t>(settings.size.height() * grid);
     const int areaBits = static_cast<int>(std::bit_width(columns * rows));
     if (settings.numberType == NumberType::Fixed) {
-        const int bits = settings.subpixelBits;
+        constexpr int kPatternBits = 4; // sixteenths of a pixel
+        const bool hasPattern = patternSamples(settings.samples) > 1;
+        const int bits = hasPattern ? std::max(settings.subpixelBits, kPatternBits) : settings.subpixelBits;
         return {-bits, areaBits + bits + std::max(bits, 1), 63};
     }
     const int significand = settings.numberType == NumberType::Float32 ? 24 : 53;

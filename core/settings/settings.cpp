@@ -1,17 +1,10 @@
 #include "core/settings/settings.h"
 
 #include "core/base/closed_list.h"
-#include "core/base/typed_numbers.h"
-#include "core/settings/view_planes.h"
 
 #include <QCoreApplication>
-#include <QJsonArray>
-#include <QLocale>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstring>
 #include <type_traits>
 #include <utility>
 
@@ -34,10 +27,17 @@ constexpr auto kFills = std::to_array<Choice>({{"solid", QT_TRANSLATE_NOOP("Sett
                                                {"points", QT_TRANSLATE_NOOP("Settings", "Points")}});
 constexpr auto kLines = std::to_array<Choice>(
     {{"bresenham", QT_TRANSLATE_NOOP("Settings", "Bresenham")}, {"dda", QT_TRANSLATE_NOOP("Settings", "DDA")}});
+constexpr auto kLineRules = std::to_array<Choice>({{"inclusive", QT_TRANSLATE_NOOP("Settings", "Both ends")},
+                                                   {"half-open", QT_TRANSLATE_NOOP("Settings", "Without the last")},
+                                                   {"diamond-exit", QT_TRANSLATE_NOOP("Settings", "Diamond exit")}});
+constexpr auto kLineTies =
+    std::to_array<Choice>({{"by-direction", QT_TRANSLATE_NOOP("Settings", "By the direction")},
+                           {"canonical", QT_TRANSLATE_NOOP("Settings", "One for both directions")}});
 constexpr auto kClippings =
     std::to_array<Choice>({{"frustum", QT_TRANSLATE_NOOP("Settings", "Frustum, 6 planes")},
                            {"frustum-w", QT_TRANSLATE_NOOP("Settings", "Frustum, 7 planes")},
                            {"guard-band", QT_TRANSLATE_NOOP("Settings", "Guard band")},
+                           {"depth-clamp", QT_TRANSLATE_NOOP("Settings", "Sides only, depth clamped")},
                            {"any-vertex-inside", QT_TRANSLATE_NOOP("Settings", "Any vertex inside")},
                            {"near-far-reject", QT_TRANSLATE_NOOP("Settings", "Near / far reject")},
                            {"cohen-sutherland", QT_TRANSLATE_NOOP("Settings", "Cohen-Sutherland")},
@@ -52,12 +52,16 @@ constexpr auto kCullSpaces = std::to_array<Choice>({{"screen", QT_TRANSLATE_NOOP
                                                     {"view", QT_TRANSLATE_NOOP("Settings", "Normal against gaze")}});
 constexpr auto kDepthTests = std::to_array<Choice>({{"less", QT_TRANSLATE_NOOP("Settings", "Less")},
                                                     {"lequal", QT_TRANSLATE_NOOP("Settings", "Less or equal")},
+                                                    {"equal", QT_TRANSLATE_NOOP("Settings", "Equal")},
+                                                    {"gequal", QT_TRANSLATE_NOOP("Settings", "Greater or equal")},
                                                     {"greater", QT_TRANSLATE_NOOP("Settings", "Greater")},
+                                                    {"notequal", QT_TRANSLATE_NOOP("Settings", "Not equal")},
                                                     {"always", QT_TRANSLATE_NOOP("Settings", "Always")},
                                                     {"none", QT_TRANSLATE_NOOP("Settings", "None")}});
 constexpr auto kDepthFormats = std::to_array<Choice>({{"float32", QT_TRANSLATE_NOOP("Settings", "Float, 32 bit")},
                                                       {"unorm24", QT_TRANSLATE_NOOP("Settings", "24 bit")},
-                                                      {"unorm16", QT_TRANSLATE_NOOP("Settings", "16 bit")}});
+                                                      {"unorm16", QT_TRANSLATE_NOOP("Settings", "16 bit")},
+                                                      {"unorm8", QT_TRANSLATE_NOOP("Settings", "8 bit")}});
 constexpr auto kDepthOrders =
     std::to_array<Choice>({{"before-shading", QT_TRANSLATE_NOOP("Settings", "Before shading")},
                            {"after-shading", QT_TRANSLATE_NOOP("Settings", "After shading")}});
@@ -81,7 +85,17 @@ constexpr auto kTieRules = std::to_array<Choice>({{"top-left", QT_TRANSLATE_NOOP
 constexpr auto kSamples = std::to_array<Choice>({{"1", QT_TRANSLATE_NOOP("Settings", "1")},
                                                  {"2x2", QT_TRANSLATE_NOOP("Settings", "2 x 2")},
                                                  {"3x3", QT_TRANSLATE_NOOP("Settings", "3 x 3")},
-                                                 {"4x4", QT_TRANSLATE_NOOP("Settings", "4 x 4")}});
+                                                 {"4x4", QT_TRANSLATE_NOOP("Settings", "4 x 4")},
+                                                 {"msaa2", "MSAA 2"},
+                                                 {"msaa4", "MSAA 4"},
+                                                 {"msaa8", "MSAA 8"},
+                                                 {"msaa16", "MSAA 16"}});
+constexpr auto kAttributesAt =
+    std::to_array<Choice>({{"centre", QT_TRANSLATE_NOOP("Settings", "The pixel's centre")},
+                           {"centroid", QT_TRANSLATE_NOOP("Settings", "A covered place (centroid)")},
+                           {"sample", QT_TRANSLATE_NOOP("Settings", "Every sample")}});
+constexpr auto kResolveLights = std::to_array<Choice>({{"gamma", QT_TRANSLATE_NOOP("Settings", "Display values")},
+                                                       {"linear", QT_TRANSLATE_NOOP("Settings", "Linear light")}});
 constexpr auto kShadings = std::to_array<Choice>({{"gouraud", QT_TRANSLATE_NOOP("Settings", "Gouraud")},
                                                   {"flat", QT_TRANSLATE_NOOP("Settings", "Flat")},
                                                   {"random-flat", QT_TRANSLATE_NOOP("Settings", "Random flat colour")},
@@ -91,7 +105,8 @@ constexpr auto kShadings = std::to_array<Choice>({{"gouraud", QT_TRANSLATE_NOOP(
                                                   {"normals", QT_TRANSLATE_NOOP("Settings", "Normals")},
                                                   {"uv", QT_TRANSLATE_NOOP("Settings", "Texture coordinates")},
                                                   {"overdraw", QT_TRANSLATE_NOOP("Settings", "Overdraw")},
-                                                  {"triangle-id", QT_TRANSLATE_NOOP("Settings", "Triangle id")}});
+                                                  {"triangle-id", QT_TRANSLATE_NOOP("Settings", "Triangle id")},
+                                                  {"mip-level", QT_TRANSLATE_NOOP("Settings", "Mip level")}});
 constexpr auto kTextureFilters =
     std::to_array<Choice>({{"nearest", QT_TRANSLATE_NOOP("Settings", "Nearest")},
                            {"bilinear", QT_TRANSLATE_NOOP("Settings", "Bilinear")},
@@ -204,13 +219,21 @@ constexpr SettingsField kFields[] = {
                         QT_TRANSLATE_NOOP("Settings", "Who owns a pixel centre that lies exactly on an edge.")),
     choice<&S::line>("line", Stage::Cover, kLines, QT_TRANSLATE_NOOP("Settings", "Lines"),
                      QT_TRANSLATE_NOOP("Settings", "How the lines of the wireframe are drawn.")),
+    choice<&S::lineRule>(
+        "line-rule", Stage::Cover, kLineRules, QT_TRANSLATE_NOOP("Settings", "Line rule"),
+        QT_TRANSLATE_NOOP("Settings", "Which pixels belong to a line: from the pixel of its start to that of its end, "
+                                      "the same without the last one, or those whose diamond it leaves.")),
+    choice<&S::lineTies>(
+        "line-ties", Stage::Cover, kLineTies, QT_TRANSLATE_NOOP("Settings", "Line ties"),
+        QT_TRANSLATE_NOOP("Settings", "Where a line passes half-way between two pixels: the choice depends on which "
+                                      "end is drawn first, or is one for both directions.")),
     choice<&S::samples>(
         "samples", Stage::Cover, kSamples, QT_TRANSLATE_NOOP("Settings", "Samples a pixel"),
         QT_TRANSLATE_NOOP(
             "Settings",
-            "Super-sampling: every sample keeps its own colour and depth, and the box filter averages them. This is "
-            "not "
-            "MSAA, which also tests coverage and depth at every sample, but shades a face only once a pixel.")),
+            "Grids are super-sampling: every sample is shaded. MSAA also tests coverage and depth at every sample, at "
+            "the positions of Direct3D and Vulkan, but shades a face only once a pixel. The mean of the samples is the "
+            "pixel's colour.")),
     choice<&S::visibility>(
         "visibility", Stage::Depth, kVisibilities, QT_TRANSLATE_NOOP("Settings", "Visibility"),
         QT_TRANSLATE_NOOP(
@@ -232,6 +255,11 @@ constexpr SettingsField kFields[] = {
         "attribute-path", Stage::Shade, kAttributePaths, QT_TRANSLATE_NOOP("Settings", "Attribute path"),
         QT_TRANSLATE_NOOP("Settings", "Barycentric weights at every pixel, or along the edges first and then along the "
                                       "span (edge walking only).")),
+    choice<&S::attributeAt>(
+        "attribute-at", Stage::Shade, kAttributesAt, QT_TRANSLATE_NOOP("Settings", "Attributes taken at"),
+        QT_TRANSLATE_NOOP("Settings",
+                          "MSAA: where attributes are evaluated. A face may cover samples but not the centre, and "
+                          "then the centre's values lie outside of it; at every sample each is shaded.")),
     choice<&S::shading>("shading", Stage::Shade, kShadings, QT_TRANSLATE_NOOP("Settings", "Shading"),
                         QT_TRANSLATE_NOOP("Settings", "What colours a fragment.")),
     choice<&S::textureFilter>(
@@ -244,6 +272,10 @@ constexpr SettingsField kFields[] = {
         QT_TRANSLATE_NOOP("Settings",
                           "Where a texture with transparency is less than half opaque, the face has a hole: nothing "
                           "is drawn there, and no depth is written. Textures without transparency have none.")),
+    choice<&S::resolveLight>(
+        "resolve", Stage::Image, kResolveLights, QT_TRANSLATE_NOOP("Settings", "Mean of the samples"),
+        QT_TRANSLATE_NOOP("Settings",
+                          "Samples are averaged as the numbers the display is sent (gamma), or as amounts of light.")),
     integer<&S::threads>(
         "threads", Stage::Image, 0, 256, QT_TRANSLATE_NOOP("Settings", "Threads"),
         QT_TRANSLATE_NOOP("Settings", "Threads of the tiled algorithm; 0 takes as many as the machine has.")),
@@ -264,148 +296,6 @@ Reason valueList(const SettingsField& field)
         ids << QString::fromLatin1(c.id);
     return ids.join(QStringLiteral(", "));
 }
-
-const QString kHeadlight = QStringLiteral("head");
-constexpr double kLongest = 1e30; // of a direction, along each axis
-
-/// Whether a direction towards the light is one.
-bool isDirection(const glm::dvec3& v)
-{
-    const auto isShort = [](double d) { return std::abs(d) <= kLongest; }; // false for what is no number
-    return isShort(v.x) && isShort(v.y) && isShort(v.z) && v != glm::dvec3(0);
-}
-
-QJsonArray toArray(glm::dvec3 v) { return {v.x, v.y, v.z}; }
-
-QJsonValue lightToJson(const Light& light)
-{
-    return light.isHead() ? QJsonValue(kHeadlight) : QJsonValue(toArray(*light.towards));
-}
-
-QJsonObject viewToJson(const View& view)
-{
-    QJsonObject json{{"fit", view.fit},
-                     {"yaw", view.yaw},
-                     {"pitch", view.pitch},
-                     {"distance", view.distance},
-                     {"pan", QJsonArray{view.pan.x, view.pan.y}},
-                     {"eye", toArray(view.eye)},
-                     {"target", toArray(view.target)},
-                     {"up", toArray(view.up)},
-                     {"fov", view.fov}};
-    if (view.near)
-        json["near"] = *view.near;
-    if (view.far)
-        json["far"] = *view.far;
-    return json;
-}
-
-/// Reads one JSON value after the other and collects what is wrong with them.
-struct Reader {
-    std::vector<Reason> errors;
-
-    void number(const QString& key, const QJsonValue& value, double& out, double minimum, double maximum)
-    {
-        if (value.isDouble() && std::isfinite(value.toDouble()) && value.toDouble() >= minimum &&
-            value.toDouble() <= maximum)
-            out = value.toDouble();
-        else
-            errors.push_back({QT_TRANSLATE_NOOP("Diagnostic", "\"%1\" takes a number from %2 to %3"),
-                              {key, QString::number(minimum), QString::number(maximum)}});
-    }
-
-    template <int N>
-    void vector(const QString& key, const QJsonValue& value, glm::vec<N, double>& out)
-    {
-        const QJsonArray array = value.toArray();
-        glm::vec<N, double> v{};
-        bool good = value.isArray() && array.size() == N;
-        for (int i = 0; good && i < N; ++i) {
-            good = array[i].isDouble();
-            v[i] = array[i].toDouble();
-        }
-        if (good)
-            out = v;
-        else
-            errors.push_back({QT_TRANSLATE_NOOP("Diagnostic", "\"%1\" takes an array of %2 numbers"), {key, N}});
-    }
-
-    void view(const QJsonObject& json, View& view)
-    {
-        constexpr double kHuge = 1e30;
-        constexpr double kTiny = 1e-30;
-        const std::size_t errorsBefore = errors.size();
-        for (auto it = json.begin(); it != json.end(); ++it) {
-            const QString& key = it.key();
-            const QJsonValue value = it.value();
-            double distance = 0;
-            if (key == QLatin1String("fit") && value.isBool())
-                view.fit = value.toBool();
-            else if (key == QLatin1String("yaw"))
-                number(key, value, view.yaw, -1e6, 1e6);
-            else if (key == QLatin1String("pitch"))
-                number(key, value, view.pitch, -90, 90);
-            else if (key == QLatin1String("distance"))
-                number(key, value, view.distance, 1e-6, 1e6);
-            else if (key == QLatin1String("fov"))
-                number(key, value, view.fov, 1e-3, 179.9);
-            else if (key == QLatin1String("pan"))
-                vector(key, value, view.pan);
-            else if (key == QLatin1String("eye"))
-                vector(key, value, view.eye);
-            else if (key == QLatin1String("target"))
-                vector(key, value, view.target);
-            else if (key == QLatin1String("up"))
-                vector(key, value, view.up);
-            else if (key == QLatin1String("near")) {
-                number(key, value, distance, value.toDouble() > 0 ? kTiny : -kHuge, kHuge);
-                view.near = distance;
-            } else if (key == QLatin1String("far")) {
-                number(key, value, distance, value.toDouble() > 0 ? kTiny : -kHuge, kHuge);
-                view.far = distance;
-            } else
-                errors.push_back({QT_TRANSLATE_NOOP("Diagnostic", "\"view\" has no key \"%1\" of this kind"), {key}});
-        }
-        if (auto why = whyNotPlanes(view.near, view.far); why && errors.size() == errorsBefore)
-            errors.push_back(std::move(*why));
-    }
-
-    void light(const QJsonValue& value, Light& out)
-    {
-        const std::size_t errorsBefore = errors.size();
-        glm::dvec3 towards{};
-        if (value.isArray())
-            vector(QStringLiteral("light"), value, towards);
-        if (value.isString() && value.toString() == kHeadlight)
-            out.towards.reset();
-        else if (value.isArray() && isDirection(towards))
-            out.towards = towards;
-        else if (errors.size() == errorsBefore)
-            errors.emplace_back(QT_TRANSLATE_NOOP(
-                "Diagnostic", "\"light\" takes \"head\" or an array of three numbers that are not all 0"));
-    }
-
-    void mistakes(const QJsonValue& value, QStringList& out)
-    {
-        if (!value.isArray()) {
-            errors.emplace_back(QT_TRANSLATE_NOOP("Diagnostic", "\"mistakes\" takes an array of mistake ids"));
-            return;
-        }
-        out.clear();
-        for (const QJsonValue& id : value.toArray())
-            if (!out.contains(id.toString()))
-                out << id.toString();
-    }
-
-    void field(const SettingsField& field, const QJsonValue& value, Settings& settings)
-    {
-        const QString text = value.isBool()     ? (value.toBool() ? QStringLiteral("true") : QStringLiteral("false"))
-                             : value.isDouble() ? QString::number(value.toDouble())
-                                                : value.toString();
-        if (const auto error = setFromText(field, text, settings))
-            errors.push_back(*error);
-    }
-};
 
 } // namespace
 
@@ -452,88 +342,6 @@ std::optional<Reason> setFromText(const SettingsField& field, const QString& tex
                       {text, QString::fromLatin1(field.id), valueList(field)});
     field.set(settings, value);
     return std::nullopt;
-}
-
-QJsonObject toJson(const Settings& settings)
-{
-    QJsonObject json{{"size", QStringLiteral("%1x%2").arg(settings.size.width()).arg(settings.size.height())},
-                     {"view", viewToJson(settings.view)},
-                     {"light", lightToJson(settings.light)},
-                     {"mistakes", QJsonArray::fromStringList(settings.mistakes)}};
-    for (const SettingsField& field : kFields) {
-        const QString key = QString::fromLatin1(field.id);
-        switch (field.kind) {
-        case SettingsField::Kind::Choice: json[key] = valueId(field, settings); break;
-        case SettingsField::Kind::Integer: json[key] = field.get(settings); break;
-        case SettingsField::Kind::Flag: json[key] = field.get(settings) != 0; break;
-        }
-    }
-    return json;
-}
-
-SettingsParse settingsFromJson(const QJsonObject& json, const Settings& base)
-{
-    Reader reader;
-    Settings settings = base;
-    for (auto it = json.begin(); it != json.end(); ++it) {
-        if (it.key() == QLatin1String("size")) {
-            if (const auto size = parseSize(it.value().toString()))
-                settings.size = *size;
-            else
-                reader.errors.push_back(
-                    {QT_TRANSLATE_NOOP("Diagnostic", "\"size\" takes \"WIDTHxHEIGHT\" with 1 to %1 each"),
-                     {kMaxViewport}});
-        } else if (it.key() == QLatin1String("view")) {
-            if (it.value().isObject())
-                reader.view(it.value().toObject(), settings.view);
-            else
-                reader.errors.emplace_back(QT_TRANSLATE_NOOP("Diagnostic", "\"view\" takes an object"));
-        } else if (it.key() == QLatin1String("light")) {
-            reader.light(it.value(), settings.light);
-        } else if (it.key() == QLatin1String("mistakes")) {
-            reader.mistakes(it.value(), settings.mistakes);
-        } else if (const SettingsField* field = findSettingsField(it.key())) {
-            reader.field(*field, it.value(), settings);
-        } else {
-            reader.errors.push_back({QT_TRANSLATE_NOOP("Diagnostic", "there is no setting \"%1\""), {it.key()}});
-        }
-    }
-    return {reader.errors.empty() ? settings : base, reader.errors};
-}
-
-std::optional<QSize> parseSize(const QString& text)
-{
-    const QStringList parts = text.split(QLatin1Char('x'));
-    if (parts.size() != 2)
-        return std::nullopt;
-    bool goodWidth = false;
-    bool goodHeight = false;
-    const QSize size(parts[0].toInt(&goodWidth), parts[1].toInt(&goodHeight));
-    const auto inRange = [](int v) { return v >= 1 && v <= kMaxViewport; };
-    if (!goodWidth || !goodHeight || !inRange(size.width()) || !inRange(size.height()))
-        return std::nullopt;
-    return size;
-}
-
-std::optional<Light> parseLight(const QString& text)
-{
-    if (text == kHeadlight)
-        return Light{std::nullopt};
-    const auto numbers = typedNumbers(text);
-    if (!numbers || numbers->size() != 3)
-        return std::nullopt;
-    const glm::dvec3 towards((*numbers)[0], (*numbers)[1], (*numbers)[2]);
-    return isDirection(towards) ? std::optional(Light{towards}) : std::nullopt;
-}
-
-QString lightText(const Light& light)
-{
-    if (light.isHead())
-        return kHeadlight;
-    QStringList words;
-    for (int i = 0; i < 3; ++i)
-        words << QString::number((*light.towards)[i], 'g', QLocale::FloatingPointShortest);
-    return words.join(QLatin1Char(','));
 }
 
 } // namespace rasterlens

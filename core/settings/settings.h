@@ -20,12 +20,14 @@ enum class NumberType { Fixed, Float32, Float64 };
 enum class Stepping { Incremental, Direct };
 enum class Fill { Solid, Wireframe, Points };
 enum class LineAlgorithm { Bresenham, Dda };
-enum class Clipping { Frustum, FrustumW, GuardBand, AnyVertexInside, NearFarReject, CohenSutherland, None };
+enum class LineRule { Inclusive, HalfOpen, DiamondExit };
+enum class LineTies { ByDirection, Canonical };
+enum class Clipping { Frustum, FrustumW, GuardBand, DepthClamp, AnyVertexInside, NearFarReject, CohenSutherland, None };
 enum class Culling { Back, Front, None };
 enum class Winding { CounterClockwise, Clockwise };
 enum class CullSpace { Screen, Clip, View };
-enum class DepthTest { Less, LessEqual, Greater, Always, None };
-enum class DepthFormat { Float32, Unorm24, Unorm16 };
+enum class DepthTest { Less, LessEqual, Equal, GreaterEqual, Greater, NotEqual, Always, None };
+enum class DepthFormat { Float32, Unorm24, Unorm16, Unorm8 };
 enum class DepthOrder { BeforeShading, AfterShading };
 enum class ClipZ { Gl, D3d };
 enum class Projection { Perspective, Orthographic };
@@ -33,8 +35,10 @@ enum class Visibility { ZBuffer, Painter, SubmissionOrder };
 enum class Interpolation { Perspective, Affine };
 enum class AttributePath { Planes, EdgeThenSpan };
 enum class TieRule { TopLeft, Inclusive, Exclusive };
-enum class Samples { One, Grid2, Grid3, Grid4 };
-enum class Shading { Gouraud, Flat, RandomFlat, Texture, Phong, Depth, Normals, Uv, Overdraw, TriangleId };
+enum class Samples { One, Grid2, Grid3, Grid4, Msaa2, Msaa4, Msaa8, Msaa16 };
+enum class AttributeAt { Centre, Centroid, Sample };
+enum class ResolveLight { Gamma, Linear };
+enum class Shading { Gouraud, Flat, RandomFlat, Texture, Phong, Depth, Normals, Uv, Overdraw, TriangleId, MipLevel };
 enum class TextureFilter { Nearest, Bilinear, Trilinear };
 enum class AlphaTest { On, Off };
 enum class Simd { Auto, Scalar, Sse4, Avx2, Avx512, Neon };
@@ -75,6 +79,26 @@ struct Light {
     friend bool operator==(const Light&, const Light&) = default;
 };
 
+/// What is added to the depths of a face before they are interpolated: the constant times the unit of the depth format,
+/// and the slope times the steepness of the face (core/pipeline/depth_bias.h).
+struct DepthBias {
+    double constant = 0;
+    double slope = 0;
+    double clamp = 0; ///< > 0: the sum is no more than this; < 0: no less; 0: not clamped
+
+    [[nodiscard]] bool isOn() const { return constant != 0 || slope != 0; }
+    friend bool operator==(const DepthBias&, const DepthBias&) = default;
+};
+
+/// The depths that near and far plane are mapped to, 0..1 each; far may be the smaller one, or both may be equal.
+struct DepthRange {
+    double near = 0;
+    double far = 1;
+
+    [[nodiscard]] bool isWhole() const { return near == 0 && far == 1; }
+    friend bool operator==(const DepthRange&, const DepthRange&) = default;
+};
+
 /// The value a user edits. Default-constructed = correct graphics.
 /// A lesson, a command-line run, a benchmark row, a test case and an undo step are each one Settings.
 struct Settings {
@@ -88,6 +112,8 @@ struct Settings {
     Stepping stepping = Stepping::Incremental;
     Fill fill = Fill::Solid;
     LineAlgorithm line = LineAlgorithm::Bresenham;
+    LineRule lineRule = LineRule::Inclusive;
+    LineTies lineTies = LineTies::ByDirection;
     Clipping clipping = Clipping::Frustum;
     Culling culling = Culling::Back;
     Winding winding = Winding::CounterClockwise;
@@ -95,6 +121,8 @@ struct Settings {
     DepthTest depthTest = DepthTest::Less;
     DepthFormat depthFormat = DepthFormat::Float32;
     DepthOrder depthOrder = DepthOrder::BeforeShading;
+    DepthBias depthBias;
+    DepthRange depthRange;
     bool reversedZ = false;
     ClipZ clipZ = ClipZ::Gl;
     Visibility visibility = Visibility::ZBuffer;
@@ -102,6 +130,8 @@ struct Settings {
     AttributePath attributePath = AttributePath::Planes;
     TieRule tieRule = TieRule::TopLeft;
     Samples samples = Samples::One;
+    AttributeAt attributeAt = AttributeAt::Centre; ///< multi-sampling only
+    ResolveLight resolveLight = ResolveLight::Gamma;
     Shading shading = Shading::Gouraud;
     TextureFilter textureFilter = TextureFilter::Nearest;
     AlphaTest alphaTest = AlphaTest::On;
@@ -138,7 +168,7 @@ struct SettingsField {
     void (*set)(Settings&, int); ///< in: minimum <= value <= maximum
 };
 
-/// Every field but size, view, light and mistakes, in pipeline order.
+/// Every field but size, view, light, mistakes and those of numbers_field.h, in pipeline order.
 [[nodiscard]] std::span<const SettingsField> settingsFields();
 [[nodiscard]] const SettingsField* findSettingsField(const QString& id);
 
@@ -151,7 +181,7 @@ struct SettingsField {
 [[nodiscard]] std::optional<Reason> setFromText(const SettingsField& field, const QString& text, Settings& settings);
 
 /// All fields, also those at their default. `size` is "WxH", `view` an object, `light` "head" or three
-/// numbers, `mistakes` an array.
+/// numbers, `mistakes` an array, the fields of numbers_field.h arrays of numbers.
 [[nodiscard]] QJsonObject toJson(const Settings& settings);
 
 /// Reads what toJson writes; keys that are absent keep the value of `base`.
@@ -173,8 +203,23 @@ struct SettingsParse {
 /// The text that parseLight() reads.
 [[nodiscard]] QString lightText(const Light& light);
 
-/// The side of the sample grid: 1, 2, 3 or 4.
-[[nodiscard]] constexpr int sampleGrid(Samples samples) { return static_cast<int>(samples) + 1; }
+/// The side of the sample grid: 1, 2, 3 or 4; 1 for multi-sampling, whose samples lie on no grid.
+[[nodiscard]] constexpr int sampleGrid(Samples samples)
+{
+    return samples < Samples::Msaa2 ? static_cast<int>(samples) + 1 : 1;
+}
+
+/// How many samples the pattern of multi-sampling has: 2, 4, 8 or 16; 1 where there is none.
+[[nodiscard]] constexpr int patternSamples(Samples samples)
+{
+    return samples < Samples::Msaa2 ? 1 : 2 << (static_cast<int>(samples) - static_cast<int>(Samples::Msaa2));
+}
+
+/// How many samples a pixel has, on a grid or in a pattern.
+[[nodiscard]] constexpr int samplesPerPixel(Samples samples)
+{
+    return sampleGrid(samples) * sampleGrid(samples) * patternSamples(samples);
+}
 
 constexpr int kMaxViewport = 16384;
 

@@ -145,9 +145,8 @@ HWY_INLINE WideDoubles RoundToUnorm(const WideDoubles& depth, double steps)
 HWY_INLINE Ints StoredKey(const WideDoubles& depth, const AnyDepth& policy)
 {
     constexpr IntTag tag;
-    const Ints key = policy.format == DepthFormat::Unorm24   ? KeyOf(RoundToUnorm(depth, 0xffffff))
-                     : policy.format == DepthFormat::Unorm16 ? KeyOf(RoundToUnorm(depth, 0xffff))
-                                                             : KeyOf(depth);
+    const int largest = largestDepthCode(policy.format);
+    const Ints key = largest > 0 ? KeyOf(RoundToUnorm(depth, largest)) : KeyOf(depth);
     return hn::Xor(key, hn::Set(tag, policy.flip));
 }
 

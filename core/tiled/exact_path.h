@@ -59,6 +59,8 @@ void shadeExactly(const FrameJob& job, const VisibleTriangle& triangle, const Bl
     case DepthCompare::Greater: return 0;
     case DepthCompare::LessEqual:
     case DepthCompare::GreaterEqual: return 1;
+    case DepthCompare::Equal: // these two are not supported
+    case DepthCompare::NotEqual:
     case DepthCompare::Always: break;
     }
     return 1 << 30;

@@ -286,7 +286,8 @@ HWY_INLINE void SetUpPlanes(const FrameJob& job, Chunk& chunk, const SetupQueue&
     case Shading::RandomFlat:
     case Shading::Depth:
     case Shading::Overdraw:
-    case Shading::TriangleId: break;
+    case Shading::TriangleId:
+    case Shading::MipLevel: break;
     }
 }
 

@@ -44,7 +44,8 @@ HWY_INLINE const void* FetchVaryings(Shading shading, const Chunk& chunk, std::u
     case Shading::Texture:
     case Shading::Depth:
     case Shading::Overdraw:
-    case Shading::TriangleId: break;
+    case Shading::TriangleId:
+    case Shading::MipLevel: break;
     }
     return nullptr;
 }
@@ -243,6 +244,7 @@ inline void ShadeTile(const FrameJob& job, Worker& worker, TileOrigin origin)
     case Shading::Flat:
     case Shading::RandomFlat:
     case Shading::TriangleId: ShadeUniform(worker); break;
+    case Shading::MipLevel: break; // not supported
     case Shading::Phong: ShadeVaryings<PhongShader>(job, worker, origin); break;
     case Shading::Normals: ShadeVaryings<NormalShader>(job, worker, origin); break;
     case Shading::Uv: ShadeVaryings<UvShader>(job, worker, origin); break;

@@ -22,6 +22,7 @@ bool draws(Shading shading)
     case Shading::Uv:
     case Shading::Overdraw:
     case Shading::TriangleId: return true;
+    case Shading::MipLevel: break;
     }
     return false;
 }
@@ -46,6 +47,7 @@ bool draws(Clipping clipping)
     case Clipping::NearFarReject:
     case Clipping::CohenSutherland:
     case Clipping::None: return true;
+    case Clipping::DepthClamp: break;
     }
     return false;
 }
@@ -55,7 +57,8 @@ bool draws(DepthFormat format)
     switch (format) {
     case DepthFormat::Float32:
     case DepthFormat::Unorm24:
-    case DepthFormat::Unorm16: return true;
+    case DepthFormat::Unorm16:
+    case DepthFormat::Unorm8: return true;
     }
     return false;
 }
@@ -68,24 +71,58 @@ bool draws(DepthCompare compare)
     case DepthCompare::Greater:
     case DepthCompare::GreaterEqual:
     case DepthCompare::Always: return true;
+    case DepthCompare::Equal:
+    case DepthCompare::NotEqual: break;
     }
     return false;
 }
 
 bool drawsAll(const Rules& rules)
 {
-    return draws(rules.shading) && draws(rules.textureFilter) && draws(rules.clipping) && draws(rules.depthFormat) &&
-           draws(rules.depthCompare);
+    return draws(rules.shading) && draws(rules.textureFilter) && draws(rules.depthFormat);
+}
+
+/// Settings of the depth that the kernels have no arithmetic for.
+std::optional<Reason> depthReason(const Rules& rules)
+{
+    if (!draws(rules.clipping))
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled does not clamp depths in place of clipping; "
+                                                       "edge-equation and edge-walking do")};
+    if (!draws(rules.depthCompare))
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs a depth-test of an order: less, lequal, "
+                                                       "gequal, greater, always or none")};
+    if (rules.firstPassFaces > 0)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled draws one pass, and this scene has two; "
+                                                       "edge-equation and edge-walking draw both")};
+    if (rules.depthBias.isOn())
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled has no depth-bias; edge-equation and "
+                                                       "edge-walking have")};
+    if (!rules.depthRange.isWhole())
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs depth-range 0,1")};
+    return std::nullopt;
 }
 
 } // namespace
 
 std::optional<Reason> Tiled::supports(const Rules& rules)
 {
+    if (rules.shading == Shading::MipLevel)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported",
+                                        "algorithm tiled computes no mip level by itself: it does not draw "
+                                        "shading mip-level")};
     if (!drawsAll(rules))
         return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled does not draw these settings")};
+    if (auto reason = depthReason(rules))
+        return reason;
     if (rules.numberType != NumberType::Fixed)
         return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs number-type fixed")};
+    if (rules.multiSampled())
+        return Reason{QT_TRANSLATE_NOOP("Unsupported",
+                                        "algorithm tiled draws grids of samples, not yet the patterns of "
+                                        "multi-sampling: samples 1, 2x2, 3x3 or 4x4 needed")};
+    if (rules.samplesPerPixel() > 1 && rules.resolveLight != ResolveLight::Gamma)
+        return Reason{
+            QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled with several samples a pixel needs resolve gamma")};
     if (rules.fill != Fill::Solid)
         return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs fill solid")};
     if (rules.painter)

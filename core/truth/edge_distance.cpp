@@ -37,6 +37,8 @@ void lowerEdgeDistance(ExactFrame& frame, glm::dvec2 a, glm::dvec2 b)
     if (a.y > b.y)
         std::swap(a, b);
     const double slope = b.y > a.y ? (b.x - a.x) / (b.y - a.y) : 0;
+    a -= frame.offset; // as if the samples lay at their centres
+    b -= frame.offset;
     const auto center = [&](int sample, int start) { return start + (sample + 0.5) / frame.sampleGrid; };
     const Range rows =
         samplesBetween(a.y - kEdgeBandPixels, b.y + kEdgeBandPixels, frame.window.y, frame.height, frame.sampleGrid);

@@ -1,6 +1,9 @@
 #include "core/truth/exact_face.h"
 
+#include "core/settings/depth_rules.h"
+
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace rasterlens::exact
@@ -27,11 +30,7 @@ std::vector<Value> picked(const std::vector<Value>& values, const std::vector<st
 
 } // namespace
 
-FaceSetup::FaceSetup(const ExactOptions& options)
-    : m_options(options), m_lattice{options.size, options.sampleGrid,
-                                    std::int64_t{1} << (options.snap ? options.subpixelBits : 0)}
-{
-}
+FaceSetup::FaceSetup(const ExactOptions& options) : m_options(options), m_lattice(latticeOf(options)) {}
 
 Outline FaceSetup::outlineOf(const ClipTriangle& triangle) const
 {
@@ -57,6 +56,8 @@ Outline FaceSetup::unsnappedOutline(const ClipTriangle& triangle, const IntegerT
     outline.corners = screenPolygon(integers.corners, triangle);
     outline.sign = determinant({outline.corners[0], outline.corners[1], outline.corners[2]}).sign();
     outline.fate = fateOf(outline.sign);
+    if (outline.fate == Outline::Fate::Drawn && isBiased(static_cast<std::int32_t>(triangle.face)))
+        outline.left = screenPolygon(clipExactly(integers, m_options.clipZ, m_options.sides), triangle);
     if (m_options.edgeDistance && outline.fate == Outline::Fate::Drawn)
         outline.trueEdges = pixelsOf(screenPolygon(clipExactly(integers, m_options.clipZ, m_options.sides), triangle));
     return outline;
@@ -117,11 +118,18 @@ std::vector<glm::dvec2> FaceSetup::pixelsOf(const std::vector<ScreenCorner>& pol
 std::vector<Piece> FaceSetup::fanOf(const Outline& outline) const
 {
     std::vector<Piece> fan;
+    const Fraction bias = fractionOf(isBiased(outline.face) ? biasOf(outline) : 0);
     for (std::size_t i = 1; i + 1 < outline.corners.size(); ++i) {
         const std::array<ScreenCorner, 3> corners{outline.corners[0], outline.corners[i], outline.corners[i + 1]};
         const Integer det = determinant(corners);
-        if (det.sign() == outline.sign)
-            fan.push_back(pieceOf(corners, det, outline.face));
+        if (det.sign() != outline.sign)
+            continue;
+        Piece& piece = fan.emplace_back(pieceOf(corners, det, outline.face));
+        if (bias.numerator.sign() == 0)
+            continue;
+        piece.depthNumerator = piece.depthNumerator * bias.denominator;
+        piece.depthNumerator.origin += bias.numerator * piece.depthDenominator;
+        piece.depthDenominator *= bias.denominator;
     }
     return fan;
 }
@@ -133,7 +141,7 @@ Piece FaceSetup::pieceOf(const std::array<ScreenCorner, 3>& t, const Integer& de
     piece.face = face;
     piece.depthDenominator = det * sign;
     for (std::size_t i = 0; i < 3; ++i) {
-        piece.weights[i] = determinantWith(t[(i + 1) % 3], t[(i + 2) % 3], m_lattice.unit) * sign;
+        piece.weights[i] = determinantWith(t[(i + 1) % 3], t[(i + 2) % 3], m_lattice) * sign;
         piece.depthNumerator = piece.depthNumerator + piece.weights[i] * t[i].z;
         piece.weights[i] = piece.weights[i] * t[i].scale;
         piece.colors[i] = t[i].color;
@@ -142,7 +150,63 @@ Piece FaceSetup::pieceOf(const std::array<ScreenCorner, 3>& t, const Integer& de
         piece.depthNumerator.origin += piece.depthDenominator;
         piece.depthDenominator *= 2;
     }
+    if (m_options.sides.nearFar) {
+        piece.nearSide = piece.depthNumerator;
+        piece.farSide = piece.depthNumerator * Integer(-1);
+        piece.farSide.origin += piece.depthDenominator;
+    }
+    if (!m_options.depthRange.isWhole())
+        toDepthRange(piece);
     return piece;
+}
+
+/// From 0..1 to the depth range.
+void FaceSetup::toDepthRange(Piece& piece) const
+{
+    const Fraction near = fractionOf(m_options.depthRange.near);
+    const Fraction far = fractionOf(m_options.depthRange.far);
+    const Integer atNear = near.numerator * far.denominator;
+    const Integer atFar = far.numerator * near.denominator;
+    piece.depthNumerator = piece.depthNumerator * Integer(atFar - atNear);
+    piece.depthNumerator.origin += piece.depthDenominator * atNear;
+    piece.depthDenominator *= near.denominator * far.denominator;
+}
+
+bool FaceSetup::isBiased(std::int32_t face) const
+{
+    return m_options.depthBias.isOn() && static_cast<std::size_t>(face) >= m_options.firstPassFaces;
+}
+
+/// The depth bias of a face, to the nearest double or so.
+double FaceSetup::biasOf(const Outline& outline) const
+{
+    constexpr int kMantissaBits = 23; // of float32
+    const DepthBias& asked = m_options.depthBias;
+    std::vector<glm::dvec3> points; // samples, samples, depth
+    for (const ScreenCorner& corner : outline.left.empty() ? outline.corners : outline.left) {
+        const Integer sample = corner.w * (2 * m_lattice.unit);
+        const double z = nearestQuotient(corner.z, corner.w);
+        const double depth = m_options.clipZ == ClipZ::Gl ? (z + 1) / 2 : z;
+        points.emplace_back(nearestQuotient(corner.x, sample), nearestQuotient(corner.y, sample),
+                            m_options.depthRange.near + (m_options.depthRange.far - m_options.depthRange.near) * depth);
+    }
+    const int largest = largestDepthCode(m_options.depthFormat);
+    double unit = largest > 0 ? 1.0 / largest : 0;
+    glm::dvec3 normal(0);
+    float deepest = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const glm::dvec3& p = points[i];
+        const glm::dvec3& q = points[(i + 1) % points.size()];
+        normal += glm::dvec3((p.y - q.y) * (p.z + q.z), (p.z - q.z) * (p.x + q.x), (p.x - q.x) * (p.y + q.y));
+        deepest = std::max(deepest, static_cast<float>(std::abs(p.z)));
+    }
+    if (largest == 0 && deepest > 0)
+        unit = std::exp2(std::floor(std::log2(static_cast<double>(deepest))) - kMantissaBits);
+    const double slope = std::max(std::abs(normal.x), std::abs(normal.y)) / std::abs(normal.z) * m_options.sampleGrid;
+    const double bias = asked.constant * unit + (asked.slope != 0 ? asked.slope * slope : 0);
+    if (asked.clamp == 0)
+        return bias;
+    return asked.clamp > 0 ? std::min(asked.clamp, bias) : std::max(asked.clamp, bias);
 }
 
 } // namespace rasterlens::exact

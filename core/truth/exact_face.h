@@ -19,6 +19,8 @@ struct Piece {
     std::array<Linear, 3> weights;
     Linear depthNumerator;
     Integer depthDenominator; // > 0
+    Linear nearSide;          // >= 0 behind the near plane, and everywhere where it cuts nothing
+    Linear farSide;           // >= 0 before the far plane
     std::array<glm::dvec3, 3> colors;
     std::int32_t face;
 };
@@ -38,6 +40,7 @@ struct Outline {
     std::vector<ScreenCorner> corners; ///< clipped and snapped where faces are
     std::vector<Snapped> polygon;      ///< the same corners on the lattice; empty where nothing snaps
     std::vector<glm::dvec2> trueEdges; ///< clipped corners before snapping, in pixels; empty unless asked for
+    std::vector<ScreenCorner> left;    ///< of unsnapped faces: what clipping leaves, where a depth bias asks for it
     int clippedCorners = 0;            ///< 0 where nothing is clipped
     std::int32_t face = 0;
 };
@@ -66,6 +69,9 @@ private:
     [[nodiscard]] Outline::Fate fateOf(int areaSign) const;
     [[nodiscard]] Piece pieceOf(const std::array<ScreenCorner, 3>& corners, const Integer& det,
                                 std::int32_t face) const;
+    [[nodiscard]] bool isBiased(std::int32_t face) const;
+    [[nodiscard]] double biasOf(const Outline& outline) const;
+    void toDepthRange(Piece& piece) const;
 
     const ExactOptions& m_options;
     Lattice m_lattice;

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/settings/rules.h"
+#include "core/settings/sample_pattern.h"
 
 #include <QSize>
 #include <glm/glm.hpp>
@@ -17,6 +18,7 @@ struct ExactSides {
     double sideX = 1;
     double sideY = 1;
     double smallestW = 0; ///< 0: no such plane
+    bool nearFar = true;  ///< false: nothing is cut at near and far
 };
 
 /// What the exact reference is asked for. Default-constructed = what a correct rasterizer with 24.8 fixed point draws.
@@ -25,26 +27,38 @@ struct ExactOptions {
     bool snap = true;     ///< false: vertices stay where they are (`exact` in case files)
     int subpixelBits = 8; ///< 0..8; vertices snap to 1/2^bits pixel, half to even
     ClipZ clipZ = ClipZ::Gl;
-    ExactSides sides; ///< of snapped frames; without snapping they change nothing that is visible
+    ExactSides sides; ///< of snapped frames; without snapping none but nearFar changes what is visible
     Culling culling = Culling::None;
     Winding winding = Winding::CounterClockwise;
     DepthCompare depthCompare = DepthCompare::Less;
-    double depthClear = 1;   ///< 0 or 1
+    double depthClear = 1;   ///< of unorm formats the value of a code
     bool depthTested = true; ///< false: a renderer need not keep depths; the truth's are those of the winners
+    /// The faces of the span before this one are compared by this; the others, by depthCompare.
+    std::size_t firstPassFaces = 0;
+    DepthCompare firstPassCompare = DepthCompare::Less;
+    DepthRange depthRange;                          ///< near and far come to lie there, and depths are held within it
+    DepthBias depthBias;                            ///< of the faces that are not of the first pass
     DepthFormat depthFormat = DepthFormat::Float32; ///< Float32: compared exactly; unorm: nearest code, half to even
-    int sampleGrid = 1;              ///< 1..4 samples a pixel along each axis; vertices still snap to pixels
+    int sampleGrid = 1;        ///< 1..4 samples a pixel along each axis; vertices still snap to pixels
+    int patternSamples = 1;    ///< multi-sampling: 2, 4, 8 or 16 samples a pixel; the sample grid is 1 then
+    SampleOffset offset{0, 0}; ///< of all samples from the centres of theirs, on a sample grid of 1 only
+    ResolveLight resolveLight = ResolveLight::Gamma;
     std::optional<PixelRect> window; ///< the part of the viewport to compute
     bool edgeDistance = false;       ///< fill ExactFrame::edgeDistance
     /// Given: the triangles' positions lie in object space, and clip space is their exact product with this matrix.
     std::optional<glm::dmat4> clipFromObject{};
 };
 
-/// The truth about a picture. Arrays are row by row from the top, one entry a sample.
+/// The truth about a picture. Arrays are row by row from the top, one entry a sample; with a pattern the arrays of its
+/// samples follow each other.
 struct ExactFrame {
     PixelRect window;   ///< the part of the viewport the arrays hold
     int sampleGrid = 1; ///< samples a pixel along each axis
-    int width = 0;      ///< samples: window.width * sampleGrid
-    int height = 0;     ///< samples: window.height * sampleGrid
+    int patternSamples = 1;
+    glm::dvec2 offset{0, 0}; ///< of the samples from the centres of theirs, in pixels
+    ResolveLight resolveLight = ResolveLight::Gamma;
+    int width = 0;  ///< samples: window.width * sampleGrid
+    int height = 0; ///< samples: window.height * sampleGrid
 
     bool depthTested = true; ///< as asked for
 
@@ -62,9 +76,10 @@ struct ExactFrame {
     int outside = 0;         ///< faces wholly outside the view volume (snapped frames only)
     int maxClipVertices = 3; ///< most corners a clipped face had (snapped frames only)
 
-    /// The sample nearest the centre of a pixel of the window (the lower right of the middle four of an even grid).
+    /// The sample nearest the centre of a pixel of the window (the lower right of the middle four of an even grid, the
+    /// first of a pattern).
     [[nodiscard]] std::size_t sampleNearestCentre(int x, int y) const;
-    /// The mean of a pixel's samples over a background, each channel held within 0..1.
+    /// The mean of a pixel's samples over a background, each channel held within 0..1, each shaded at its own place.
     [[nodiscard]] glm::dvec3 pixelColor(int x, int y, glm::vec3 background) const;
 };
 

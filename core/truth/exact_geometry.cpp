@@ -85,6 +85,15 @@ Integer inUnits(const Dyadic& value, int unit)
 
 } // namespace
 
+Fraction fractionOf(double value)
+{
+    const Dyadic dyadic = dyadicOf(value);
+    if (dyadic.mantissa == 0)
+        return {0, 1};
+    const int unit = std::min(dyadic.exponent, 0);
+    return {inUnits(dyadic, unit), Integer(1) << -unit};
+}
+
 IntegerTriangle integerTriangle(const ClipTriangle& triangle, double smallestW, const glm::dmat4& clipFromPosition)
 {
     // Each coordinate is the sum of four products of a matrix entry and a coordinate of the position.
@@ -174,6 +183,8 @@ std::vector<Corner> clipExactly(const IntegerTriangle& triangle, ClipZ clipZ, co
     const int planes = sides.smallestW > 0 ? 7 : 6;
     std::vector<Corner> polygon(triangle.corners.begin(), triangle.corners.end());
     for (int plane = 0; plane < planes && polygon.size() >= 3; ++plane) {
+        if ((plane == 4 || plane == 5) && !sides.nearFar)
+            continue;
         std::vector<Integer> distances;
         for (const Corner& corner : polygon)
             distances.push_back(planeDistance(corner, plane, clipZ, sides, triangle.smallestW));
@@ -212,10 +223,20 @@ ScreenCorner toScreen(const Corner& corner, const ClipTriangle& triangle, const 
     return screen;
 }
 
+Lattice latticeOf(const ExactOptions& options)
+{
+    const std::int64_t subpixels = std::int64_t{1} << (options.snap ? options.subpixelBits : 0);
+    const SampleOffset& offset = options.offset;
+    if (offset.x == 0 && offset.y == 0)
+        return {options.size, options.sampleGrid, subpixels, 2 * options.sampleGrid};
+    // 16 units a subpixel, hence as many units a sixteenth of a pixel as there are subpixels
+    return {options.size,         options.sampleGrid,  8 * subpixels, 16 * options.sampleGrid,
+            offset.x * subpixels, offset.y * subpixels};
+}
+
 Snapped snap(ScreenCorner& corner, const Lattice& lattice)
 {
-    // lattice units a subpixel
-    const std::int64_t step = 2 * lattice.grid;
+    const std::int64_t step = lattice.subpixel;
     const Integer denominator = corner.w * step;
     const Integer x = roundHalfToEven(corner.x, denominator) * step;
     const Integer y = roundHalfToEven(corner.y, denominator) * step;
@@ -297,7 +318,7 @@ std::vector<Columns> windingColumns(std::span<const Snapped> polygon, int sign, 
         int winding;
     };
     std::vector<Crossing> crossings;
-    const std::int64_t y = (2 * row + 1) * lattice.unit;
+    const std::int64_t y = (2 * row + 1) * lattice.unit + lattice.offsetY;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         Snapped a = polygon[i];
         Snapped b = polygon[(i + 1) % polygon.size()];
@@ -309,9 +330,9 @@ std::vector<Columns> windingColumns(std::span<const Snapped> polygon, int sign, 
             std::swap(a, b);
         if (y < a.y || y >= b.y)
             continue;
-        // column >= (x - unit) / (2 unit) with x on the edge
+        // column >= (x - offset - unit) / (2 unit) with x on the edge
         const std::int64_t height = b.y - a.y;
-        const std::int64_t numerator = (a.x - lattice.unit) * height + (y - a.y) * (b.x - a.x);
+        const std::int64_t numerator = (a.x - lattice.offsetX - lattice.unit) * height + (y - a.y) * (b.x - a.x);
         const std::int64_t denominator = 2 * lattice.unit * height;
         const std::int64_t ceiling = numerator / denominator + (numerator > 0 && numerator % denominator != 0 ? 1 : 0);
         crossings.push_back({clampedTo(columns, ceiling), winding * sign});
@@ -328,11 +349,13 @@ std::vector<Columns> windingColumns(std::span<const Snapped> polygon, int sign, 
     return inside;
 }
 
-Linear determinantWith(const ScreenCorner& b, const ScreenCorner& c, std::int64_t unit)
+Linear determinantWith(const ScreenCorner& b, const ScreenCorner& c, const Lattice& lattice)
 {
-    const Integer x = (b.y * c.w - c.y * b.w) * unit;
-    const Integer y = (c.x * b.w - b.x * c.w) * unit;
-    return {2 * x, 2 * y, x + y + b.x * c.y - c.x * b.y};
+    const Integer x = b.y * c.w - c.y * b.w;
+    const Integer y = c.x * b.w - b.x * c.w;
+    const std::int64_t unit = lattice.unit;
+    return {2 * x * unit, 2 * y * unit,
+            x * (unit + lattice.offsetX) + y * (unit + lattice.offsetY) + b.x * c.y - c.x * b.y};
 }
 
 Integer determinant(const std::array<ScreenCorner, 3>& t)

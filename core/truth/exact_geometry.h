@@ -29,6 +29,13 @@ using Integer =
 [[nodiscard]] Integer floorDivide(const Integer& numerator, const Integer& denominator);
 [[nodiscard]] Integer roundHalfToEven(const Integer& numerator, const Integer& denominator);
 
+/// A double as a fraction, the denominator a power of two.
+struct Fraction {
+    Integer numerator;
+    Integer denominator;
+};
+[[nodiscard]] Fraction fractionOf(double value);
+
 /// A linear function on the lattice of samples: perColumn * column + perRow * row + origin.
 struct Linear {
     Integer perColumn;
@@ -78,14 +85,20 @@ struct ScreenCorner {
     glm::dvec3 color;
 };
 
-/// Where the samples lie: sample (column, row) is at ((2 column + 1) * unit, (2 row + 1) * unit).
+/// Where the samples lie: sample (column, row) is at ((2 column + 1) * unit, (2 row + 1) * unit) + offset.
 struct Lattice {
-    QSize size;        ///< pixels
-    int grid;          ///< samples a pixel along each axis
-    std::int64_t unit; ///< 2^subpixelBits; 1 when nothing snaps
+    QSize size;            ///< pixels
+    int grid;              ///< samples a pixel along each axis
+    std::int64_t unit;     ///< half of the distance of two samples
+    std::int64_t subpixel; ///< what positions snap to multiples of
+    std::int64_t offsetX = 0;
+    std::int64_t offsetY = 0;
 
     [[nodiscard]] std::int64_t unitsPerPixel() const { return 2 * grid * unit; }
 };
+
+/// The lattice on which all samples and all positions that snap are whole.
+[[nodiscard]] Lattice latticeOf(const ExactOptions& options);
 
 /// A corner of a snapped polygon on the lattice.
 struct Snapped {
@@ -116,7 +129,7 @@ struct IntegerTriangle {
 [[nodiscard]] Snapped snap(ScreenCorner& corner, const Lattice& lattice);
 
 /// det[P B C] for the sample P of a column and a row.
-[[nodiscard]] Linear determinantWith(const ScreenCorner& b, const ScreenCorner& c, std::int64_t unit);
+[[nodiscard]] Linear determinantWith(const ScreenCorner& b, const ScreenCorner& c, const Lattice& lattice);
 
 /// det[A B C]: where w > 0 its sign is that of the area on the screen (y down).
 [[nodiscard]] Integer determinant(const std::array<ScreenCorner, 3>& t);

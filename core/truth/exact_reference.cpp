@@ -1,5 +1,6 @@
 #include "core/truth/exact_reference.h"
 
+#include "core/pipeline/clipping.h"
 #include "core/pipeline/resolve.h"
 #include "core/pipeline/vertex_stage.h"
 #include "core/scene/camera.h"
@@ -112,9 +113,11 @@ class DepthBuffer
 {
 public:
     DepthBuffer(const ExactOptions& options, ExactFrame& frame, Pieces pieces)
-        : m_compare(options.depthCompare), m_clear(options.depthClear > 0 ? 1 : 0),
-          m_codeMax(largestDepthCode(options.depthFormat)), m_owners(frame.cover.size()), m_frame(frame),
-          m_pieces(std::move(pieces))
+        : m_options(options), m_low(std::min(options.depthRange.near, options.depthRange.far)),
+          m_high(std::max(options.depthRange.near, options.depthRange.far)),
+          m_codeMax(largestDepthCode(options.depthFormat)),
+          m_clear(m_codeMax > 0 ? std::round(options.depthClear * m_codeMax) / m_codeMax : options.depthClear),
+          m_owners(frame.cover.size()), m_frame(frame), m_pieces(std::move(pieces))
     {
         std::fill(frame.depth.begin(), frame.depth.end(), m_clear);
     }
@@ -122,7 +125,7 @@ public:
     /// Compares and, when the fragment passes, stores.
     bool test(std::size_t sample, const Candidate& candidate)
     {
-        const double value = m_codeMax > 0 ? code(candidate) / m_codeMax : candidate.depth;
+        const double value = m_codeMax > 0 ? code(candidate) / m_codeMax : held(candidate.depth);
         if (!passes(sample, candidate, value))
             return false;
         m_frame.depth[sample] = value;
@@ -133,12 +136,17 @@ public:
 private:
     bool passes(std::size_t sample, const Candidate& candidate, double value)
     {
-        if (m_compare == DepthCompare::Always)
+        const DepthCompare wanted = static_cast<std::size_t>(candidate.piece.face) < m_options.firstPassFaces
+                                        ? m_options.firstPassCompare
+                                        : m_options.depthCompare;
+        if (wanted == DepthCompare::Always)
             return true;
         const int order = compare(sample, candidate, value);
-        switch (m_compare) {
+        switch (wanted) {
         case DepthCompare::Less: return order < 0;
         case DepthCompare::LessEqual: return order <= 0;
+        case DepthCompare::Equal: return order == 0;
+        case DepthCompare::NotEqual: return order != 0;
         case DepthCompare::Greater: return order > 0;
         case DepthCompare::GreaterEqual: return order >= 0;
         case DepthCompare::Always: break;
@@ -153,30 +161,47 @@ private:
         const double difference = value - m_frame.depth[sample];
         if (m_codeMax > 0 || std::abs(difference) > kFilter)
             return (difference > 0) - (difference < 0);
-        const Piece& mine = candidate.piece;
-        const Integer numerator = mine.depthNumerator.at(candidate.column, candidate.row);
-        if (m_owners[sample].triangle < 0)
-            return numerator.compare(mine.depthDenominator * m_clear);
-        const Piece& stored = m_pieces.at(m_owners[sample]);
-        return Integer(numerator * stored.depthDenominator)
-            .compare(Integer(stored.depthNumerator.at(candidate.column, candidate.row) * mine.depthDenominator));
+        const Fraction mine = exactDepth(candidate.piece, candidate.column, candidate.row);
+        const Fraction stored = m_owners[sample].triangle < 0
+                                    ? fractionOf(m_clear)
+                                    : exactDepth(m_pieces.at(m_owners[sample]), candidate.column, candidate.row);
+        return order(mine, stored);
+    }
+
+    [[nodiscard]] static int order(const Fraction& a, const Fraction& b)
+    {
+        return Integer(a.numerator * b.denominator).compare(Integer(b.numerator * a.denominator));
+    }
+
+    [[nodiscard]] double held(double depth) const { return std::clamp(depth, m_low, m_high); }
+
+    /// The depth of a piece at a sample, held within the depth range.
+    [[nodiscard]] Fraction exactDepth(const Piece& piece, int column, int row) const
+    {
+        const Fraction depth{piece.depthNumerator.at(column, row), piece.depthDenominator};
+        if (const Fraction low = fractionOf(m_low); order(depth, low) < 0)
+            return low;
+        const Fraction high = fractionOf(m_high);
+        return order(depth, high) > 0 ? high : depth;
     }
 
     /// The nearest unorm code, half to even.
     [[nodiscard]] double code(const Candidate& candidate) const
     {
         constexpr double kFilter = 1e-6;
-        const double scaledDepth = candidate.depth * m_codeMax;
+        const double scaledDepth = held(candidate.depth) * m_codeMax;
         if (std::abs(scaledDepth - std::floor(scaledDepth) - 0.5) > kFilter)
             return std::round(scaledDepth);
-        const Integer numerator = candidate.piece.depthNumerator.at(candidate.column, candidate.row) * m_codeMax;
+        const Fraction depth = exactDepth(candidate.piece, candidate.column, candidate.row);
         return static_cast<double>(
-            static_cast<std::int64_t>(roundHalfToEven(numerator, candidate.piece.depthDenominator)));
+            static_cast<std::int64_t>(roundHalfToEven(depth.numerator * m_codeMax, depth.denominator)));
     }
 
-    DepthCompare m_compare;
-    int m_clear;
+    const ExactOptions& m_options;
+    double m_low;
+    double m_high;
     int m_codeMax; // 0: exact depths
+    double m_clear;
     std::vector<PieceIndex> m_owners;
     ExactFrame& m_frame;
     Pieces m_pieces;
@@ -231,10 +256,6 @@ private:
     {
         const std::vector<Piece> fan = m_setup.fanOf(outline);
         const Piece& piece = fan.front();
-        const Linear nearSide = piece.depthNumerator;
-        Linear farSide = nearSide * Integer(-1);
-        farSide.origin += piece.depthDenominator;
-
         const Columns rows = rowsOf(outline.corners);
         for (int row = rows.begin; row < rows.end; ++row) {
             Columns columns = m_window.columns;
@@ -242,9 +263,9 @@ private:
                 if (!columns.empty())
                     keepPositive(weight, row, columns);
             if (!columns.empty())
-                keepPositive(nearSide, row, columns);
+                keepPositive(piece.nearSide, row, columns);
             if (!columns.empty())
-                keepPositive(farSide, row, columns);
+                keepPositive(piece.farSide, row, columns);
             drawColumns(fan, 0, {row, columns});
         }
     }
@@ -382,6 +403,8 @@ ExactFrame emptyFrame(const ExactOptions& options)
     ExactFrame frame;
     frame.window = windowOf(options);
     frame.sampleGrid = options.sampleGrid;
+    frame.offset = options.offset.pixels();
+    frame.resolveLight = options.resolveLight;
     frame.depthTested = options.depthTested;
     frame.width = frame.window.width * options.sampleGrid;
     frame.height = frame.window.height * options.sampleGrid;
@@ -395,11 +418,39 @@ ExactFrame emptyFrame(const ExactOptions& options)
     return frame;
 }
 
+/// Every sample of a pattern as a frame of its own, and these put together.
+ExactFrame patternReference(std::span<const ClipTriangle> triangles, const ExactOptions& options,
+                            const std::stop_token& stop, const ExactProgress& progress)
+{
+    ExactFrame whole;
+    ExactOptions part = options;
+    part.patternSamples = 1;
+    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    for (int sample = 0; sample < options.patternSamples; ++sample) {
+        part.offset = samplePattern(options.patternSamples)[static_cast<std::size_t>(sample)];
+        const auto partDone = [&](double done) { progress((sample + done) / options.patternSamples); };
+        ExactFrame frame = exactReference(triangles, part, stop, progress ? ExactProgress(partDone) : nullptr);
+        if (sample == 0) {
+            whole = std::move(frame);
+            continue;
+        }
+        append(whole.cover, frame.cover);
+        append(whole.id, frame.id);
+        append(whole.depth, frame.depth);
+        append(whole.color, frame.color);
+        append(whole.edgeDistance, frame.edgeDistance);
+    }
+    whole.patternSamples = options.patternSamples;
+    return whole;
+}
+
 } // namespace
 
 ExactFrame exactReference(std::span<const ClipTriangle> triangles, const ExactOptions& options, std::stop_token stop,
                           const ExactProgress& progress)
 {
+    if (options.patternSamples > 1)
+        return patternReference(triangles, options, stop, progress);
     constexpr std::size_t kFacesBetweenReports = 1024;
     ExactFrame frame = emptyFrame(options);
     Painter painter(triangles, options, frame);
@@ -418,7 +469,8 @@ ExactFrame exactReference(std::span<const ClipTriangle> triangles, const ExactOp
 std::vector<PixelRect> bandsOf(const ExactOptions& options)
 {
     const PixelRect window = windowOf(options);
-    const std::int64_t samplesPerRow = std::int64_t{window.width} * options.sampleGrid * options.sampleGrid;
+    const std::int64_t samplesPerRow =
+        std::int64_t{window.width} * options.sampleGrid * options.sampleGrid * options.patternSamples;
     const int rows = static_cast<int>(std::max<std::int64_t>(1, kSamplesPerBand / samplesPerRow));
     std::vector<PixelRect> bands;
     for (int y = 0; y < window.height; y += rows)
@@ -444,8 +496,16 @@ ExactOptions exactOptions(const Scene& scene, const Settings& settings, Referenc
     options.depthCompare = rules.depthTested ? rules.depthCompare : DepthCompare::Always;
     options.depthTested = rules.depthTested;
     options.depthClear = static_cast<double>(rules.depthClear);
+    options.firstPassFaces = rules.firstPassFaces;
+    options.firstPassCompare = depthCompareOf(rules, 0);
+    options.depthRange = rules.depthRange;
+    options.depthBias = rules.depthBias;
+    if (settings.clipping == Clipping::DepthClamp)
+        options.sides = {.smallestW = kSmallestW, .nearFar = false};
     options.depthFormat = settings.depthFormat;
     options.sampleGrid = rules.sampleGrid;
+    options.patternSamples = rules.patternSamples;
+    options.resolveLight = rules.resolveLight;
     options.window = scene.window ? visiblePart(*scene.window, settings.size) : std::nullopt;
     if (space == ReferenceSpace::Object)
         options.clipFromObject = resolved.matrices.clipFromObjectDouble;

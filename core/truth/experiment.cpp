@@ -65,15 +65,13 @@ public:
     std::vector<ExperimentRow> run()
     {
         if (m_options.reference)
-            for (int grid = 1; grid <= kMaxGrid; ++grid)
-                measureErrors(grid);
+            for (int samples = 0; samples <= static_cast<int>(Samples::Msaa16); ++samples)
+                measureErrors(static_cast<Samples>(samples));
         measureTimes();
         return std::move(m_rows);
     }
 
 private:
-    static constexpr int kMaxGrid = 4;
-
     void addRow(const Variant& variant)
     {
         ExperimentRow row;
@@ -91,17 +89,17 @@ private:
     /// Variants share frames, hence memory; but threads live in them.
     Frame& frameOf(const ExperimentRow& row) { return m_frames[{row.settings.algorithm, row.threads}]; }
 
-    void measureErrors(int grid)
+    void measureErrors(Samples samples)
     {
         std::vector<std::size_t> members;
         for (std::size_t i = 0; i < m_rows.size(); ++i)
-            if (sampleGrid(m_rows[i].settings.samples) == grid)
+            if (m_rows[i].settings.samples == samples)
                 members.push_back(i);
         if (members.empty())
             return;
 
         Settings wanted = m_base;
-        wanted.samples = static_cast<Samples>(grid - 1);
+        wanted.samples = samples;
         wanted.depthFormat = DepthFormat::Float32;
         const ReferenceSpace space = referenceSpace(m_scene, m_options.space);
         const std::vector<ClipTriangle> triangles = exactTriangles(m_scene, wanted, space);

@@ -2,6 +2,7 @@
 
 #include "core/pipeline/statistics.h"
 #include "core/settings/depth_rules.h"
+#include "core/truth/exact_texels.h"
 #include "core/truth/expectations.h"
 
 #include <QCoreApplication>
@@ -82,6 +83,12 @@ Reasons otherFaceReasons(const CoverageDifference& d, const Frame& frame, const 
     return reasons;
 }
 
+/// Whether each sample is shaded at its own place, as the truth knows it.
+bool shadesAtSamples(const Settings& settings)
+{
+    return patternSamples(settings.samples) == 1 || settings.attributeAt == AttributeAt::Sample;
+}
+
 Reasons expectReasons(const Scene& scene, const Outcome& outcome)
 {
     for (const Expectation& line : checkExpectations(scene.expectations, outcome))
@@ -90,11 +97,11 @@ Reasons expectReasons(const Scene& scene, const Outcome& outcome)
     return {};
 }
 
-Reasons valueReasons(const CoverageDifference& d, double tolerance)
+Reasons valueReasons(const CoverageDifference& d, double tolerance, bool judgesColors)
 {
     if (d.depthMax > tolerance)
         return {{QT_TRANSLATE_NOOP("HardCase", "a depth is %1 off"), {QString::number(d.depthMax, 'g', 3)}}};
-    if (d.colorMax > kCaseColorTolerance)
+    if (judgesColors && d.colorMax > kCaseColorTolerance)
         return {{QT_TRANSLATE_NOOP("HardCase", "a colour is %1 steps off"), {QString::number(d.colorMax, 'g', 4)}}};
     return {};
 }
@@ -111,6 +118,22 @@ Reasons toleranceReasons(const CoverageDifference& d)
             reasons, d.otherFace,
             QT_TRANSLATE_NOOP("HardCase", "%1 show another face, closer to the right one than depths are told apart"));
     return reasons;
+}
+
+} // namespace
+
+namespace
+{
+
+bool showsNearestTexels(const Settings& settings)
+{
+    return settings.shading == Shading::Texture && settings.textureFilter == TextureFilter::Nearest;
+}
+
+/// Whether the colours of the truth are what the case shows.
+bool knowsColors(const Scene& scene)
+{
+    return scene.defaults.shading == Shading::Gouraud || showsNearestTexels(scene.defaults);
 }
 
 } // namespace
@@ -132,7 +155,10 @@ ExactFrame caseTruth(const Scene& scene, Samples samples)
     settings.samples = samples;
     ExactOptions options = exactOptions(scene, settings);
     options.edgeDistance = scene.exact;
-    return exactReference(exactTriangles(scene, settings), options);
+    ExactFrame truth = exactReference(exactTriangles(scene, settings), options);
+    if (showsNearestTexels(scene.defaults))
+        textureExactly(scene, settings, truth);
+    return truth;
 }
 
 CaseVerdict judgeCase(const Scene& scene, const ExactFrame& truth, const Settings& settings)
@@ -150,7 +176,7 @@ CaseVerdict judgeCase(const Scene& scene, const ExactFrame& truth, const Setting
     if (reasons.empty() && !scene.exact && difference.otherFace == 0 && settings.samples == scene.defaults.samples)
         reasons = expectReasons(scene, outcomeOf(frame, scene, &statistics));
     if (reasons.empty() && !scene.exact)
-        reasons = valueReasons(difference, tolerance);
+        reasons = valueReasons(difference, tolerance, knowsColors(scene) && shadesAtSamples(settings));
     if (!reasons.empty())
         return {CaseGrade::Fails, std::move(reasons), std::move(difference)};
     reasons = toleranceReasons(difference);

@@ -39,7 +39,8 @@ struct CaseVerdict {
 ///         for as many samples
 /// out     fails when, in this order: a pixel is missing, extra, hit too often or too seldom; another face is seen; an
 ///         `expect` line does not hold; a depth is further off than kCaseDepthTolerance or a code of the format; a
-///         colour than kCaseColorTolerance. Where several faces cover a pixel and the wrong one is seen, but at a depth
+///         colour than kCaseColorTolerance. Textures: the nearest texels of faces that no plane cuts (exact_texels.h);
+///         blended ones are not judged. Where several faces cover a pixel and the wrong one is seen, but at a depth
 ///         that is right to that tolerance, the depth buffer could not tell: the case passes within it
 /// covers  with other samples than the case asks for, its `expect` lines are not asked. Cases marked `exact` are
 ///         the reference's own. Others snap: they pass within snapping where all that differs lies within

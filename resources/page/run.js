@@ -1,3 +1,16 @@
+// The light that an sRGB display makes of a value of 0..255, and the value whose light is nearest.
+function lightOfValue(channel) {
+  const value = channel / 255;
+  return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+}
+
+function valueOfLight(light) {
+  let value = 0;
+  while (value < 255 && lightOfValue(value + 1) - light <= light - lightOfValue(value))
+    ++value;
+  return value;
+}
+
 // A run: what happened while a frame was drawn. Its events are the objects of the step log, one after the other. A
 // *position* k is the moment after k events; 0 is the cleared frame. The *number* of an event is that of the step log:
 // position k stands just after the event with the number k - 1.
@@ -63,7 +76,10 @@ class Run {
       this.changesUpTo[k] += this.changesUpTo[k - 1];
   }
 
+  // With a pattern the samples of a number are a picture of one sample a pixel, and these follow each other.
   pixelOf(sample) {
+    if (this.pattern > 1)
+      return sample % (this.width * this.height);
     return Math.floor(Math.floor(sample / this.columns) / this.grid) * this.width + Math.floor(sample % this.columns / this.grid);
   }
 
@@ -91,18 +107,26 @@ class Run {
       return this.color[index];
     if (this.finished && this.position > 0 && index < this.resolved[this.position - 1])
       return this.finished[index];
-    const grid = this.grid;
-    let red = 0, green = 0, blue = 0;
-    for (let row = y * grid; row < (y + 1) * grid; ++row)
-      for (let column = x * grid; column < (x + 1) * grid; ++column) {
-        const sample = this.color[row * this.columns + column];
-        red += sample >> 16 & 255;
-        green += sample >> 8 & 255;
-        blue += sample & 255;
-      }
-    const half = grid * grid >> 1; // the mean is rounded
-    const mean = sum => Math.floor((sum + half) / (grid * grid));
-    return mean(red) << 16 | mean(green) << 8 | mean(blue);
+    const samples = this.samplesOf(x, y);
+    const half = samples.length >> 1; // the mean is rounded
+    const mean = shift => {
+      const values = samples.map(sample => sample >> shift & 255);
+      if (this.linear)
+        return valueOfLight(values.reduce((sum, value) => sum + lightOfValue(value), 0) / samples.length);
+      return Math.floor((values.reduce((sum, value) => sum + value, 0) + half) / samples.length);
+    };
+    return mean(16) << 16 | mean(8) << 8 | mean(0);
+  }
+
+  // The colours that the samples of a pixel store.
+  samplesOf(x, y) {
+    const found = [];
+    for (let sample = 0; sample < this.pattern && this.pattern > 1; ++sample)
+      found.push(this.color[(sample * this.height + y) * this.width + x]);
+    for (let row = y * this.grid; row < (y + 1) * this.grid && this.pattern === 1; ++row)
+      for (let column = x * this.grid; column < (x + 1) * this.grid; ++column)
+        found.push(this.color[row * this.columns + column]);
+    return found;
   }
 
   // The depth that the sample nearest the pixel's centre stores; null where the page does not have it.

@@ -91,6 +91,18 @@
         <source>off</source>
         <translation>关</translation>
     </message>
+    <message>
+        <source>Only MSAA shades a pixel elsewhere than at its samples.</source>
+        <translation>只有 MSAA 会在采样点以外的位置给像素着色。</translation>
+    </message>
+    <message>
+        <source>A pixel has one sample, and no mean is taken.</source>
+        <translation>每个像素只有一个采样点，不求平均。</translation>
+    </message>
+    <message>
+        <source>The diamonds alone decide which pixels a line has.</source>
+        <translation>一条线有哪些像素，只由菱形决定。</translation>
+    </message>
 </context>
 <context>
     <name>BuiltinScene</name>
@@ -397,6 +409,158 @@
     <message>
         <source>The common edge y = x + 8 runs through the centres of 40 pixels. It is cut at the left border for the orange triangle; the blue one has a corner there. The corner outside has code 1001: cut on the left it is still 1000, above.</source>
         <translation>公共边 y = x + 8 穿过 40 个像素的中心。橙色三角形的这条边在左边界被裁剪；蓝色三角形在那里正好有一个顶点。外面的顶点编码是 1001：在左边裁剪之后还是 1000，在上方。</translation>
+    </message>
+    <message>
+        <source>A screen of 320 x 240</source>
+        <translation>320 x 240 的屏幕</translation>
+    </message>
+    <message>
+        <source>Points over the border</source>
+        <translation>越过边界的点</translation>
+    </message>
+    <message>
+        <source>A point in every pixel, and more of them beyond the left and the upper border. Colours tell how often a pixel is hit: once.</source>
+        <translation>每个像素一个点，左边和上边之外还有更多。颜色表示像素被击中几次：一次。</translation>
+    </message>
+    <message>
+        <source>A letter before two pillars</source>
+        <translation>两根柱子前的字母</translation>
+    </message>
+    <message>
+        <source>The red pillar stands on the left, the green one on the right, and the floor ends behind them: every wrong step of the camera shows.</source>
+        <translation>红柱子在左，绿柱子在右，地面在它们后面结束：相机的每一步错误都看得见。</translation>
+    </message>
+    <message>
+        <source>A road from far right to behind</source>
+        <translation>从右边远处通到身后的路</translation>
+    </message>
+    <message>
+        <source>The corners on the left lie behind the eye. Divided by their negative w they come out on the right, where all others are.</source>
+        <translation>左边的角点在眼睛后面。除以它们的负 w，结果落在右边，和其他角点一样。</translation>
+    </message>
+    <message>
+        <source>A ball pressed flat</source>
+        <translation>压扁的球</translation>
+    </message>
+    <message>
+        <source>A sphere stretched by 1, 0.3 and 1. Its normals are not stretched but pressed the other way round.</source>
+        <translation>按 1、0.3、1 拉伸的球。它的法线不是跟着拉伸，而是反过来压。</translation>
+    </message>
+    <message>
+        <source>A picture of 10 x 10 texels</source>
+        <translation>10 x 10 纹素的图片</translation>
+    </message>
+    <message>
+        <source>A letter in a frame that is one texel wide on every side, blended between the centres of texels.</source>
+        <translation>带边框的字母，边框每边宽一个纹素，在纹素中心之间混合。</translation>
+    </message>
+    <message>
+        <source>Texels left and right of 0</source>
+        <translation>0 左右的纹素</translation>
+    </message>
+    <message>
+        <source>u and v are 0 in the middle and run from -1.5 to 1.5. All texels are 8 pixels wide.</source>
+        <translation>u 和 v 在中央为 0，从 -1.5 到 1.5。所有纹素宽 8 个像素。</translation>
+    </message>
+    <message>
+        <source>Discs to the horizon</source>
+        <translation>延伸到地平线的圆盘</translation>
+    </message>
+    <message>
+        <source>A texture with mip levels that repeats every 2.5 units. Where it repeats, both sides have one colour.</source>
+        <translation>带 mip 级别的纹理，每 2.5 个单位重复一次。重复处两侧是同一种颜色。</translation>
+    </message>
+    <message>
+        <source>A glazed ball of few faces</source>
+        <translation>面很少的上釉的球</translation>
+    </message>
+    <message>
+        <source>48 cells with smooth normals. In the highlights light is brighter than a screen can show.</source>
+        <translation>48 格，法线平滑。高光处的光比屏幕能显示的更亮。</translation>
+    </message>
+    <message>
+        <source>All corners lie on the screen, yet twice the area is 67,944: 16 bits, of which one is for the sign, hold it no more.</source>
+        <translation>角点都在屏幕上，面积的两倍却是 67,944：带符号的 16 位放不下。</translation>
+    </message>
+    <message>
+        <source>Corners between the rows</source>
+        <translation>角点在行之间</translation>
+    </message>
+    <message>
+        <source>Three arrow heads, whose lower halves mirror the upper ones. Their tips lie at half rows, the other corners elsewhere between them.</source>
+        <translation>三个箭头，下半边是上半边的镜像。箭尖在半行处，其余角点也在行之间。</translation>
+    </message>
+    <message>
+        <source>MSAA: sheets with a part of a texture</source>
+        <translation>MSAA：只用纹理一部分的薄片</translation>
+    </message>
+    <message>
+        <source>4 samples a pixel, attributes at centroids. Round the sheets&apos; part of the texture all is magenta, which must not be seen.</source>
+        <translation>每个像素 4 个采样点，属性取在质心。薄片所用的那部分纹理四周全是品红色，它不该出现。</translation>
+    </message>
+    <message>
+        <source>MSAA: needles under fine stripes</source>
+        <translation>MSAA：细条纹下的针形三角形</translation>
+    </message>
+    <message>
+        <source>8 samples a pixel, attributes at centroids. The needles lie in one plane, and their stripes are finer than the pixels: all must be grey.</source>
+        <translation>每个像素 8 个采样点，属性取在质心。这些针形三角形位于同一平面，条纹比像素还细：应当全是灰色。</translation>
+    </message>
+    <message>
+        <source>MSAA: a disc of 20 triangles</source>
+        <translation>MSAA：由 20 个三角形组成的圆盘</translation>
+    </message>
+    <message>
+        <source>4 samples a pixel. The triangles share their edges, of which nothing may be seen.</source>
+        <translation>每个像素 4 个采样点。三角形共用各条边，这些边不该看得见。</translation>
+    </message>
+    <message>
+        <source>Paint on a road</source>
+        <translation>路面上的漆</translation>
+    </message>
+    <message>
+        <source>Two passes: the road, then paint in its plane. Depths of the two are as good as equal, and without the depth bias chance decides pixel by pixel which is nearer.</source>
+        <translation>两遍：先画路面，再画同一平面上的漆。两者的深度几乎相等，没有深度偏移时，哪个更近逐像素全凭偶然。</translation>
+    </message>
+    <message>
+        <source>Wireframe over a surface</source>
+        <translation>曲面上的线框</translation>
+    </message>
+    <message>
+        <source>Two passes: a surface, then the lines of its faces. A pixel of a line is up to half a pixel beside the line; how much depth that is depends on the slope of the face.</source>
+        <translation>两遍：先画曲面，再画各面的边线。线上的像素最多偏离线半个像素；这相当于多少深度，取决于面的坡度。</translation>
+    </message>
+    <message>
+        <source>A second pass at equal depth</source>
+        <translation>深度相等的第二遍</translation>
+    </message>
+    <message>
+        <source>Two passes: a board, then tiles at the same depth, drawn where depths are equal. Each has another w, so that z/w is off by a rounding, which 16 bits must round away.</source>
+        <translation>两遍：先画一块板，再画同一深度的小块，只画在深度相等处。每块的 w 不同，z/w 会差一次舍入，16 位深度应当把它舍掉。</translation>
+    </message>
+    <message>
+        <source>A beam up to the eye</source>
+        <translation>伸到眼前的方梁</translation>
+    </message>
+    <message>
+        <source>The near plane cuts the beam, and one looks into it. Where depths are clamped in place of clipping, what lies before the plane is drawn too, all of it at depth 0.</source>
+        <translation>近平面切开方梁，可以看进去。若用钳制深度代替裁剪，近平面之前的部分也被画出，深度全是 0。</translation>
+    </message>
+    <message>
+        <source>Three pairs of triangles</source>
+        <translation>三对三角形</translation>
+    </message>
+    <message>
+        <source>Of each pair the warm triangle is nearer and is sent first. Two threads without a lock draw the two at the same time.</source>
+        <translation>每一对里暖色的三角形更近，先发送。两个没有加锁的线程同时画这两个。</translation>
+    </message>
+    <message>
+        <source>Diagonals drawn both ways</source>
+        <translation>两个方向各画一次的对角线</translation>
+    </message>
+    <message>
+        <source>Both triangles of a rectangle draw its diagonal, one from each end. It passes half-way between two pixels: a choice that depends on the direction makes it two pixels thick there.</source>
+        <translation>矩形的两个三角形都画对角线，各从一端开始。线从两个像素正中间穿过：若选择取决于方向，那里就有两个像素粗。</translation>
     </message>
 </context>
 <context>
@@ -1449,10 +1613,6 @@
         <translation>没有这个内置场景；应为其中之一：%1</translation>
     </message>
     <message>
-        <source>%1 is not a directive; size, subpixel_bits, exact, cull, depth_test, depth_format, clear, ssaa, zrange, window, tri, note or expect expected</source>
-        <translation>%1 不是指令；应为 size、subpixel_bits、exact、cull、depth_test、depth_format、clear、ssaa、zrange、window、tri、note 或 expect</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
     </message>
@@ -2315,6 +2475,66 @@
     <message>
         <source>no material has a texture</source>
         <translation>没有材质带纹理</translation>
+    </message>
+    <message>
+        <source>this shading reads no texels</source>
+        <translation>这种着色不读纹素</translation>
+    </message>
+    <message>
+        <source>no mip levels are looked up</source>
+        <translation>没有查 mip 级别</translation>
+    </message>
+    <message>
+        <source>the nearest texel is taken, and none is blended</source>
+        <translation>取最近的纹素，不作混合</translation>
+    </message>
+    <message>
+        <source>light is not computed at every pixel: the shading is not phong</source>
+        <translation>光不是逐像素计算的：着色不是 phong</translation>
+    </message>
+    <message>
+        <source>no points are drawn</source>
+        <translation>没有画点</translation>
+    </message>
+    <message>
+        <source>%1 is not a directive; size, subpixel_bits, exact, cull, depth_test, depth_format, depth_bias, depth_range, depth_clamp, depth_clear, second_pass, clear, ssaa, samples, zrange, window, tri, triuv, texture, texture_filter, note or expect expected</source>
+        <translation>%1 不是指令；应为 size、subpixel_bits、exact、cull、depth_test、depth_format、depth_bias、depth_range、depth_clamp、depth_clear、second_pass、clear、ssaa、samples、zrange、window、tri、triuv、texture、texture_filter、note 或 expect</translation>
+    </message>
+    <message>
+        <source>&quot;checker&quot; and a size, or the name of an image, is expected</source>
+        <translation>应为 &quot;checker&quot; 和边长，或图片的文件名</translation>
+    </message>
+    <message>
+        <source>27 (x y z w r g b u v of three corners)</source>
+        <translation>27（三个角的 x y z w r g b u v）</translation>
+    </message>
+    <message>
+        <source>needs MSAA: samples msaa2 to msaa16</source>
+        <translation>需要 MSAA：samples msaa2 到 msaa16</translation>
+    </message>
+    <message>
+        <source>only texture-filter trilinear asks for derivatives</source>
+        <translation>只有 texture-filter trilinear 才需要导数</translation>
+    </message>
+    <message>
+        <source>attributes are taken at the pixels&apos; centres</source>
+        <translation>属性取在像素中心</translation>
+    </message>
+    <message>
+        <source>it stands once, behind the tri lines of the first pass</source>
+        <translation>它只能出现一次，并且在第一遍的 tri 行之后</translation>
+    </message>
+    <message>
+        <source>two numbers n,f from 0 to 1</source>
+        <translation>0 到 1 之间的两个数 n,f</translation>
+    </message>
+    <message>
+        <source>two or three numbers c,s[,m] of at most 1e9: units, slopes, and the clamp</source>
+        <translation>绝对值不超过 1e9 的两个或三个数 c,s[,m]：单位数、坡度倍数和上限</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; takes an array of %2</source>
+        <translation>“%1”应为数组，内容是%2</translation>
     </message>
 </context>
 <context>
@@ -4110,6 +4330,374 @@
         <source>clip largest neighbours</source>
         <translation>裁剪：最大值，相邻的面</translation>
     </message>
+    <message>
+        <source>edges quad falling diagonal</source>
+        <translation>方形，下降的对角线</translation>
+    </message>
+    <message>
+        <source>A square of 6 x 6 cut by its falling diagonal, one half wound the other way: 36 pixels, each once.</source>
+        <translation>6 x 6 的方形被下降的对角线切开，一半绕向相反：36 个像素，每个一次。</translation>
+    </message>
+    <message>
+        <source>The two faces run along the diagonal in one direction, so no sign is turned round between them.</source>
+        <translation>两个面沿对角线走同一方向，所以它们之间没有符号相反。</translation>
+    </message>
+    <message>
+        <source>edges quad rising diagonal</source>
+        <translation>方形，上升的对角线</translation>
+    </message>
+    <message>
+        <source>A square of 6 x 6 cut by its rising diagonal, one half wound the other way: 36 pixels, each once.</source>
+        <translation>6 x 6 的方形被上升的对角线切开，一半绕向相反：36 个像素，每个一次。</translation>
+    </message>
+    <message>
+        <source>cancellation small screen</source>
+        <translation>小屏幕上的相消</translation>
+    </message>
+    <message>
+        <source>A face wholly on a screen of 320 x 240: its edge values pass 32,767, yet no pixel is lost.</source>
+        <translation>完全在 320 x 240 屏幕上的面：边函数值超过 32,767，却没有丢失像素。</translation>
+    </message>
+    <message>
+        <source>The corners are those of a report on a driver that kept products in 16 bits.</source>
+        <translation>这些角点来自一份报告：某驱动程序把乘积存成 16 位。</translation>
+    </message>
+    <message>
+        <source>edges negative coordinates</source>
+        <translation>负坐标</translation>
+    </message>
+    <message>
+        <source>Corners at minus one half and beyond: a face that lies left of the screen is not seen in column 0.</source>
+        <translation>角点在负二分之一及更左处：位于屏幕左边的面在第 0 列看不见。</translation>
+    </message>
+    <message>
+        <source>Rounding towards zero would draw what lies at -0.5 at 0.</source>
+        <translation>向零取整会把 -0.5 处的东西画到 0。</translation>
+    </message>
+    <message>
+        <source>edges mirrored mesh</source>
+        <translation>镜像的网格</translation>
+    </message>
+    <message>
+        <source>A mesh with corners on pixel centres, and its mirror image: ties change their owner, every pixel is covered once.</source>
+        <translation>角点在像素中心的网格及其镜像：恰在边上的中心换了归属，每个像素仍只覆盖一次。</translation>
+    </message>
+    <message>
+        <source>edges moved by 8192</source>
+        <translation>移动了 8192 的同一网格</translation>
+    </message>
+    <message>
+        <source>The same four faces, and once more 8,192 pixels to the right: the same pixels of each.</source>
+        <translation>同样的四个面，以及右移 8,192 像素的一份：各自的像素相同。</translation>
+    </message>
+    <message>
+        <source>Distances to the corner of the screen decide nothing.</source>
+        <translation>到屏幕角的距离不决定任何事。</translation>
+    </message>
+    <message>
+        <source>clip at the guard band</source>
+        <translation>恰在保护带边界</translation>
+    </message>
+    <message>
+        <source>A corner exactly at the border of a guard band of 32,768 pixels, shared with a face that ends 1/256 of a pixel beyond.</source>
+        <translation>一个角点恰在 32,768 像素保护带的边界上，与另一个多伸出 1/256 像素的面共用。</translation>
+    </message>
+    <message>
+        <source>Neighbours of which one is cut and one is not share every pixel of their edge.</source>
+        <translation>相邻两面一个被切、一个没有，公共边上的像素仍各归其一。</translation>
+    </message>
+    <message>
+        <source>clip plane through a corner</source>
+        <translation>裁剪平面穿过角点</translation>
+    </message>
+    <message>
+        <source>The left border passes exactly through a corner: the cut there has length 0, and a neighbour shares it.</source>
+        <translation>左边界恰好穿过一个角点：那里的切口长度为 0，且与邻面共用。</translation>
+    </message>
+    <message>
+        <source>A corner on a plane is inside of it.</source>
+        <translation>在平面上的角点算在内侧。</translation>
+    </message>
+    <message>
+        <source>clip beside a corner</source>
+        <translation>紧挨角点的切口</translation>
+    </message>
+    <message>
+        <source>A corner 1/1024 of a pixel from the left border: the cut falls on the same step of the grid, and every pixel is covered once.</source>
+        <translation>角点离左边界 1/1024 像素：切口落在同一网格步上，每个像素覆盖一次。</translation>
+    </message>
+    <message>
+        <source>Four faces meet there and reach beyond the screen on all sides.</source>
+        <translation>四个面在那里相会，四面都伸出屏幕。</translation>
+    </message>
+    <message>
+        <source>clip corners on all planes</source>
+        <translation>六个平面上都有角点</translation>
+    </message>
+    <message>
+        <source>Corners on all six planes at once: every cut would be at an end of its edge, and nothing is lost.</source>
+        <translation>六个平面上同时有角点：每个切口都在边的端点，什么也没丢。</translation>
+    </message>
+    <message>
+        <source>The two faces run from the near plane on the left to the far plane on the right.</source>
+        <translation>两个面从左边的近平面一直到右边的远平面。</translation>
+    </message>
+    <message>
+        <source>clip keeps depth and colour</source>
+        <translation>裁剪不改变深度和颜色</translation>
+    </message>
+    <message>
+        <source>A face that the border cuts and one that it does not, in one plane: depth and colour follow the same plane in both.</source>
+        <translation>同一平面上，一个面被边界切开，一个没有：两者的深度和颜色遵循同一平面。</translation>
+    </message>
+    <message>
+        <source>Depth is 1/4 + (x + y) / 64 and red is 1/4 + x / 32.</source>
+        <translation>深度为 1/4 + (x + y) / 64，红色为 1/4 + x / 32。</translation>
+    </message>
+    <message>
+        <source>clip ground with corners behind</source>
+        <translation>角点在身后的地面</translation>
+    </message>
+    <message>
+        <source>A road from far on the right to behind the eye: x / w of all corners lies right of the screen, and the road is seen.</source>
+        <translation>从右边远处到眼睛后面的路：所有角点的 x / w 都在屏幕右边，路却看得见。</translation>
+    </message>
+    <message>
+        <source>A box of divided corners tells nothing where some w are negative.</source>
+        <translation>有的 w 为负时，除过的角点的包围盒什么也说明不了。</translation>
+    </message>
+    <message>
+        <source>texture border on centres</source>
+        <translation>纹素边界在像素中心</translation>
+    </message>
+    <message>
+        <source>Every pixel centre lies exactly on a border between texels: it shows the upper one.</source>
+        <translation>每个像素中心恰在纹素的边界上：显示上面的那个。</translation>
+    </message>
+    <message>
+        <source>A texel begins at its lower border; u W is a whole number at every centre, 1 at the first.</source>
+        <translation>纹素从它的下边界开始；每个中心处 u W 都是整数，第一个为 1。</translation>
+    </message>
+    <message>
+        <source>texture u is one</source>
+        <translation>u 恰为 1</translation>
+    </message>
+    <message>
+        <source>At the last column u is exactly 1, which is the first texel of the next repeat.</source>
+        <translation>最后一列 u 恰为 1，即下一次重复的第一个纹素。</translation>
+    </message>
+    <message>
+        <source>A clamped coordinate would show the last texel once more.</source>
+        <translation>若坐标被截断，会再显示一次最后的纹素。</translation>
+    </message>
+    <message>
+        <source>texture negative</source>
+        <translation>负的纹理坐标</translation>
+    </message>
+    <message>
+        <source>u and v run from -2 to 0: the texels left of 0 are as wide as those right of it.</source>
+        <translation>u 和 v 从 -2 到 0：0 左边的纹素和右边的一样宽。</translation>
+    </message>
+    <message>
+        <source>texture about zero on centres</source>
+        <translation>0 附近，边界在中心</translation>
+    </message>
+    <message>
+        <source>u W is a whole number at every centre, below 0 on the left half and above it on the right.</source>
+        <translation>每个中心处 u W 都是整数，左半边小于 0，右半边大于 0。</translation>
+    </message>
+    <message>
+        <source>texture mirrored on centres</source>
+        <translation>镜像，边界在中心</translation>
+    </message>
+    <message>
+        <source>u runs from right to left, and every centre lies on a border: it still shows the upper texel.</source>
+        <translation>u 从右往左走，每个中心都在边界上：显示的仍是上面的纹素。</translation>
+    </message>
+    <message>
+        <source>texture beyond 2 24</source>
+        <translation>超过 2^24 的纹理坐标</translation>
+    </message>
+    <message>
+        <source>u is 2^24 at all corners, and 2^25 at those of the other half: whole numbers are the first texel however large.</source>
+        <translation>所有角点的 u 为 2^24，另一半为 2^25：整数不论多大都是第一个纹素。</translation>
+    </message>
+    <message>
+        <source>Of a float32 that large no part is left behind the point.</source>
+        <translation>这么大的 float32 小数点后什么也不剩。</translation>
+    </message>
+    <message>
+        <source>texture no derivative</source>
+        <translation>没有导数</translation>
+    </message>
+    <message>
+        <source>All three corners have one place in the texture: there is no derivative, and no level but the first.</source>
+        <translation>三个角在纹理中是同一处：没有导数，也没有第一级以外的级别。</translation>
+    </message>
+    <message>
+        <source>texture turned on borders</source>
+        <translation>转了 45 度的纹理</translation>
+    </message>
+    <message>
+        <source>A texture turned by 45 degrees: along every second diagonal the centres lie on borders of both axes.</source>
+        <translation>转了 45 度的纹理：每隔一条对角线，中心落在两个轴的边界上。</translation>
+    </message>
+    <message>
+        <source>texture perspective 8</source>
+        <translation>透视比 8 的纹理</translation>
+    </message>
+    <message>
+        <source>A square in perspective, w from 1 to 8: every nearest texel is the one that exact numbers give.</source>
+        <translation>透视中的方形，w 从 1 到 8：每个最近的纹素都是精确数给出的那个。</translation>
+    </message>
+    <message>
+        <source>One face has the far corners, so the texture is denser along its upper edge.</source>
+        <translation>一个面有远处的角，所以纹理沿上边更密。</translation>
+    </message>
+    <message>
+        <source>texture three texels a sample</source>
+        <translation>每个采样三个纹素</translation>
+    </message>
+    <message>
+        <source>Three texels a sample and a texture of three: every sample shows the same texel.</source>
+        <translation>每个采样三个纹素，而纹理正好三个：每个采样显示同一个纹素。</translation>
+    </message>
+    <message>
+        <source>The middle texel of each repeat lies under the centre.</source>
+        <translation>每次重复的中间那个纹素在中心之下。</translation>
+    </message>
+    <message>
+        <source>corner orders equal depth</source>
+        <translation>顶点次序与相等深度</translation>
+    </message>
+    <message>
+        <source>The same face in the other five corner orders, drawn where depths are equal: every pixel passes each time.</source>
+        <translation>同一个面以另外五种顶点次序再画，只画在深度相等处：每次所有像素都通过。</translation>
+    </message>
+    <message>
+        <source>llvmpipe loses 42 % of the pixels of such a pass, SwiftShader 14 %.</source>
+        <translation>这样的一遍，llvmpipe 丢失 42 % 的像素，SwiftShader 丢失 14 %。</translation>
+    </message>
+    <message>
+        <source>constant depth float32</source>
+        <translation>恒定深度 float32</translation>
+    </message>
+    <message>
+        <source>One depth everywhere, whatever x, y and w of the corners: a second pass where depths are equal covers all of the first.</source>
+        <translation>无论顶点的 x、y、w 如何，深度处处相同：只画在深度相等处的第二遍盖住整个第一遍。</translation>
+    </message>
+    <message>
+        <source>constant depth unorm24</source>
+        <translation>恒定深度 unorm24</translation>
+    </message>
+    <message>
+        <source>constant depth unorm16</source>
+        <translation>恒定深度 unorm16</translation>
+    </message>
+    <message>
+        <source>equal other tessellation</source>
+        <translation>相等深度，另一种剖分</translation>
+    </message>
+    <message>
+        <source>A plane cut by its other diagonal in a second pass, where depths are equal: every pixel passes.</source>
+        <translation>第二遍沿另一条对角线剖分同一平面，只画在深度相等处：所有像素都通过。</translation>
+    </message>
+    <message>
+        <source>slope ten thousand</source>
+        <translation>坡度一万</translation>
+    </message>
+    <message>
+        <source>Depth rises by more than 10,000 a pixel across a needle: on its edge it is that of the edge.</source>
+        <translation>横穿细针形三角形时，深度每像素升高一万以上：在边上，它就是边的深度。</translation>
+    </message>
+    <message>
+        <source>bias constant unorm16</source>
+        <translation>常数偏移 unorm16</translation>
+    </message>
+    <message>
+        <source>A bias of minus one unit brings a second pass one code nearer: it wins everywhere.</source>
+        <translation>负一个单位的偏移让第二遍近一个编码：它处处胜出。</translation>
+    </message>
+    <message>
+        <source>bias float32 exponent</source>
+        <translation>float32 偏移随指数变化</translation>
+    </message>
+    <message>
+        <source>The unit of float32 follows the exponent of the deepest corner: at 0.3 it is 2^-25, at 0.75 it is 2^-24.</source>
+        <translation>float32 的单位取决于最深顶点的指数：0.3 处是 2^-25，0.75 处是 2^-24。</translation>
+    </message>
+    <message>
+        <source>bias slope</source>
+        <translation>坡度偏移</translation>
+    </message>
+    <message>
+        <source>A bias of two slopes moves a face by what depth changes on two pixels.</source>
+        <translation>两倍坡度的偏移，使面移动两个像素上的深度变化量。</translation>
+    </message>
+    <message>
+        <source>bias clamped</source>
+        <translation>偏移有上限</translation>
+    </message>
+    <message>
+        <source>The same bias of two slopes, held at 0.01.</source>
+        <translation>同样两倍坡度的偏移，限制在 0.01。</translation>
+    </message>
+    <message>
+        <source>bias clamped below</source>
+        <translation>偏移有下限</translation>
+    </message>
+    <message>
+        <source>A negative clamp holds a negative bias, and no positive one.</source>
+        <translation>负的限制只限制负的偏移，不限制正的。</translation>
+    </message>
+    <message>
+        <source>depth range middle</source>
+        <translation>深度范围在中间</translation>
+    </message>
+    <message>
+        <source>Near is mapped to 0.25 and far to 0.75.</source>
+        <translation>近平面映射到 0.25，远平面映射到 0.75。</translation>
+    </message>
+    <message>
+        <source>depth range reversed</source>
+        <translation>深度范围颠倒</translation>
+    </message>
+    <message>
+        <source>Near is mapped to 0.75 and far to 0.25: the greater depth is the nearer one.</source>
+        <translation>近平面映射到 0.75，远平面映射到 0.25：深度大的更近。</translation>
+    </message>
+    <message>
+        <source>depth range empty</source>
+        <translation>深度范围为空</translation>
+    </message>
+    <message>
+        <source>Near and far are both mapped to 0.5: all depths are equal, and the first face stays.</source>
+        <translation>近、远平面都映射到 0.5：所有深度相等，先画的面留下。</translation>
+    </message>
+    <message>
+        <source>depth clear not representable</source>
+        <translation>清除值无法精确表示</translation>
+    </message>
+    <message>
+        <source>The buffer is cleared to 0.35, which 16 bits do not hold: a face at 0.35 is equal all the same.</source>
+        <translation>缓冲清除为 0.35，16 位存不下这个数：深度 0.35 的面仍然相等。</translation>
+    </message>
+    <message>
+        <source>depth clamp before near</source>
+        <translation>近平面之前钳制深度</translation>
+    </message>
+    <message>
+        <source>Half of the face lies before the near plane: it is drawn there at depth 0.</source>
+        <translation>面的一半在近平面之前：那里以深度 0 画出。</translation>
+    </message>
+    <message>
+        <source>depth clamp beyond far</source>
+        <translation>远平面之后钳制深度</translation>
+    </message>
+    <message>
+        <source>Half of the face lies beyond the far plane: it is drawn there at depth 1.</source>
+        <translation>面的一半在远平面之后：那里以深度 1 画出。</translation>
+    </message>
 </context>
 <context>
     <name>ImageExport</name>
@@ -4218,6 +4806,34 @@
     <message>
         <source>number: E, px²</source>
         <translation>数字：E，px²</translation>
+    </message>
+    <message>
+        <source>shaded at each of them</source>
+        <translation>在其中每一个上着色</translation>
+    </message>
+    <message>
+        <source>shaded once, at sample %1, the first covered one</source>
+        <translation>着色一次，在采样点 %1，即第一个被覆盖的采样点</translation>
+    </message>
+    <message>
+        <source>shaded once, at the centre</source>
+        <translation>着色一次，在像素中心</translation>
+    </message>
+    <message>
+        <source>shaded once, at the centre, outside of the face: %1</source>
+        <translation>着色一次，在像素中心，而中心在面之外：%1</translation>
+    </message>
+    <message>
+        <source>pixel (%1, %2): </source>
+        <translation>像素 (%1, %2)：</translation>
+    </message>
+    <message>
+        <source>none of %1 samples is covered</source>
+        <translation>%1 个采样点都没有被覆盖</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples are covered: %3</source>
+        <translation>%2 个采样点中有 %1 个被覆盖：%3</translation>
     </message>
 </context>
 <context>
@@ -5037,6 +5653,582 @@
         <source>So that the vertex lies inside for certain, and its code is 0.</source>
         <translation>为了让顶点一定在里面，编码是 0。</translation>
     </message>
+    <message>
+        <source>Matrices multiplied in reverse order</source>
+        <translation>矩阵相乘的顺序反了</translation>
+    </message>
+    <message>
+        <source>What should stand in the middle of the picture lies beside it, and moves round the camera where it should turn.</source>
+        <translation>本应在画面中央的东西跑到旁边，而且在应当转动时绕着相机移动。</translation>
+    </message>
+    <message>
+        <source>view = translate(-eye) * rotation in place of rotation * translate(-eye)</source>
+        <translation>view = translate(-eye) * rotation，应为 rotation * translate(-eye)</translation>
+    </message>
+    <message>
+        <source>Read from left to right, the camera is moved and then turned.</source>
+        <translation>从左往右读，先移动相机，再转动它。</translation>
+    </message>
+    <message>
+        <source>The camera turns the other way</source>
+        <translation>相机朝相反方向转</translation>
+    </message>
+    <message>
+        <source>Turning to the right shows what lies on the left: what was looked at leaves the picture on one side.</source>
+        <translation>向右转，看到的却是左边的东西：原来所看的东西从一侧离开画面。</translation>
+    </message>
+    <message>
+        <source>view = mat3(right, up, back) in place of its transpose</source>
+        <translation>view = mat3(right, up, back)，而没有转置</translation>
+    </message>
+    <message>
+        <source>The axes of the camera are written as the columns of a matrix, as those of any body are.</source>
+        <translation>相机的轴像任何物体的轴一样写成矩阵的列。</translation>
+    </message>
+    <message>
+        <source>The view is moved by the target, not by the eye</source>
+        <translation>视图按目标点而不是按眼睛移动</translation>
+    </message>
+    <message>
+        <source>The camera stands where it should look at: inside of the letter, with the back of the scene before it.</source>
+        <translation>相机站到了它本应注视的地方：在字母里面，眼前只剩场景的后部。</translation>
+    </message>
+    <message>
+        <source>view = rotation * translate(-target)</source>
+        <translation>view = rotation * translate(-target)</translation>
+    </message>
+    <message>
+        <source>lookAt has two points, and both are at hand.</source>
+        <translation>lookAt 有两个点，手边两个都有。</translation>
+    </message>
+    <message>
+        <source>Near plane with its sign</source>
+        <translation>近平面带着符号</translation>
+    </message>
+    <message>
+        <source>The picture is turned by 180 degrees: upside down and left for right.</source>
+        <translation>画面转了 180 度：上下颠倒，左右互换。</translation>
+    </message>
+    <message>
+        <source>near = -zNear; projection[0][0] = near / right; projection[1][1] = near / top</source>
+        <translation>near = -zNear; projection[0][0] = near / right; projection[1][1] = near / top</translation>
+    </message>
+    <message>
+        <source>One looks along -z, so the near plane lies at -near.</source>
+        <translation>视线沿着 -z，所以近平面在 -near 处。</translation>
+    </message>
+    <message>
+        <source>The viewport is one pixel too small</source>
+        <translation>视口小了一个像素</translation>
+    </message>
+    <message>
+        <source>The last column and the last row stay empty, and everything is a little too small.</source>
+        <translation>最后一列和最后一行空着，所有东西都略小一点。</translation>
+    </message>
+    <message>
+        <source>xs = (x / w * 0.5 + 0.5) * (width - 1)</source>
+        <translation>xs = (x / w * 0.5 + 0.5) * (width - 1)</translation>
+    </message>
+    <message>
+        <source>Columns are numbered from 0 to width - 1.</source>
+        <translation>列号从 0 到 width - 1。</translation>
+    </message>
+    <message>
+        <source>Normals go through the matrix of positions</source>
+        <translation>法线用了位置的矩阵</translation>
+    </message>
+    <message>
+        <source>n = mat3(M) * n in place of transpose(inverse(mat3(M))) * n</source>
+        <translation>n = mat3(M) * n，应为 transpose(inverse(mat3(M))) * n</translation>
+    </message>
+    <message>
+        <source>A normal is a vector, and vectors are multiplied by the matrix.</source>
+        <translation>法线是向量，而向量要乘以矩阵。</translation>
+    </message>
+    <message>
+        <source>Directions are moved like points</source>
+        <translation>方向像点一样被平移</translation>
+    </message>
+    <message>
+        <source>n = view * vec4(n, 1) in place of view * vec4(n, 0)</source>
+        <translation>n = view * vec4(n, 1)，应为 view * vec4(n, 0)</translation>
+    </message>
+    <message>
+        <source>Every vec4 ends in 1.</source>
+        <translation>每个 vec4 都以 1 结尾。</translation>
+    </message>
+    <message>
+        <source>Faces are rejected by their box after the divide</source>
+        <translation>按除法之后的包围盒剔除面</translation>
+    </message>
+    <message>
+        <source>A large plane that runs past the camera is gone, though most of it is in sight.</source>
+        <translation>从相机旁边经过的大平面不见了，虽然它大部分都在视野里。</translation>
+    </message>
+    <message>
+        <source>if (min(x / w) &gt; 1 || max(x / w) &lt; -1) reject</source>
+        <translation>if (min(x / w) &gt; 1 || max(x / w) &lt; -1) reject</translation>
+    </message>
+    <message>
+        <source>The box on the screen is what one wants to know about.</source>
+        <translation>想知道的正是屏幕上的包围盒。</translation>
+    </message>
+    <message>
+        <source>Cut corners keep the attributes of the corner outside</source>
+        <translation>切出的角保留外侧角的属性</translation>
+    </message>
+    <message>
+        <source>Texture and colours are torn in faces that are cut, and right in all others.</source>
+        <translation>被裁剪的面上纹理和颜色被扯坏，其余的都对。</translation>
+    </message>
+    <message>
+        <source>cut = {lerp(a.position, b.position, t), b.uv, b.normal, b.color}</source>
+        <translation>cut = {lerp(a.position, b.position, t), b.uv, b.normal, b.color}</translation>
+    </message>
+    <message>
+        <source>The clipper was written for positions.</source>
+        <translation>裁剪程序当初只为位置而写。</translation>
+    </message>
+    <message>
+        <source>The polygon is cut in place</source>
+        <translation>在原数组里切多边形</translation>
+    </message>
+    <message>
+        <source>Where one corner of a face lies behind the camera, a half of what should be left of it is missing.</source>
+        <translation>若面有一个角在相机后面，剩下的部分会缺一半。</translation>
+    </message>
+    <message>
+        <source>v[0] = cut(v[0], v[1]); v[3] = cut(v[0], v[2])</source>
+        <translation>v[0] = cut(v[0], v[1]); v[3] = cut(v[0], v[2])</translation>
+    </message>
+    <message>
+        <source>The corner outside is not needed any more, one thinks: but its other edge is still to be cut.</source>
+        <translation>以为外侧的角用不着了：可它的另一条边还没有切。</translation>
+    </message>
+    <message>
+        <source>A cut corner is never written</source>
+        <translation>有一个切出的角没有写入</translation>
+    </message>
+    <message>
+        <source>Spikes run from faces that are cut to the upper left corner of the screen.</source>
+        <translation>被裁剪的面向屏幕左上角伸出尖刺。</translation>
+    </message>
+    <message>
+        <source>polygon.resize(n + 2); polygon[n] = cut(a, b)</source>
+        <translation>polygon.resize(n + 2); polygon[n] = cut(a, b)</translation>
+    </message>
+    <message>
+        <source>Two corners are made, and one is forgotten.</source>
+        <translation>新做两个角，忘了一个。</translation>
+    </message>
+    <message>
+        <source>x = a.x; for (y = ceil(a.y - 0.5); ...; ++y) x += slope</source>
+        <translation>x = a.x; for (y = ceil(a.y - 0.5); ...; ++y) x += slope</translation>
+    </message>
+    <message>
+        <source>The edge begins at its corner, does it not? The first row lies below it.</source>
+        <translation>边不是从它的角点开始吗？可第一行在角点下面。</translation>
+    </message>
+    <message>
+        <source>Only y is rounded to whole rows</source>
+        <translation>只有 y 取整到整行</translation>
+    </message>
+    <message>
+        <source>v.y = round(v.y), and v.x keeps its fraction and its slope</source>
+        <translation>v.y = round(v.y)，而 v.x 保留小数和斜率</translation>
+    </message>
+    <message>
+        <source>Rows are counted in integers, so y becomes one.</source>
+        <translation>行按整数计，所以 y 变成整数。</translation>
+    </message>
+    <message>
+        <source>The two ends of a row are not sorted</source>
+        <translation>一行的两端没有排序</translation>
+    </message>
+    <message>
+        <source>Half of the triangles are missing: those whose middle corner lies on the left.</source>
+        <translation>一半的三角形不见了：中间的角在左边的那些。</translation>
+    </message>
+    <message>
+        <source>for (x = xLong; x &lt; xShort; ++x), whichever is the left one</source>
+        <translation>for (x = xLong; x &lt; xShort; ++x)，不管哪一个在左</translation>
+    </message>
+    <message>
+        <source>It holds in the first triangle.</source>
+        <translation>在第一个三角形上它是对的。</translation>
+    </message>
+    <message>
+        <source>Coordinates are cut off towards 0</source>
+        <translation>坐标朝 0 截断</translation>
+    </message>
+    <message>
+        <source>What lies up to a pixel beyond the left or the upper border is drawn in the first column or row, a second time.</source>
+        <translation>超出左边或上边不到一个像素的东西，又画进了第一列或第一行。</translation>
+    </message>
+    <message>
+        <source>int x = (int)p.x in place of (int)floor(p.x)</source>
+        <translation>int x = (int)p.x，应为 (int)floor(p.x)</translation>
+    </message>
+    <message>
+        <source>Both are the same where coordinates are positive.</source>
+        <translation>坐标为正时两者相同。</translation>
+    </message>
+    <message>
+        <source>The inside test is missing</source>
+        <translation>缺少内部判断</translation>
+    </message>
+    <message>
+        <source>for (y in box) for (x in box) draw(x, y), without a look at E</source>
+        <translation>for (y in box) for (x in box) draw(x, y)，不看 E</translation>
+    </message>
+    <message>
+        <source>It was commented out while something else was searched for.</source>
+        <translation>查别的问题时把它注释掉了。</translation>
+    </message>
+    <message>
+        <source>Products in 16 bits</source>
+        <translation>乘积只有 16 位</translation>
+    </message>
+    <message>
+        <source>A triangle that lies wholly on a small screen has holes and strays with straight edges.</source>
+        <translation>完全位于小屏幕上的三角形出现边缘笔直的洞和多余的部分。</translation>
+    </message>
+    <message>
+        <source>int16_t E_AB = (x - A.x) * (B.y - A.y) - ...</source>
+        <translation>int16_t E_AB = (x - A.x) * (B.y - A.y) - ...</translation>
+    </message>
+    <message>
+        <source>320 x 240 fits 16 bits, so everything does.</source>
+        <translation>320 x 240 放得进 16 位，所以什么都放得进。</translation>
+    </message>
+    <message>
+        <source>Three weights, each rounded by itself</source>
+        <translation>三个权重各自取整</translation>
+    </message>
+    <message>
+        <source>Faces one close behind the other show through in specks: the sum of the weights is not 1, and depth is off by what is missing.</source>
+        <translation>前后靠得很近的面互相透出斑点：权重之和不是 1，深度就差了那么多。</translation>
+    </message>
+    <message>
+        <source>gamma = round(areaC / area, 8 bits) in place of 1 - alpha - beta</source>
+        <translation>gamma = round(areaC / area, 8 bits)，应为 1 - alpha - beta</translation>
+    </message>
+    <message>
+        <source>All three corners are treated alike.</source>
+        <translation>三个角一视同仁。</translation>
+    </message>
+    <message>
+        <source>v runs the other way</source>
+        <translation>v 的方向反了</translation>
+    </message>
+    <message>
+        <source>The texture stands on its head.</source>
+        <translation>纹理上下颠倒。</translation>
+    </message>
+    <message>
+        <source>row = (1 - v) * height</source>
+        <translation>row = (1 - v) * height</translation>
+    </message>
+    <message>
+        <source>Files begin with their upper row; here row 0 is the lower one already.</source>
+        <translation>文件从最上面一行开始；这里第 0 行已经是最下面一行。</translation>
+    </message>
+    <message>
+        <source>The place on the screen is used for u and v</source>
+        <translation>把屏幕位置当作 u 和 v</translation>
+    </message>
+    <message>
+        <source>The texture sticks to the screen: the body is a window behind which it stands still.</source>
+        <translation>纹理粘在屏幕上：物体像一扇窗，纹理在窗后一动不动。</translation>
+    </message>
+    <message>
+        <source>color = texture(x / width, y / height)</source>
+        <translation>color = texture(x / width, y / height)</translation>
+    </message>
+    <message>
+        <source>x and y are the names at hand in the loop.</source>
+        <translation>循环里手边的名字就是 x 和 y。</translation>
+    </message>
+    <message>
+        <source>Bilinear filter without the half texel</source>
+        <translation>双线性过滤没有减半个纹素</translation>
+    </message>
+    <message>
+        <source>The texture drifts by half a texel to the right and up; borders are thick on one side and thin on the other.</source>
+        <translation>纹理向右上漂移半个纹素；边框一侧厚，另一侧薄。</translation>
+    </message>
+    <message>
+        <source>i = floor(u * W); f = fract(u * W)</source>
+        <translation>i = floor(u * W); f = fract(u * W)</translation>
+    </message>
+    <message>
+        <source>Texel i lies at i, does it not? Its centre lies at i + 0.5.</source>
+        <translation>第 i 个纹素不就在 i 处吗？它的中心在 i + 0.5。</translation>
+    </message>
+    <message>
+        <source>One mip level for a whole face</source>
+        <translation>整个面用一个 mip 级别</translation>
+    </message>
+    <message>
+        <source>Sharpness jumps from face to face; in large faces the near part is blurred and the far part flickers.</source>
+        <translation>清晰度在面与面之间跳变；大面上近处模糊，远处闪烁。</translation>
+    </message>
+    <message>
+        <source>level = log2(sqrt(texelArea(face) / screenArea(face))), once a face</source>
+        <translation>level = log2(sqrt(texelArea(face) / screenArea(face)))，每个面一次</translation>
+    </message>
+    <message>
+        <source>Is the level not constant in a triangle?</source>
+        <translation>一个三角形里的级别难道不是常数吗？</translation>
+    </message>
+    <message>
+        <source>Derivatives of wrapped coordinates</source>
+        <translation>对取小数之后的坐标求导</translation>
+    </message>
+    <message>
+        <source>At every repeat of the texture runs a line of one colour: the smallest level.</source>
+        <translation>纹理每重复一次就有一条单色的线：最小的级别。</translation>
+    </message>
+    <message>
+        <source>u = fract(u); level = log2(length(ddx(u)) * W)</source>
+        <translation>u = fract(u); level = log2(length(ddx(u)) * W)</translation>
+    </message>
+    <message>
+        <source>Wrapping belongs to the look-up, and the level too.</source>
+        <translation>取小数属于查表，级别也是。</translation>
+    </message>
+    <message>
+        <source>Level from areas as if from lengths</source>
+        <translation>把面积当作长度求级别</translation>
+    </message>
+    <message>
+        <source>The texture is blurred far too near, twice as many levels as there should be.</source>
+        <translation>纹理很近就模糊了，级别是应有的两倍。</translation>
+    </message>
+    <message>
+        <source>level = log2(max(dot(dx, dx), dot(dy, dy))), without the 0.5</source>
+        <translation>level = log2(max(dot(dx, dx), dot(dy, dy)))，没有乘 0.5</translation>
+    </message>
+    <message>
+        <source>The squares are at hand, and the root is dear.</source>
+        <translation>平方就在手边，开方又贵。</translation>
+    </message>
+    <message>
+        <source>Negative coordinates are cut off towards 0</source>
+        <translation>负坐标朝 0 截断</translation>
+    </message>
+    <message>
+        <source>The texels left and right of 0 fall together: one is twice as wide, and all beyond it are moved.</source>
+        <translation>0 左右两边的纹素并成一个：它有两倍宽，其后的都错位了。</translation>
+    </message>
+    <message>
+        <source>i = (int)(u * W) mod W</source>
+        <translation>i = (int)(u * W) mod W</translation>
+    </message>
+    <message>
+        <source>(int) rounds down where u is positive.</source>
+        <translation>u 为正时 (int) 就是向下取整。</translation>
+    </message>
+    <message>
+        <source>Light is not clamped before it becomes a byte</source>
+        <translation>光在变成字节之前没有截断</translation>
+    </message>
+    <message>
+        <source>In the highlights colours begin again at black: rings of wrong colours.</source>
+        <translation>高光处颜色又从黑色开始：一圈圈错误的颜色。</translation>
+    </message>
+    <message>
+        <source>unsigned char c = 255 * color</source>
+        <translation>unsigned char c = 255 * color</translation>
+    </message>
+    <message>
+        <source>Nothing was brighter than white so far.</source>
+        <translation>到目前为止没有比白更亮的。</translation>
+    </message>
+    <message>
+        <source>Interpolated normals are not normalized</source>
+        <translation>插值得到的法线没有归一化</translation>
+    </message>
+    <message>
+        <source>Highlights sit at the corners of faces and fade between them.</source>
+        <translation>高光集中在面的角上，中间变暗。</translation>
+    </message>
+    <message>
+        <source>n = alpha * A.n + beta * B.n + gamma * C.n, and no normalize(n)</source>
+        <translation>n = alpha * A.n + beta * B.n + gamma * C.n，没有 normalize(n)</translation>
+    </message>
+    <message>
+        <source>The normals of the corners have length 1.</source>
+        <translation>角点的法线长度都是 1。</translation>
+    </message>
+    <message>
+        <source>The flattened ball is lit like an upright pillar: bright in front, black behind, and its top catches no light from above.</source>
+        <translation>压扁的球被照得像一根竖直的柱子：前面亮，后面黑，顶部接不到上方的光。</translation>
+    </message>
+    <message>
+        <source>All normals point away from the eye: the body lies in the dark, whichever way its sides look.</source>
+        <translation>所有法线都背离眼睛：物体一片黑暗，不管各面朝向哪里。</translation>
+    </message>
+    <message>
+        <source>Edges start at their corner, not at the first row</source>
+        <translation>边从角点开始，而不是从第一行开始</translation>
+    </message>
+    <message>
+        <source>Shapes are lopsided: each corner goes up or down by up to half a row, and flat edges tilt.</source>
+        <translation>形状歪斜：每个角点上下最多移动半行，平缓的边倾斜了。</translation>
+    </message>
+    <message>
+        <source>Every triangle is drawn as its box: slanted borders become corners, and the body is built of bricks.</source>
+        <translation>每个三角形都画成它的包围盒：斜边变成直角，物体像砖块砌成。</translation>
+    </message>
+    <message>
+        <source>Edges are moved by up to what they go in one row, flat ones by many columns: triangles are too thin or lopsided, neighbours leave cracks, and all wobbles when it moves.</source>
+        <translation>边最多偏移它在一行里走过的距离，平缓的边偏移许多列：三角形太瘦或歪斜，相邻面之间有裂缝，移动时晃动。</translation>
+    </message>
+    <message>
+        <source>MSAA: attributes at a centre that the face does not cover</source>
+        <translation>MSAA：属性取在面没有覆盖的像素中心</translation>
+    </message>
+    <message>
+        <source>Dots in a foreign colour along the edges: texels from beyond the face&apos;s part of the texture.</source>
+        <translation>沿着边缘出现异色的点：来自该面所用纹理部分之外的纹素。</translation>
+    </message>
+    <message>
+        <source>in vec2 uv; without centroid</source>
+        <translation>in vec2 uv; 没有写 centroid</translation>
+    </message>
+    <message>
+        <source>With one sample a pixel the centre of what is drawn is always covered.</source>
+        <translation>每个像素一个采样点时，凡是画出的像素，其中心总是被覆盖的。</translation>
+    </message>
+    <message>
+        <source>MSAA: derivatives of what is taken at centroids</source>
+        <translation>MSAA：对取在质心的属性求导数</translation>
+    </message>
+    <message>
+        <source>Along the edges of faces the texture is blurred or too sharp: the level of detail jumps.</source>
+        <translation>沿着面的边缘，纹理变模糊或过于锐利：细节层次在跳变。</translation>
+    </message>
+    <message>
+        <source>centroid in vec2 uv; .. dFdx(uv) as if all were a pixel apart</source>
+        <translation>centroid in vec2 uv; .. dFdx(uv) 当作彼此相距一个像素</translation>
+    </message>
+    <message>
+        <source>The difference to the neighbour is the derivative, is it not?</source>
+        <translation>与相邻像素之差不就是导数吗？</translation>
+    </message>
+    <message>
+        <source>MSAA: resolved while the frame is drawn</source>
+        <translation>MSAA：边画边解析</translation>
+    </message>
+    <message>
+        <source>The background shines through every edge that two faces share.</source>
+        <translation>背景从两个面共用的每条边透出来。</translation>
+    </message>
+    <message>
+        <source>resolve() in the loop over the faces, not after it</source>
+        <translation>resolve() 写在面的循环之内，而不是之后</translation>
+    </message>
+    <message>
+        <source>The picture has one colour a pixel, so a pixel is made as soon as there is one.</source>
+        <translation>图像每个像素一种颜色，于是一有颜色就合成像素。</translation>
+    </message>
+    <message>
+        <source>Ties of a line go by its direction</source>
+        <translation>线的平局取决于方向</translation>
+    </message>
+    <message>
+        <source>The line from B to A has other pixels than that from A to B: drawn both ways it is thick here and there.</source>
+        <translation>从 B 到 A 的线与从 A 到 B 的线像素不同：两个方向都画，线就时粗时细。</translation>
+    </message>
+    <message>
+        <source>if (error &gt; 0) y += step, from whichever end is named first</source>
+        <translation>if (error &gt; 0) y += step，从先给出的一端开始</translation>
+    </message>
+    <message>
+        <source>A line has two ends, and both are equal.</source>
+        <translation>一条线有两端，两端是平等的。</translation>
+    </message>
+    <message>
+        <source>z is clamped in place of clipped</source>
+        <translation>用钳制 z 代替裁剪</translation>
+    </message>
+    <message>
+        <source>What lies before the near plane is drawn, flat on it: whatever came first is in front there.</source>
+        <translation>近平面之前的东西被压平画在近平面上：那里谁先画谁在前。</translation>
+    </message>
+    <message>
+        <source>z = clamp(z / w, 0, 1)</source>
+        <translation>z = clamp(z / w, 0, 1)</translation>
+    </message>
+    <message>
+        <source>Depth must lie within 0 and 1, and then it does.</source>
+        <translation>深度必须在 0 和 1 之间，这样就在了。</translation>
+    </message>
+    <message>
+        <source>Depth is kept in 8 bits</source>
+        <translation>深度只存 8 位</translation>
+    </message>
+    <message>
+        <source>Surfaces that are close share one step of depth: what was drawn first stays in front.</source>
+        <translation>靠得近的曲面落在同一级深度上：先画的留在前面。</translation>
+    </message>
+    <message>
+        <source>uint8_t zbuffer[]; viewport(.., 0, 255)</source>
+        <translation>uint8_t zbuffer[]; viewport(.., 0, 255)</translation>
+    </message>
+    <message>
+        <source>Colours have 8 bits, and the depth map is a grey picture, too.</source>
+        <translation>颜色是 8 位的，深度图也是一张灰度图。</translation>
+    </message>
+    <message>
+        <source>Depth is truncated to its code, not rounded</source>
+        <translation>深度截断成编码，而不是舍入</translation>
+    </message>
+    <message>
+        <source>A second pass that asks for equal depth loses whole faces: one code too low is not equal.</source>
+        <translation>要求深度相等的第二遍会丢失整个面：低一个编码就不相等。</translation>
+    </message>
+    <message>
+        <source>code = (int)(z * 65535)</source>
+        <translation>code = (int)(z * 65535)</translation>
+    </message>
+    <message>
+        <source>A cast is the shortest way to an integer.</source>
+        <translation>强制转换是得到整数最短的写法。</translation>
+    </message>
+    <message>
+        <source>Depth bias without the slope of the face</source>
+        <translation>深度偏移不乘面的坡度</translation>
+    </message>
+    <message>
+        <source>Lines over a surface are whole where it faces the eye, and dashed where it is steep.</source>
+        <translation>曲面正对眼睛处，上面的线是完整的；陡峭处变成虚线。</translation>
+    </message>
+    <message>
+        <source>offset = (factor + units) * r</source>
+        <translation>offset = (factor + units) * r</translation>
+    </message>
+    <message>
+        <source>glPolygonOffset takes two numbers, and both are offsets, are they not?</source>
+        <translation>glPolygonOffset 有两个数，两个都是偏移量，不是吗？</translation>
+    </message>
+    <message>
+        <source>Two threads test depth, then both write</source>
+        <translation>两个线程先都测试深度，再都写入</translation>
+    </message>
+    <message>
+        <source>Where two faces that are drawn at the same time overlap, the second one wins, nearer or not. Here faces 2k and 2k + 1 run in lockstep; real threads do it at random.</source>
+        <translation>同时画的两个面重叠处，无论远近都是第二个胜出。这里第 2k 和 2k + 1 个面步调一致地运行；真正的线程则是随机的。</translation>
+    </message>
+    <message>
+        <source>read A, read B, write A, write B</source>
+        <translation>读 A，读 B，写 A，写 B</translation>
+    </message>
+    <message>
+        <source>One line of code looks like one step.</source>
+        <translation>一行代码看起来就是一步。</translation>
+    </message>
 </context>
 <context>
     <name>Moment</name>
@@ -5567,10 +6759,6 @@
         <translation>带透明度的纹理在不透明度不到一半处，面上就有孔：那里什么都不画，也不写入深度。没有透明度的纹理没有孔。</translation>
     </message>
     <message>
-        <source>Super-sampling: every sample keeps its own colour and depth, and the box filter averages them. This is not MSAA, which also tests coverage and depth at every sample, but shades a face only once a pixel.</source>
-        <translation>超采样：每个采样点保存自己的颜色和深度，再用盒式滤波求平均。这不是 MSAA：MSAA 也在每个采样点测试覆盖和深度，但一个面在每个像素里只着色一次。</translation>
-    </message>
-    <message>
         <source>Perspective</source>
         <translation>透视</translation>
     </message>
@@ -5585,6 +6773,122 @@
     <message>
         <source>Orthographic: w is 1 everywhere, distant things are as large as near ones, and what lies at the camera&apos;s target keeps its size. A scene in clip space is projected already.</source>
         <translation>正交：w 处处为 1，远处的物体与近处的一样大，位于相机目标处的物体大小不变。裁剪空间中的场景已经投影过了。</translation>
+    </message>
+    <message>
+        <source>Mip level</source>
+        <translation>Mip 级别</translation>
+    </message>
+    <message>
+        <source>The pixel&apos;s centre</source>
+        <translation>像素中心</translation>
+    </message>
+    <message>
+        <source>A covered place (centroid)</source>
+        <translation>被覆盖的位置（质心）</translation>
+    </message>
+    <message>
+        <source>Every sample</source>
+        <translation>每个采样点</translation>
+    </message>
+    <message>
+        <source>Display values</source>
+        <translation>显示值</translation>
+    </message>
+    <message>
+        <source>Linear light</source>
+        <translation>线性光</translation>
+    </message>
+    <message>
+        <source>Grids are super-sampling: every sample is shaded. MSAA also tests coverage and depth at every sample, at the positions of Direct3D and Vulkan, but shades a face only once a pixel. The mean of the samples is the pixel&apos;s colour.</source>
+        <translation>网格是超采样：每个采样点都着色。MSAA 也在每个采样点测试覆盖和深度，位置与 Direct3D 和 Vulkan 相同，但一个面在每个像素里只着色一次。像素的颜色是采样点的平均值。</translation>
+    </message>
+    <message>
+        <source>Attributes taken at</source>
+        <translation>属性取在</translation>
+    </message>
+    <message>
+        <source>MSAA: where attributes are evaluated. A face may cover samples but not the centre, and then the centre&apos;s values lie outside of it; at every sample each is shaded.</source>
+        <translation>MSAA：在何处计算属性。一个面可能覆盖了采样点却没有覆盖像素中心，这时中心处的值落在面之外；选每个采样点时，每个采样点都着色。</translation>
+    </message>
+    <message>
+        <source>Mean of the samples</source>
+        <translation>采样点的平均</translation>
+    </message>
+    <message>
+        <source>Samples are averaged as the numbers the display is sent (gamma), or as amounts of light.</source>
+        <translation>按送往显示器的数值（gamma）求平均，或按光的量求平均。</translation>
+    </message>
+    <message>
+        <source>Depth range</source>
+        <translation>深度范围</translation>
+    </message>
+    <message>
+        <source>The depths that the near and the far plane are mapped to, 0,1 unless asked otherwise. Far may be the smaller one.</source>
+        <translation>近平面和远平面映射到的深度，默认 0,1。远的可以更小。</translation>
+    </message>
+    <message>
+        <source>Depth bias</source>
+        <translation>深度偏移</translation>
+    </message>
+    <message>
+        <source>Added to the depths of a face: c units of the depth format and s times its slope a pixel; the sum is no more than m where m &gt; 0, no less where m &lt; 0. In a scene of two passes it moves the second.</source>
+        <translation>加到面的深度上：c 个深度格式的单位，加 s 倍每像素的坡度；m &gt; 0 时总和不大于 m，m &lt; 0 时不小于 m。两遍的场景里只移动第二遍。</translation>
+    </message>
+    <message>
+        <source>Both ends</source>
+        <translation>含两端</translation>
+    </message>
+    <message>
+        <source>Without the last</source>
+        <translation>不含末端</translation>
+    </message>
+    <message>
+        <source>Diamond exit</source>
+        <translation>离开菱形</translation>
+    </message>
+    <message>
+        <source>By the direction</source>
+        <translation>按方向</translation>
+    </message>
+    <message>
+        <source>One for both directions</source>
+        <translation>两个方向相同</translation>
+    </message>
+    <message>
+        <source>Sides only, depth clamped</source>
+        <translation>只裁侧面，钳制深度</translation>
+    </message>
+    <message>
+        <source>Equal</source>
+        <translation>等于</translation>
+    </message>
+    <message>
+        <source>Greater or equal</source>
+        <translation>大于或等于</translation>
+    </message>
+    <message>
+        <source>Not equal</source>
+        <translation>不等于</translation>
+    </message>
+    <message>
+        <source>8 bit</source>
+        <translation>8 位</translation>
+    </message>
+    <message>
+        <source>Line rule</source>
+        <translation>线的规则</translation>
+    </message>
+    <message>
+        <source>Which pixels belong to a line: from the pixel of its start to that of its end, the same without the last one, or those whose diamond it leaves.</source>
+        <translation>哪些像素属于一条线：从起点的像素到终点的像素；同样但不含最后一个；或者线离开其菱形的那些像素。</translation>
+    </message>
+    <message>
+        <source>Line ties</source>
+        <translation>线的平局</translation>
+    </message>
+    <message>
+        <source>Where a line passes half-way between two pixels: the choice depends on which end is drawn first, or is one for both directions.</source>
+        <translation>线从两个像素正中间穿过时：选择取决于先画哪一端，或者两个方向选择相同。</translation>
     </message>
 </context>
 <context>
@@ -5860,6 +7164,14 @@
         <source>mean of the samples</source>
         <translation>采样点的平均</translation>
     </message>
+    <message>
+        <source>in 16 bits: %1</source>
+        <translation>16 位下：%1</translation>
+    </message>
+    <message>
+        <source>sample %1</source>
+        <translation>采样点 %1</translation>
+    </message>
 </context>
 <context>
     <name>StepSentence</name>
@@ -5942,6 +7254,10 @@
     <message>
         <source>%1: face %2, at depth %3 against %4, fails the depth test.</source>
         <translation>%1：面 %2 的深度 %3，与 %4 相比，没有通过深度测试。</translation>
+    </message>
+    <message>
+        <source>Pixel (%1, %2), sample %3,</source>
+        <translation>像素 (%1, %2) 的采样点 %3</translation>
     </message>
 </context>
 <context>
@@ -6353,8 +7669,56 @@
         <translation>分块算法不能绘制这些设置</translation>
     </message>
     <message>
-        <source>this algorithm is not built in</source>
-        <translation>这个程序里没有这种算法</translation>
+        <source>algorithm tiled computes no mip level by itself: it does not draw shading mip-level</source>
+        <translation>tiled 算法不单独计算 mip 级别：它不画 mip-level 着色</translation>
+    </message>
+    <message>
+        <source>samples msaa2 to msaa16 need fill solid: lines and points go from sample to sample of a grid, and a pattern has none</source>
+        <translation>samples msaa2 到 msaa16 需要 fill solid：线和点是在网格的采样点之间走的，而采样图案没有网格</translation>
+    </message>
+    <message>
+        <source>samples msaa2 to msaa16 need an algorithm that goes by centres; column-fill goes by the grid points of the corners</source>
+        <translation>samples msaa2 到 msaa16 需要按中心判断的算法；column-fill 按顶点所在的网格点来画</translation>
+    </message>
+    <message>
+        <source>samples msaa2 to msaa16 need attribute-path planes: a pixel is shaded once, and no span leads there</source>
+        <translation>samples msaa2 到 msaa16 需要 attribute-path planes：一个像素只着色一次，没有扫描段通到那里</translation>
+    </message>
+    <message>
+        <source>samples msaa2 to msaa16 do not go with a mistake about where samples are stored</source>
+        <translation>samples msaa2 到 msaa16 不能与采样点存放位置方面的错误同时使用</translation>
+    </message>
+    <message>
+        <source>algorithm tiled keeps the counts of one sample a pixel only</source>
+        <translation>分块算法只保留每个像素一个采样点时的计数</translation>
+    </message>
+    <message>
+        <source>algorithm tiled draws grids of samples, not yet the patterns of multi-sampling: samples 1, 2x2, 3x3 or 4x4 needed</source>
+        <translation>分块算法能画网格采样，还不能画多重采样的采样图案：需要每像素 1、2 x 2、3 x 3 或 4 x 4 个采样点</translation>
+    </message>
+    <message>
+        <source>algorithm tiled with several samples a pixel needs resolve gamma</source>
+        <translation>分块算法在每个像素有多个采样点时，只能按显示值求平均</translation>
+    </message>
+    <message>
+        <source>algorithm tiled does not clamp depths in place of clipping; edge-equation and edge-walking do</source>
+        <translation>算法 tiled 不能用钳制深度代替裁剪；edge-equation 和 edge-walking 可以</translation>
+    </message>
+    <message>
+        <source>algorithm tiled needs a depth-test of an order: less, lequal, gequal, greater, always or none</source>
+        <translation>算法 tiled 需要比较大小的 depth-test：less、lequal、gequal、greater、always 或 none</translation>
+    </message>
+    <message>
+        <source>algorithm tiled draws one pass, and this scene has two; edge-equation and edge-walking draw both</source>
+        <translation>算法 tiled 只画一遍，而这个场景有两遍；edge-equation 和 edge-walking 两遍都画</translation>
+    </message>
+    <message>
+        <source>algorithm tiled has no depth-bias; edge-equation and edge-walking have</source>
+        <translation>算法 tiled 没有 depth-bias；edge-equation 和 edge-walking 有</translation>
+    </message>
+    <message>
+        <source>algorithm tiled needs depth-range 0,1</source>
+        <translation>算法 tiled 需要 depth-range 0,1</translation>
     </message>
 </context>
 <context>
@@ -8285,6 +9649,18 @@
         <source>Without %1</source>
         <translation>没有 %1 时</translation>
     </message>
+    <message>
+        <source>texel %1 of %2 x %3; right %4, down %5; mip level %6</source>
+        <translation>纹素 %1，共 %2 x %3；向右 %4，向下 %5；mip 级别 %6</translation>
+    </message>
+    <message>
+        <source>covers none of %1 samples</source>
+        <translation>%1 个采样点一个也没有覆盖</translation>
+    </message>
+    <message>
+        <source>covers %1 of %2 samples: %3</source>
+        <translation>覆盖 %2 个采样点中的 %1 个：%3</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::PlaneFields</name>
@@ -9517,6 +10893,13 @@
         <source>Drag the bright side of the ball. With Shift the light comes from behind it.</source>
         <translation>拖动球的亮面。按住 Shift 时，光从球的后面照来。</translation>
     </message>
+    <message>
+        <source>Put back what the scene asks for</source>
+        <translation>恢复场景要求的值</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::NumbersRow</name>
     <message>
         <source>Put back what the scene asks for</source>
         <translation>恢复场景要求的值</translation>

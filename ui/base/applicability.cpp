@@ -22,14 +22,23 @@ QString plainTitle(const SettingsField& field, int value)
                       : QCoreApplication::translate("Applicability", "off");
 }
 
+std::optional<QString> inWords(const std::optional<Reason>& why)
+{
+    return why ? std::optional(
+                     textOf(*why, [](const char* text) { return QCoreApplication::translate("Applicability", text); }))
+               : std::nullopt;
+}
+
 } // namespace
 
 std::optional<QString> withoutEffectText(const SettingsField& field, const Settings& settings)
 {
-    const std::optional<Reason> why = whyWithoutEffect(field, settings);
-    return why ? std::optional(
-                     textOf(*why, [](const char* text) { return QCoreApplication::translate("Applicability", text); }))
-               : std::nullopt;
+    return inWords(whyWithoutEffect(field, settings));
+}
+
+std::optional<QString> withoutEffectText(const NumbersField& field, const Settings& settings)
+{
+    return inWords(whyWithoutEffect(field, settings));
 }
 
 QString whyUnsupported(const Reason& reason)

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/base/reason.h"
+#include "core/settings/numbers_field.h"
 #include "core/settings/settings.h"
 
 #include <QString>
@@ -11,6 +12,7 @@ namespace rasterlens
 
 /// What whyWithoutEffect() says, in the language in use.
 [[nodiscard]] std::optional<QString> withoutEffectText(const SettingsField& field, const Settings& settings);
+[[nodiscard]] std::optional<QString> withoutEffectText(const NumbersField& field, const Settings& settings);
 
 /// What unsupported() says, in the language in use.
 [[nodiscard]] QString whyUnsupported(const Reason& reason);

@@ -127,6 +127,7 @@ QStringList pixelNumbers(const RenderedFrame& frame, QPoint pixel, NumberRoom ro
     case Shading::Flat:
     case Shading::RandomFlat:
     case Shading::Texture:
+    case Shading::MipLevel:
     case Shading::Phong: lines = {known.channels(room), known.depth(), known.face()}; break;
     case Shading::Normals: lines = {known.normal(), known.depth(), known.face()}; break;
     case Shading::Uv: lines = {known.uv(), known.depth(), known.face()}; break;

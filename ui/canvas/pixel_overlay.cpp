@@ -1,5 +1,6 @@
 #include "ui/canvas/pixel_overlay.h"
 
+#include "core/settings/sample_pattern.h"
 #include "ui/base/theme.h"
 #include "ui/canvas/pixel_numbers.h"
 
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace rasterlens
 {
@@ -22,25 +24,40 @@ namespace
 /// Small cells would drown in strong lines.
 QColor gridColor(double zoom) { return {120, 128, 140, zoom >= kSampleDotsFromZoom ? 150 : 100}; }
 
+/// Where the samples of a pixel lie, from its upper left corner, in pixels.
+std::vector<QPointF> samplePlaces(Samples samples)
+{
+    std::vector<QPointF> places;
+    if (const int count = patternSamples(samples); count > 1) {
+        for (const SampleOffset& offset : samplePattern(count))
+            places.emplace_back((8 + offset.x) / 16.0, (8 + offset.y) / 16.0);
+        return places;
+    }
+    const int grid = sampleGrid(samples);
+    for (int j = 0; j < grid; ++j)
+        for (int i = 0; i < grid; ++i)
+            places.emplace_back((i + 0.5) / grid, (j + 0.5) / grid);
+    return places;
+}
+
 /// The sample positions of the pixel whose upper left corner is `corner`.
-void paintSampleDots(QPainter& painter, QPointF corner, double zoom, int samples, bool thick)
+void paintSampleDots(QPainter& painter, QPointF corner, double zoom, Samples samples, bool thick)
 {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
-    const double spacing = zoom / samples;
+    const double spacing = zoom / std::sqrt(samplesPerPixel(samples));
     const double radius = std::clamp(spacing / 16 * (thick ? 1.5 : 1), 1.0, 4.0);
-    for (int j = 0; j < samples; ++j)
-        for (int i = 0; i < samples; ++i) {
-            const QPointF at = corner + QPointF((i + 0.5) * spacing, (j + 0.5) * spacing);
-            painter.setBrush(QColor(255, 255, 255, 190));
-            painter.drawEllipse(at, radius + 1, radius + 1);
-            painter.setBrush(QColor(20, 24, 30));
-            painter.drawEllipse(at, radius, radius);
-        }
+    for (const QPointF& place : samplePlaces(samples)) {
+        const QPointF at = corner + place * zoom;
+        painter.setBrush(QColor(255, 255, 255, 190));
+        painter.drawEllipse(at, radius + 1, radius + 1);
+        painter.setBrush(QColor(20, 24, 30));
+        painter.drawEllipse(at, radius, radius);
+    }
 }
 
 /// One pixel's grid lines and sample positions; the overlay of the whole image is this tile, repeated.
-QPixmap cellTile(int zoom, int samples, const OverlayOptions& options)
+QPixmap cellTile(int zoom, Samples samples, const OverlayOptions& options)
 {
     QPixmap tile(zoom, zoom);
     tile.fill(Qt::transparent);
@@ -56,11 +73,11 @@ QPixmap cellTile(int zoom, int samples, const OverlayOptions& options)
     return tile;
 }
 
-QPixmap cachedCellTile(int zoom, int samples, const OverlayOptions& options)
+QPixmap cachedCellTile(int zoom, Samples samples, const OverlayOptions& options)
 {
     const QString key = QStringLiteral("rasterlens-cell-%1-%2-%3%4%5")
                             .arg(zoom)
-                            .arg(samples)
+                            .arg(static_cast<int>(samples))
                             .arg(options.grid)
                             .arg(options.sampleDots)
                             .arg(options.thickLines);
@@ -107,7 +124,7 @@ void paintImage(QPainter& painter, const QRect& pixels, const CanvasTransform& t
 }
 
 /// As the tiles of cellTile(), one of which each pixel gets on the screen.
-void paintDrawnCells(QPainter& painter, const QRect& pixels, const CanvasTransform& transform, int samples,
+void paintDrawnCells(QPainter& painter, const QRect& pixels, const CanvasTransform& transform, Samples samples,
                      const OverlayOptions& options)
 {
     const QRectF target = transform.toCanvas(QRectF(pixels));
@@ -129,7 +146,7 @@ void paintDrawnCells(QPainter& painter, const QRect& pixels, const CanvasTransfo
                             options.thickLines);
 }
 
-void paintCells(QPainter& painter, const QRect& pixels, const CanvasTransform& transform, int samples,
+void paintCells(QPainter& painter, const QRect& pixels, const CanvasTransform& transform, Samples samples,
                 const OverlayOptions& options)
 {
     if (isDrawing(painter)) {
@@ -178,7 +195,7 @@ void paintPicture(QPainter& painter, const QRect& canvas, const CanvasTransform&
         return;
     paintImage(painter, pixels, transform, frame.frame.image);
     if (transform.zoom >= kGridFromZoom)
-        paintCells(painter, pixels, transform, sampleGrid(frame.settings.samples), options);
+        paintCells(painter, pixels, transform, frame.settings.samples, options);
     const bool numbersHidden =
         std::ranges::any_of(options.layers, [](const CanvasLayer* layer) { return layer->hidesNumbers(); });
     if (options.numbers && transform.zoom >= kNumbersFromZoom && !numbersHidden)

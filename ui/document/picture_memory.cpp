@@ -10,8 +10,7 @@ namespace rasterlens
 
 std::int64_t samplesOf(const Settings& settings)
 {
-    const std::int64_t grid = sampleGrid(settings.samples);
-    return std::int64_t(settings.size.width()) * settings.size.height() * grid * grid;
+    return std::int64_t(settings.size.width()) * settings.size.height() * samplesPerPixel(settings.samples);
 }
 
 std::int64_t pictureBytes(const Settings& settings)

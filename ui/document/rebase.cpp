@@ -1,6 +1,7 @@
 #include "ui/document/rebase.h"
 
 #include "core/io/session.h"
+#include "core/settings/numbers_field.h"
 
 #include <utility>
 
@@ -37,6 +38,9 @@ Settings Rebase::settings(const Settings& edited) const
     Settings result = edited;
     for (const SettingsField& field : settingsFields())
         if (field.get(edited) == field.get(before))
+            field.set(result, field.get(now));
+    for (const NumbersField& field : numbersFields())
+        if (isEqual(field, edited, before))
             field.set(result, field.get(now));
     if (edited.size == before.size)
         result.size = now.size;

@@ -46,8 +46,7 @@ double boxSamples(const Scene& scene, const Settings& settings, std::uint32_t fa
         low = glm::min(low, glm::clamp(corner.screen, glm::dvec2(0, 0), size));
         high = glm::max(high, glm::clamp(corner.screen, glm::dvec2(0, 0), size));
     }
-    const double grid = sampleGrid(settings.samples);
-    return std::max(0.0, high.x - low.x) * std::max(0.0, high.y - low.y) * grid * grid;
+    return std::max(0.0, high.x - low.x) * std::max(0.0, high.y - low.y) * samplesPerPixel(settings.samples);
 }
 
 struct PanelRow {

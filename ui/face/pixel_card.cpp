@@ -53,7 +53,10 @@ QString sideText(EdgeSide side)
     return PixelCard::tr("neither left nor top");
 }
 
-QString printedDepthSign(const WhyReport& report) { return printedSigns(QLatin1String(depthSign(report.rules))); }
+QString printedDepthSign(const WhyReport& report, const WhyFace& face)
+{
+    return printedSigns(QLatin1String(depthSign(report.rules, face.face)));
+}
 
 QString planesWords(std::uint32_t planes) { return planes == 0 ? PixelCard::tr("no plane") : planeSigns(planes); }
 
@@ -70,10 +73,10 @@ QString verdictWords(const WhyReport& report, const WhyFace& face)
                                                   .arg(shortNumber(face.facing->screenArea / 2));
     case WhyVerdict::ClippedAway: return PixelCard::tr("clipped away by %1").arg(planesWords(face.planes));
     case WhyVerdict::OutsideEdge: {
-        if (!report.rules.coversByCentres())
-            return report.rules.fill == Fill::Points  ? PixelCard::tr("no corner of it is drawn here")
-                   : report.rules.fill == Fill::Solid ? PixelCard::tr("no column of it is filled here")
-                                                      : PixelCard::tr("no line of it is drawn here");
+        if (const Rules pass = passRules(report.rules, face.face); !pass.coversByCentres())
+            return pass.fill == Fill::Points  ? PixelCard::tr("no corner of it is drawn here")
+                   : pass.fill == Fill::Solid ? PixelCard::tr("no column of it is filled here")
+                                              : PixelCard::tr("no line of it is drawn here");
         if (face.edge < 0)
             return PixelCard::tr("outside of what clipping left");
         const WhyEdge& edge = face.edges[static_cast<std::size_t>(face.edge)];
@@ -90,7 +93,7 @@ QString verdictWords(const WhyReport& report, const WhyFace& face)
         return PixelCard::tr("cut out by the alpha test: the texture is opaque by %1").arg(face.opacity, 0, 'g', 3);
     case WhyVerdict::FailedDepth:
         return face.fragment ? PixelCard::tr("failed depth: not %1 %2 %3")
-                                   .arg(depthNumber(face.fragment->depth), printedDepthSign(report),
+                                   .arg(depthNumber(face.fragment->depth), printedDepthSign(report, face),
                                         depthNumber(face.fragment->storedDepth))
                              : PixelCard::tr("covered, but not drawn by this algorithm");
     case WhyVerdict::Written:
@@ -114,6 +117,21 @@ QString rgbText(std::uint32_t color)
     return QStringLiteral("(%1,\u00a0%2,\u00a0%3)").arg(c.red()).arg(c.green()).arg(c.blue());
 }
 
+/// `texel (12.3, 40.1) of 64 x 64; right (0.5, 0), down (0, 2); level 1`
+QString texelLine(const TexelFootprint& texels)
+{
+    const auto pair = [](const glm::dvec2& v) {
+        return QStringLiteral("(%1, %2)")
+            .arg(shortNumber(v.x), shortNumber(v.y))
+            .replace(QLatin1Char('-'), QChar(0x2212));
+    };
+    return PixelCard::tr("texel %1 of %2 x %3; right %4, down %5; mip level %6")
+        .arg(pair(texels.place))
+        .arg(texels.size.width())
+        .arg(texels.size.height())
+        .arg(pair(texels.right), pair(texels.down), shortNumber(texels.level));
+}
+
 void addFragmentLines(const WhyReport& report, const WhyFace& face, QStringList& lines)
 {
     const FragmentStep& fragment = *face.fragment;
@@ -126,7 +144,9 @@ void addFragmentLines(const WhyReport& report, const WhyFace& face, QStringList&
     lines << weights(fragment.screen);
     if (fragment.shaded && fragment.weights != fragment.screen)
         lines << PixelCard::tr("perspective %1").arg(weights(fragment.weights));
-    const QString sign = printedDepthSign(report);
+    const QString sign = printedDepthSign(report, face);
+    if (face.texels)
+        lines << texelLine(*face.texels);
     if (!sign.isEmpty() && face.verdict == WhyVerdict::Written)
         lines << PixelCard::tr("z %1 %2 %3, passed")
                      .arg(depthNumber(fragment.depth), sign, depthNumber(fragment.storedDepth));
@@ -195,6 +215,20 @@ QLabel* wrapped(const QString& text, const char* look = "")
     return label;
 }
 
+/// Which samples of the pixel a face covers.
+QString maskLine(const WhyReport& report, const WhyFace& face)
+{
+    QStringList numbers;
+    for (int sample = 0; sample < report.rules.patternSamples; ++sample)
+        if ((face.coveredSamples >> sample & 1U) != 0)
+            numbers << QString::number(sample + 1);
+    return numbers.isEmpty() ? PixelCard::tr("covers none of %1 samples").arg(report.rules.patternSamples)
+                             : PixelCard::tr("covers %1 of %2 samples: %3")
+                                   .arg(numbers.size())
+                                   .arg(report.rules.patternSamples)
+                                   .arg(numbers.join(QStringLiteral(", ")));
+}
+
 } // namespace
 
 WhyWords whyWords(const WhyReport& report, const WhyFace& face)
@@ -209,6 +243,8 @@ WhyWords whyWords(const WhyReport& report, const WhyFace& face)
                                                     signedText(shortNumber(face.facing->value)));
     if (face.hasEdges)
         words.details << edgesLine(face);
+    if (face.hasEdges && report.rules.multiSampled())
+        words.details << maskLine(report, face);
     if (face.hasEdges && face.verdict >= WhyVerdict::FailedDepth)
         for (const WhyEdge& edge : face.edges)
             if (edge.value == 0)

@@ -1,5 +1,6 @@
 #include "ui/face/sample_rows.h"
 
+#include "core/settings/sample_pattern.h"
 #include "ui/base/step_words.h"
 #include "ui/base/text_on.h"
 
@@ -11,6 +12,7 @@
 #include <QVBoxLayout>
 #include <QWidget>
 
+#include <algorithm>
 #include <cmath>
 
 namespace rasterlens
@@ -26,14 +28,18 @@ class SampleGrid : public QWidget
 public:
     explicit SampleGrid(const ResolvedPixel& pixel) : m_pixel(pixel), m_grid(int(std::lround(std::sqrt(pixel.count))))
     {
-        constexpr int kSide = 60;
-        setFixedSize(kSide + 1, kSide + 1);
+        const int side = pixel.isPattern ? 96 : 60;
+        setFixedSize(side + 1, side + 1);
     }
 
 protected:
     void paintEvent(QPaintEvent*) override
     {
         QPainter painter(this);
+        if (m_pixel.isPattern) {
+            paintPattern(painter);
+            return;
+        }
         const double cell = double(width() - 1) / m_grid;
         for (int i = 0; i < m_pixel.count; ++i) {
             const QRectF part(i % m_grid * cell, i / m_grid * cell, cell, cell);
@@ -51,6 +57,37 @@ protected:
     }
 
 private:
+    /// The samples where they lie, on discs.
+    void paintPattern(QPainter& painter) const
+    {
+        const double side = width() - 1;
+        const double radius = m_pixel.count > 8 ? side * 0.075 : side * 0.09;
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(palette().color(QPalette::Mid));
+        painter.drawRect(QRectF(0.5, 0.5, side, side));
+        QFont small = font();
+        small.setPixelSize(int(radius * 1.4));
+        painter.setFont(small);
+        for (int i = 0; i < m_pixel.count; ++i) {
+            const SampleOffset offset = samplePattern(m_pixel.count)[std::size_t(i)];
+            // a sample on the border is drawn within it
+            const auto held = [&](int sixteenths) {
+                return std::clamp((8 + sixteenths) / 16.0 * side, radius + 1, side - radius - 1);
+            };
+            const QPointF at(held(offset.x), held(offset.y));
+            const QColor stored{QRgb(m_pixel.samples[std::size_t(i)].color)};
+            painter.setPen(stored.lightness() > 128 ? Qt::black : Qt::white);
+            painter.setBrush(stored);
+            painter.drawEllipse(at, radius, radius);
+            const QRectF box(at - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius));
+            painter.drawText(box, Qt::AlignCenter, QString::number(i + 1));
+            if (m_pixel.counted(i) == m_pixel.samples[std::size_t(i)].color)
+                continue;
+            painter.drawLine(box.topLeft(), box.bottomRight());
+            painter.drawLine(box.topRight(), box.bottomLeft());
+        }
+    }
+
     ResolvedPixel m_pixel;
     int m_grid;
 };

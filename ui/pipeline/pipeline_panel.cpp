@@ -10,6 +10,7 @@
 #include "ui/pipeline/light_fields.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/number_dial.h"
+#include "ui/pipeline/numbers_row.h"
 #include "ui/pipeline/plane_fields.h"
 #include "ui/pipeline/scene_words.h"
 #include "ui/pipeline/stage_strip.h"
@@ -115,6 +116,9 @@ QWidget* PipelinePanel::buildSwitches()
         for (const SettingsField& field : settingsFields())
             if (field.stage == stage)
                 group->addWidget(addRow(field));
+        for (const NumbersField& field : numbersFields())
+            if (field.stage == stage)
+                group->addWidget(addRow(field));
         if (stage == Stage::Shade)
             addLight(group);
     }
@@ -144,6 +148,15 @@ FieldRow* PipelinePanel::addRow(const SettingsField& field)
         });
     });
     m_rows.push_back(row);
+    return row;
+}
+
+NumbersRow* PipelinePanel::addRow(const NumbersField& field)
+{
+    auto* row = new NumbersRow(field, m_document);
+    connect(row, &NumbersRow::invalidInput, this, &PipelinePanel::invalidInput);
+    connect(row, &NumbersRow::inputMended, this, &PipelinePanel::inputMended);
+    m_numbers.push_back(row);
     return row;
 }
 
@@ -301,6 +314,9 @@ QWidget* PipelinePanel::editor(const QString& fieldId) const
     for (FieldRow* row : m_rows)
         if (fieldId == QLatin1String(row->field().id))
             return row->editor();
+    for (NumbersRow* row : m_numbers)
+        if (fieldId == QLatin1String(row->numbers().id))
+            return &row->edit();
     return nullptr;
 }
 
@@ -322,6 +338,8 @@ int PipelinePanel::changedCount() const
                   (now.mistakes != defaults.mistakes);
     for (const SettingsField& field : settingsFields())
         changed += field.get(now) != field.get(defaults);
+    for (const NumbersField& field : numbersFields())
+        changed += !isEqual(field, now, defaults);
     return changed;
 }
 
@@ -369,6 +387,8 @@ void PipelinePanel::syncSettings()
     showNote();
     for (FieldRow* row : m_rows)
         row->sync(settings, defaults, refused);
+    for (NumbersRow* row : m_numbers)
+        row->sync();
     m_notes->refresh();
     m_planes->sync();
     m_light->sync();
@@ -399,6 +419,8 @@ void PipelinePanel::retranslate()
         heading->setText(stageTitle(stage));
     }
     for (FieldRow* row : m_rows)
+        row->retranslate();
+    for (NumbersRow* row : m_numbers)
         row->retranslate();
     m_planes->retranslate();
     m_light->retranslate();

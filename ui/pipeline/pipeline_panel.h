@@ -25,6 +25,8 @@ class FieldRow;
 class LightFields;
 class MistakesSection;
 class NumberDial;
+class NumbersRow;
+struct NumbersField;
 class PlaneFields;
 class UnchangedNotes;
 
@@ -78,6 +80,7 @@ private:
     QWidget* buildSwitches();
     QVBoxLayout* addGroup(Stage stage);
     FieldRow* addRow(const SettingsField& field);
+    NumbersRow* addRow(const NumbersField& field);
     void addScene(QVBoxLayout* group);
     void addSize(QVBoxLayout* group);
     void addNumberDial(QVBoxLayout* group);
@@ -105,6 +108,7 @@ private:
     QWidget* m_sizeDot = nullptr;
     std::map<Stage, QLabel*> m_groupHeadings;
     std::vector<FieldRow*> m_rows;
+    std::vector<NumbersRow*> m_numbers;
     NumberDial* m_dial = nullptr;
     PlaneFields* m_planes = nullptr;
     LightFields* m_light = nullptr;

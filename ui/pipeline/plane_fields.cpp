@@ -6,9 +6,6 @@
 #include "core/settings/view_planes.h"
 
 #include <QCoreApplication>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QLineEdit>
 #include <QVBoxLayout>
 
 namespace rasterlens
@@ -25,32 +22,17 @@ PlaneFields::PlaneFields(Document& document, QWidget* parent) : QWidget(parent),
 
 void PlaneFields::addRow(std::size_t which)
 {
-    auto* line = new QHBoxLayout;
-    line->setSpacing(4);
-    Row& row = m_rows[which];
-    row.dot = new ChangeDot;
-    row.name = new QLabel;
-    row.name->setObjectName(QStringLiteral("muted"));
-    row.name->setWordWrap(true);
-    row.edit = new QLineEdit;
-    row.edit->setObjectName(which == kNear ? QStringLiteral("nearPlane") : QStringLiteral("farPlane"));
-    row.edit->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    row.field = new TypedField(row.edit, [this, which](const QString& text, TypedField::Attempt attempt) {
-        return read(which, text, attempt);
-    });
-    connect(row.field, &TypedField::refused, this, &PlaneFields::invalidInput);
-    connect(row.field, &TypedField::mended, this, &PlaneFields::inputMended);
-    connect(row.dot, &ChangeDot::clicked, this, [this, which] {
+    auto* row = new TypedRow(
+        which == kNear ? QStringLiteral("nearPlane") : QStringLiteral("farPlane"),
+        [this, which](const QString& text, TypedField::Attempt attempt) { return read(which, text, attempt); });
+    connect(row, &TypedRow::invalidInput, this, &PlaneFields::invalidInput);
+    connect(row, &TypedRow::inputMended, this, &PlaneFields::inputMended);
+    connect(row, &TypedRow::resetRequested, this, [this, which] {
         View asked = m_document.defaults().view;
         set(which, distance(asked, which));
     });
-    auto* room = new QLabel;
-    room->setMinimumWidth(14);
-    line->addWidget(row.dot);
-    line->addWidget(row.name, 9);
-    line->addWidget(row.edit, 13);
-    line->addWidget(room);
-    static_cast<QVBoxLayout*>(layout())->addLayout(line);
+    m_rows[which] = row;
+    layout()->addWidget(row);
 }
 
 std::optional<double>& PlaneFields::distance(View& view, std::size_t which)
@@ -84,7 +66,7 @@ std::optional<QString> PlaneFields::read(std::size_t which, const QString& text,
     }
     if (attempt == TypedField::Attempt::Take && text != valueText(which)) {
         set(which, typed);
-        m_rows[which].field->setValue(valueText(which));
+        m_rows[which]->field().setValue(valueText(which));
     }
     return std::nullopt;
 }
@@ -102,22 +84,16 @@ void PlaneFields::sync()
     setVisible(m_document.scene()->space == SceneSpace::Object);
     View now = m_document.settings().view;
     View asked = m_document.defaults().view;
-    for (const std::size_t which : {kNear, kFar}) {
-        m_rows[which].field->setValue(valueText(which));
-        m_rows[which].dot->setChanged(distance(now, which) != distance(asked, which));
-    }
+    for (const std::size_t which : {kNear, kFar})
+        m_rows[which]->sync(valueText(which), distance(now, which) != distance(asked, which));
 }
 
 void PlaneFields::retranslate()
 {
-    m_rows[kNear].name->setText(tr("Near plane"));
-    m_rows[kFar].name->setText(tr("Far plane"));
-    for (Row& row : m_rows) {
-        row.edit->setAccessibleName(row.name->text());
-        row.edit->setToolTip(
-            tr("Distance from the eye. Leave it empty and the camera puts the plane round the scene."));
-        row.dot->setToolTip(tr("Put back what the scene asks for"));
-    }
+    const QString toolTip = tr("Distance from the eye. Leave it empty and the camera puts the plane round the scene.");
+    const QString putBack = tr("Put back what the scene asks for");
+    m_rows[kNear]->setTexts(tr("Near plane"), toolTip, putBack);
+    m_rows[kFar]->setTexts(tr("Far plane"), toolTip, putBack);
     sync();
 }
 

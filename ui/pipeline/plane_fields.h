@@ -1,14 +1,12 @@
 #pragma once
-#include "ui/base/field_row.h"
-#include "ui/base/typed_field.h"
 #include "ui/document/document.h"
+#include "ui/pipeline/typed_row.h"
 
 #include <QWidget>
 
 #include <array>
 #include <optional>
 
-class QLabel;
 class QLineEdit;
 
 namespace rasterlens
@@ -22,8 +20,8 @@ class PlaneFields : public QWidget
 public:
     explicit PlaneFields(Document& document, QWidget* parent = nullptr);
 
-    [[nodiscard]] QLineEdit& nearEdit() { return *m_rows[kNear].edit; }
-    [[nodiscard]] QLineEdit& farEdit() { return *m_rows[kFar].edit; }
+    [[nodiscard]] QLineEdit& nearEdit() { return m_rows[kNear]->edit(); }
+    [[nodiscard]] QLineEdit& farEdit() { return m_rows[kFar]->edit(); }
     /// Scene or settings are others.
     void sync();
     void retranslate();
@@ -35,12 +33,6 @@ Q_SIGNALS:
 private:
     static constexpr std::size_t kNear = 0;
     static constexpr std::size_t kFar = 1;
-    struct Row {
-        ChangeDot* dot = nullptr;
-        QLabel* name = nullptr;
-        QLineEdit* edit = nullptr;
-        TypedField* field = nullptr;
-    };
 
     void addRow(std::size_t which);
     [[nodiscard]] static std::optional<double>& distance(View& view, std::size_t which);
@@ -49,7 +41,7 @@ private:
     [[nodiscard]] QString valueText(std::size_t which) const;
 
     Document& m_document;
-    std::array<Row, 2> m_rows;
+    std::array<TypedRow*, 2> m_rows{};
 };
 
 } // namespace rasterlens

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace rasterlens
 {
@@ -21,6 +22,14 @@ const Payload* lastOf(const StepLog& log, std::span<const std::uint32_t> events,
 {
     const auto after = std::lower_bound(events.begin(), events.end(), position);
     return after == events.begin() ? nullptr : &log.payload<Payload>(log.event(*std::prev(after)));
+}
+
+/// The events of a sample of the pattern, out of those of one triangle: one sample comes after the other.
+std::span<const std::uint32_t> ofSample(const StepLog& log, std::span<const std::uint32_t> events, int sample)
+{
+    const auto sampleOf = [&](std::uint32_t i) { return int(log.event(i).sample); };
+    const auto found = std::ranges::equal_range(events, sample, {}, sampleOf);
+    return {found.begin(), found.end()};
 }
 
 } // namespace
@@ -46,8 +55,9 @@ LensModel::LensModel(const StepLog& log, const StepEvent& triangle, std::size_t 
     const auto setup = eventsOfTriangle(StepKind::Setup);
     m_hasSetup = m_triangle->hasSetup && !setup.empty() && setup.front() < position;
     m_walks = log.rules().algorithm == Algorithm::EdgeWalking;
-    m_samples = eventsOfTriangle(StepKind::Sample);
-    m_spans = eventsOfTriangle(StepKind::Span);
+    m_sample = ownsEvent() ? std::max(0, int(m_now->sample)) : 0;
+    m_samples = ofSample(log, eventsOfTriangle(StepKind::Sample), m_sample);
+    m_spans = ofSample(log, eventsOfTriangle(StepKind::Span), m_sample);
 }
 
 std::span<const std::uint32_t> LensModel::eventsOfTriangle(StepKind kind) const
@@ -103,7 +113,7 @@ const StepEvent* LensModel::farEvent(StepKind kind, int x, int y) const
 {
     if (!m_far || !isPastElsewhere(x, y))
         return nullptr;
-    const auto events = m_far->eventsOf(kind);
+    const auto events = ofSample(*m_far, m_far->eventsOf(kind), m_sample);
     const auto at = std::partition_point(events.begin(), events.end(), [&](std::uint32_t i) {
         const StepEvent& event = m_far->event(i);
         return kind == StepKind::Span ? event.y < y : std::tie(event.y, event.x) < std::tie(y, x);
@@ -122,7 +132,7 @@ void LensModel::readSample(LensCell& cell, int x, int y) const
     cell.hasValues = true;
     cell.values = sample ? m_log->payload<SampleStep>(*sample).values
                   : far  ? m_far->payload<SampleStep>(*far).values
-                         : setup.at(testedPoint(m_log->rules(), x, y));
+                         : setup.at(testedPoint(m_log->rules(), x, y, m_sample));
     if (far || (sample && sample < &m_log->events().front() + m_position))
         cell.state =
             (far ? far : sample)->has(StepEvent::kCovered) ? LensCell::State::Covered : LensCell::State::Rejected;
@@ -131,7 +141,8 @@ void LensModel::readSample(LensCell& cell, int x, int y) const
     cell.tie = decides.isTie();
     for (std::size_t i = 0; i < 3; ++i) {
         cell.signs[i] = signOf(cell.values[i]);
-        cell.ours[i] = decides.sign == DecidingEdge::Sign::AtMost || cell.values[i] >= setup.edges[i].threshold;
+        cell.ours[i] = decides.sign == DecidingEdge::Sign::AtMost || cell.values[i] >= setup.edges[i].threshold ||
+                       m_log->rules().insideTest == InsideTest::None;
     }
 }
 
@@ -202,16 +213,19 @@ const LineStep* LensModel::line() const
 std::optional<std::array<glm::ivec2, 2>> LensModel::lineEnds() const
 {
     const LineStep* step = line();
-    return step != nullptr ? rasterlens::lineEnds(m_triangle->screen, step->decision) : std::nullopt;
+    return step != nullptr ? rasterlens::lineEnds(m_triangle->screen, step->decision, m_log->rules()) : std::nullopt;
 }
 
-std::optional<std::array<glm::ivec2, 2>> lineEnds(const ScreenTriangle& triangle, const LineDecision& decision)
+std::optional<std::array<glm::ivec2, 2>> lineEnds(const ScreenTriangle& triangle, const LineDecision& decision,
+                                                  const Rules& rules)
 {
     const auto sampleOf = [&](std::size_t i) { return glm::ivec2(glm::floor(triangle.vertices[i].position)); };
     const int axis = decision.steep ? 1 : 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        const glm::ivec2 from = sampleOf(i);
-        const glm::ivec2 to = sampleOf((i + 1) % 3);
+        glm::ivec2 from = sampleOf(i);
+        glm::ivec2 to = sampleOf((i + 1) % 3);
+        if (!rules.lineTiesByDirection && std::pair(from.y, from.x) > std::pair(to.y, to.x))
+            std::swap(from, to);
         const glm::ivec2 size = glm::abs(to - from);
         if (size[axis] != decision.longer || size[1 - axis] != decision.shorter)
             continue;

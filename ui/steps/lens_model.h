@@ -53,6 +53,8 @@ public:
     [[nodiscard]] const StepTriangle& triangle() const { return *m_triangle; }
     /// Its edge functions are set up at this position.
     [[nodiscard]] bool hasSetup() const { return m_hasSetup; }
+    /// The sample of the pattern that is shown: that of the present event, else the first one.
+    [[nodiscard]] int sample() const { return m_sample; }
     /// The event the position is just after; null at 0.
     [[nodiscard]] const StepEvent* event() const { return m_now; }
     /// Whether that event belongs to the triangle; it may be another's where a face is selected.
@@ -92,6 +94,7 @@ private:
     std::size_t m_position;
     const StepEvent* m_now;
     mutable std::shared_ptr<const StepLog> m_far;
+    int m_sample = 0;
     bool m_hasSetup = false;
     bool m_walks = false;
     std::span<const std::uint32_t> m_samples; ///< event numbers
@@ -106,7 +109,7 @@ private:
 
 /// The ends of the line of a triangle that a decision belongs to, in samples.
 [[nodiscard]] std::optional<std::array<glm::ivec2, 2>> lineEnds(const ScreenTriangle& triangle,
-                                                                const LineDecision& decision);
+                                                                const LineDecision& decision, const Rules& rules);
 
 /// Why an edge owns its points or does not: `left edge`. In the language in use.
 [[nodiscard]] QString edgeSideText(EdgeSide side);

@@ -3,6 +3,7 @@
 #include "core/observe/step_text.h"
 #include "ui/base/inks.h"
 #include "ui/base/theme.h"
+#include "ui/steps/pattern_painter.h"
 #include "ui/steps/step_formula.h"
 #include "ui/steps/walk_painter.h"
 
@@ -102,9 +103,12 @@ void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTran
     painter.setRenderHint(QPainter::Antialiasing);
     paintEdges(view);
     paintTies(view);
-    if (m_model->hasSetup() && view.cell >= kLensNumbersFromCell)
+    // The samples of a pattern lie where the numbers would be; the pointer asks for those.
+    const bool hasNumbers = view.cell >= kLensNumbersFromCell && !m_model->log().rules().multiSampled();
+    if (m_model->hasSetup() && hasNumbers)
         paintNumbers(view);
-    paintWalk(view, *m_model);
+    paintPattern(view, *m_model);
+    paintWalkOfSample(view);
     paintLine(view);
     paintColumn(view);
     paintCurrent(view);
@@ -112,8 +116,22 @@ void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTran
     paintHover(view);
     if (m_model->hasSetup() && view.cell >= kGlyphsFromCell)
         paintLensLegend(painter, canvas, boundsOf(view, m_model->triangle().setup), m_model->triangle().setup,
-                        view.cell >= kLensNumbersFromCell);
+                        hasNumbers);
     painter.restore();
+}
+
+/// With a pattern edge walking walks a triangle that is moved, so that the sample lies at the centre of its pixel.
+void LensOverlay::paintWalkOfSample(LensView& view) const
+{
+    const Rules& rules = m_model->log().rules();
+    if (!rules.multiSampled()) {
+        paintWalk(view, *m_model);
+        return;
+    }
+    const glm::dvec2 offset = testedOffset(rules, m_model->sample()).pixels() * view.transform.zoom;
+    view.painter.translate(offset.x, offset.y);
+    paintWalk(view, *m_model);
+    view.painter.translate(-offset.x, -offset.y);
 }
 
 /// What the record's window no longer holds of the samples in sight is made anew.
@@ -392,7 +410,9 @@ void LensOverlay::paintHover(LensView& view) const
         return;
     const int x = view.options.hoveredPixel->x() * view.grid + view.grid / 2;
     const int y = view.options.hoveredPixel->y() * view.grid + view.grid / 2;
-    const QStringList lines = lensHoverLines(*m_model, x, y);
+    QStringList lines = lensHoverLines(*m_model, x, y);
+    if (m_model->log().rules().multiSampled())
+        lines += patternWords(*m_model, x, y);
     if (!lines.isEmpty())
         paintPlate(view.painter, view.canvas, view.box(x, y).bottomRight() + QPointF(6, 6), lines, numberFont(0));
 }

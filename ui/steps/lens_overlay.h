@@ -46,6 +46,7 @@ private:
     void paintCurrent(LensView& view) const;
     void paintHover(LensView& view) const;
 
+    void paintWalkOfSample(LensView& view) const;
     void lookFar(const LensView& view) const;
 
     std::unique_ptr<const LensModel> m_model;

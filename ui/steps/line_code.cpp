@@ -42,7 +42,7 @@ LineWay wayAt(const StepLog& log, std::size_t i)
         return way;
     const LineDecision& decision = log.payload<LineStep>(*event).decision;
     way.steep = decision.steep;
-    if (const auto ends = lineEnds(triangle->screen, decision))
+    if (const auto ends = lineEnds(triangle->screen, decision, log.rules()))
         way.step = {(*ends)[1].x < (*ends)[0].x ? -1 : 1, (*ends)[1].y < (*ends)[0].y ? -1 : 1};
     return way;
 }
@@ -56,9 +56,11 @@ std::array<QString, 2> bresenhamCode(const StepLog& log, std::size_t i)
     const QString v = way.steep ? QStringLiteral("x") : QStringLiteral("y");
     const bool uBack = way.step[way.steep ? 1 : 0] < 0;
     const bool vBack = way.step[way.steep ? 0 : 1] < 0;
+    const bool hasLast = log.rightRules().lineRule == LineRule::Inclusive;
+    const QString upTo = (uBack ? QStringLiteral(">") : QStringLiteral("<")) + QLatin1String(hasLast ? "=" : "");
     return {QStringLiteral("p = 2 d%2 - d%1;  for (%1 = %3; %1 %4 %5; %6%1) {  plot(x, y);")
-                .arg(u, v, u + QStringLiteral("0"), uBack ? QStringLiteral(">=") : QStringLiteral("<="),
-                     u + QStringLiteral("1"), uBack ? QStringLiteral("--") : QStringLiteral("++")),
+                .arg(u, v, u + QStringLiteral("0"), upTo, u + QStringLiteral("1"),
+                     uBack ? QStringLiteral("--") : QStringLiteral("++")),
             QStringLiteral("  if (p > 0) { %2 %3= 1;  p -= 2 d%1; }  p += 2 d%2; }")
                 .arg(u, v, vBack ? QStringLiteral("-") : QStringLiteral("+"))};
 }

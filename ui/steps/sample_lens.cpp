@@ -1,5 +1,6 @@
 #include "ui/steps/sample_lens.h"
 
+#include "core/observe/stored_samples.h"
 #include "ui/base/step_words.h"
 #include "ui/base/text_on.h"
 #include "ui/base/theme.h"
@@ -17,7 +18,8 @@ namespace rasterlens
 namespace
 {
 
-constexpr double kSamplesFromCell = 2; ///< canvas pixels a sample
+constexpr double kSamplesFromCell = 2;   ///< canvas pixels a sample
+constexpr double kPatternsFromZoom = 20; ///< canvas pixels a pixel
 
 QString translated(const char* text) { return QCoreApplication::translate("Lens", text); }
 
@@ -62,26 +64,11 @@ void paintGrid(QPainter& painter, const QRect& pixels, const CanvasTransform& tr
     lines(1, QColor(40, 46, 54, 190));
 }
 
-/// What the samples of a pixel store at the moment.
-ResolvedPixel storedAt(const StepCursor& cursor, QPoint pixel)
-{
-    const int grid = cursor.log().grid();
-    ResolvedPixel stored;
-    stored.x = pixel.x();
-    stored.y = pixel.y();
-    for (int y = pixel.y() * grid; y < (pixel.y() + 1) * grid; ++y)
-        for (int x = pixel.x() * grid; x < (pixel.x() + 1) * grid; ++x) {
-            const std::size_t at = std::size_t(y) * std::size_t(cursor.log().columns()) + std::size_t(x);
-            stored.samples[std::size_t(stored.count++)] = {cursor.sampleColors()[at], cursor.sampleDepths()[at]};
-        }
-    return stored;
-}
-
 } // namespace
 
 bool SampleLens::isAtWork() const
 {
-    if (m_cursor == nullptr || m_cursor->log().grid() == 1)
+    if (m_cursor == nullptr || m_cursor->log().samplesPerPixel() == 1)
         return false;
     const QSize picture = m_cursor->image().size();
     return m_cursor->log().resolvedPixels(m_cursor->positionInLog()) <
@@ -113,6 +100,10 @@ void SampleLens::paintSamples(QPainter& painter, const QRect& canvas, const Canv
     const QImage samples(reinterpret_cast<const uchar*>(m_cursor->sampleColors().data()), log.columns(), log.rows(),
                          log.columns() * qsizetype(sizeof(QRgb)), QImage::Format_RGB32);
     const QRect seen = transform.pixelsIn(canvas, m_cursor->image().size());
+    if (log.rules().multiSampled()) {
+        paintPatterns(painter, seen, transform);
+        return;
+    }
     painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
     const bool vectors = isDrawing(painter);
     for (const QRect& part : unresolved(log.resolvedPixels(m_cursor->positionInLog()), m_cursor->image().size())) {
@@ -129,6 +120,41 @@ void SampleLens::paintSamples(QPainter& painter, const QRect& canvas, const Canv
     }
 }
 
+/// The samples of the pixels that are not resolved, each where it lies.
+void SampleLens::paintPatterns(QPainter& painter, const QRect& seen, const CanvasTransform& transform) const
+{
+    if (transform.zoom < kPatternsFromZoom)
+        return;
+    for (const QRect& part :
+         unresolved(m_cursor->log().resolvedPixels(m_cursor->positionInLog()), m_cursor->image().size())) {
+        const QRect pixels = part.intersected(seen);
+        for (int y = pixels.top(); y <= pixels.bottom(); ++y)
+            for (int x = pixels.left(); x <= pixels.right(); ++x)
+                paintStored(painter, transform, storedSamples(*m_cursor, x, y));
+    }
+}
+
+/// What the samples of a pixel store, on discs where they lie.
+void SampleLens::paintStored(QPainter& painter, const CanvasTransform& transform, const ResolvedPixel& pixel) const
+{
+    const Rules& rules = m_cursor->log().rules();
+    const double radius = transform.zoom * (rules.patternSamples > 8 ? 0.06 : 0.09);
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (int i = 0; i < pixel.count; ++i) {
+        const glm::dvec2 point = testedPoint(rules, pixel.x, pixel.y, i);
+        const QColor stored{QRgb(pixel.samples[std::size_t(i)].color)};
+        const QColor ink = stored.lightness() > 128 ? Qt::black : Qt::white;
+        const QPointF at = transform.toCanvas(QPointF(point.x, point.y));
+        painter.setPen(QPen(ink, 1.2));
+        painter.setBrush(stored);
+        painter.drawEllipse(at, radius, radius);
+        if (pixel.counted(i) == pixel.samples[std::size_t(i)].color)
+            continue;
+        painter.drawLine(at - QPointF(radius, radius), at + QPointF(radius, radius));
+        painter.drawLine(at + QPointF(-radius, radius), at + QPointF(radius, -radius));
+    }
+}
+
 /// The samples of the pixel with their numbers, those that count as black crossed out, and the sum beside them.
 void SampleLens::paintResolve(QPainter& painter, const QRect& canvas, const CanvasTransform& transform,
                               const ResolvedPixel& pixel) const
@@ -139,7 +165,10 @@ void SampleLens::paintResolve(QPainter& painter, const QRect& canvas, const Canv
     QFont font = numberFont();
     font.setPixelSize(std::clamp(int(cell.height() / 2), 8, 18));
     painter.setFont(font);
-    for (int i = 0; i < pixel.count && cell.width() >= kSamplesFromCell; ++i) {
+    const bool isGrid = !m_cursor->log().rules().multiSampled();
+    if (!isGrid && box.width() >= kPatternsFromZoom)
+        paintStored(painter, transform, pixel);
+    for (int i = 0; i < pixel.count && isGrid && cell.width() >= kSamplesFromCell; ++i) {
         const QRectF part(box.topLeft() + QPointF(i % grid * cell.width(), i / grid * cell.height()), cell);
         const QColor stored{QRgb(pixel.samples[std::size_t(i)].color)};
         const QColor ink = inkOn(stored.rgb()).ink;
@@ -175,7 +204,7 @@ void SampleLens::paintHover(QPainter& painter, const QRect& canvas, const Canvas
     const QString title = translated(QT_TRANSLATE_NOOP("Lens", "pixel (%1, %2): what its samples store now"))
                               .arg(pixel.x())
                               .arg(pixel.y());
-    const QStringList lines = QStringList{title} + storedWords(storedAt(*m_cursor, pixel));
+    const QStringList lines = QStringList{title} + storedWords(storedSamples(*m_cursor, pixel.x(), pixel.y()));
     const double height = QFontMetricsF(numberFont(0)).lineSpacing() * double(lines.size()) + 16;
     const QPointF above = transform.toCanvas(QRectF(pixel, QSizeF(1, 1))).topLeft() - QPointF(0, height);
     paintPlate(painter, canvas, above, lines, numberFont(0));

@@ -24,6 +24,8 @@ private:
     [[nodiscard]] bool isAtWork() const;
     void paintSamples(QPainter& painter, const QRect& canvas, const CanvasTransform& transform,
                       const OverlayOptions& options) const;
+    void paintPatterns(QPainter& painter, const QRect& seen, const CanvasTransform& transform) const;
+    void paintStored(QPainter& painter, const CanvasTransform& transform, const ResolvedPixel& pixel) const;
     void paintResolve(QPainter& painter, const QRect& canvas, const CanvasTransform& transform,
                       const ResolvedPixel& pixel) const;
     void paintHover(QPainter& painter, const QRect& canvas, const CanvasTransform& transform, QPoint pixel) const;

@@ -25,9 +25,10 @@ QString translated(const char* text) { return QCoreApplication::translate("StepL
 // The code, one name for one thing: E_AB is the value of edge AB, t_AB the smallest that counts as inside, and the
 // weights of the corners A, B and C are α, β and γ.
 
+/// in  rules of one pass: passRules()
 QString depthLine(const QString& z, const Rules& rules)
 {
-    const QString sign = QLatin1String(depthSign(rules));
+    const QString sign = QLatin1String(depthSign(rules, 0));
     return sign.isEmpty() ? QStringLiteral("z = %1;").arg(z)
                           : QStringLiteral("z = %1;  if (!(z %2 depth)) continue;").arg(z, sign);
 }
@@ -89,12 +90,15 @@ std::array<QString, 4> resolveCode()
 
 std::array<QString, 4> lineCode(const StepLog& log, std::size_t i)
 {
-    const Rules& rules = log.rightRules();
+    const Rules rules = passRules(log.rightRules(), log.event(i).face);
     const QString color = QStringLiteral("  color = shade(x, y);  depth = z;");
     const QString onLine = QStringLiteral("  ") + depthLine(QStringLiteral("lerp(zA, zB, i / n)"), rules);
     if (rules.fill == Fill::Points)
         return {QStringLiteral("for (v : A, B, C) {  plot(floor(v.x), floor(v.y));"), QString(),
                 QStringLiteral("  ") + depthLine(QStringLiteral("v.z"), rules), color};
+    if (rules.lineRule == LineRule::DiamondExit)
+        return {QStringLiteral("for (i : columns of the line, or rows where it is steep) {  j = row at x = i + 0.5;"),
+                QStringLiteral("  if (!leaves(line, diamond(i, j))) continue;  plot(i, j); }"), onLine, color};
     if (rules.line == LineAlgorithm::Dda)
         return {QStringLiteral("n = max(|dx|, |dy|);  for (i = 0; i <= n; ++i) {  plot(round(x), round(y));"),
                 QStringLiteral("  x += dx / n;  y += dy / n; }"), onLine, color};
@@ -134,17 +138,18 @@ StepKinds kindsOfDrawing(const Rules& rules)
 std::pair<std::array<QString, 4>, StepKinds> codeFor(const StepLog& log, std::size_t i)
 {
     const StepKind kind = log.event(i).kind;
-    const Rules& right = log.rightRules();
-    if (isGeometry(kind, log.rules()))
+    const Rules right = passRules(log.rightRules(), log.event(i).face);
+    const Rules rules = passRules(log.rules(), log.event(i).face);
+    if (isGeometry(kind, rules))
         return {geometryCode(), kindBit(StepKind::Outline) - 1};
     if (kind >= StepKind::Outline && kind <= StepKind::Crossing)
         return {walkingStagesCode(), kindBit(StepKind::Crossing) * 2 - kindBit(StepKind::Outline)};
     if (kind == StepKind::Resolve)
         return {resolveCode(), kindBit(StepKind::Resolve)};
-    const StepKinds kinds = kindsOfDrawing(log.rules());
-    if (log.rules().fill != Fill::Solid)
+    const StepKinds kinds = kindsOfDrawing(rules);
+    if (rules.fill != Fill::Solid)
         return {lineCode(log, i), kinds};
-    switch (log.rules().algorithm) {
+    switch (rules.algorithm) {
     case Algorithm::EdgeWalking: return {walkingCode(right), kinds};
     case Algorithm::ColumnFill: return {columnCode(right), kinds};
     case Algorithm::EdgeEquation:
@@ -212,12 +217,13 @@ bool hasWrongCrossings(const StepLog& log, std::size_t i)
 int lineOf(const StepLog& log, std::size_t i)
 {
     const StepEvent& event = log.event(i);
-    if (event.kind == StepKind::LineSample && log.rules().fill == Fill::Solid)
+    const bool isFilled = passRules(log.rules(), event.face).fill == Fill::Solid;
+    if (event.kind == StepKind::LineSample && isFilled)
         return 1; // of a filled column
     if ((event.kind == StepKind::Halves || event.kind == StepKind::Span) && hasWrongCrossings(log, i))
         return crossingLineOf(event.kind);
     const bool isRejected = event.kind == StepKind::Fate && log.payload<FateStep>(event).fate == FaceFate::Rejected;
-    const bool beginsLines = event.kind == StepKind::Triangle && log.rules().fill != Fill::Solid;
+    const bool beginsLines = event.kind == StepKind::Triangle && !isFilled;
     const bool leadsToNoSample = event.kind == StepKind::LineDecision && !becauseOf(log, i).empty();
     if (beginsLines || leadsToNoSample)
         return lineOf(StepKind::LineSample);
@@ -282,10 +288,11 @@ QString valueText(const Rules& rules, const QString& direct, const QString& valu
 {
     if (direct == value)
         return QStringLiteral(" = ") + value;
-    const QString came = rules.insideTest == InsideTest::Wrapped32
-                             ? translated(QT_TRANSLATE_NOOP("StepListing", "in 32 bits: %1"))
-                         : addsUpEdgeValues(rules) ? translated(QT_TRANSLATE_NOOP("StepListing", "added up: %1"))
-                                                   : translated(QT_TRANSLATE_NOOP("StepListing", "rounded: %1"));
+    const QString came =
+        rules.insideTest == InsideTest::Wrapped32   ? translated(QT_TRANSLATE_NOOP("StepListing", "in 32 bits: %1"))
+        : rules.insideTest == InsideTest::Wrapped16 ? translated(QT_TRANSLATE_NOOP("StepListing", "in 16 bits: %1"))
+        : addsUpEdgeValues(rules)                   ? translated(QT_TRANSLATE_NOOP("StepListing", "added up: %1"))
+                                                    : translated(QT_TRANSLATE_NOOP("StepListing", "rounded: %1"));
     return QStringLiteral(" = %1   %2").arg(direct, came.arg(value));
 }
 
@@ -321,7 +328,7 @@ QString sampleFormula(const StepLog& log, const StepEvent& event)
     const auto area = [&](double value) { return minus(edgeValueText(value, setup.unitsPerArea)); };
 
     // Positions that are shifted by half a sample: samples that are tested at their corner.
-    const glm::dvec2 tested = testedPoint(rules, event.x, event.y);
+    const glm::dvec2 tested = testedPoint(rules, event.x, event.y, event.sample);
     const glm::dvec2 point = tested - rules.screenShift;
     const glm::dvec2 from = glm::dvec2(edge.from) / setup.unitsPerSample - rules.screenShift;
     QStringList others;
@@ -499,6 +506,8 @@ QString stepTitle(const StepLog& log, std::size_t i)
         parts << QStringLiteral("(%1, %2)").arg(event.x).arg(event.y);
     else if (event.y >= 0)
         parts << translated(QT_TRANSLATE_NOOP("StepListing", "row %1")).arg(event.y);
+    if (isOfPattern(log, event))
+        parts << translated(QT_TRANSLATE_NOOP("StepListing", "sample %1")).arg(event.sample + 1);
     if (event.face != StepEvent::kNone)
         parts << translated(QT_TRANSLATE_NOOP("StepListing", "face %1")).arg(event.face);
     if (const QString because = becauseWords(becauseOf(log, i)); !because.isEmpty())

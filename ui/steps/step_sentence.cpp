@@ -64,6 +64,8 @@ private:
     /// What becomes of a sample: `Pixel (3, 4)`, or `Sample (7, 9)` where pixels have several.
     [[nodiscard]] QString where() const
     {
+        if (isOfPattern(m_log, m_event))
+            return tr("Pixel (%1, %2), sample %3,").arg(m_event.x).arg(m_event.y).arg(m_event.sample + 1);
         return (m_log.grid() == 1 ? tr("Pixel (%1, %2)") : tr("Sample (%1, %2)")).arg(m_event.x).arg(m_event.y);
     }
 
@@ -114,7 +116,7 @@ private:
 
     [[nodiscard]] QString fragment() const
     {
-        if (depthSign(m_log.rules())[0] == '\0')
+        if (depthSign(m_log.rules(), m_event.face)[0] == '\0')
             return tr("%1 of face %2 is taken: depth is not tested.").arg(where()).arg(m_event.face);
         const FragmentStep& step = m_log.payload<FragmentStep>(m_event);
         const bool passed = m_event.has(StepEvent::kPassed);

@@ -1,6 +1,7 @@
 #include "ui/truth/comparison.h"
 
 #include "core/settings/mistakes.h"
+#include "core/settings/numbers_field.h"
 #include "ui/base/applicability.h"
 #include "ui/base/numbers.h"
 #include "ui/document/picture_memory.h"
@@ -241,7 +242,8 @@ bool Comparison::hasAmounts() const
     case Shading::Normals:
     case Shading::Uv:
     case Shading::Overdraw:
-    case Shading::TriangleId: break;
+    case Shading::TriangleId:
+    case Shading::MipLevel: break;
     }
     return false;
 }
@@ -279,6 +281,10 @@ std::vector<Comparison::SettingsDifference> Comparison::settingsDifferences() co
         differences.push_back({tr("Mistakes"), mistakesText(a), mistakesText(b)});
     if (a.light != b.light)
         differences.push_back({tr("Towards the light"), lightText(a.light), lightText(b.light)});
+    for (const NumbersField& field : numbersFields())
+        if (!isEqual(field, a, b))
+            differences.push_back(
+                {QCoreApplication::translate("Settings", field.title), valueText(field, a), valueText(field, b)});
     for (const SettingsField& field : settingsFields())
         if (field.get(a) != field.get(b))
             differences.push_back(

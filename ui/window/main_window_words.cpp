@@ -1,6 +1,7 @@
 // What the window says in words: the title, the caption of the presentation, the line above the canvas and the
 // read-out.
 #include "core/settings/mistakes.h"
+#include "core/settings/numbers_field.h"
 #include "ui/base/applicability.h"
 #include "ui/base/step_words.h"
 #include "ui/pipeline/scene_words.h"
@@ -77,6 +78,10 @@ QString MainWindow::sceneWords() const
         if (field.get(m_document.settings()) != field.get(m_document.defaults()))
             changes << QStringLiteral("%1: %2").arg(QCoreApplication::translate("Settings", field.title),
                                                     valueTitle(field, m_document.settings()));
+    for (const NumbersField& field : numbersFields())
+        if (!isEqual(field, m_document.settings(), m_document.defaults()))
+            changes << QStringLiteral("%1: %2").arg(QCoreApplication::translate("Settings", field.title),
+                                                    valueText(field, m_document.settings()));
     if (m_document.settings().light != m_document.defaults().light)
         changes << tr("towards the light: %1").arg(lightText(m_document.settings().light));
     std::vector<const Mistake*> mistakes;
