@@ -153,6 +153,23 @@ inline void readLine(const QString& formula, Reader& reader)
     reader.expect((n(4) > n(5)) == (n(2) > 0) || isNear(n(4), n(5), 1e-5), formula, "nearer sample");
 }
 
+/// `y_4 = 3.9 + 0.3 = 4.2   x_4 = 7`, `round(y_4) = 4   error = 4.2 - 4 = 0.2`
+inline void readPosition(const QString& formula, Reader& reader)
+{
+    static const QRegularExpression position(
+        QStringLiteral("^([xy])_(\\d+) = (?:(\\S+) ([+-]) (\\S+) = )?(\\S+)   ([xy])_\\2 = (?:\\S+ [+-] \\S+ = )?(-?\\d+)"
+                       "\n(?:because of [^\n]*   )?round\\(\\1_\\2\\) = (-?\\d+)   error = (\\S+) - \\(?(-?\\d+)\\)? = (\\S+)$"));
+    const auto match = position.match(formula);
+    reader.expect(match.hasMatch(), formula, "line position");
+    const auto n = [&](int i) { return number(match.captured(i)); };
+    reader.expect(match.captured(1) != match.captured(7), formula, "axes");
+    reader.expect((n(2) > 0) == !match.captured(3).isEmpty(), formula, "an addition but for the first");
+    const double added = match.captured(4) == QLatin1String("-") ? -n(5) : n(5);
+    reader.expect(n(2) == 0 || isNear(n(3) + added, n(6), 1e-3), formula, "sum");
+    reader.expect(n(9) == n(11) && n(6) == n(10) && std::abs(n(6) - n(9)) <= 0.5001, formula, "nearest");
+    reader.expect(isNear(n(10) - n(11), n(12), 1e-3), formula, "error");
+}
+
 /// `(437.914, 772.335) -> (437.9140625, 772.3359375), depth 0.5, 1/w 0.2`
 inline void readViewport(const StepLog& log, const ViewportStep& step, const QString& text, Reader& reader)
 {
@@ -373,6 +390,7 @@ inline void readEvent(const StepLog& log, std::size_t i, const QString& text, Re
         break;
     case StepKind::Span: readSpan(log.payload<SpanStep>(event), formula, reader); break;
     case StepKind::LineDecision: readLine(formula, reader); break;
+    case StepKind::LinePosition: readPosition(formula, reader); break;
     case StepKind::Crossing: readCrossing(log.payload<CrossingStep>(event).row, formula, reader); break;
     case StepKind::Resolve: readResolve(log.payload<ResolveStep>(event).pixel, formula, reader); break;
     case StepKind::Column: readColumn(log.payload<ColumnFillStep>(event).column, text, reader); break;

@@ -28,7 +28,7 @@ std::vector<Plotted> line(LineAlgorithm algorithm, GridPoint from, GridPoint to)
     if (algorithm == LineAlgorithm::Bresenham)
         bresenhamLine(from, to, plot, observer);
     else
-        ddaLine(from, to, plot);
+        ddaLine(from, to, plot, observer);
     return points;
 }
 

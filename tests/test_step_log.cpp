@@ -98,6 +98,7 @@ public:
     void onSample(int x, int y, const EdgeValues& e, bool c) { CountingObserver::onSample(x, y, e, c), tick(); }
     void onColumn(const FilledColumn&) { tick(); }
     void onLineDecision(const LineDecision&) { tick(); }
+    void onLinePosition(const LinePosition&) { tick(); }
     void onLineSample(int x, int y, bool on) { CountingObserver::onLineSample(x, y, on), tick(); }
     void onFragment(const Fragment& f, float stored, bool p) { CountingObserver::onFragment(f, stored, p), tick(); }
     void onShade(const Fragment& f, std::uint32_t color) { CountingObserver::onShade(f, color), tick(); }
@@ -155,6 +156,7 @@ private Q_SLOTS:
     void edgeValuesAreExact();
     void cutsLieOnTheirPlane();
     void bresenhamDistancesAreThoseOfTheLine();
+    void ddaPositionsAreThoseOfTheLine();
     void spansRoundTheirEnds();
     void millionEventsAreWalkedBothWays();
 };
@@ -494,6 +496,46 @@ void TestStepLog::bresenhamDistancesAreThoseOfTheLine()
         shorterSteps += d.sideways ? 1 : 0;
     }
     QVERIFY(firstOfLine > 10);
+}
+
+/// A line from A to B with n = max(|dx|, |dy|): its i-th position is A + i (B - A) / n, and its sample the nearest.
+void TestStepLog::ddaPositionsAreThoseOfTheLine()
+{
+    const Scene scene = builtin("lines");
+    Settings settings = scene.defaults;
+    settings.fill = Fill::Wireframe;
+    settings.line = LineAlgorithm::Dda;
+    const auto log = renderSteps(scene, settings);
+    QVERIFY(log->eventsOf(StepKind::LineDecision).empty());
+    int lines = 0;
+    int steep = 0;
+    for (const std::uint32_t i : log->eventsOf(StepKind::LinePosition)) {
+        const StepEvent& event = log->event(i);
+        const LinePosition& p = log->payload<LinePositionStep>(event).position;
+        const auto& vertices = log->triangle(event)->screen.vertices;
+        bool isFound = false;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const GridPoint from = sampleOf(vertices[k].position);
+            const GridPoint to = sampleOf(vertices[(k + 1) % 3].position);
+            const int dx = to.x - from.x;
+            const int dy = to.y - from.y;
+            const int n = std::max(std::abs(dx), std::abs(dy));
+            const double part = n > 0 ? double(p.step) / n : 0;
+            isFound = isFound || (p.steps == n && std::abs(p.x - (from.x + part * dx)) < 1e-9 &&
+                                  std::abs(p.y - (from.y + part * dy)) < 1e-9);
+        }
+        QVERIFY(isFound);
+        QVERIFY(std::abs(p.error()) <= 0.5 && std::abs(p.x - p.column) <= 0.5 && std::abs(p.y - p.row) <= 0.5);
+        QCOMPARE(p.error(), p.steep() ? p.x - p.column : p.y - p.row);
+        // The sample of the position follows.
+        const StepEvent& next = log->event(i + 1);
+        QCOMPARE(next.kind, StepKind::LineSample);
+        QCOMPARE(next.x, p.column);
+        QCOMPARE(next.y, p.row);
+        lines += p.step == 0 ? 1 : 0;
+        steep += p.steep() ? 1 : 0;
+    }
+    QVERIFY(lines > 10 && steep > 10);
 }
 
 void TestStepLog::spansRoundTheirEnds()

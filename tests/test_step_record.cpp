@@ -139,6 +139,7 @@ public:
     void onSample(int x, int y, const EdgeValues& e, bool c) { CountingObserver::onSample(x, y, e, c), tick(); }
     void onColumn(const FilledColumn&) { tick(); }
     void onLineDecision(const LineDecision&) { tick(); }
+    void onLinePosition(const LinePosition&) { tick(); }
     void onLineSample(int x, int y, bool on) { CountingObserver::onLineSample(x, y, on), tick(); }
     void onFragment(const Fragment& f, float stored, bool p) { CountingObserver::onFragment(f, stored, p), tick(); }
     void onShade(const Fragment& f, std::uint32_t color) { CountingObserver::onShade(f, color), tick(); }

@@ -249,7 +249,7 @@ void TestWalkStages::plusOneIsInEveryFraction()
     }
 }
 
-/// What docs/MISTAKES.md says of M12 in the triangle of [004]. The program of that text counts whole rows from below.
+/// What docs/MISTAKES.md says of M12 in the triangle of [004], whose program is counted by its own loop.
 void TestWalkStages::plusOneCountsTheTrianglesPixels()
 {
     Scene scene = *makeBuiltinScene(QStringLiteral("triangle-600")).scene;
@@ -258,6 +258,10 @@ void TestWalkStages::plusOneCountsTheTrianglesPixels()
     QCOMPARE(renderCounted(scene, settings, frame).pixels.covered, 40'100U);
     settings.mistakes = {QStringLiteral("height-plus-one")};
     QCOMPARE(renderCounted(scene, settings, frame).pixels.covered, 39'999U);
+    settings.mistakes = {QStringLiteral("whole-rows")};
+    QCOMPARE(renderCounted(scene, settings, frame).pixels.covered, 40'201U);
+    settings.mistakes << QStringLiteral("height-plus-one");
+    QCOMPARE(renderCounted(scene, settings, frame).pixels.covered, 40'301U);
     const std::array<glm::ivec2, 3> v{{{400, 100}, {100, 200}, {300, 400}}};
     const auto floorDivide = [](int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); };
     const auto at = [&](std::size_t i, std::size_t j, int y) {

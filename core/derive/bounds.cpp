@@ -110,7 +110,14 @@ private:
                                                            "and would be written to other rows or other memory."));
         const CanvasPart tested =
             box("tested box", {m_bounds.x, m_bounds.y}, {m_bounds.x + m_bounds.width, m_bounds.y + m_bounds.height});
-        if (isClamped) {
+        if (m_record.rules().wholeRows) {
+            m_writer.line(formula("({x_0}, {x_1})"), formula("(max(floor({x_min}), 0), min(floor({x_max}), {W} - 1))"),
+                          QT_TRANSLATE_NOOP("Derive", "A mistake cuts both ends to whole columns, and fills both."),
+                          {tested});
+            m_writer.line(formula("({y_0}, {y_1})"), formula("(max(ceil({y_min}), 0), min(floor({y_max}), {H} - 1))"),
+                          QT_TRANSLATE_NOOP("Derive", "It fills the rows from the first whole height to the last."),
+                          {tested});
+        } else if (isClamped) {
             m_writer.line(formula("({x_0}, {x_1})"), formula("(max({x_first}, 0), min({x_last}, {W} - 1)%1)", oneShort),
                           words, {tested});
             m_writer.line(formula("({y_0}, {y_1})"), formula("(max({y_first}, 0), min({y_last}, {H} - 1)%1)", oneShort),

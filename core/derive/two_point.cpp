@@ -15,6 +15,9 @@ struct WalkedRow {
 
 WalkedRow rowOf(const FaceRecord& record, const SampledTriangle& sample)
 {
+    if (record.rules().wholeRows)
+        throw NoDerivation{Reason(QT_TRANSLATE_NOOP(
+            "Derive", "a mistake crosses the rows at whole heights, not at the centres that are interpolated to"))};
     std::optional<WalkedTriangle> walk;
     for (const StepEvent& event : record.log().events()) {
         if (event.kind == StepKind::Walk)

@@ -40,8 +40,8 @@ public:
         case StepKind::Facing: return differs(m_log.payload<FacingStep>(event).decision);
         case StepKind::Fate: return differs(m_log.payload<FateStep>(event).fate, i);
         case StepKind::Setup: return setupDiffers(*m_log.triangle(event));
-        case StepKind::Halves:
-        case StepKind::Crossing: return m_rules.extraEdgeHeight != 0;
+        case StepKind::Halves: return m_rules.extraEdgeHeight != 0;
+        case StepKind::Crossing: return m_rules.extraEdgeHeight != 0 || m_rules.wholeRows;
         case StepKind::Span: return differs(event, m_log.payload<SpanStep>(event));
         case StepKind::Sample: return covers(event, event.x, event.y) != event.has(StepEvent::kCovered);
         case StepKind::Fragment: return differs(event, m_log.payload<FragmentStep>(event));
@@ -59,7 +59,9 @@ public:
         case StepKind::Walk:
         case StepKind::Sides:
         case StepKind::Column:
-        case StepKind::LineDecision: break; // see becauseOfLines()
+        case StepKind::LineDecision:
+        case StepKind::LinePosition:
+        case StepKind::LineSample: break; // see becauseOfLines()
         }
         return false;
     }
@@ -320,6 +322,13 @@ bool touchesRightEnd(const SampleLine& line, const StepEvent& event, const LineD
     return line.runsLeft() ? isFirst : isLast;
 }
 
+/// Whether a position on a line is its right end.
+bool isRightEnd(const SampleLine& line, const LinePosition& position)
+{
+    const GridPoint end = line.runsLeft() ? line.from : line.to;
+    return position.step == (line.runsLeft() ? 0 : position.steps) && position.column == end.x && position.row == end.y;
+}
+
 /// Whether rules are the reason why an event of a wireframe is what it is. Samples that are left out have no event: the
 /// triangle they belong to and the decisions beside them speak for them.
 bool drawOtherLines(const Rules& rules, const StepLog& log, const StepEvent& event)
@@ -331,11 +340,14 @@ bool drawOtherLines(const Rules& rules, const StepLog& log, const StepEvent& eve
         return !rules.rightLineEnds || std::ranges::any_of(lines, [&](const SampleLine& line) {
             return (rules.lineOctants >> octantOf(line.from, line.to) & 1U) == 0;
         });
-    const LineDecision& decision = log.payload<LineStep>(event).decision;
-    if (rules.lineTiesByDirection != log.rightRules().lineTiesByDirection && decision.decision == 0)
+    if (event.kind == StepKind::LineDecision && rules.lineTiesByDirection != log.rightRules().lineTiesByDirection &&
+        log.payload<LineStep>(event).decision.decision == 0)
         return true;
-    return !rules.rightLineEnds &&
-           std::ranges::any_of(lines, [&](const SampleLine& line) { return touchesRightEnd(line, event, decision); });
+    return !rules.rightLineEnds && std::ranges::any_of(lines, [&](const SampleLine& line) {
+        return event.kind == StepKind::LinePosition
+                   ? isRightEnd(line, log.payload<LinePositionStep>(event).position)
+                   : touchesRightEnd(line, event, log.payload<LineStep>(event).decision);
+    });
 }
 
 /// The mistakes of a record each of which draws other lines.
@@ -353,7 +365,8 @@ std::vector<const Mistake*> becauseOfLines(const StepLog& log, const StepEvent& 
 
 bool isAboutLines(StepKind kind)
 {
-    return kind == StepKind::Triangle || kind == StepKind::LineDecision || kind == StepKind::LineSample;
+    return kind == StepKind::Triangle || kind == StepKind::LineDecision || kind == StepKind::LinePosition ||
+           kind == StepKind::LineSample;
 }
 
 /// The kinds that a mistake is to name for an event: what became of a face was decided before it.

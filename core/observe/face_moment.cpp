@@ -42,6 +42,7 @@ public:
         case StepKind::Column:
         case StepKind::Sample:
         case StepKind::LineDecision:
+        case StepKind::LinePosition:
         case StepKind::LineSample:
         case StepKind::Fragment:
         case StepKind::Shade:

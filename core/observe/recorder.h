@@ -122,6 +122,7 @@ public:
     void onSample(int x, int y, const EdgeValues& values, bool covered);
     void onColumn(const FilledColumn& column);
     void onLineDecision(const LineDecision& decision);
+    void onLinePosition(const LinePosition& position);
     void onLineSample(int x, int y, bool onTarget);
     void onFragment(const Fragment& fragment, float storedDepth, bool passed);
     void onShade(const Fragment& fragment, std::uint32_t color);

@@ -283,6 +283,13 @@ void StepRecorder::onLineDecision(const LineDecision& decision)
         storeWith(sampleEvent(StepKind::LineDecision, decision.x, decision.y), [&] { return LineStep{decision}; });
 }
 
+void StepRecorder::onLinePosition(const LinePosition& position)
+{
+    if (takeCall() && admit(position.row, position.column, position.column + 1))
+        storeWith(sampleEvent(StepKind::LinePosition, position.column, position.row),
+                  [&] { return LinePositionStep{position}; });
+}
+
 void StepRecorder::onLineSample(int x, int y, bool onTarget)
 {
     m_counter.onLineSample(x, y, onTarget);

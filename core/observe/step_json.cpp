@@ -195,6 +195,19 @@ QJsonObject json(const StepLog&, const StepEvent&, const LineStep& step)
             {"sideways", d.sideways}};
 }
 
+QJsonObject json(const StepLog&, const StepEvent&, const LinePositionStep& step)
+{
+    const LinePosition& p = step.position;
+    return {{"i", p.step},
+            {"x", json(p.x)},
+            {"y", json(p.y)},
+            {"per_step_x", json(p.perStepX)},
+            {"per_step_y", json(p.perStepY)},
+            {"column", p.column},
+            {"row", p.row},
+            {"error", json(p.error())}};
+}
+
 QJsonObject json(const StepLog& log, const StepEvent& event, const FragmentStep& step)
 {
     return {{"screen_weights", jsonArray(step.screen)},

@@ -177,6 +177,7 @@ void StepLog::count(const StepEvent& event, Statistics& statistics) const
     case StepKind::Crossing:
     case StepKind::Column:
     case StepKind::LineDecision:
+    case StepKind::LinePosition:
     case StepKind::Resolve:
     case StepKind::End: break;
     }

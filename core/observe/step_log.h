@@ -159,6 +159,11 @@ struct LineStep {
     [[nodiscard]] double dLower() const { return 0.5 * (1 + double(decision.decision) / decision.longer); }
 };
 
+struct LinePositionStep {
+    static constexpr StepKind kKind = StepKind::LinePosition;
+    LinePosition position;
+};
+
 struct FragmentStep {
     static constexpr StepKind kKind = StepKind::Fragment;
     Weights screen;    ///< of the vertices A, B, C of the screen triangle
@@ -419,7 +424,7 @@ private:
                    std::vector<ViewportStep>, std::vector<FacingStep>, std::vector<ClippedStep>, std::vector<FateStep>,
                    std::vector<WalkStep>, std::vector<SidesStep>, std::vector<HalvesStep>, std::vector<CrossingStep>,
                    std::vector<SpanStep>, std::vector<ColumnFillStep>, std::vector<SampleStep>, std::vector<LineStep>,
-                   std::vector<FragmentStep>, std::vector<ShadeStep>, std::vector<WriteStep>, std::vector<ResolveStep>>;
+                   std::vector<LinePositionStep>, std::vector<FragmentStep>, std::vector<ShadeStep>, std::vector<WriteStep>, std::vector<ResolveStep>>;
 
     /// What this event alone adds to the counters.
     void count(const StepEvent& event, Statistics& statistics) const;

@@ -24,6 +24,7 @@ void visitPayload(const StepLog& log, const StepEvent& event, Visit&& visit)
     case StepKind::Column: visit(log.payload<ColumnFillStep>(event)); break;
     case StepKind::Sample: visit(log.payload<SampleStep>(event)); break;
     case StepKind::LineDecision: visit(log.payload<LineStep>(event)); break;
+    case StepKind::LinePosition: visit(log.payload<LinePositionStep>(event)); break;
     case StepKind::Fragment: visit(log.payload<FragmentStep>(event)); break;
     case StepKind::Shade: visit(log.payload<ShadeStep>(event)); break;
     case StepKind::Write: visit(log.payload<WriteStep>(event)); break;

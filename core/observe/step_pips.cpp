@@ -30,6 +30,7 @@ PipKind pipKindOf(const StepEvent& event)
     case StepKind::Halves:
     case StepKind::Crossing:
     case StepKind::LineDecision:
+    case StepKind::LinePosition:
     case StepKind::Shade:
     case StepKind::Write:
     case StepKind::Resolve:

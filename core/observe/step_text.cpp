@@ -249,6 +249,13 @@ StepParts parts(const StepLog&, const StepEvent&, const LineStep& step)
                        : QT_TRANSLATE_NOOP("Steps", "step along the longer axis")};
 }
 
+StepParts parts(const StepLog&, const StepEvent& event, const LinePositionStep& step)
+{
+    const LinePosition& p = step.position;
+    return {{QT_TRANSLATE_NOOP("Steps", "i %1, x %2, y %3"), {p.step, shortNumber(p.x), shortNumber(p.y)}},
+            {QT_TRANSLATE_NOOP("Steps", "rounded to (%1, %2), error %3"), {event.x, event.y, shortNumber(p.error())}}};
+}
+
 /// `depth 0.5 < 1: passed`
 Reason depthTestText(const Rules& rules, const StepEvent& event, const FragmentStep& step)
 {
@@ -471,7 +478,8 @@ QString stepText(const StepLog& log, std::size_t i)
         line += QStringLiteral(" x %1").arg(event.x);
     else if (event.kind == StepKind::Resolve)
         line += QStringLiteral(" pixel (%1, %2)").arg(event.x / log.grid()).arg(event.y / log.grid());
-    else if (event.x >= 0 || event.kind == StepKind::LineSample || event.kind == StepKind::LineDecision)
+    else if (event.x >= 0 || event.kind == StepKind::LineSample || event.kind == StepKind::LineDecision ||
+             event.kind == StepKind::LinePosition)
         line += QStringLiteral(" (%1, %2)").arg(event.x).arg(event.y);
     else if (event.kind == StepKind::Span || event.kind == StepKind::Crossing)
         line += QStringLiteral(" row %1").arg(event.y);

@@ -48,6 +48,7 @@ struct WalkedHalves {
 /// Edge walking: where the centre line of a row crosses the long edge and the short edge of its half.
 struct RowCrossings {
     int y = 0;              ///< the row, in samples
+    double height = 0;      ///< where it is crossed: at its centre line, but for Rules::wholeRows
     bool upperHalf = false; ///< the short edge goes from top to middle, else from middle to bottom
     double alpha = 0;       ///< fraction of the way down the long edge
     double beta = 0;        ///< fraction of the way down the short edge
@@ -67,6 +68,7 @@ struct SpanEnds {
     std::int64_t end = 0;      ///< one past the last sample, before it is held within the bounds
     bool leftOwnsTie = true;   ///< a centre on the left edge is inside: ceil(v - 0.5), else floor(v - 0.5) + 1
     bool rightOwnsTie = false; ///< a centre on the right edge is inside
+    bool whole = false;        ///< floor(v) and floor(v) + 1: see Rules::wholeRows
 };
 
 /// Column fill: the rows in which the edges of a triangle cross a column of samples.
@@ -90,6 +92,23 @@ struct LineDecision {
     int shorter = 0;
     bool steep = false;
     bool sideways = false; ///< the shorter axis is stepped along
+};
+
+/// Digital differential analyzer: how far a line has come by additions, and the sample that is nearest. Whole numbers
+/// are centres of samples.
+struct LinePosition {
+    int step = 0;  ///< i, counted from 0
+    int steps = 0; ///< of the whole line
+    double x = 0;
+    double y = 0;
+    double perStepX = 0;
+    double perStepY = 0;
+    int column = 0;
+    int row = 0;
+
+    [[nodiscard]] bool steep() const { return std::abs(perStepY) > std::abs(perStepX); }
+    /// How far the line is from the sample's centre, along the axis that is not stepped along by whole samples.
+    [[nodiscard]] double error() const { return steep() ? x - column : y - row; }
 };
 
 /// The samples of a pixel, and the colour that the picture has of them.
@@ -159,6 +178,7 @@ struct NullObserver {
     /// Column fill: before the samples of the column.
     constexpr void onColumn(const FilledColumn&) {}
     constexpr void onLineDecision(const LineDecision&) {}
+    constexpr void onLinePosition(const LinePosition&) {}
     /// A sample of a line, a corner or a filled column; off the target nothing is drawn.
     constexpr void onLineSample(int /*x*/, int /*y*/, bool /*onTarget*/) {}
     /// The sample's depth against the stored one. Varyings are there where the fragment is shaded.

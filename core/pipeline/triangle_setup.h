@@ -99,9 +99,9 @@ struct SampleRange {
             static_cast<int>(std::clamp<std::int64_t>(last, -1, size - 1))};
 }
 
-/// The bounds of a triangle for rules.bounds.
+/// The bounds of a triangle for rules.bounds, or for rules.wholeRows.
 ///
-/// in   the bounds clamped to the target, not empty
+/// in   the bounds clamped to the target; not empty but for whole rows
 [[nodiscard]] PixelRect boundsByRules(const ScreenTriangle& triangle, const PixelRect& clamped, const Rules& rules);
 
 template <class T>
@@ -152,7 +152,7 @@ template <class T>
         corners[i] = {Grid<T>::fromSamples(triangle.vertices[i].position.x),
                       Grid<T>::fromSamples(triangle.vertices[i].position.y)};
     setup.bounds = boundsWithin(triangle, corners, rules);
-    if (setup.bounds.width <= 0 || setup.bounds.height <= 0)
+    if ((setup.bounds.width <= 0 || setup.bounds.height <= 0) && !rules.wholeRows)
         return false;
 
     const T area2 = edgeFunction(corners[0], corners[1], rules).at(corners[2]);
@@ -166,7 +166,7 @@ template <class T>
     setup.vertices = corners;
     for (std::size_t i = 0; i < 3; ++i)
         setup.edges[i] = edgeFunction(corners[i], corners[(i + 1) % 3], rules);
-    if (rules.bounds != Bounds::Clamped)
+    if (rules.bounds != Bounds::Clamped || rules.wholeRows)
         setup.bounds = boundsByRules(triangle, setup.bounds, rules);
     return true;
 }

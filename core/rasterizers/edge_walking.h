@@ -12,11 +12,19 @@
 namespace rasterlens
 {
 
-/// What ceil(v - 0.5) and its counterpart make of the point v where an edge crosses the centre line of a row.
+/// What ceil(v - 0.5) and its counterpart make of the point v where an edge crosses the centre line of a row. Under
+/// Rules::wholeRows a row is crossed at its upper border, and corners of samples stand in place of their centres.
 struct RowCrossing {
     std::int64_t atOrAfter; ///< first sample whose centre is not left of the edge
     std::int64_t after;     ///< first sample whose centre is right of the edge
 };
+
+/// How far from the corner of a sample a row is crossed, on both axes.
+template <class T>
+[[nodiscard]] constexpr T crossedAt(const Rules& rules)
+{
+    return rules.wholeRows ? T(0) : Grid<T>::kCentre;
+}
 
 /// Follows one edge down, row by row.
 ///
@@ -26,7 +34,8 @@ class EdgeWalker
 {
 public:
     EdgeWalker(Point<T> upper, Point<T> lower, int firstRow, const Rules& rules)
-        : m_upper(upper), m_slope((lower.x - upper.x) / (lower.y - upper.y)), m_stepping(rules.stepping)
+        : m_upper(upper), m_slope((lower.x - upper.x) / (lower.y - upper.y)), m_crossedAt(crossedAt<T>(rules)),
+          m_stepping(rules.stepping)
     {
         if (!rules.edgesPreStepped)
             m_upper.y = TriangleSetup<T>::centre(0, firstRow).y;
@@ -35,11 +44,11 @@ public:
 
     [[nodiscard]] RowCrossing crossing() const
     {
-        const T v = m_x - Grid<T>::kCentre;
+        const T v = m_x - m_crossedAt;
         return {hold(std::ceil(v)), hold(std::floor(v)) + 1};
     }
 
-    /// Where the edge crosses the centre line of the row, in samples.
+    /// Where the edge crosses the row, in samples.
     [[nodiscard]] double position() const { return static_cast<double>(m_x); }
 
     /// The next row down: one addition, or the line equation anew.
@@ -64,12 +73,13 @@ private:
     void jumpTo(int row)
     {
         m_row = row;
-        m_x = m_upper.x + (TriangleSetup<T>::centre(0, row).y - m_upper.y) * m_slope;
+        m_x = m_upper.x + (static_cast<T>(row) * Grid<T>::kUnit + m_crossedAt - m_upper.y) * m_slope;
     }
 
     Point<T> m_upper;
     T m_slope; ///< samples a row
-    T m_x = 0; ///< where the edge crosses the centre line of the row
+    T m_x = 0; ///< where the edge crosses the row
+    T m_crossedAt;
     int m_row = 0;
     Stepping m_stepping;
 };
@@ -82,7 +92,8 @@ public:
     using T = std::int64_t;
 
     EdgeWalker(Point<T> upper, Point<T> lower, int firstRow, const Rules& rules)
-        : m_upper(upper), m_dx(lower.x - upper.x), m_dy(lower.y - upper.y), m_stepping(rules.stepping)
+        : m_upper(upper), m_dx(lower.x - upper.x), m_dy(lower.y - upper.y), m_crossedAt(crossedAt<T>(rules)),
+          m_stepping(rules.stepping)
     {
         if (!rules.edgesPreStepped)
             m_upper.y = TriangleSetup<T>::centre(0, firstRow).y;
@@ -93,11 +104,11 @@ public:
 
     [[nodiscard]] RowCrossing crossing() const { return {m_x.floor + (m_x.rest > 0 ? 1 : 0), m_x.floor + 1}; }
 
-    /// Where the edge crosses the centre line of the row, in samples.
+    /// Where the edge crosses the row, in samples.
     [[nodiscard]] double position() const
     {
         return static_cast<double>(m_x.floor) + static_cast<double>(m_x.rest) / static_cast<double>(denominator()) +
-               0.5;
+               static_cast<double>(m_crossedAt) / Grid<T>::kUnit;
     }
 
     void step()
@@ -139,16 +150,17 @@ private:
     void jumpTo(int row)
     {
         m_row = row;
-        const T down = TriangleSetup<T>::centre(0, row).y - m_upper.y;
-        m_x = divide((m_upper.x - Grid<T>::kCentre) * m_dy + down * m_dx);
+        const T down = row * Grid<T>::kUnit + m_crossedAt - m_upper.y;
+        m_x = divide((m_upper.x - m_crossedAt) * m_dy + down * m_dx);
     }
 
     Point<T> m_upper;
     T m_dx;
     T m_dy;
+    T m_crossedAt;
     Stepping m_stepping;
     Fraction m_perRow{}; ///< samples
-    Fraction m_x{};      ///< samples, measured from the first centre
+    Fraction m_x{};      ///< samples, measured from the first centre or corner
     int m_row = 0;
 };
 
@@ -213,9 +225,10 @@ struct EdgeWalking {
         EdgeWalker<T> longEdge(s.vertices[0], endOf(2), y, rules);
         // Upper half: long edge and upper short edge. The row through the middle vertex belongs to the lower half
         // unless there is none.
-        if (isUpperHalf(y, s)) {
+        if (isUpperHalf(y, s, rules)) {
             EdgeWalker<T> shortEdge(s.vertices[0], endOf(1), y, rules);
-            for (; y <= rows.last && isUpperHalf(y, s) && !isStopped(emit); ++y, longEdge.step(), shortEdge.step())
+            for (; y <= rows.last && isUpperHalf(y, s, rules) && !isStopped(emit);
+                 ++y, longEdge.step(), shortEdge.step())
                 fillSpan(y, longEdge, shortEdge, s, setup, triangle, rules, emit, observer);
         }
         if (y <= rows.last && !isStopped(emit)) {
@@ -268,6 +281,8 @@ private:
     static Rows rowsOf(const Sorted<T>& s, const PixelRect& bounds, const Rules& rules)
     {
         Rows rows{bounds.y, bounds.y + bounds.height - 1};
+        if (rules.wholeRows)
+            return rows;
         const auto& [top, middle, bottom] = s.vertices;
         if (top.y == middle.y && rules.tie.owner > 0 && TriangleSetup<T>::centre(0, rows.first).y <= top.y)
             ++rows.first;
@@ -277,10 +292,17 @@ private:
     }
 
     template <class T>
-    static bool isUpperHalf(int row, const Sorted<T>& s)
+    static bool isUpperHalf(int row, const Sorted<T>& s, const Rules& rules)
     {
         const T middle = s.vertices[1].y;
-        return s.vertices[2].y == middle || TriangleSetup<T>::centre(0, row).y < middle;
+        return s.vertices[2].y == middle || heightOf<T>(row, rules) < middle;
+    }
+
+    /// Where a row is crossed.
+    template <class T>
+    static T heightOf(int row, const Rules& rules)
+    {
+        return static_cast<T>(row) * Grid<T>::kUnit + crossedAt<T>(rules);
     }
 
     template <class T>
@@ -300,7 +322,8 @@ private:
     {
         const auto& [top, middle, bottom] = walk.vertices;
         const double alpha = (middle.y - top.y) / (bottom.y - top.y + rules.extraEdgeHeight);
-        const double firstLower = bottom.y == middle.y ? walk.lastRow + 1 : std::ceil(middle.y - 0.5);
+        const double firstLower =
+            bottom.y == middle.y ? walk.lastRow + 1 : std::ceil(middle.y - crossedAt<double>(rules));
         const double held =
             std::clamp(firstLower, double(walk.firstRow), double(std::max(walk.firstRow, walk.lastRow + 1)));
         return {alpha, top.x + alpha * (bottom.x - top.x), static_cast<int>(held)};
@@ -310,12 +333,20 @@ private:
     static RowCrossings observedCrossings(int y, const Sorted<T>& s, double xa, double xb, const Rules& rules)
     {
         const auto fraction = [&](std::size_t i, std::size_t j) {
-            const double down = static_cast<double>(TriangleSetup<T>::centre(0, y).y - s.vertices[i].y);
+            const double down = static_cast<double>(heightOf<T>(y, rules) - s.vertices[i].y);
             const double height = static_cast<double>(s.vertices[j].y - s.vertices[i].y);
             return down / (height + double(rules.extraEdgeHeight) * double(Grid<T>::kUnit));
         };
-        const bool upperHalf = isUpperHalf(y, s);
-        return {y, upperHalf, fraction(0, 2), upperHalf ? fraction(0, 1) : fraction(1, 2), xa, xb, 0, 0};
+        const bool upperHalf = isUpperHalf(y, s, rules);
+        return {y,
+                y + crossedAt<double>(rules),
+                upperHalf,
+                fraction(0, 2),
+                upperHalf ? fraction(0, 1) : fraction(1, 2),
+                xa,
+                xb,
+                0,
+                0};
     }
 
     template <class T, class Emit, class Observer>
@@ -325,14 +356,19 @@ private:
     {
         if (skipsLine(emit, y))
             return;
-        const bool longIsLeft = s.longEdgeIsLeft || !rules.spanEndsSorted;
+        const bool longIsLeft =
+            rules.wholeRows ? longEdge.position() < shortEdge.position() : s.longEdgeIsLeft || !rules.spanEndsSorted;
         const EdgeWalker<T>& leftEdge = longIsLeft ? longEdge : shortEdge;
         const EdgeWalker<T>& rightEdge = longIsLeft ? shortEdge : longEdge;
         const RowCrossing left = leftEdge.crossing();
         const RowCrossing right = rightEdge.crossing();
         // Start inclusive, end exclusive: a left edge owns its points, a right one does not.
-        const std::int64_t begin = rules.tie.owner > 0 ? left.after : left.atOrAfter;
-        const std::int64_t end = rules.tie.other > 0 ? right.atOrAfter : right.after;
+        std::int64_t begin = rules.tie.owner > 0 ? left.after : left.atOrAfter;
+        std::int64_t end = rules.tie.other > 0 ? right.atOrAfter : right.after;
+        if (rules.wholeRows) {
+            begin = left.after - 1;
+            end = right.after;
+        }
         const std::int64_t boundsEnd = std::int64_t(setup.bounds.x) + setup.bounds.width;
         const int xBegin = static_cast<int>(std::clamp<std::int64_t>(begin, setup.bounds.x, boundsEnd));
         const int xEnd = static_cast<int>(std::clamp<std::int64_t>(end, xBegin, boundsEnd));
@@ -341,8 +377,8 @@ private:
         crossings.xEnd = xEnd;
         observer.onCrossing(crossings);
         observer.onSpan(y, xBegin, xEnd,
-                        {leftEdge.position(), rightEdge.position(), longIsLeft, isUpperHalf(y, s), begin, end,
-                         rules.tie.owner <= 0, rules.tie.other <= 0});
+                        {leftEdge.position(), rightEdge.position(), longIsLeft, isUpperHalf(y, s, rules), begin, end,
+                         rules.tie.owner <= 0, rules.tie.other <= 0, rules.wholeRows});
         if (rules.attributePath == AttributePath::Planes) {
             emitRow(y, xBegin, xEnd, emit);
         } else if (xBegin < xEnd) {

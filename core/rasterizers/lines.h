@@ -47,19 +47,24 @@ void bresenhamLine(GridPoint from, GridPoint to, Plot&& plot, Observer& observer
     }
 }
 
-/// Draws a line by adding the slope in floating point and rounding, both ends included.
+/// Draws a line by adding the slope in floating point and rounding, both ends included. The observer is told every
+/// position before its sample is plotted.
 ///
 /// source  digital differential analyzer: Foley & van Dam, Computer Graphics, section 3.2.1
-template <class Plot>
-void ddaLine(GridPoint from, GridPoint to, Plot&& plot)
+template <class Plot, class Observer>
+void ddaLine(GridPoint from, GridPoint to, Plot&& plot, Observer& observer)
 {
     const int steps = std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
     const double perStepX = steps > 0 ? double(to.x - from.x) / steps : 0;
     const double perStepY = steps > 0 ? double(to.y - from.y) / steps : 0;
     double x = from.x;
     double y = from.y;
-    for (int i = 0; i <= steps; ++i, x += perStepX, y += perStepY)
-        plot(static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y)), steps > 0 ? double(i) / steps : 0.0);
+    for (int i = 0; i <= steps; ++i, x += perStepX, y += perStepY) {
+        const auto column = static_cast<int>(std::lround(x));
+        const auto row = static_cast<int>(std::lround(y));
+        observer.onLinePosition({i, steps, x, y, perStepX, perStepY, column, row});
+        plot(column, row, steps > 0 ? double(i) / steps : 0.0);
+    }
 }
 
 /// The line column by column, dy/dx rows in each, the last column included: it runs past its end, the farther the
@@ -158,7 +163,7 @@ void centreLine(GridPoint from, GridPoint to, const Rules& rules, Plot&& plot, O
     if (rules.line == LineAlgorithm::Bresenham)
         bresenhamLine(from, to, plot, observer);
     else
-        ddaLine(from, to, plot);
+        ddaLine(from, to, plot, observer);
 }
 
 /// Draws a line by the rules: plot(x, y, t) for each of its samples, also off the target.

@@ -107,6 +107,17 @@ constexpr MistakeRow kRows[] = {
          r.algorithm = Algorithm::EdgeWalking;
          r.extraEdgeHeight = 1;
      }},
+    {"whole-rows", "M12",
+     QT_TRANSLATE_NOOP("Mistake", "Rows and their ends in whole numbers, both ends filled"),
+     QT_TRANSLATE_NOOP("Mistake", "Each triangle has a row and a column more than it should: pixels on a shared edge are drawn twice."),
+     QT_TRANSLATE_NOOP("Mistake", "y = row;  for (x = (int)xa; x <= (int)xb; ++x)"),
+     QT_TRANSLATE_NOOP("Mistake", "From the first to the last: both belong to the triangle."),
+     "triangle-600",
+     Proof::WrongPixels, Change::Rises, at(Crossing, Span),
+     [](Rules& r) {
+         r.algorithm = Algorithm::EdgeWalking;
+         r.wholeRows = true;
+     }},
     {"steep-columns", "M13",
      QT_TRANSLATE_NOOP("Mistake", "Steep lines column by column"),
      QT_TRANSLATE_NOOP("Mistake", "A line of 1 x 10 ends at y = 20; of vertical lines, which would divide by zero, only a dot is left."),

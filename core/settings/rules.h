@@ -221,6 +221,7 @@ struct Rules {
     bool edgesPreStepped = true; ///< edge walking: edges begin where they cross the first row; false: at their corner
     bool spanEndsSorted = true;  ///< edge walking: false: the long edge is taken for the left one
     int extraEdgeHeight = 0;     ///< edge walking: rows by which edges are taken to be higher than they are
+    bool wholeRows = false; ///< edge walking: rows at whole heights, filled between whole columns, both ends included
 
     // Depth
     bool painter = false;    ///< faces from far to near

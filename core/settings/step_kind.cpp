@@ -34,6 +34,8 @@ constexpr auto kKinds = std::to_array<StepKindInfo>({
     {StepKind::Sample, "sample", QT_TRANSLATE_NOOP("StepListing", "sample"), Stage::Cover, kCoverPhase},
     {StepKind::LineDecision, "line-decision", QT_TRANSLATE_NOOP("StepListing", "line decision"), Stage::Cover,
      kCoverPhase},
+    {StepKind::LinePosition, "line-position", QT_TRANSLATE_NOOP("StepListing", "position on the line"), Stage::Cover,
+     kCoverPhase},
     {StepKind::LineSample, "line-sample", QT_TRANSLATE_NOOP("StepListing", "line sample"), Stage::Cover, kCoverPhase},
     {StepKind::Fragment, "fragment", QT_TRANSLATE_NOOP("StepListing", "depth test"), Stage::Depth, kCoverPhase},
     {StepKind::Shade, "shade", QT_TRANSLATE_NOOP("StepListing", "shade"), Stage::Shade, kCoverPhase},

@@ -26,6 +26,7 @@ enum class StepKind : std::uint8_t {
     Column,          ///< column fill fills a column: ColumnFillStep
     Sample,          ///< edge equation tests a sample: SampleStep
     LineDecision,    ///< Bresenham: LineStep
+    LinePosition,    ///< a line by DDA: LinePositionStep
     LineSample,      ///< a sample of a line, a corner or a filled column
     Fragment,        ///< interpolation and depth test: FragmentStep
     Shade,           ///< ShadeStep

@@ -1605,6 +1605,18 @@
         <source>z&apos; over z: a straight line</source>
         <translation>z&apos; 随 z 变化：一条直线</translation>
     </message>
+    <message>
+        <source>A mistake cuts both ends to whole columns, and fills both.</source>
+        <translation>一个错误把两端截成整数列，并且两端都填充。</translation>
+    </message>
+    <message>
+        <source>It fills the rows from the first whole height to the last.</source>
+        <translation>它填充从第一个整数高度到最后一个整数高度的各行。</translation>
+    </message>
+    <message>
+        <source>a mistake crosses the rows at whole heights, not at the centres that are interpolated to</source>
+        <translation>一个错误在整数高度而不是在插值所用的中心处与各行相交</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostic</name>
@@ -6229,6 +6241,22 @@
         <source>One line of code looks like one step.</source>
         <translation>一行代码看起来就是一步。</translation>
     </message>
+    <message>
+        <source>Rows and their ends in whole numbers, both ends filled</source>
+        <translation>行和行的两端都取整数，两端都填充</translation>
+    </message>
+    <message>
+        <source>Each triangle has a row and a column more than it should: pixels on a shared edge are drawn twice.</source>
+        <translation>每个三角形多出一行一列：公共边上的像素被画两次。</translation>
+    </message>
+    <message>
+        <source>y = row;  for (x = (int)xa; x &lt;= (int)xb; ++x)</source>
+        <translation>y = row;  for (x = (int)xa; x &lt;= (int)xb; ++x)</translation>
+    </message>
+    <message>
+        <source>From the first to the last: both belong to the triangle.</source>
+        <translation>从第一个到最后一个：两个都属于三角形。</translation>
+    </message>
 </context>
 <context>
     <name>Moment</name>
@@ -7172,6 +7200,10 @@
         <source>sample %1</source>
         <translation>采样点 %1</translation>
     </message>
+    <message>
+        <source>position on the line</source>
+        <translation>直线上的位置</translation>
+    </message>
 </context>
 <context>
     <name>StepSentence</name>
@@ -7258,6 +7290,14 @@
     <message>
         <source>Pixel (%1, %2), sample %3,</source>
         <translation>像素 (%1, %2) 的采样点 %3</translation>
+    </message>
+    <message>
+        <source>x = %1 is rounded to %2: an error of %3.</source>
+        <translation>x = %1 取整为 %2：误差为 %3。</translation>
+    </message>
+    <message>
+        <source>y = %1 is rounded to %2: an error of %3.</source>
+        <translation>y = %1 取整为 %2：误差为 %3。</translation>
     </message>
 </context>
 <context>
@@ -7597,6 +7637,14 @@
     <message>
         <source>three edges, not yet told apart; heights %1</source>
         <translation>三条边，还没有区分；高度 %1</translation>
+    </message>
+    <message>
+        <source>i %1, x %2, y %3</source>
+        <translation>i %1，x %2，y %3</translation>
+    </message>
+    <message>
+        <source>rounded to (%1, %2), error %3</source>
+        <translation>取整到 (%1, %2)，误差 %3</translation>
     </message>
 </context>
 <context>

@@ -2,12 +2,12 @@
 
 #include "core/base/typed_numbers.h"
 #include "ui/base/applicability.h"
+#include "ui/base/parts.h"
 #include "ui/base/typed_field.h"
 
 #include <QAbstractItemView>
 #include <QCheckBox>
 #include <QCoreApplication>
-#include <QHBoxLayout>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLabel>
@@ -208,9 +208,6 @@ FieldRow::FieldRow(const SettingsField& field, const Language& language, QWidget
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(1);
-    auto* row = new QHBoxLayout;
-    row->setSpacing(4);
-    column->addLayout(row);
     m_dot = new ChangeDot;
     m_name = new QLabel;
     m_name->setWordWrap(true);
@@ -220,11 +217,7 @@ FieldRow::FieldRow(const SettingsField& field, const Language& language, QWidget
     m_key = new QLabel;
     m_key->setObjectName(QStringLiteral("keyHint"));
     m_key->setAlignment(Qt::AlignCenter);
-    m_key->setMinimumWidth(14);
-    row->addWidget(m_dot);
-    row->addWidget(m_name, 9);
-    row->addWidget(m_editor, 13);
-    row->addWidget(m_key);
+    column->addLayout(makeFieldLine(m_dot, m_name, m_editor, m_key));
     m_note = new QLabel;
     m_note->setObjectName(QStringLiteral("muted"));
     m_note->setWordWrap(true);

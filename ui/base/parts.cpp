@@ -1,5 +1,7 @@
 #include "ui/base/parts.h"
 
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QMenu>
 #include <QScrollArea>
 #include <QToolButton>
@@ -21,6 +23,30 @@ QToolButton* makeMenuLink(QMenu* menu)
     link->setPopupMode(QToolButton::InstantPopup);
     link->setMenu(menu);
     return link;
+}
+
+QWidget* makeTogether(QWidget* name, QWidget* named)
+{
+    auto* pair = new QWidget;
+    auto* row = new QHBoxLayout(pair);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(name);
+    row->addWidget(named);
+    return pair;
+}
+
+QHBoxLayout* makeFieldLine(QWidget* dot, QWidget* name, QWidget* editor, QLabel* key)
+{
+    auto* line = new QHBoxLayout;
+    line->setSpacing(4);
+    if (!key)
+        key = new QLabel;
+    key->setMinimumWidth(14);
+    line->addWidget(dot);
+    line->addWidget(name, 9);
+    line->addWidget(editor, 13);
+    line->addWidget(key);
+    return line;
 }
 
 QWidget* makePanelContent()

@@ -75,6 +75,7 @@ ClipStory clipStory(const Scene& scene, const Settings& settings, std::uint32_t 
         case StepKind::Column:
         case StepKind::Sample:
         case StepKind::LineDecision:
+        case StepKind::LinePosition:
         case StepKind::LineSample:
         case StepKind::Fragment:
         case StepKind::Shade:

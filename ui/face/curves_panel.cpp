@@ -4,12 +4,12 @@
 #include "ui/base/field_row.h"
 #include "ui/base/flow_layout.h"
 #include "ui/base/inks.h"
+#include "ui/base/parts.h"
 #include "ui/base/theme.h"
 #include "ui/base/turning.h"
 #include "ui/face/curve_plot.h"
 
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QSignalBlocker>
@@ -81,12 +81,7 @@ CurvesPanel::CurvesPanel(FaceSelection& selection, QWidget* parent)
     m_slider->setValue(kSliderSteps / 2);
     m_slider->setPageStep(kSliderSteps / 20);
     m_slider->setFixedWidth(150);
-    auto* pair = new QWidget; // the name never stands in another line than its slider
-    auto* row = new QHBoxLayout(pair);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(m_sliderName);
-    row->addWidget(m_slider);
-    head->addWidget(pair);
+    head->addWidget(makeTogether(m_sliderName, m_slider));
     m_note->setObjectName(QStringLiteral("muted"));
     m_note->setWordWrap(true);
     column->addLayout(head);

@@ -5,6 +5,7 @@
 #include "ui/base/field_row.h"
 #include "ui/base/flow_layout.h"
 #include "ui/base/inks.h"
+#include "ui/base/parts.h"
 #include "ui/base/theme.h"
 #include "ui/face/figure_view.h"
 
@@ -182,12 +183,7 @@ DerivationPanel::DerivationPanel(FaceSelection& selection, QWidget* parent)
         slider->setValue(kSliderSteps / 2);
         slider->setPageStep(kSliderSteps / 20);
         slider->setFixedWidth(kSliderWidth);
-        auto* pair = new QWidget; // a name never stands in another line than its slider
-        auto* row = new QHBoxLayout(pair);
-        row->setContentsMargins(0, 0, 0, 0);
-        row->addWidget(name);
-        row->addWidget(slider);
-        head->addWidget(pair);
+        head->addWidget(makeTogether(name, slider));
         connect(slider, &QSlider::valueChanged, this, &DerivationPanel::asked);
     }
     column->addLayout(head);

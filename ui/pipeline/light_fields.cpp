@@ -3,11 +3,11 @@
 #include "core/observe/names.h"
 #include "core/questions/unchanged.h"
 #include "core/scene/camera.h"
+#include "ui/base/parts.h"
 #include "ui/pipeline/light_ball.h"
 #include "ui/pipeline/unchanged_notes.h"
 
 #include <QCheckBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalBlocker>
@@ -38,21 +38,10 @@ LightFields::LightFields(Document& document, QWidget* parent)
     m_head->setObjectName(QStringLiteral("headlight"));
     m_edit->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_head->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    const auto addLine = [&](QWidget* mark, QWidget* left, QWidget* right) {
-        auto* line = new QHBoxLayout;
-        line->setSpacing(4);
-        auto* room = new QLabel;
-        room->setMinimumWidth(14);
-        line->addWidget(mark);
-        line->addWidget(left, 9);
-        line->addWidget(right, 13);
-        line->addWidget(room);
-        column->addLayout(line);
-    };
-    addLine(m_dot, m_name, m_edit);
+    column->addLayout(makeFieldLine(m_dot, m_name, m_edit));
     auto* room = new QLabel;
     room->setFixedWidth(m_dot->width());
-    addLine(room, m_ball, m_head);
+    column->addLayout(makeFieldLine(room, m_ball, m_head));
     constexpr QMargins kUnderTheName(14, 0, 18, 2);
     m_note->setContentsMargins(kUnderTheName);
     column->addWidget(m_note);

@@ -235,10 +235,6 @@ void PipelinePanel::fillFailureMenu()
 
 void PipelinePanel::addSize(QVBoxLayout* group)
 {
-    auto* widget = new QWidget;
-    auto* row = new QHBoxLayout(widget);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(4);
     auto* dot = new ChangeDot;
     connect(dot, &ChangeDot::clicked, this, [this] {
         Settings next = m_document.settings();
@@ -269,13 +265,7 @@ void PipelinePanel::addSize(QVBoxLayout* group)
         syncSettings();
         m_sizeBox->clearFocus();
     });
-    auto* room = new QLabel;
-    room->setMinimumWidth(14);
-    row->addWidget(dot);
-    row->addWidget(m_sizeLabel, 9);
-    row->addWidget(m_sizeBox, 13);
-    row->addWidget(room);
-    group->addWidget(widget);
+    group->addLayout(makeFieldLine(dot, m_sizeLabel, m_sizeBox));
 }
 
 std::optional<QString> PipelinePanel::readSize(const QString& text, TypedField::Attempt attempt)

@@ -1,5 +1,7 @@
 #include "ui/pipeline/typed_row.h"
 
+#include "ui/base/parts.h"
+
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -13,9 +15,6 @@ TypedRow::TypedRow(const QString& name, TypedField::Reader reader, QWidget* pare
     : QWidget(parent), m_dot(new ChangeDot), m_name(new QLabel), m_edit(new QLineEdit),
       m_field(new TypedField(m_edit, std::move(reader)))
 {
-    auto* line = new QHBoxLayout(this);
-    line->setContentsMargins(0, 0, 0, 0);
-    line->setSpacing(4);
     m_name->setObjectName(QStringLiteral("muted"));
     m_name->setWordWrap(true);
     m_edit->setObjectName(name);
@@ -23,12 +22,9 @@ TypedRow::TypedRow(const QString& name, TypedField::Reader reader, QWidget* pare
     connect(m_field, &TypedField::refused, this, &TypedRow::invalidInput);
     connect(m_field, &TypedField::mended, this, &TypedRow::inputMended);
     connect(m_dot, &ChangeDot::clicked, this, &TypedRow::resetRequested);
-    auto* room = new QLabel;
-    room->setMinimumWidth(14);
-    line->addWidget(m_dot);
-    line->addWidget(m_name, 9);
-    line->addWidget(m_edit, 13);
-    line->addWidget(room);
+    QHBoxLayout* line = makeFieldLine(m_dot, m_name, m_edit);
+    line->setContentsMargins(0, 0, 0, 0);
+    setLayout(line);
 }
 
 void TypedRow::sync(const QString& value, bool changed)

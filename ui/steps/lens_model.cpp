@@ -210,6 +210,12 @@ const LineStep* LensModel::line() const
     return lastOf<LineStep>(*m_log, eventsOfTriangle(StepKind::LineDecision), m_position);
 }
 
+const LinePosition* LensModel::linePosition() const
+{
+    const auto* step = lastOf<LinePositionStep>(*m_log, eventsOfTriangle(StepKind::LinePosition), m_position);
+    return step ? &step->position : nullptr;
+}
+
 std::optional<std::array<glm::ivec2, 2>> LensModel::lineEnds() const
 {
     const LineStep* step = line();

@@ -75,6 +75,8 @@ public:
     [[nodiscard]] const FilledColumn* column() const;
     /// Bresenham: the present decision.
     [[nodiscard]] const LineStep* line() const;
+    /// DDA: the present position.
+    [[nodiscard]] const LinePosition* linePosition() const;
     /// The ends of the line that decision belongs to, in samples.
     [[nodiscard]] std::optional<std::array<glm::ivec2, 2>> lineEnds() const;
 

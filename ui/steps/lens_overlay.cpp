@@ -110,6 +110,7 @@ void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTran
     paintPattern(view, *m_model);
     paintWalkOfSample(view);
     paintLine(view);
+    paintLinePosition(view);
     paintColumn(view);
     paintCurrent(view);
     paintCorners(view);
@@ -362,6 +363,29 @@ void LensOverlay::paintLine(LensView& view) const
                {QStringLiteral("d_lower = %1").arg(shortNumber(step->dLower())),
                 QStringLiteral("d_upper = %1").arg(shortNumber(step->dUpper())),
                 QStringLiteral("p_%1 = %2").arg(d.step).arg(d.decision)},
+               numberFont(0));
+}
+
+/// DDA: the ideal line, the position on it, the sample it is rounded to, and how far that is.
+void LensOverlay::paintLinePosition(LensView& view) const
+{
+    const LinePosition* p = m_model->linePosition();
+    if (!p)
+        return;
+    const glm::dvec2 at(p->x + 0.5, p->y + 0.5);
+    const glm::dvec2 perStep(p->perStepX, p->perStepY);
+    view.line(at - double(p->step) * perStep, at + double(p->steps - p->step) * perStep, QColor(Qt::black), 1.8,
+              Qt::DashLine);
+    view.painter.setBrush(Qt::NoBrush);
+    paintFrame(view.painter, view.box(p->column, p->row), QPen(QColor(kCanvasPlus), view.thickness(3.5)));
+    view.line({p->column + 0.5, p->row + 0.5}, at, QColor(kCanvasPlus), 3, Qt::SolidLine);
+    if (view.cell < kGlyphsFromCell)
+        return;
+    const QString name = p->steep() ? QStringLiteral("x") : QStringLiteral("y");
+    paintPlate(view.painter, view.canvas, view.box(p->column + 1, p->row + 1).topLeft(),
+               {QStringLiteral("%1 = %2").arg(name, shortNumber(p->steep() ? p->x : p->y)),
+                QStringLiteral("round(%1) = %2").arg(name).arg(p->steep() ? p->column : p->row),
+                QStringLiteral("error = %1").arg(shortNumber(p->error()))},
                numberFont(0));
 }
 

@@ -42,6 +42,7 @@ private:
     static void paintTies(LensView& view);
     void paintCorners(LensView& view) const;
     void paintLine(LensView& view) const;
+    void paintLinePosition(LensView& view) const;
     void paintColumn(LensView& view) const;
     void paintCurrent(LensView& view) const;
     void paintHover(LensView& view) const;

@@ -66,6 +66,7 @@ QString stepLine(const FaceMoment& moment, const Rules& rules)
     case StepKind::Column:
     case StepKind::Sample:
     case StepKind::LineDecision:
+    case StepKind::LinePosition:
     case StepKind::LineSample:
     case StepKind::Fragment:
     case StepKind::Shade:

@@ -124,7 +124,7 @@ StepKinds kindsOfDrawing(const Rules& rules)
 {
     const StepKinds all = kindBit(StepKind::Fragment) | kindBit(StepKind::Shade) | kindBit(StepKind::Write);
     if (rules.fill != Fill::Solid)
-        return all | kindBit(StepKind::LineDecision) | kindBit(StepKind::LineSample);
+        return all | kindBit(StepKind::LineDecision) | kindBit(StepKind::LinePosition) | kindBit(StepKind::LineSample);
     switch (rules.algorithm) {
     case Algorithm::EdgeWalking: return all | kindBit(StepKind::Crossing) | kindBit(StepKind::Span);
     case Algorithm::ColumnFill: return all | kindBit(StepKind::Column);
@@ -177,7 +177,8 @@ int lineOf(StepKind kind)
     case StepKind::Sides:
     case StepKind::Span:
     case StepKind::Sample:
-    case StepKind::LineDecision: return 1;
+    case StepKind::LineDecision:
+    case StepKind::LinePosition: return 1;
     case StepKind::Halves: return 2;
     case StepKind::Crossing: return 3;
     case StepKind::LineSample: return 0; // of a line
@@ -224,8 +225,12 @@ int lineOf(const StepLog& log, std::size_t i)
         return crossingLineOf(event.kind);
     const bool isRejected = event.kind == StepKind::Fate && log.payload<FateStep>(event).fate == FaceFate::Rejected;
     const bool beginsLines = event.kind == StepKind::Triangle && !isFilled;
-    const bool leadsToNoSample = event.kind == StepKind::LineDecision && !becauseOf(log, i).empty();
-    if (beginsLines || leadsToNoSample)
+    const bool isLine = event.kind == StepKind::LineDecision || event.kind == StepKind::LinePosition;
+    const bool leadsToNoSample = isLine && !becauseOf(log, i).empty();
+    // Nothing has been added to the first position of a line.
+    const bool isStart =
+        event.kind == StepKind::LinePosition && log.payload<LinePositionStep>(event).position.step == 0;
+    if (beginsLines || leadsToNoSample || isStart)
         return lineOf(StepKind::LineSample);
     return lineOf(isRejected ? StepKind::ClipPlane : event.kind);
 }
@@ -363,6 +368,32 @@ QString lineFormula(const StepLog& log, const StepEvent& event)
         .arg(change, minus(QString::number(next)));
 }
 
+/// `y_4 = 3.9 + 0.3 = 4.2   x_4 = 7`, `round(y_4) = 4   error = 4.2 − 4 = 0.2`
+QString positionFormula(const StepLog& log, const StepEvent& event)
+{
+    const LinePosition& p = log.payload<LinePositionStep>(event).position;
+    const auto axis = [&](const char* name, double at, double perStep) {
+        const QString added =
+            QStringLiteral("%1 %2 %3 = ")
+                .arg(minus(shortNumber(at - perStep)), perStep < 0 ? QStringLiteral("\u2212") : QStringLiteral("+"),
+                     shortNumber(std::abs(perStep)));
+        return QStringLiteral("%1_%2 = %3%4")
+            .arg(QLatin1String(name))
+            .arg(p.step)
+            .arg(p.step > 0 ? added : QString(), minus(shortNumber(at)));
+    };
+    const QString x = axis("x", p.x, p.perStepX);
+    const QString y = axis("y", p.y, p.perStepY);
+    const double at = p.steep() ? p.x : p.y;
+    const int rounded = p.steep() ? p.column : p.row;
+    return QStringLiteral("%1   %2\nround(%3_%4) = %5   error = %6 \u2212 %7 = %8")
+        .arg(p.steep() ? x : y, p.steep() ? y : x, p.steep() ? QStringLiteral("x") : QStringLiteral("y"))
+        .arg(p.step)
+        .arg(minus(QString::number(rounded)), minus(shortNumber(at)),
+             rounded < 0 ? QStringLiteral("(%1)").arg(minus(QString::number(rounded))) : QString::number(rounded),
+             minus(shortNumber(p.error())));
+}
+
 /// The sum of each channel: two in the first line, one in the second with what counts as black.
 QString resolveFormula(const StepLog& log, const StepEvent& event)
 {
@@ -396,6 +427,7 @@ QString formulaOf(const StepLog& log, std::size_t i)
         return lines[0] + QLatin1Char('\n') + lines[1] + QStringLiteral("   ") + lines[2];
     }
     case StepKind::LineDecision: return lineFormula(log, event);
+    case StepKind::LinePosition: return positionFormula(log, event);
     case StepKind::Crossing: return crossingLines(log, event).join(QLatin1Char('\n'));
     case StepKind::Resolve: return resolveFormula(log, event);
     case StepKind::Fragment: return joined(stepParts(log, i), true);
@@ -457,7 +489,7 @@ QStringList crossingLines(const StepLog& log, const StepEvent& event)
     if (walk == nullptr)
         return {minus(shortNumber(row.alpha)), minus(shortNumber(row.beta))};
     const auto& v = walk->vertices;
-    const double y = row.y + 0.5;
+    const double y = row.height;
     const std::size_t from = row.upperHalf ? 0 : 1;
     return {crossingLine(log.rules(), QStringLiteral("alpha"), QStringLiteral("xa"), v[0], v[2], y, row.alpha, row.xa),
             crossingLine(log.rules(), QStringLiteral("beta"), QStringLiteral("xb"), v[from], v[from + 1], y, row.beta,
@@ -466,15 +498,17 @@ QStringList crossingLines(const StepLog& log, const StepEvent& event)
 
 QStringList spanLines(const SpanStep& span)
 {
-    const auto end = [](const char* name, double from, bool ceiling, std::int64_t to) {
-        const QString rounded =
-            ceiling ? QStringLiteral("ceil(%1 \u2212 0.5)") : QStringLiteral("floor(%1 \u2212 0.5) + 1");
+    const SpanEnds& ends = span.ends;
+    const auto end = [&](const char* name, double from, bool ceiling, std::int64_t to) {
+        const QString rounded = ends.whole ? ceiling ? QStringLiteral("floor(%1)") : QStringLiteral("floor(%1) + 1")
+                                : ceiling ? QStringLiteral("ceil(%1 \u2212 0.5)")
+                                           : QStringLiteral("floor(%1 \u2212 0.5) + 1");
         return QStringLiteral("%1 = %2   %3 = %4")
             .arg(QLatin1String(name), minus(fullNumber(from)), rounded.arg(minus(fullNumber(from))))
             .arg(to);
     };
-    const SpanEnds& ends = span.ends;
-    return {end("xl", ends.left, ends.leftOwnsTie, ends.begin), end("xr", ends.right, !ends.rightOwnsTie, ends.end),
+    return {end("xl", ends.left, ends.whole || ends.leftOwnsTie, ends.begin),
+            end("xr", ends.right, !ends.whole && !ends.rightOwnsTie, ends.end),
             span.xBegin < span.xEnd ? QStringLiteral("x = %1 \u2026 %2").arg(span.xBegin).arg(span.xEnd - 1)
                                     : translated(QT_TRANSLATE_NOOP("StepListing", "no sample"))};
 }

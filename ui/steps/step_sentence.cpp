@@ -30,6 +30,7 @@ public:
         case StepKind::Span: return span();
         case StepKind::Column: return tr("Column %1 is filled between its lowest and its highest row.").arg(m_event.x);
         case StepKind::LineDecision: return decision();
+        case StepKind::LinePosition: return position();
         case StepKind::LineSample:
             return m_event.has(StepEvent::kCovered) ? tr("%1 belongs to the line.").arg(where()) : rest();
         case StepKind::Fragment: return fragment();
@@ -112,6 +113,16 @@ private:
         return (d.sideways ? tr("p = %1 is greater than 0: the line steps aside.")
                            : tr("p = %1 is not greater than 0: the line goes straight on."))
             .arg(QString::number(d.decision).replace(QLatin1Char('-'), QChar(0x2212)));
+    }
+
+    [[nodiscard]] QString position() const
+    {
+        const LinePosition& p = m_log.payload<LinePositionStep>(m_event).position;
+        const auto number = [](double value) {
+            return shortNumber(value).replace(QLatin1Char('-'), QChar(0x2212));
+        };
+        return (p.steep() ? tr("x = %1 is rounded to %2: an error of %3.") : tr("y = %1 is rounded to %2: an error of %3."))
+            .arg(number(p.steep() ? p.x : p.y), number(p.steep() ? p.column : p.row), number(p.error()));
     }
 
     [[nodiscard]] QString fragment() const

@@ -142,20 +142,20 @@ private:
         m_view.painter.drawPolygon(diamond);
     }
 
-    void paintEnds(int y, double xa, double xb) const
+    void paintEnds(double y, double xa, double xb) const
     {
-        paintPoint({xa, y + 0.5}, kCanvasLongEdge);
-        paintPoint({xb, y + 0.5}, kCanvasBrokenEdge);
+        paintPoint({xa, y}, kCanvasLongEdge);
+        paintPoint({xb, y}, kCanvasBrokenEdge);
     }
 
-    /// The centre line of the row, and where it crosses both edges.
+    /// The centre line of the row, or where it is crossed instead, and where it crosses both edges.
     void paintCrossings(const RowCrossings& row) const
     {
-        const double y = row.y + 0.5;
+        const double y = row.height;
         const double beyond = 24 / m_view.cell;
         m_view.line({std::min(row.xa, row.xb) - beyond, y}, {std::max(row.xa, row.xb) + beyond, y}, QColor(kCanvasInk),
                     1.4, Qt::SolidLine);
-        paintEnds(row.y, row.xa, row.xb);
+        paintEnds(y, row.xa, row.xb);
     }
 
     /// The samples of the row, and where the span begins and ends before and after ceil(v - 0.5).
@@ -169,7 +169,8 @@ private:
         m_view.painter.setPen(QPen(Qt::black, m_view.thickness(2.2)));
         m_view.painter.drawRect(row);
         const SpanEnds& ends = span.ends;
-        paintEnds(y, ends.longEdgeIsLeft ? ends.left : ends.right, ends.longEdgeIsLeft ? ends.right : ends.left);
+        paintEnds(ends.whole ? y : y + 0.5, ends.longEdgeIsLeft ? ends.left : ends.right,
+                  ends.longEdgeIsLeft ? ends.right : ends.left);
         if (m_view.cell >= kGlyphsFromCell)
             paintPlate(m_view.painter, m_view.canvas, row.bottomLeft() + QPointF(4, 6), spanLines(span), numberFont(0));
     }
