@@ -60,8 +60,7 @@ public:
         case StepKind::Sides:
         case StepKind::Column:
         case StepKind::LineDecision:
-        case StepKind::LinePosition:
-        case StepKind::LineSample: break; // see becauseOfLines()
+        case StepKind::LinePosition: break; // see becauseOfLines()
         }
         return false;
     }
