@@ -53,6 +53,7 @@ Derived derive(DerivationTopic topic, const Scene& scene, const Settings& settin
     Settings about = settings;
     if (patternSamples(settings.samples) > 1) // derivations are about the centre of a pixel
         about.samples = Samples::One;
+    about.coverageRule = CoverageRule::Centre;
     try {
         return {functionOf(topic)(scene, about, at, stop), Reason(QString()), at.edge};
     } catch (const NoDerivation& none) {

@@ -28,7 +28,7 @@ std::optional<InsideCounts> countInside(const FaceRecord& record, const StepSetu
     InsideCounts counts;
     for (int y = box.y; y < box.y + box.height; ++y)
         for (int x = box.x; x < box.x + box.width; ++x) {
-            const EdgeValues values = setup.at(testedPoint(record.rules(), x, y));
+            const EdgeValues values = testedValues(setup, record.rules(), x, y);
             const double least = std::ranges::min(values);
             counts.strict += least > 0 ? 1 : 0;
             counts.inclusive += least >= 0 ? 1 : 0;

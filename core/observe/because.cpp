@@ -225,9 +225,11 @@ private:
             return false;
         const PixelRect& box = setup->bounds;
         const Point<T> centre = TriangleSetup<T>::centre(x, y);
+        const T reach = cornerReach<T>(m_right);
         return x >= box.x && y >= box.y && x < box.x + box.width && y < box.y + box.height &&
-               std::ranges::all_of(setup->edges,
-                                   [&](const EdgeFunction<T>& edge) { return edge.at(centre) >= edge.threshold; });
+               std::ranges::all_of(setup->edges, [&](const EdgeFunction<T>& edge) {
+                   return edge.atCorner(centre, reach) >= edge.threshold;
+               });
     }
 
     /// Whether the triangle of an event covers a sample.

@@ -262,7 +262,8 @@ void StepRecorder::onSample(int x, int y, const EdgeValues& values, bool covered
     const bool onEdge = std::ranges::any_of(signs, [](int sign) { return sign == 0; });
     std::uint8_t flags = finiteFlag(values[0], values[1], values[2]);
     flags |= flagIf(covered, StepEvent::kCovered);
-    flags |= flagIf(inside && onEdge && flags != StepEvent::kNonFinite, StepEvent::kTie);
+    flags |= flagIf(m_rules.coverageRule == CoverageRule::Centre && inside && onEdge && flags != StepEvent::kNonFinite,
+                    StepEvent::kTie);
     flags |= flagIf(changes, StepEvent::kSignChange);
     storeWith(sampleEvent(StepKind::Sample, x, y, flags), [&] { return SampleStep{values}; });
 }

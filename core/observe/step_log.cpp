@@ -1,6 +1,7 @@
 #include "core/observe/step_log.h"
 
 #include "core/pipeline/fate_count.h"
+#include "core/pipeline/triangle_setup.h"
 
 #include <algorithm>
 #include <array>
@@ -47,10 +48,27 @@ glm::dvec2 testedPoint(const Rules& rules, int x, int y, int sample)
     return rules.samplesTruncated ? glm::dvec2(x / grid * grid, y / grid * grid) : glm::dvec2(x + 0.5, y + 0.5);
 }
 
+EdgeValues testedValues(const StepSetup& setup, const Rules& rules, int x, int y, int sample)
+{
+    const glm::dvec2 point = testedPoint(rules, x, y, sample);
+    if (rules.coverageRule == CoverageRule::Centre)
+        return setup.at(point);
+    EdgeValues values;
+    for (std::size_t i = 0; i < 3; ++i)
+        values[i] = setup.at(point + cornerAsked(setup, i, rules))[i];
+    return values;
+}
+
+glm::dvec2 cornerAsked(const StepSetup& setup, std::size_t edge, const Rules& rules)
+{
+    const double reach = cornerReach<double>(rules);
+    return {setup.edges[edge].a < 0 ? -reach : reach, setup.edges[edge].b < 0 ? -reach : reach};
+}
+
 bool addsUpEdgeValues(const Rules& rules)
 {
-    return rules.stepping == Stepping::Incremental && rules.insideTest == InsideTest::AllPositive &&
-           !rules.samplesTruncated;
+    return rules.stepping == Stepping::Incremental && rules.coverageRule == CoverageRule::Centre &&
+           rules.insideTest == InsideTest::AllPositive && !rules.samplesTruncated;
 }
 
 DecidingEdge decidingEdge(const StepSetup& setup, const EdgeValues& values, const Rules& rules)
@@ -68,15 +86,18 @@ DecidingEdge decidingEdge(const StepSetup& setup, const EdgeValues& values, cons
         failed = failed || fails;
         allAtMost = allAtMost && values[i] <= setup.edges[i].threshold;
     }
+    const bool isCentre = rules.coverageRule == CoverageRule::Centre;
     if (rules.insideTest == InsideTest::None) // as if nothing could fail
-        return {smallest, values[smallest], -std::numeric_limits<double>::infinity(), DecidingEdge::Sign::AtLeast};
+        return {smallest, values[smallest], -std::numeric_limits<double>::infinity(), DecidingEdge::Sign::AtLeast,
+                isCentre};
     const bool either = failed && allAtMost;
     const std::size_t edge = either ? largest : smallest;
     using Sign = DecidingEdge::Sign;
     return {edge, values[edge], setup.edges[edge].threshold,
             either   ? Sign::AtMost
             : failed ? Sign::Below
-                     : Sign::AtLeast};
+                     : Sign::AtLeast,
+            isCentre};
 }
 
 bool isOfPattern(const StepLog& log, const StepEvent& event)
@@ -89,7 +110,7 @@ SampleMask coveredSamples(const StepSetup& setup, const Rules& rules, int x, int
 {
     unsigned mask = 0;
     for (int sample = 0; sample < rules.patternSamples; ++sample)
-        if (decidingEdge(setup, setup.at(testedPoint(rules, x, y, sample)), rules).isInside())
+        if (decidingEdge(setup, testedValues(setup, rules, x, y, sample), rules).isInside())
             mask |= 1U << sample;
     return static_cast<SampleMask>(mask);
 }

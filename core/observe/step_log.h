@@ -226,6 +226,12 @@ struct StepSetup {
 /// in   of a pattern, the number of the sample; -1: the pixel's centre
 [[nodiscard]] glm::dvec2 testedPoint(const Rules& rules, int x, int y, int sample = 0);
 
+/// From where a sample is tested to the corner of its square where the rules ask an edge; 0 for centres. In samples.
+[[nodiscard]] glm::dvec2 cornerAsked(const StepSetup& setup, std::size_t edge, const Rules& rules);
+
+/// The edge values by which the rules decide about a sample.
+[[nodiscard]] EdgeValues testedValues(const StepSetup& setup, const Rules& rules, int x, int y, int sample = 0);
+
 class StepLog;
 /// Whether an event belongs to one sample of a pattern, rather than to a pixel or a face.
 [[nodiscard]] bool isOfPattern(const StepLog& log, const StepEvent& event);
@@ -242,9 +248,10 @@ struct DecidingEdge {
     double value;     ///< in units
     double threshold; ///< in units
     enum class Sign { AtLeast, Below, AtMost } sign;
+    bool isCentre; ///< false: corners of the pixel are asked, and nothing is left to a tie rule
 
     [[nodiscard]] bool isInside() const { return sign != Sign::Below; }
-    [[nodiscard]] bool isTie() const { return value == 0; }
+    [[nodiscard]] bool isTie() const { return isCentre && value == 0; }
 };
 
 /// The edge that decides about a sample: the smallest value of those that fail their thresholds, or else of all three.
@@ -424,7 +431,8 @@ private:
                    std::vector<ViewportStep>, std::vector<FacingStep>, std::vector<ClippedStep>, std::vector<FateStep>,
                    std::vector<WalkStep>, std::vector<SidesStep>, std::vector<HalvesStep>, std::vector<CrossingStep>,
                    std::vector<SpanStep>, std::vector<ColumnFillStep>, std::vector<SampleStep>, std::vector<LineStep>,
-                   std::vector<LinePositionStep>, std::vector<FragmentStep>, std::vector<ShadeStep>, std::vector<WriteStep>, std::vector<ResolveStep>>;
+                   std::vector<LinePositionStep>, std::vector<FragmentStep>, std::vector<ShadeStep>,
+                   std::vector<WriteStep>, std::vector<ResolveStep>>;
 
     /// What this event alone adds to the counters.
     void count(const StepEvent& event, Statistics& statistics) const;

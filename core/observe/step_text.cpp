@@ -192,11 +192,13 @@ StepParts parts(const StepLog&, const StepEvent&, const SpanStep& step)
 }
 
 /// `E_AB = 12.5` or, on the edge itself, `E_AB = 0 (left, ours)`.
-Reason edgeValue(const StepSetup& setup, std::size_t i, const EdgeValues& values, bool isOurs)
+///
+/// in  isCentre  whether the centre was asked: corners of pixels have no owner
+Reason edgeValue(const StepSetup& setup, std::size_t i, const EdgeValues& values, bool isOurs, bool isCentre)
 {
     const Reason name = edgeValueName(setup, int(i));
     const Reason number = edgeValueText(values[i], setup.unitsPerArea);
-    if (values[i] != 0)
+    if (values[i] != 0 || !isCentre)
         return {QT_TRANSLATE_NOOP("Steps", "%1 = %2"), {name, number}};
     return {isOurs ? QT_TRANSLATE_NOOP("Steps", "%1 = %2 (%3, ours)")
                    : QT_TRANSLATE_NOOP("Steps", "%1 = %2 (%3, not ours)"),
@@ -206,10 +208,12 @@ Reason edgeValue(const StepSetup& setup, std::size_t i, const EdgeValues& values
 StepParts parts(const StepLog& log, const StepEvent& event, const SampleStep& step)
 {
     const StepSetup& setup = log.triangle(event)->setup;
-    const bool atMost = decidingEdge(setup, step.values, log.rules()).sign == DecidingEdge::Sign::AtMost;
+    const DecidingEdge decides = decidingEdge(setup, step.values, log.rules());
+    const bool atMost = decides.sign == DecidingEdge::Sign::AtMost;
     std::vector<Reason> arguments;
     for (std::size_t i = 0; i < 3; ++i)
-        arguments.push_back(edgeValue(setup, i, step.values, atMost || step.values[i] >= setup.edges[i].threshold));
+        arguments.push_back(
+            edgeValue(setup, i, step.values, atMost || step.values[i] >= setup.edges[i].threshold, decides.isCentre));
     const bool inside = event.has(StepEvent::kCovered);
     arguments.push_back(
         event.has(StepEvent::kTie)

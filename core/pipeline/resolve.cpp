@@ -115,7 +115,10 @@ Rules rightRules(const Settings& settings, const Scene& scene, const Matrices& m
     rules.line = settings.line;
     rules.lineRule = settings.lineRule;
     rules.lineTiesByDirection = settings.lineTies == LineTies::ByDirection;
-    rules.tie = thresholdsFor(settings.tieRule);
+    rules.coverageRule = settings.coverageRule;
+    // Squares are closed: what only touches one touches it, and what reaches its border holds it.
+    rules.tie =
+        settings.coverageRule == CoverageRule::Centre ? thresholdsFor(settings.tieRule) : Rules::TieThresholds{0, 0};
 
     rules.painter = settings.visibility == Visibility::Painter;
     rules.firstPassFaces = std::min(scene.secondPassFrom, static_cast<std::uint32_t>(scene.mesh.faceCount()));

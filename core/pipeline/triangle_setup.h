@@ -57,6 +57,11 @@ struct EdgeFunction {
     [[nodiscard]] bool owner() const { return a > 0 || (a == 0 && b > 0); }
 
     [[nodiscard]] T at(Point<T> p) const { return a * (p.x - from.x) + b * (p.y - from.y); }
+    /// The value at the corner of a square round p that lies deepest inside; reach < 0: farthest outside.
+    ///
+    /// source  Akenine-Moller & Aila, Conservative and tiled rasterization using a modified triangle set-up, JGT 10(3),
+    ///         2005
+    [[nodiscard]] T atCorner(Point<T> p, T reach) const { return at(p) + reach * (std::abs(a) + std::abs(b)); }
 };
 
 /// One triangle ready for coverage.
@@ -65,7 +70,8 @@ struct TriangleSetup {
     std::array<Point<T>, 3> vertices;     ///< A, B, C counter-clockwise with y up, whatever the face's winding
     std::array<std::uint8_t, 3> source;   ///< which vertex of the screen triangle each of them is
     std::array<EdgeFunction<T>, 3> edges; ///< AB, BC, CA
-    PixelRect bounds;                     ///< samples whose centre lies within the vertices' extent and the target
+    PixelRect bounds;                     ///< samples whose centre lies within the vertices' extent and the target,
+                                          ///< or whose square touches it
 
     [[nodiscard]] static Point<T> centre(int x, int y)
     {
@@ -99,6 +105,20 @@ struct SampleRange {
             static_cast<int>(std::clamp<std::int64_t>(last, -1, size - 1))};
 }
 
+/// How far from the centre of a sample, along both axes, the corner of its square lies where an edge function is asked:
+/// the corner that lies deepest inside the edge (conservative, > 0), or the one that lies farthest outside (inner, <
+/// 0).
+template <class T>
+[[nodiscard]] constexpr T cornerReach(const Rules& rules)
+{
+    switch (rules.coverageRule) {
+    case CoverageRule::Centre: break;
+    case CoverageRule::Conservative: return Grid<T>::kCentre;
+    case CoverageRule::Inner: return -Grid<T>::kCentre;
+    }
+    return 0;
+}
+
 /// The bounds of a triangle for rules.bounds, or for rules.wholeRows.
 ///
 /// in   the bounds clamped to the target; not empty but for whole rows
@@ -120,14 +140,16 @@ template <class T>
 }
 
 /// The samples whose centre lies within the extent of the corners, and the target; none: width or height is 0 or less.
+/// Conservative: whose square touches the extent.
 ///
 /// in  corners  the positions of the triangle in T; only fixed point may be asked for its bounds in T
 template <class T>
 [[nodiscard]] PixelRect boundsWithin(const ScreenTriangle& triangle, const std::array<Point<T>, 3>& corners,
                                      const Rules& rules)
 {
-    const auto within = [](const auto& a, const auto& b, const auto& c, int size) {
-        return samplesBetween(std::min({a, b, c}), std::max({a, b, c}), size);
+    const auto within = [&]<class U>(U a, U b, U c, int size) {
+        const U reach = std::max(cornerReach<U>(rules), U(0));
+        return samplesBetween(std::min({a, b, c}) - reach, std::max({a, b, c}) + reach, size);
     };
     const auto rect = [](SampleRange columns, SampleRange rows) {
         return PixelRect{columns.first, rows.first, columns.last - columns.first + 1, rows.last - rows.first + 1};

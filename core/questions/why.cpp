@@ -3,6 +3,7 @@
 #include "core/observe/recorder.h"
 #include "core/observe/step_text.h"
 #include "core/pipeline/clipping.h"
+#include "core/pipeline/pixel_area.h"
 #include "core/render/draw.h"
 #include "core/render/render_resolved.h"
 #include "core/render/steps.h"
@@ -284,6 +285,21 @@ private:
         judgeHoles();
         if (m_rules.multiSampled())
             judgeMasks();
+        measureAreas();
+    }
+
+    /// What a face covers of the pixel: what its samples tell as yes or no.
+    void measureAreas()
+    {
+        NullObserver nobody;
+        for (WhyFace& row : m_report.faces) {
+            if (!row.hasEdges)
+                continue;
+            m_batch.clear();
+            m_geometry.process(row.face, m_batch, nobody);
+            for (const ScreenTriangle& triangle : m_batch)
+                row.area += areaInPixel(triangle, m_report.x, m_report.y, m_rules.sampleGrid);
+        }
     }
 
     /// Which samples the faces cover. What covers none and whose bounds do not even hold the first one does not concern
@@ -390,7 +406,7 @@ private:
 
     [[nodiscard]] bool covers(const StepSetup& setup, int sample = 0) const
     {
-        const EdgeValues values = setup.at(testedPoint(m_rules, m_report.sampleX, m_report.sampleY, sample));
+        const EdgeValues values = testedValues(setup, m_rules, m_report.sampleX, m_report.sampleY, sample);
         return holdsSample(setup.bounds) && std::ranges::all_of(std::array{0U, 1U, 2U}, [&](std::size_t i) {
                    return values[i] >= setup.edges[i].threshold;
                });

@@ -53,6 +53,7 @@ struct WhyFace {
     int edge = -1; ///< OutsideEdge, LostTie: the one that decided
     double unitsPerArea = 1;
     float opacity = 1;             ///< Hole: of the texture at the sample, below kLeastOpacity
+    double area = 0;               ///< filled triangles that got to coverage: the share of the pixel, 0..1
     SampleMask coveredSamples = 0; ///< multi-sampling: one bit a sample of the pattern
     std::optional<FragmentStep> fragment;
     std::optional<TexelFootprint> texels;       ///< of the fragment, where a texture is looked up
@@ -61,6 +62,13 @@ struct WhyFace {
     /// The mistakes without which the face would have another verdict, or other numbers.
     std::vector<const Mistake*> because;
 };
+
+/// Whether a face covers some of the pixel, and not all.
+[[nodiscard]] inline bool hasPartOfPixel(const WhyFace& face)
+{
+    constexpr double kRounding = 1e-9;
+    return face.area > kRounding && face.area < 1 - kRounding;
+}
 
 /// Why a pixel is what it is.
 struct WhyReport {

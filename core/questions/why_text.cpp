@@ -44,6 +44,11 @@ QString verdictText(const WhyReport& report, const WhyFace& row)
             return pass.fill == Fill::Points  ? QStringLiteral("no corner of it is drawn here")
                    : pass.fill == Fill::Solid ? QStringLiteral("no column of it is filled here")
                                               : QStringLiteral("no line of it is drawn here");
+        if (row.edge >= 0 && report.rules.coverageRule != CoverageRule::Centre)
+            return (report.rules.coverageRule == CoverageRule::Inner
+                        ? QStringLiteral("a part of the pixel's square lies outside edge %1")
+                        : QStringLiteral("the whole square of the pixel lies outside edge %1"))
+                .arg(edgeText(row, row.edges[std::size_t(row.edge)]));
         return row.edge < 0 ? QStringLiteral("outside the pieces that clipping left")
                             : QStringLiteral("outside edge %1").arg(edgeText(row, row.edges[std::size_t(row.edge)]));
     case WhyVerdict::LostTie: {
@@ -103,6 +108,7 @@ QJsonObject rowToJson(const WhyReport& report, const WhyFace& row)
                                  {"side", QLatin1String(edgeSideId(edge.side))},
                                  {"passed", edge.passed}};
         object.insert(QStringLiteral("edges"), edges);
+        object.insert(QStringLiteral("area"), row.area);
     }
     if (report.rules.multiSampled()) {
         QJsonArray covered;
@@ -191,7 +197,9 @@ const char* whyVerdictId(WhyVerdict verdict)
 
 QString whyText(const WhyReport& report, const WhyFace& face)
 {
-    const QString text = QStringLiteral("%1: %2").arg(faceText(face.face, face.line), verdictText(report, face));
+    QString text = QStringLiteral("%1: %2").arg(faceText(face.face, face.line), verdictText(report, face));
+    if (hasPartOfPixel(face))
+        text += QStringLiteral("; %1 % of the pixel's area").arg(100 * face.area, 0, 'f', 1);
     if (!report.rules.multiSampled() || !face.hasEdges)
         return text;
     return QStringLiteral("%1; covers %2 of %3 samples%4")

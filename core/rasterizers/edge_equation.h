@@ -28,7 +28,8 @@ struct EdgeEquation {
     static void cover(const TriangleSetup<T>& setup, const ScreenTriangle&, const Rules& rules, Emit& emit,
                       Observer& observer)
     {
-        if (rules.insideTest != InsideTest::AllPositive || rules.samplesTruncated)
+        if (rules.insideTest != InsideTest::AllPositive || rules.samplesTruncated ||
+            rules.coverageRule != CoverageRule::Centre)
             coverByRules(setup, rules, emit, observer);
         else if (rules.stepping == Stepping::Incremental)
             coverIncremental(setup, emit, observer);
@@ -181,11 +182,12 @@ private:
         return {left, top, right - left, bottom - top};
     }
 
-    /// The test of rules.insideTest, evaluated anew at every sample.
+    /// The test of rules.insideTest and rules.coverageRule, evaluated anew at every sample.
     template <class T, class Emit, class Observer>
     static void coverByRules(const TriangleSetup<T>& setup, const Rules& rules, Emit& emit, Observer& observer)
     {
         const PixelRect box = rules.samplesTruncated ? wholePixels(setup.bounds, rules.sampleGrid) : setup.bounds;
+        const T reach = cornerReach<T>(rules);
         for (int y = box.y; y < box.y + box.height && !isStopped(emit); ++y) {
             if (skipsLine(emit, y))
                 continue;
@@ -194,7 +196,7 @@ private:
                 bool allNegative = rules.insideTest == InsideTest::EitherSign;
                 for (std::size_t i = 0; i < 3; ++i) {
                     const EdgeFunction<T>& edge = setup.edges[i];
-                    e[i] = asKept(edge.at(testPoint<T>(x, y, rules)), rules.insideTest);
+                    e[i] = asKept(edge.atCorner(testPoint<T>(x, y, rules), reach), rules.insideTest);
                     allNegative = allNegative && e[i] <= edge.threshold;
                 }
                 const bool covered = inside(e, setup) || allNegative || rules.insideTest == InsideTest::None;

@@ -36,6 +36,23 @@ std::optional<Reason> patternSupports(const Rules& rules)
     return std::nullopt;
 }
 
+/// Why these rules cannot ask for the squares of pixels.
+std::optional<Reason> coverageRuleSupports(const Scene& scene, const Rules& rules)
+{
+    if (rules.coverageRule == CoverageRule::Centre)
+        return std::nullopt;
+    if (rules.algorithm != Algorithm::EdgeEquation || rules.fill != Fill::Solid)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "coverage-rule conservative and inner ask the corners of every "
+                                                       "pixel: they need algorithm edge-equation and fill solid")};
+    if (rules.numberType != NumberType::Fixed || scene.exact)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "coverage-rule conservative and inner need number-type fixed "
+                                                       "and corners that snap: rounding may not touch a square")};
+    if (rules.samplesPerPixel() > 1)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "coverage-rule conservative and inner are about whole pixels: "
+                                                       "they need samples 1")};
+    return std::nullopt;
+}
+
 /// With one sample a pixel the counts of samples are those of pixels.
 void drawTiled(const Scene& scene, const Settings& settings, const Resolved& resolved, Frame& frame, Outputs outputs,
                Statistics* statistics, const std::stop_token& stop)
@@ -71,6 +88,8 @@ std::optional<Reason> unsupported(const Scene& scene, const Settings& settings, 
             return Reason{QT_TRANSLATE_NOOP("Unsupported", "there is no mistake \"%1\"; \"rasterlens-cli render "
                                                            "--list-mistakes\" lists those there are"),
                           {id}};
+    if (auto reason = coverageRuleSupports(scene, resolved.rules))
+        return reason;
     if (settings.algorithm == Algorithm::Tiled)
         if (auto reason = Tiled::supports(settings))
             return reason;

@@ -207,6 +207,7 @@ struct Rules {
     bool rightLineEnds = true;   ///< lines include their right end
     GridRounding gridRounding = GridRounding::Floor;
     bool integerLineWeights = false; ///< i / n is divided in integers
+    CoverageRule coverageRule = CoverageRule::Centre;
     /// The smallest edge value that counts as inside, in units of the last place: for an edge that owns its points and
     /// for one that does not. Top-left {0, 1}, inclusive {0, 0}, exclusive {1, 1}.
     struct TieThresholds {

@@ -79,6 +79,10 @@ constexpr auto kInterpolations =
 constexpr auto kAttributePaths =
     std::to_array<Choice>({{"planes", QT_TRANSLATE_NOOP("Settings", "Barycentric")},
                            {"edge-then-span", QT_TRANSLATE_NOOP("Settings", "Edge, then span")}});
+constexpr auto kCoverageRules =
+    std::to_array<Choice>({{"centre", QT_TRANSLATE_NOOP("Settings", "Centre inside")},
+                           {"conservative", QT_TRANSLATE_NOOP("Settings", "Square touched")},
+                           {"inner", QT_TRANSLATE_NOOP("Settings", "Square wholly inside")}});
 constexpr auto kTieRules = std::to_array<Choice>({{"top-left", QT_TRANSLATE_NOOP("Settings", "Top-left")},
                                                   {"inclusive", QT_TRANSLATE_NOOP("Settings", "All inclusive")},
                                                   {"exclusive", QT_TRANSLATE_NOOP("Settings", "All exclusive")}});
@@ -215,6 +219,10 @@ constexpr SettingsField kFields[] = {
         "stepping", Stage::Cover, kSteppings, QT_TRANSLATE_NOOP("Settings", "Stepping"),
         QT_TRANSLATE_NOOP("Settings",
                           "Add A per column and B per row, or evaluate the edge functions anew at every pixel.")),
+    choice<&S::coverageRule>(
+        "coverage-rule", Stage::Cover, kCoverageRules, QT_TRANSLATE_NOOP("Settings", "Pixel belongs if"),
+        QT_TRANSLATE_NOOP("Settings", "What a triangle must do to have a pixel: hold its centre, touch its square "
+                                      "(conservative), or hold the whole square (inner).")),
     choice<&S::tieRule>("tie-rule", Stage::Cover, kTieRules, QT_TRANSLATE_NOOP("Settings", "Tie rule"),
                         QT_TRANSLATE_NOOP("Settings", "Who owns a pixel centre that lies exactly on an edge.")),
     choice<&S::line>("line", Stage::Cover, kLines, QT_TRANSLATE_NOOP("Settings", "Lines"),

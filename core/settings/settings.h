@@ -34,6 +34,7 @@ enum class Projection { Perspective, Orthographic };
 enum class Visibility { ZBuffer, Painter, SubmissionOrder };
 enum class Interpolation { Perspective, Affine };
 enum class AttributePath { Planes, EdgeThenSpan };
+enum class CoverageRule { Centre, Conservative, Inner };
 enum class TieRule { TopLeft, Inclusive, Exclusive };
 enum class Samples { One, Grid2, Grid3, Grid4, Msaa2, Msaa4, Msaa8, Msaa16 };
 enum class AttributeAt { Centre, Centroid, Sample };
@@ -128,6 +129,7 @@ struct Settings {
     Visibility visibility = Visibility::ZBuffer;
     Interpolation interpolation = Interpolation::Perspective;
     AttributePath attributePath = AttributePath::Planes;
+    CoverageRule coverageRule = CoverageRule::Centre;
     TieRule tieRule = TieRule::TopLeft;
     Samples samples = Samples::One;
     AttributeAt attributeAt = AttributeAt::Centre; ///< multi-sampling only

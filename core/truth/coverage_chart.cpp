@@ -2,6 +2,7 @@
 
 #include "core/pipeline/geometry.h"
 #include "core/pipeline/observer.h"
+#include "core/pipeline/pixel_area.h"
 #include "core/pipeline/resolve.h"
 #include "core/render/render.h"
 
@@ -17,77 +18,6 @@ namespace rasterlens
 {
 namespace
 {
-
-/// A convex polygon; cutting a triangle by four lines leaves at most seven corners.
-struct Polygon {
-    std::array<glm::dvec2, 8> corners{};
-    std::size_t count = 0;
-
-    void add(const glm::dvec2& corner) { corners[count++] = corner; }
-
-    [[nodiscard]] double area() const
-    {
-        double twice = 0;
-        for (std::size_t i = 0; i < count; ++i) {
-            const glm::dvec2& a = corners[i];
-            const glm::dvec2& b = corners[(i + 1) % count];
-            twice += a.x * b.y - b.x * a.y;
-        }
-        return std::abs(twice) / 2;
-    }
-};
-
-/// What lies where sign * (p[axis] - at) >= 0.
-///
-/// source  Sutherland & Hodgman, Reentrant Polygon Clipping, CACM 17(1), 1974
-Polygon cut(const Polygon& polygon, int axis, double at, double sign)
-{
-    Polygon out;
-    for (std::size_t i = 0; i < polygon.count; ++i) {
-        const glm::dvec2& a = polygon.corners[i];
-        const glm::dvec2& b = polygon.corners[(i + 1) % polygon.count];
-        const double da = sign * (a[axis] - at);
-        const double db = sign * (b[axis] - at);
-        if (da >= 0)
-            out.add(a);
-        if ((da >= 0) != (db >= 0))
-            out.add(a + (b - a) * (da / (da - db)));
-    }
-    return out;
-}
-
-Polygon between(const Polygon& polygon, int axis, double low)
-{
-    return cut(cut(polygon, axis, low, 1), axis, low + 1, -1);
-}
-
-/// The pixels that a polygon may touch along an axis: [begin, end).
-std::array<int, 2> pixelsOf(const Polygon& polygon, int axis, int size)
-{
-    double low = size;
-    double high = 0;
-    for (std::size_t i = 0; i < polygon.count; ++i) {
-        low = std::min(low, polygon.corners[i][axis]);
-        high = std::max(high, polygon.corners[i][axis]);
-    }
-    const auto held = [&](double p) { return static_cast<int>(std::clamp(p, 0.0, double(size))); };
-    return {held(std::floor(low)), held(std::ceil(high))};
-}
-
-void addAreas(const ScreenTriangle& triangle, QSize size, std::vector<double>& areas)
-{
-    Polygon whole;
-    for (const ScreenVertex& vertex : triangle.vertices)
-        whole.add(vertex.position);
-    const auto [top, bottom] = pixelsOf(whole, 1, size.height());
-    for (int y = top; y < bottom; ++y) {
-        const Polygon row = between(whole, 1, y);
-        const auto [left, right] = pixelsOf(row, 0, size.width());
-        for (int x = left; x < right; ++x)
-            areas[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width()) + static_cast<std::size_t>(x)] +=
-                between(row, 0, x).area();
-    }
-}
 
 CoverageRow rowOf(const Scene& scene, const Settings& settings, const std::vector<double>& areas,
                   const std::stop_token& stop)

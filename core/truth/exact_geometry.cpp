@@ -310,6 +310,52 @@ std::vector<std::size_t> hullCorners(std::span<const Snapped> polygon, int sign)
     return hull;
 }
 
+namespace
+{
+
+int signOf(std::int64_t value) { return (value > 0) - (value < 0); }
+
+bool holds(const std::array<Snapped, 3>& t, const Snapped& p)
+{
+    const int a = signOf(turn(t[0], t[1], p));
+    const int b = signOf(turn(t[1], t[2], p));
+    const int c = signOf(turn(t[2], t[0], p));
+    return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
+}
+
+/// Whether two segments have a point in common, ends included.
+bool meet(const Snapped& a, const Snapped& b, const Snapped& c, const Snapped& d)
+{
+    const auto isBetween = [](const Snapped& from, const Snapped& to, const Snapped& p) {
+        return turn(from, to, p) == 0 && std::min(from.x, to.x) <= p.x && p.x <= std::max(from.x, to.x) &&
+               std::min(from.y, to.y) <= p.y && p.y <= std::max(from.y, to.y);
+    };
+    if (isBetween(a, b, c) || isBetween(a, b, d) || isBetween(c, d, a) || isBetween(c, d, b))
+        return true;
+    return signOf(turn(a, b, c)) * signOf(turn(a, b, d)) < 0 && signOf(turn(c, d, a)) * signOf(turn(c, d, b)) < 0;
+}
+
+} // namespace
+
+bool coversSquare(const std::array<Snapped, 3>& triangle, const Snapped& least, std::int64_t side, CoverageRule rule)
+{
+    const std::array<Snapped, 4> square{Snapped{least.x, least.y}, Snapped{least.x + side, least.y},
+                                        Snapped{least.x + side, least.y + side}, Snapped{least.x, least.y + side}};
+    const auto isHeld = [&](const Snapped& corner) { return holds(triangle, corner); };
+    if (rule == CoverageRule::Inner)
+        return std::ranges::all_of(square, isHeld);
+    const auto isInSquare = [&](const Snapped& p) {
+        return p.x >= least.x && p.x <= least.x + side && p.y >= least.y && p.y <= least.y + side;
+    };
+    if (std::ranges::any_of(square, isHeld) || std::ranges::any_of(triangle, isInSquare))
+        return true;
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 4; ++j)
+            if (meet(triangle[i], triangle[(i + 1) % 3], square[j], square[(j + 1) % 4]))
+                return true;
+    return false;
+}
+
 std::vector<Columns> windingColumns(std::span<const Snapped> polygon, int sign, int row, Columns columns,
                                     const Lattice& lattice)
 {

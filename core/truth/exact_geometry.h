@@ -143,6 +143,12 @@ struct IntegerTriangle {
 /// The corners of the convex hull in the sense of the sign, from the leftmost (of those the topmost) on.
 [[nodiscard]] std::vector<std::size_t> hullCorners(std::span<const Snapped> polygon, int sign);
 
+/// Whether a triangle touches a closed square (conservative), or holds all of it (inner).
+///
+/// in  corners in any sense, with area; the square's least corner and side, on the lattice
+[[nodiscard]] bool coversSquare(const std::array<Snapped, 3>& triangle, const Snapped& least, std::int64_t side,
+                                CoverageRule rule);
+
 /// The columns of one row of samples where the polygon winds round the sample in the sense of its area.
 [[nodiscard]] std::vector<Columns> windingColumns(std::span<const Snapped> polygon, int sign, int row, Columns columns,
                                                   const Lattice& lattice);

@@ -286,12 +286,41 @@ private:
 
     void drawSnapped(const Outline& outline)
     {
+        if (m_options.coverageRule != CoverageRule::Centre)
+            return drawSquares(outline);
         const std::vector<Span> spans = spansOf(outline);
         if (spans.empty()) // most faces of a fine mesh: no plane equations for nothing
             return;
         const std::vector<Piece> fan = m_setup.fanOf(outline);
         for (const Span& span : spans)
             drawFan(fan, span);
+    }
+
+    /// The pixels whose square the triangles of the fan touch, or hold.
+    void drawSquares(const Outline& outline)
+    {
+        const std::vector<Piece> fan = m_setup.fanOf(outline);
+        const std::int64_t side = 2 * m_setup.lattice().unit;
+        const auto pixelsOf = [&](std::int64_t low, std::int64_t high, const Columns& window) {
+            return Columns{std::max(window.begin, static_cast<int>(low / side) - 1),
+                           std::min(window.end, static_cast<int>(high / side) + 1)};
+        };
+        std::size_t piece = 0;
+        for (std::size_t i = 1; i + 1 < outline.polygon.size(); ++i) {
+            const std::array<Snapped, 3> corners{outline.polygon[0], outline.polygon[i], outline.polygon[i + 1]};
+            const std::int64_t area = doubledArea(corners);
+            if ((area > 0) - (area < 0) != outline.sign)
+                continue; // no piece of the fan either
+            const auto [left, right] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
+            const auto [top, bottom] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
+            const Columns columns = pixelsOf(left, right, m_window.columns);
+            const Columns rows = pixelsOf(top, bottom, m_window.rows);
+            for (int row = rows.begin; row < rows.end; ++row)
+                for (int column = columns.begin; column < columns.end; ++column)
+                    if (coversSquare(corners, {column * side, row * side}, side, m_options.coverageRule))
+                        drawColumns(fan, piece, {row, {column, column + 1}});
+            ++piece;
+        }
     }
 
     [[nodiscard]] std::vector<Span> spansOf(const Outline& outline) const
@@ -504,6 +533,7 @@ ExactOptions exactOptions(const Scene& scene, const Settings& settings, Referenc
         options.sides = {.smallestW = kSmallestW, .nearFar = false};
     options.depthFormat = settings.depthFormat;
     options.sampleGrid = rules.sampleGrid;
+    options.coverageRule = rules.coverageRule;
     options.patternSamples = rules.patternSamples;
     options.resolveLight = rules.resolveLight;
     options.window = scene.window ? visiblePart(*scene.window, settings.size) : std::nullopt;

@@ -103,6 +103,18 @@
         <source>The diamonds alone decide which pixels a line has.</source>
         <translation>一条线有哪些像素，只由菱形决定。</translation>
     </message>
+    <message>
+        <source>Squares of pixels are asked for, not centres: what touches one touches it.</source>
+        <translation>问的是像素的方格而不是中心：触及即算触及。</translation>
+    </message>
+    <message>
+        <source>The corners of a pixel are asked one by one.</source>
+        <translation>像素的角点逐个求值。</translation>
+    </message>
+    <message>
+        <source>Only filled triangles ask whether a pixel is inside.</source>
+        <translation>只有填充的三角形才问像素是否在内。</translation>
+    </message>
 </context>
 <context>
     <name>BuiltinScene</name>
@@ -6918,6 +6930,26 @@
         <source>Where a line passes half-way between two pixels: the choice depends on which end is drawn first, or is one for both directions.</source>
         <translation>线从两个像素正中间穿过时：选择取决于先画哪一端，或者两个方向选择相同。</translation>
     </message>
+    <message>
+        <source>Centre inside</source>
+        <translation>中心在内</translation>
+    </message>
+    <message>
+        <source>Square touched</source>
+        <translation>方格被触及</translation>
+    </message>
+    <message>
+        <source>Square wholly inside</source>
+        <translation>方格全在内</translation>
+    </message>
+    <message>
+        <source>Pixel belongs if</source>
+        <translation>像素归属条件</translation>
+    </message>
+    <message>
+        <source>What a triangle must do to have a pixel: hold its centre, touch its square (conservative), or hold the whole square (inner).</source>
+        <translation>三角形怎样才算覆盖一个像素：含有其中心、触及其方格（保守光栅化），或含有整个方格（内保守）。</translation>
+    </message>
 </context>
 <context>
     <name>StatisticsPanel</name>
@@ -7298,6 +7330,22 @@
     <message>
         <source>y = %1 is rounded to %2: an error of %3.</source>
         <translation>y = %1 取整为 %2：误差为 %3。</translation>
+    </message>
+    <message>
+        <source>The whole square of pixel (%1, %2) lies inside face %3.</source>
+        <translation>像素 (%1, %2) 的整个方格都在面 %3 内。</translation>
+    </message>
+    <message>
+        <source>Face %3 does not hold the whole square of pixel (%1, %2): a part of it lies outside edge %4.</source>
+        <translation>面 %3 不含像素 (%1, %2) 的整个方格：方格有一部分在边 %4 之外。</translation>
+    </message>
+    <message>
+        <source>Face %3 touches the square of pixel (%1, %2).</source>
+        <translation>面 %3 触及像素 (%1, %2) 的方格。</translation>
+    </message>
+    <message>
+        <source>Face %3 does not touch the square of pixel (%1, %2): all of it lies outside edge %4.</source>
+        <translation>面 %3 未触及像素 (%1, %2) 的方格：整个方格都在边 %4 之外。</translation>
     </message>
 </context>
 <context>
@@ -7767,6 +7815,18 @@
     <message>
         <source>algorithm tiled needs depth-range 0,1</source>
         <translation>算法 tiled 需要 depth-range 0,1</translation>
+    </message>
+    <message>
+        <source>coverage-rule conservative and inner ask the corners of every pixel: they need algorithm edge-equation and fill solid</source>
+        <translation>coverage-rule 为 conservative 或 inner 时要查每个像素的角点：需要 algorithm edge-equation 和 fill solid</translation>
+    </message>
+    <message>
+        <source>coverage-rule conservative and inner need number-type fixed and corners that snap: rounding may not touch a square</source>
+        <translation>coverage-rule 为 conservative 或 inner 时需要 number-type fixed 且顶点对齐到子像素网格：舍入不得触及方格</translation>
+    </message>
+    <message>
+        <source>coverage-rule conservative and inner are about whole pixels: they need samples 1</source>
+        <translation>coverage-rule 为 conservative 或 inner 时针对整个像素：需要 samples 1</translation>
     </message>
 </context>
 <context>
@@ -9708,6 +9768,18 @@
     <message>
         <source>covers %1 of %2 samples: %3</source>
         <translation>覆盖 %2 个采样点中的 %1 个：%3</translation>
+    </message>
+    <message>
+        <source>%1, a part of the square is outside</source>
+        <translation>%1，方格有一部分在外</translation>
+    </message>
+    <message>
+        <source>%1, the whole square is outside</source>
+        <translation>%1，整个方格都在外</translation>
+    </message>
+    <message>
+        <source>%1 % of the pixel&apos;s area</source>
+        <translation>占像素面积的 %1 %</translation>
     </message>
 </context>
 <context>

@@ -80,6 +80,11 @@ QString verdictWords(const WhyReport& report, const WhyFace& face)
         if (face.edge < 0)
             return PixelCard::tr("outside of what clipping left");
         const WhyEdge& edge = face.edges[static_cast<std::size_t>(face.edge)];
+        if (report.rules.coverageRule != CoverageRule::Centre)
+            return (report.rules.coverageRule == CoverageRule::Inner
+                        ? PixelCard::tr("%1, a part of the square is outside")
+                        : PixelCard::tr("%1, the whole square is outside"))
+                .arg(edgeText(face, edge));
         const bool isPositive = edge.value > 0; // some mistakes want more than that
         return isPositive ? PixelCard::tr("%1, less than %2, outside")
                                 .arg(edgeText(face, edge), thresholdText(edge.threshold, face.unitsPerArea))
@@ -109,6 +114,11 @@ QString edgesLine(const WhyFace& face)
     for (const WhyEdge& edge : face.edges)
         parts << edgeText(face, edge);
     return parts.join(QStringLiteral("\u00a0\u00a0 "));
+}
+
+QString areaLine(const WhyFace& face)
+{
+    return PixelCard::tr("%1 % of the pixel's area").arg(100 * face.area, 0, 'f', 1);
 }
 
 QString rgbText(std::uint32_t color)
@@ -243,9 +253,11 @@ WhyWords whyWords(const WhyReport& report, const WhyFace& face)
                                                     signedText(shortNumber(face.facing->value)));
     if (face.hasEdges)
         words.details << edgesLine(face);
+    if (hasPartOfPixel(face))
+        words.details << areaLine(face);
     if (face.hasEdges && report.rules.multiSampled())
         words.details << maskLine(report, face);
-    if (face.hasEdges && face.verdict >= WhyVerdict::FailedDepth)
+    if (face.hasEdges && report.rules.coverageRule == CoverageRule::Centre && face.verdict >= WhyVerdict::FailedDepth)
         for (const WhyEdge& edge : face.edges)
             if (edge.value == 0)
                 words.details << PixelCard::tr("won the tie on %1: %2").arg(edge.name, sideText(edge.side));

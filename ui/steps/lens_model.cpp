@@ -132,7 +132,7 @@ void LensModel::readSample(LensCell& cell, int x, int y) const
     cell.hasValues = true;
     cell.values = sample ? m_log->payload<SampleStep>(*sample).values
                   : far  ? m_far->payload<SampleStep>(*far).values
-                         : setup.at(testedPoint(m_log->rules(), x, y, m_sample));
+                         : testedValues(setup, m_log->rules(), x, y, m_sample);
     if (far || (sample && sample < &m_log->events().front() + m_position))
         cell.state =
             (far ? far : sample)->has(StepEvent::kCovered) ? LensCell::State::Covered : LensCell::State::Rejected;

@@ -333,7 +333,8 @@ QString sampleFormula(const StepLog& log, const StepEvent& event)
     const auto area = [&](double value) { return minus(edgeValueText(value, setup.unitsPerArea)); };
 
     // Positions that are shifted by half a sample: samples that are tested at their corner.
-    const glm::dvec2 tested = testedPoint(rules, event.x, event.y, event.sample);
+    const glm::dvec2 tested =
+        testedPoint(rules, event.x, event.y, event.sample) + cornerAsked(setup, decides.edge, rules);
     const glm::dvec2 point = tested - rules.screenShift;
     const glm::dvec2 from = glm::dvec2(edge.from) / setup.unitsPerSample - rules.screenShift;
     QStringList others;

@@ -78,6 +78,8 @@ private:
         const bool drawn = m_event.has(StepEvent::kCovered);
         const QString where = this->where();
         const auto face = m_event.face;
+        if (!decides.isCentre)
+            return square(edge);
         if (!decides.isTie())
             return drawn ? tr("%1 lies inside all three edges of face %2.").arg(where).arg(face)
                          : tr("%1 lies outside edge %3: face %2 does not draw it.").arg(where).arg(face).arg(edge);
@@ -93,6 +95,22 @@ private:
             .arg(where)
             .arg(face)
             .arg(edge, edgeSideText(side));
+    }
+
+    /// What the square of a pixel has to do with the face.
+    [[nodiscard]] QString square(const QString& edge) const
+    {
+        const bool drawn = m_event.has(StepEvent::kCovered);
+        const bool isInner = m_log.rules().coverageRule == CoverageRule::Inner;
+        const QString text = isInner
+                                 ? (drawn ? tr("The whole square of pixel (%1, %2) lies inside face %3.")
+                                          : tr("Face %3 does not hold the whole square of pixel (%1, %2): a part of "
+                                               "it lies outside edge %4."))
+                                 : (drawn ? tr("Face %3 touches the square of pixel (%1, %2).")
+                                          : tr("Face %3 does not touch the square of pixel (%1, %2): all of it lies "
+                                               "outside edge %4."));
+        const QString said = text.arg(m_event.x).arg(m_event.y).arg(m_event.face);
+        return drawn ? said : said.arg(edge);
     }
 
     [[nodiscard]] QString span() const
@@ -118,10 +136,9 @@ private:
     [[nodiscard]] QString position() const
     {
         const LinePosition& p = m_log.payload<LinePositionStep>(m_event).position;
-        const auto number = [](double value) {
-            return shortNumber(value).replace(QLatin1Char('-'), QChar(0x2212));
-        };
-        return (p.steep() ? tr("x = %1 is rounded to %2: an error of %3.") : tr("y = %1 is rounded to %2: an error of %3."))
+        const auto number = [](double value) { return shortNumber(value).replace(QLatin1Char('-'), QChar(0x2212)); };
+        return (p.steep() ? tr("x = %1 is rounded to %2: an error of %3.")
+                          : tr("y = %1 is rounded to %2: an error of %3."))
             .arg(number(p.steep() ? p.x : p.y), number(p.steep() ? p.column : p.row), number(p.error()));
     }
 
