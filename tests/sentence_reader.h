@@ -400,7 +400,7 @@ inline void readEvent(const StepLog& log, std::size_t i, const QString& text, Re
     case StepKind::Fragment:
         reader.expect(text.contains(QStringLiteral(": passed")) == event.has(StepEvent::kPassed), text, "fragment");
         reader.expect(text.contains(QStringLiteral("compared with nothing")) ==
-                          QLatin1String(depthSign(log.rules())).isEmpty(),
+                          QLatin1String(depthSign(log.rules(), event.face)).isEmpty(),
                       text, "comparison");
         break;
     case StepKind::Vertex:
