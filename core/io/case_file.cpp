@@ -99,6 +99,8 @@ private:
             {"clear", &Parser::clear},
             {"ssaa", &Parser::ssaa},
             {"samples", &Parser::samples},
+            {"attribute_at", &Parser::attributeAt},
+            {"coverage_rule", &Parser::coverageRule},
             {"zrange", &Parser::zRange},
             {"window", &Parser::window},
             {"tri", &Parser::tri},
@@ -116,7 +118,7 @@ private:
             {QT_TRANSLATE_NOOP("Diagnostic",
                                "%1 is not a directive; size, subpixel_bits, exact, cull, depth_test, depth_format, "
                                "depth_bias, depth_range, depth_clamp, depth_clear, second_pass, clear, ssaa, samples, "
-                               "zrange, window, tri, triuv, texture, texture_filter, note or expect expected"),
+                               "attribute_at, coverage_rule, zrange, window, tri, triuv, texture, texture_filter, note or expect expected"),
              {quotedWord(m_directive)}});
     }
 
@@ -219,6 +221,21 @@ private:
                                                      {"msaa2", Samples::Msaa2}, {"msaa4", Samples::Msaa4},
                                                      {"msaa8", Samples::Msaa8}, {"msaa16", Samples::Msaa16}};
         choice<Samples>(kSamples, m_scene.defaults.samples);
+    }
+
+    void attributeAt()
+    {
+        static constexpr Word<AttributeAt> kPlaces[] = {
+            {"centre", AttributeAt::Centre}, {"centroid", AttributeAt::Centroid}, {"sample", AttributeAt::Sample}};
+        choice<AttributeAt>(kPlaces, m_scene.defaults.attributeAt);
+    }
+
+    void coverageRule()
+    {
+        static constexpr Word<CoverageRule> kRules[] = {{"centre", CoverageRule::Centre},
+                                                        {"conservative", CoverageRule::Conservative},
+                                                        {"inner", CoverageRule::Inner}};
+        choice<CoverageRule>(kRules, m_scene.defaults.coverageRule);
     }
 
     void clear()
