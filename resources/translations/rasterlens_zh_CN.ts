@@ -4722,6 +4722,122 @@
         <source>Half of the face lies beyond the far plane: it is drawn there at depth 1.</source>
         <translation>面的一半在远平面之后：那里以深度 1 画出。</translation>
     </message>
+    <message>
+        <source>A vertical edge runs exactly through the first of two samples of a column: the face on its right has it.</source>
+        <translation>一条竖直边正好穿过一列像素两个采样中的第一个：归它右边的面。</translation>
+    </message>
+    <message>
+        <source>Samples lie a quarter of a pixel right and below the centre, and left and above it (Direct3D, Vulkan).</source>
+        <translation>两个采样分别在中心右下和左上各四分之一像素处（Direct3D、Vulkan）。</translation>
+    </message>
+    <message>
+        <source>A horizontal edge runs exactly through the first of four samples of a row: the face below it has it.</source>
+        <translation>一条水平边正好穿过一行像素四个采样中的第一个：归它下方的面。</translation>
+    </message>
+    <message>
+        <source>The first sample lies 2/16 left and 6/16 above the centre.</source>
+        <translation>第一个采样在中心左 2/16、上 6/16 像素处。</translation>
+    </message>
+    <message>
+        <source>A slanted edge runs exactly through the first of eight samples of eight pixels: the face on its right has them.</source>
+        <translation>一条斜边正好穿过八个像素各自八个采样中的第一个：都归它右边的面。</translation>
+    </message>
+    <message>
+        <source>The first sample lies 1/16 right and 3/16 above the centre, and the edge where x - y is 1/4.</source>
+        <translation>第一个采样在中心右 1/16、上 3/16 像素处，边在 x - y = 1/4 处。</translation>
+    </message>
+    <message>
+        <source>The diagonal runs exactly through the first of sixteen samples of eight pixels: the face on its right has them.</source>
+        <translation>对角线正好穿过八个像素各自十六个采样中的第一个：都归它右边的面。</translation>
+    </message>
+    <message>
+        <source>The first sample lies 1/16 right and 1/16 below the centre.</source>
+        <translation>第一个采样在中心右 1/16、下 1/16 像素处。</translation>
+    </message>
+    <message>
+        <source>Two faces of one colour share a slanted edge under four samples a pixel: no seam in the colour.</source>
+        <translation>每像素四个采样，两个同色面共用一条斜边：颜色上没有接缝。</translation>
+    </message>
+    <message>
+        <source>Each sample belongs to one of them: their masks complement each other.</source>
+        <translation>每个采样只归其中一个面：两者的掩码互补。</translation>
+    </message>
+    <message>
+        <source>A face covers one of four samples and not the centre: attributes are taken at that sample.</source>
+        <translation>面只覆盖四个采样中的一个而不含中心：属性取自该采样处。</translation>
+    </message>
+    <message>
+        <source>Red falls from 1 to 0 within half a pixel. The sample at x = 3.875 has 3/4, the centre outside would have 3/2.</source>
+        <translation>红色在半个像素内由 1 降到 0。x = 3.875 处的采样为 3/4，面外的中心则会得 3/2。</translation>
+    </message>
+    <message>
+        <source>The pixel shows a quarter of 191, for the other three samples are black.</source>
+        <translation>像素显示 191 的四分之一，因为其余三个采样是黑色。</translation>
+    </message>
+    <message>
+        <source>Conservative: the triangle has every pixel whose square it touches, with a corner at least: 15.</source>
+        <translation>保守：方格哪怕只有一角被触及的像素都归三角形：15 个。</translation>
+    </message>
+    <message>
+        <source>Inner: the triangle has the pixels whose whole square it holds: 6.</source>
+        <translation>内保守：只有整个方格都在三角形内的像素才归它：6 个。</translation>
+    </message>
+    <message>
+        <source>Its slanted edge runs through corners of pixels, where x + y is 4.</source>
+        <translation>它的斜边在 x + y = 4 处穿过像素的角点。</translation>
+    </message>
+    <message>
+        <source>Conservative: a sliver that has no centre has the five pixels of its row that it reaches.</source>
+        <translation>保守：不含任何中心的细长三角形得到它在这一行触及的五个像素。</translation>
+    </message>
+    <message>
+        <source>Conservative: two faces that share an edge both have the pixels that it runs through.</source>
+        <translation>保守：共用一条边的两个面都得到该边穿过的像素。</translation>
+    </message>
+    <message>
+        <source>The edge x = 3.5 runs through column 3: its 8 pixels are hit twice, and no tie rule is asked.</source>
+        <translation>边 x = 3.5 穿过第 3 列：这 8 个像素都被命中两次，不问平局规则。</translation>
+    </message>
+    <message>
+        <source>samples edge on msaa2</source>
+        <translation>采样恰在边上，msaa2</translation>
+    </message>
+    <message>
+        <source>samples edge on msaa4</source>
+        <translation>采样恰在边上，msaa4</translation>
+    </message>
+    <message>
+        <source>samples edge on msaa8</source>
+        <translation>采样恰在边上，msaa8</translation>
+    </message>
+    <message>
+        <source>samples edge on msaa16</source>
+        <translation>采样恰在边上，msaa16</translation>
+    </message>
+    <message>
+        <source>samples shared edge msaa4</source>
+        <translation>共用边，msaa4</translation>
+    </message>
+    <message>
+        <source>samples centroid</source>
+        <translation>质心采样</translation>
+    </message>
+    <message>
+        <source>coverage conservative</source>
+        <translation>覆盖：保守</translation>
+    </message>
+    <message>
+        <source>coverage inner</source>
+        <translation>覆盖：内保守</translation>
+    </message>
+    <message>
+        <source>coverage conservative sliver</source>
+        <translation>覆盖：保守，细长三角形</translation>
+    </message>
+    <message>
+        <source>coverage conservative shared edge</source>
+        <translation>覆盖：保守，共用边</translation>
+    </message>
 </context>
 <context>
     <name>ImageExport</name>
