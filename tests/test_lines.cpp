@@ -1,5 +1,6 @@
 // Lines: the nearest samples in all octants, both ends, DDA beside Bresenham, and the wireframe of clipped triangles.
 #include "core/rasterizers/lines.h"
+#include "core/render/diamonds.h"
 #include "tests/support.h"
 
 #include <QTest>
@@ -73,6 +74,7 @@ private Q_SLOTS:
     void linesAreNotHitsAtAnEdge();
     void diamondExitOfMoltenVK();
     void diamondExitIsItsDefinition();
+    void diamondsTellWhatIsDrawn();
     void stripsHaveNoSampleTwice_data();
     void stripsHaveNoSampleTwice();
     void canonicalTiesKnowNoDirection();
@@ -299,6 +301,44 @@ void TestLines::diamondExitIsItsDefinition()
                                          .arg(y)
                                          .arg(drawn.contains({x, y}))));
     }
+}
+
+/// What the lens tells of diamonds: all that are left are there as drawn, and a line that leaves one was within it.
+void TestLines::diamondsTellWhatIsDrawn()
+{
+    Random random = seededRandom();
+    const PixelRect part{1, 2, 5, 4};
+    int kinds[2] = {0, 0};
+    for (int round = 0; round < 2000; ++round) {
+        const int grid = round % 2 == 0 ? 1 : 64;
+        const auto place = [&] { return double(grid) * integer(random, -2 * 256 / grid, 8 * 256 / grid) / 256; };
+        const glm::dvec2 from(place(), place());
+        const glm::dvec2 to(place(), place());
+        std::set<std::pair<int, int>> plotted;
+        diamondExitLine(LinePoint::of(from), LinePoint::of(to), [&](int x, int y, double) {
+            if (x >= 1 && y >= 2 && x < 6 && y < 6)
+                plotted.insert({x, y});
+        });
+        std::set<std::pair<int, int>> told;
+        for (const MetDiamond& met : diamondsOf(from, to, part)) {
+            QVERIFY(met.column >= 1 && met.row >= 2 && met.column < 6 && met.row < 6);
+            ++kinds[met.drawn ? 1 : 0];
+            if (met.drawn)
+                told.insert({met.column, met.row});
+            QVERIFY(met.enters >= 0 && met.leaves <= 1 && met.enters <= met.leaves);
+            // half-way between entry and exit the line is within, or on the corner that belongs to the diamond
+            const glm::dvec2 middle = from + (met.enters + met.leaves) / 2 * (to - from);
+            const glm::dvec2 off = glm::abs(middle - glm::dvec2(met.column + 0.5, met.row + 0.5));
+            QVERIFY(off.x + off.y < 0.5 + 1e-9);
+            // what is met and not drawn ends there, at the border at the latest
+            if (!met.drawn && met.leaves < 1 - 1e-9) {
+                const glm::dvec2 end = glm::abs(to - glm::dvec2(met.column + 0.5, met.row + 0.5));
+                QVERIFY(end.x + end.y <= 0.5 + 1e-9);
+            }
+        }
+        QVERIFY(told == plotted);
+    }
+    QVERIFY(kinds[0] > 100 && kinds[1] > 1000);
 }
 
 void TestLines::stripsHaveNoSampleTwice_data()

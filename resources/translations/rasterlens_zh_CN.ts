@@ -4975,6 +4975,30 @@
         <source>%1 of %2 samples are covered: %3</source>
         <translation>%2 个采样点中有 %1 个被覆盖：%3</translation>
     </message>
+    <message>
+        <source>%1 enters the diamond at %2</source>
+        <translation>%1 在 %2 进入菱形</translation>
+    </message>
+    <message>
+        <source>%1 starts in the diamond</source>
+        <translation>%1 起于菱形内</translation>
+    </message>
+    <message>
+        <source>leaves it at %1</source>
+        <translation>在 %1 离开</translation>
+    </message>
+    <message>
+        <source>ends at its border or within</source>
+        <translation>止于其边界或其内</translation>
+    </message>
+    <message>
+        <source>drawn</source>
+        <translation>画</translation>
+    </message>
+    <message>
+        <source>not drawn</source>
+        <translation>不画</translation>
+    </message>
 </context>
 <context>
     <name>LocateModel</name>
@@ -9703,6 +9727,10 @@
     <message>
         <source>No material of this scene has a texture: a checkerboard stands for it.</source>
         <translation>本场景没有一种材质带纹理：以棋盘格代替。</translation>
+    </message>
+    <message>
+        <source>Lines run from the pixel of one corner to that of the next, up to half a pixel beside the edge. With the line rule &quot;Diamond exit&quot; the edge itself decides.</source>
+        <translation>线从一个顶点所在的像素画到下一个顶点所在的像素，可能偏离边至多半个像素。线规则选“菱形出口”时由边本身决定。</translation>
     </message>
 </context>
 <context>

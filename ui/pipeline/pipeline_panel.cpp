@@ -358,11 +358,16 @@ void PipelinePanel::syncScene()
     showNote();
 }
 
-/// What to look at in the scene, and what stands for a texture that it does not have.
+/// What to look at in the scene, what stands for a texture that it does not have, and why lines may lie beside edges.
 void PipelinePanel::showNote()
 {
+    const Settings& settings = m_document.settings();
     QStringList notes{m_note};
-    if (m_document.settings().shading == Shading::Texture && m_document.scene()->textures.empty())
+    if (settings.fill == Fill::Wireframe && settings.lineRule != LineRule::DiamondExit)
+        notes << tr(
+            "Lines run from the pixel of one corner to that of the next, up to half a pixel beside the edge. With "
+            "the line rule \"Diamond exit\" the edge itself decides.");
+    if (settings.shading == Shading::Texture && m_document.scene()->textures.empty())
         notes << tr("No material of this scene has a texture: a checkerboard stands for it.");
     notes.removeAll(QString());
     m_sceneNote->setText(notes.join(QLatin1Char('\n')));

@@ -3,6 +3,7 @@
 #include "core/observe/step_text.h"
 #include "ui/base/inks.h"
 #include "ui/base/theme.h"
+#include "ui/steps/diamond_painter.h"
 #include "ui/steps/pattern_painter.h"
 #include "ui/steps/step_formula.h"
 #include "ui/steps/walk_painter.h"
@@ -111,6 +112,7 @@ void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTran
     paintWalkOfSample(view);
     paintLine(view);
     paintLinePosition(view);
+    paintDiamonds(view, *m_model);
     paintColumn(view);
     paintCurrent(view);
     paintCorners(view);
@@ -430,11 +432,11 @@ void LensOverlay::paintCurrent(LensView& view) const
 
 void LensOverlay::paintHover(LensView& view) const
 {
-    if (!view.options.hoveredPixel || !view.options.tells || view.cell < kGlyphsFromCell || !m_model->hasSetup())
+    if (!view.options.hoveredPixel || !view.options.tells || view.cell < kGlyphsFromCell)
         return;
     const int x = view.options.hoveredPixel->x() * view.grid + view.grid / 2;
     const int y = view.options.hoveredPixel->y() * view.grid + view.grid / 2;
-    QStringList lines = lensHoverLines(*m_model, x, y);
+    QStringList lines = m_model->hasSetup() ? lensHoverLines(*m_model, x, y) : diamondWords(*m_model, x, y);
     if (m_model->log().rules().multiSampled())
         lines += patternWords(*m_model, x, y);
     if (!lines.isEmpty())
