@@ -1,6 +1,7 @@
 // Lines: the nearest samples in all octants, both ends, DDA beside Bresenham, and the wireframe of clipped triangles.
 #include "core/rasterizers/lines.h"
-#include "core/render/diamonds.h"
+#include "core/render/line_samples.h"
+#include "core/truth/exact_line.h"
 #include "tests/support.h"
 
 #include <QTest>
@@ -235,47 +236,6 @@ void TestLines::diamondExitOfMoltenVK()
     QCOMPARE(columns({0.5, 0.5}, end), (std::set<int>{0, 1, 2, 3}));
 }
 
-namespace
-{
-
-/// Whether a segment leaves a diamond, told by cutting it with the diamond's four sides, in fractions: it begins
-/// within, or passes through the inside, or through the corner that belongs to the diamond; and it does not end within.
-bool leavesDiamond(LinePoint from, LinePoint to, int column, int row)
-{
-    const bool steep = std::abs(to.y - from.y) > std::abs(to.x - from.x);
-    if (isInDiamond(to, column, row, steep) || isInDiamond(from, column, row, steep))
-        return !isInDiamond(to, column, row, steep);
-    struct Fraction {
-        std::int64_t top;
-        std::int64_t bottom; // > 0
-        [[nodiscard]] bool isLess(const Fraction& other) const { return top * other.bottom < other.top * bottom; }
-    };
-    const LinePoint a{from.x - column * 256 - 128, from.y - row * 256 - 128};
-    const LinePoint b{to.x - column * 256 - 128, to.y - row * 256 - 128};
-    Fraction enter{0, 1};
-    Fraction leave{1, 1};
-    bool passes = true;
-    for (const int sx : {-1, 1})
-        for (const int sy : {-1, 1}) {
-            const std::int64_t da = 128 - sx * a.x - sy * a.y;
-            const std::int64_t db = 128 - sx * b.x - sy * b.y;
-            passes = passes && (da > 0 || db > 0);
-            if (da < db && enter.isLess({-da, db - da}))
-                enter = {-da, db - da};
-            if (da > db && Fraction{da, da - db}.isLess(leave))
-                leave = {da, da - db};
-        }
-    const LinePoint corner = steep ? LinePoint{128, 0} : LinePoint{0, 128};
-    const LinePoint way{b.x - a.x, b.y - a.y};
-    const LinePoint toCorner{corner.x - a.x, corner.y - a.y};
-    const std::int64_t along = toCorner.x * way.x + toCorner.y * way.y;
-    const bool meetsCorner =
-        toCorner.x * way.y == toCorner.y * way.x && along > 0 && along < way.x * way.x + way.y * way.y;
-    return (passes && enter.isLess(leave)) || meetsCorner;
-}
-
-} // namespace
-
 void TestLines::diamondExitIsItsDefinition()
 {
     Random random = seededRandom();
@@ -291,7 +251,7 @@ void TestLines::diamondExitIsItsDefinition()
         });
         for (int y = -4; y < 11; ++y)
             for (int x = -4; x < 11; ++x)
-                if (leavesDiamond(from, to, x, y) != drawn.contains({x, y}))
+                if (leavesDiamond({from.x, from.y}, {to.x, to.y}, x, y) != drawn.contains({x, y}))
                     QFAIL(qPrintable(QStringLiteral("(%1, %2) to (%3, %4) at (%5, %6): drawn %7")
                                          .arg(from.x)
                                          .arg(from.y)
@@ -405,7 +365,7 @@ void TestLines::canonicalTiesKnowNoDirection()
 }
 
 /// 64,000 random lines of up to 90 pixels, ends on the grid of 1/256: the pixels of each rule against those that the
-/// diamonds of the true line give, which leavesDiamond() finds near it one by one. Prints the table of
+/// diamonds of the true line give (exact_line.h). Prints the table of
 /// docs/ACCURACY.md.
 void TestLines::accuracyOfTheRules()
 {
@@ -432,17 +392,9 @@ void TestLines::accuracyOfTheRules()
         const auto inSamples = [](LinePoint p) { return glm::dvec2(double(p.x), double(p.y)) / 256.0; };
         const glm::dvec2 a = inSamples(from);
         const glm::dvec2 b = inSamples(to);
-        const int axis = std::abs(b.y - a.y) > std::abs(b.x - a.x) ? 1 : 0;
         std::set<std::pair<int, int>> truth;
-        for (int i = int(std::min(a[axis], b[axis])) - 1; i <= int(std::max(a[axis], b[axis])) + 1; ++i) {
-            const double t = b[axis] == a[axis] ? 0 : (i + 0.5 - a[axis]) / (b[axis] - a[axis]);
-            const int middle = int(std::floor(a[1 - axis] + t * (b[1 - axis] - a[1 - axis])));
-            for (int j = middle - 2; j <= middle + 2; ++j) {
-                const std::pair<int, int> pixel = axis == 0 ? std::pair(i, j) : std::pair(j, i);
-                if (leavesDiamond(from, to, pixel.first, pixel.second))
-                    truth.insert(pixel);
-            }
-        }
+        for (const glm::ivec2& sample : exactLine({from.x, from.y}, {to.x, to.y}))
+            truth.insert({sample.x, sample.y});
         pixels += truth.size();
         for (Row& row : rows) {
             Rules rules;

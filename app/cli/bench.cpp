@@ -1,4 +1,5 @@
 #include "app/cli/bench_plot.h"
+#include "app/cli/chart.h"
 #include "app/cli/coverage_chart.h"
 #include "app/cli/distance_chart.h"
 #include "app/cli/input.h"
@@ -40,6 +41,14 @@ QString measureIds()
     return ids.join(QStringLiteral(", "));
 }
 
+QStringList chartNames()
+{
+    QStringList names;
+    for (const ChartInfo& info : chartInfos())
+        names << QLatin1String(info.id);
+    return names;
+}
+
 OptionGroup measuredOptions()
 {
     return {
@@ -64,7 +73,10 @@ OptionGroup measuredOptions()
                QStringLiteral("Another chart in place of speed against error: %1. distance: how far corners and pixels "
                               "are from the truth as SCENE is moved away from 0, with positions held as OBJ files are "
                               "read and as float32 from 0. msaa: how well the samples of grids and patterns tell what "
-                              "part of a pixel is covered. --csv, --json and --plot hold it.")
+                              "part of a pixel is covered. snapping: faces that snapping turns over. depth-step: how "
+                              "far apart surfaces have to be. edge-functions, lines, attributes: errors of edge "
+                              "functions in floats, of line rules, of interpolation without a division; they need no "
+                              "SCENE. --csv, --json and --plot hold it.")
                    .arg(chartNames().join(QStringLiteral(", ")))),
          value("--error", "MEASURE",
                QStringLiteral("The error of the plot's axis and of the frontier: %1 (default color). coverage: pixels "
@@ -395,9 +407,15 @@ ExitCode runBench(const QStringList& words)
         return ExitCode::Fine;
     const Request request = requestOf(*arguments);
     if (arguments->has(QStringLiteral("--chart"))) {
-        const bool isDistance = *arguments->value(QStringLiteral("--chart")) == QLatin1String("distance");
-        const auto print = isDistance ? printDistanceChart : printCoverageChart;
-        print(openInput(request.scenes.first(), *arguments), *arguments);
+        const ChartInfo& info = *findChart(*arguments->value(QStringLiteral("--chart")));
+        const Input input = openInput(request.scenes.first(), *arguments);
+        // these two tell more than their chart
+        if (QLatin1String(info.id) == QLatin1String("distance"))
+            printDistanceChart(input, *arguments);
+        else if (QLatin1String(info.id) == QLatin1String("msaa"))
+            printCoverageChart(input, *arguments);
+        else
+            printChart(info, input, *arguments);
         return ExitCode::Fine;
     }
     std::vector<ExperimentRow> all;

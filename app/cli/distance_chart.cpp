@@ -49,8 +49,6 @@ QString tableOf(const Input& input, std::span<const DistanceRow> rows)
 
 } // namespace
 
-QStringList chartNames() { return {QStringLiteral("distance"), QStringLiteral("msaa")}; }
-
 void printDistanceChart(const Input& input, const Arguments& arguments)
 {
     if (input.scene.space != SceneSpace::Object)

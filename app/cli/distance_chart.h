@@ -5,9 +5,6 @@
 namespace rasterlens::cli
 {
 
-/// The charts of `bench --chart`.
-[[nodiscard]] QStringList chartNames();
-
 /// Prints how far pictures are from the truth as their scene is moved away from 0; or writes it as CSV, JSON, a figure.
 ///
 /// in      the options --csv, --json and --plot of `bench`

@@ -9672,6 +9672,10 @@
         <source>Which mistake is mine?</source>
         <translation>我犯的是哪个错误？</translation>
     </message>
+    <message>
+        <source>Charts of errors</source>
+        <translation>误差图表</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::PanelSpin</name>
@@ -9730,7 +9734,7 @@
     </message>
     <message>
         <source>Lines run from the pixel of one corner to that of the next, up to half a pixel beside the edge. With the line rule &quot;Diamond exit&quot; the edge itself decides.</source>
-        <translation>线从一个顶点所在的像素画到下一个顶点所在的像素，可能偏离边至多半个像素。线规则选“菱形出口”时由边本身决定。</translation>
+        <translation>线从一个顶点所在的像素画到下一个顶点所在的像素，可能偏离边至多半个像素。线规则选“离开菱形”时由边本身决定。</translation>
     </message>
 </context>
 <context>
@@ -10778,6 +10782,10 @@
         <source>Which mistake is mine?</source>
         <translation>我犯的是哪个错误？</translation>
     </message>
+    <message>
+        <source>Charts of errors</source>
+        <translation>误差图表</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::UnchangedNotes</name>
@@ -11167,6 +11175,312 @@
     <message>
         <source>Put back what the scene asks for</source>
         <translation>恢复场景要求的值</translation>
+    </message>
+</context>
+<context>
+    <name>Chart</name>
+    <message>
+        <source>What snapping does to faces</source>
+        <translation>吸附对面的影响</translation>
+    </message>
+    <message>
+        <source>Corners snap to 1/2^bits of a pixel: a corner may pass to the other side of the opposite edge, and its face then looks the other way.</source>
+        <translation>顶点吸附到 1/2^bits 像素：顶点可能越过对边，面于是翻转朝向。</translation>
+    </message>
+    <message>
+        <source>subpixel bits</source>
+        <translation>子像素位数</translation>
+    </message>
+    <message>
+        <source>% of the faces</source>
+        <translation>占面的 %</translation>
+    </message>
+    <message>
+        <source>How near is too near for the depth buffer</source>
+        <translation>对深度缓冲来说多近算太近</translation>
+    </message>
+    <message>
+        <source>The farther away, the coarser: so far two surfaces have to be apart to be stored as different depths.</source>
+        <translation>越远越粗：两个表面要相距这么远，存下的深度才不同。</translation>
+    </message>
+    <message>
+        <source>distance from the eye</source>
+        <translation>到眼睛的距离</translation>
+    </message>
+    <message>
+        <source>step of depth, as a distance</source>
+        <translation>一级深度对应的距离</translation>
+    </message>
+    <message>
+        <source>Edge functions in floating point</source>
+        <translation>浮点边函数</translation>
+    </message>
+    <message>
+        <source>Samples near an edge that come out on the wrong side, against exact integers.</source>
+        <translation>边附近被判到错误一侧的采样，以精确整数为准。</translation>
+    </message>
+    <message>
+        <source>largest coordinate, pixels</source>
+        <translation>最大坐标，像素</translation>
+    </message>
+    <message>
+        <source>wrong samples in a million</source>
+        <translation>每百万采样中的错误数</translation>
+    </message>
+    <message>
+        <source>Line rules against the true line</source>
+        <translation>线规则与真实直线</translation>
+    </message>
+    <message>
+        <source>Pixels that a rule has and the diamonds of the true line do not give, or the other way round.</source>
+        <translation>规则画了而真实直线的菱形没有给出的像素，或者相反。</translation>
+    </message>
+    <message>
+        <source>angle, degrees</source>
+        <translation>角度，度</translation>
+    </message>
+    <message>
+        <source>% of the line&apos;s pixels</source>
+        <translation>占线的像素的 %</translation>
+    </message>
+    <message>
+        <source>What it costs not to divide</source>
+        <translation>不做除法的代价</translation>
+    </message>
+    <message>
+        <source>A colour from 0 to 1 along 256 pixels whose ends are not equally far away; dividing every 8 or 16 pixels was the trade of early games.</source>
+        <translation>颜色沿 256 个像素由 0 到 1，两端远近不同；每 8 或 16 像素除一次是早期游戏的折中。</translation>
+    </message>
+    <message>
+        <source>ratio of the distances</source>
+        <translation>距离之比</translation>
+    </message>
+    <message>
+        <source>largest error, 8-bit steps</source>
+        <translation>最大误差，8 位级</translation>
+    </message>
+    <message>
+        <source>Samples against the covered area</source>
+        <translation>采样与覆盖面积</translation>
+    </message>
+    <message>
+        <source>How well the samples of grids and patterns tell what part of a pixel is covered.</source>
+        <translation>网格和图案的采样能多准地反映像素被覆盖的部分。</translation>
+    </message>
+    <message>
+        <source>samples a pixel</source>
+        <translation>每像素采样数</translation>
+    </message>
+    <message>
+        <source>rms error, areas of a pixel</source>
+        <translation>均方根误差，像素面积</translation>
+    </message>
+    <message>
+        <source>The scene far from the origin</source>
+        <translation>远离原点的场景</translation>
+    </message>
+    <message>
+        <source>Wrong pixels as the scene is moved away from 0, with positions held as files are read and as float32 from 0.</source>
+        <translation>场景移离 0 时的错误像素，位置分别按读文件时的方式和从 0 起的 float32 保存。</translation>
+    </message>
+    <message>
+        <source>distance from 0</source>
+        <translation>到 0 的距离</translation>
+    </message>
+    <message>
+        <source>wrong pixels</source>
+        <translation>错误像素</translation>
+    </message>
+    <message>
+        <source>%1 is given in clip space and has no camera; a scene in object space is expected</source>
+        <translation>%1 以裁剪空间给出，没有相机；需要物体空间的场景</translation>
+    </message>
+    <message>
+        <source>turned over</source>
+        <translation>翻转</translation>
+    </message>
+    <message>
+        <source>without area</source>
+        <translation>面积为零</translation>
+    </message>
+    <message>
+        <source>folded, of those that were cut</source>
+        <translation>折叠（占被裁剪的面）</translation>
+    </message>
+    <message>
+        <source>%1 faces in the view volume, %2 of them cut by its planes.</source>
+        <translation>视景体中有 %1 个面，其中 %2 个被其平面裁剪。</translation>
+    </message>
+    <message>
+        <source>float32</source>
+        <translation>float32</translation>
+    </message>
+    <message>
+        <source>float32, reversed</source>
+        <translation>float32，反向</translation>
+    </message>
+    <message>
+        <source>unorm24</source>
+        <translation>unorm24</translation>
+    </message>
+    <message>
+        <source>unorm16</source>
+        <translation>unorm16</translation>
+    </message>
+    <message>
+        <source>unorm24 by d² (f - n) / (f n) / 2^24</source>
+        <translation>unorm24，按 d² (f - n) / (f n) / 2^24</translation>
+    </message>
+    <message>
+        <source>unorm16 by d² (f - n) / (f n) / 2^16</source>
+        <translation>unorm16，按 d² (f - n) / (f n) / 2^16</translation>
+    </message>
+    <message>
+        <source>Near and far of the camera: %1 and %2.</source>
+        <translation>相机的近、远平面：%1 和 %2。</translation>
+    </message>
+    <message>
+        <source>No perspective camera here: near and far are %1 and %2.</source>
+        <translation>这里没有透视相机：近、远平面取 %1 和 %2。</translation>
+    </message>
+    <message>
+        <source>Where a curve ends, everything up to far is stored as one depth.</source>
+        <translation>曲线终止处，直到远平面都存为同一个深度。</translation>
+    </message>
+    <message>
+        <source>float32, added up</source>
+        <translation>float32，逐步累加</translation>
+    </message>
+    <message>
+        <source>float32, added up with compensation (Kahan)</source>
+        <translation>float32，补偿累加（Kahan）</translation>
+    </message>
+    <message>
+        <source>float32, anew at every sample</source>
+        <translation>float32，每个采样重新计算</translation>
+    </message>
+    <message>
+        <source>float32, from the same end for both faces</source>
+        <translation>float32，两个面都从同一端计算</translation>
+    </message>
+    <message>
+        <source>float64</source>
+        <translation>float64</translation>
+    </message>
+    <message>
+        <source>%1 random edges a size; samples within %2 pixels of them, in up to %3 rows each.</source>
+        <translation>每种大小 %1 条随机边；取距边 %2 像素以内的采样，每条至多 %3 行。</translation>
+    </message>
+    <message>
+        <source>From the same end for both faces the values are wrong as often, but the two faces at an edge never disagree.</source>
+        <translation>两个面都从同一端计算时，出错同样多，但边两侧的面绝不会不一致。</translation>
+    </message>
+    <message>
+        <source>both ends, Bresenham</source>
+        <translation>含两端，Bresenham</translation>
+    </message>
+    <message>
+        <source>both ends, DDA</source>
+        <translation>含两端，DDA</translation>
+    </message>
+    <message>
+        <source>without the last, Bresenham</source>
+        <translation>不含末端，Bresenham</translation>
+    </message>
+    <message>
+        <source>diamond exit</source>
+        <translation>离开菱形</translation>
+    </message>
+    <message>
+        <source>%1 lines of %2 pixels an angle, their ends anywhere in a pixel.</source>
+        <translation>每个角度 %1 条长 %2 像素的线，端点在像素内任意处。</translation>
+    </message>
+    <message>
+        <source>Lines from pixel to pixel lie up to half a pixel beside the edge that they stand for; the diamonds go by the edge.</source>
+        <translation>从像素到像素的线可能偏离所代表的边至多半个像素；菱形以边本身为准。</translation>
+    </message>
+    <message>
+        <source>affine</source>
+        <translation>仿射</translation>
+    </message>
+    <message>
+        <source>divided every 16 pixels</source>
+        <translation>每 16 像素除一次</translation>
+    </message>
+    <message>
+        <source>divided every 8 pixels</source>
+        <translation>每 8 像素除一次</translation>
+    </message>
+    <message>
+        <source>perspective, float32</source>
+        <translation>透视，float32</translation>
+    </message>
+    <message>
+        <source>A division a pixel, one every 16 or 8, or none: 256, 17, 33 and 0 on this row.</source>
+        <translation>每像素一次除法、每 16 或 8 像素一次，或没有：这一行上分别是 256、17、33 和 0 次。</translation>
+    </message>
+    <message>
+        <source>Half a step is what a picture of 8 bits can show.</source>
+        <translation>半级是 8 位图片能显示的极限。</translation>
+    </message>
+    <message>
+        <source>grids</source>
+        <translation>网格</translation>
+    </message>
+    <message>
+        <source>patterns of MSAA</source>
+        <translation>MSAA 图案</translation>
+    </message>
+    <message>
+        <source>%1 pixels are covered in part.</source>
+        <translation>%1 个像素被部分覆盖。</translation>
+    </message>
+    <message>
+        <source>as files are read, from an origin of the mesh</source>
+        <translation>按读文件时的方式，从网格自己的原点</translation>
+    </message>
+    <message>
+        <source>float32 from 0</source>
+        <translation>从 0 起的 float32</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::ChartPanel</name>
+    <message>
+        <source>There is not enough memory for this chart.</source>
+        <translation>内存不足，无法绘制此图表。</translation>
+    </message>
+    <message>
+        <source>The system does not start so many threads.</source>
+        <translation>系统无法启动这么多线程。</translation>
+    </message>
+    <message>
+        <source>The scene or its settings have changed since.</source>
+        <translation>此后场景或设置已改变。</translation>
+    </message>
+    <message>
+        <source>Being drawn …</source>
+        <translation>正在绘制……</translation>
+    </message>
+    <message>
+        <source>Export the chart</source>
+        <translation>导出图表</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>已写入：%1</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>图表</translation>
+    </message>
+    <message>
+        <source>Draw again</source>
+        <translation>重新绘制</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
     </message>
 </context>
 </TS>

@@ -1,7 +1,7 @@
 #include "ui/steps/diamond_painter.h"
 
 #include "core/observe/step_text.h"
-#include "core/render/diamonds.h"
+#include "core/render/line_samples.h"
 #include "core/settings/depth_rules.h"
 #include "ui/base/inks.h"
 #include "ui/base/theme.h"

@@ -6,6 +6,7 @@
 #include "ui/base/dock.h"
 #include "ui/canvas/viewport_widget.h"
 #include "ui/truth/case_browser.h"
+#include "ui/truth/chart_panel.h"
 #include "ui/truth/compare_bar.h"
 #include "ui/truth/experiment_panel.h"
 #include "ui/truth/identify_panel.h"
@@ -31,6 +32,7 @@ struct PanelRow {
 constexpr auto kPanels = std::to_array<PanelRow>({
     {TruthMode::Panel::Cases, "cases", QT_TRANSLATE_NOOP("rasterlens::TruthMode", "Hard cases")},
     {TruthMode::Panel::Experiment, "experiment", QT_TRANSLATE_NOOP("rasterlens::TruthMode", "Speed against error")},
+    {TruthMode::Panel::Charts, "charts", QT_TRANSLATE_NOOP("rasterlens::TruthMode", "Charts of errors")},
     {TruthMode::Panel::Identify, "identify", QT_TRANSLATE_NOOP("rasterlens::TruthMode", "Which mistake is mine?")},
 });
 static_assert(isClosedList(kPanels, &PanelRow::panel));
@@ -42,7 +44,8 @@ TruthMode::TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& 
     : m_document(document), m_viewport(viewport), m_referee(document), m_refereeLayer(m_referee),
       m_comparison(document), m_differenceLayer(m_comparison), m_refereeBar(new RefereeBar(m_referee)),
       m_compareBar(new CompareBar(document, m_comparison)), m_cases(new CaseBrowser),
-      m_experiment(new ExperimentPanel(document)), m_identify(new IdentifyPanel(document)), m_menu(new QMenu(&window))
+      m_experiment(new ExperimentPanel(document)), m_charts(new ChartPanel(document)),
+      m_identify(new IdentifyPanel(document)), m_menu(new QMenu(&window))
 {
     viewport.addLayer(&m_refereeLayer);
     viewport.addLayer(&m_differenceLayer);
@@ -51,12 +54,15 @@ TruthMode::TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& 
     buildMenu(actions);
     addDock(Panel::Cases, m_cases, window);
     addDock(Panel::Experiment, m_experiment, window);
+    addDock(Panel::Charts, m_charts, window);
     addDock(Panel::Identify, m_identify, window);
     connect(m_cases, &CaseBrowser::caseChosen, this, &TruthMode::showCase);
     connect(&m_referee, &Referee::changed, this, &TruthMode::openLens);
     connect(&m_cases->model(), &CaseModel::failed, this, &TruthMode::failed);
     connect(m_experiment, &ExperimentPanel::message, this, &TruthMode::message);
     connect(m_experiment, &ExperimentPanel::failed, this, &TruthMode::failed);
+    connect(m_charts, &ChartPanel::message, this, &TruthMode::message);
+    connect(m_charts, &ChartPanel::failed, this, &TruthMode::failed);
     connect(m_identify, &IdentifyPanel::failed, this, &TruthMode::failed);
     connect(m_refereeBar, &RefereeBar::nextRequested, this, &TruthMode::showNextWrong);
     connect(&m_referee, &Referee::changed, this, &TruthMode::sync);
@@ -142,8 +148,8 @@ void TruthMode::sync()
 
 bool TruthMode::isBusy() const
 {
-    return m_referee.isChecking() || m_comparison.isBusy() || m_experiment->isRunning() || m_cases->model().isBusy() ||
-           m_identify->isBusy();
+    return m_referee.isChecking() || m_comparison.isBusy() || m_experiment->isRunning() || m_charts->isBusy() ||
+           m_cases->model().isBusy() || m_identify->isBusy();
 }
 
 void TruthMode::showOnCanvas(const FramePtr& frame, bool isStep)

@@ -17,6 +17,7 @@ namespace rasterlens
 
 class ActionTable;
 class CaseBrowser;
+class ChartPanel;
 class CompareBar;
 class Dock;
 class ExperimentPanel;
@@ -25,13 +26,13 @@ class RefereeBar;
 class ViewportWidget;
 
 /// Puts together what says how right the picture is: the referee and the comparison with their lines above the canvas
-/// and the menu Compare, the hard cases, speed against error, and the mistake that made a picture.
+/// and the menu Compare, the hard cases, speed against error, charts, and the mistake that made a picture.
 class TruthMode : public QObject
 {
     Q_OBJECT
 
 public:
-    enum class Panel { Cases, Experiment, Identify };
+    enum class Panel { Cases, Experiment, Charts, Identify };
 
     /// Adds the lines to `bars` and the menu's actions to the table.
     TruthMode(Document& document, ViewportWidget& viewport, QMainWindow& window, QVBoxLayout& bars,
@@ -44,6 +45,7 @@ public:
     [[nodiscard]] RefereeBar& refereeBar() { return *m_refereeBar; }
     [[nodiscard]] CaseBrowser& caseBrowser() { return *m_cases; }
     [[nodiscard]] ExperimentPanel& experiment() { return *m_experiment; }
+    [[nodiscard]] ChartPanel& charts() { return *m_charts; }
     [[nodiscard]] IdentifyPanel& identifyPanel() { return *m_identify; }
 
     /// In the order of the panels; they have no place in the window yet.
@@ -100,6 +102,7 @@ private:
     CompareBar* m_compareBar;
     CaseBrowser* m_cases;
     ExperimentPanel* m_experiment;
+    ChartPanel* m_charts;
     IdentifyPanel* m_identify;
     std::vector<Dock*> m_docks;
     QMenu* m_menu;

@@ -52,6 +52,8 @@ constexpr PanelRow kPanels[] = {
     {QLatin1String("casesDock"), "panel.cases", QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Hard cases"), Qt::Key_8},
     {QLatin1String("experimentDock"), "panel.experiment",
      QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Speed against error"), Qt::Key_9},
+    {QLatin1String("chartsDock"), "panel.charts", QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Charts of errors"),
+     Qt::Key_G},
     {QLatin1String("identifyDock"), "panel.identify",
      QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Which mistake is mine?"), Qt::Key_I},
     {QLatin1String("lessonDock"), "panel.lesson", QT_TRANSLATE_NOOP("rasterlens::PanelPlaces", "Lesson"), Qt::Key_L},

@@ -1,6 +1,8 @@
-#include "core/render/diamonds.h"
+#include "core/render/line_samples.h"
 
+#include "core/pipeline/observer.h"
 #include "core/rasterizers/diamond_line.h"
+#include "core/rasterizers/lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +36,15 @@ std::optional<MetDiamond> met(const glm::dvec2& from, const glm::dvec2& to, int 
 }
 
 } // namespace
+
+std::vector<glm::ivec2> lineSamples(const glm::dvec2& from, const glm::dvec2& to, const Rules& rules)
+{
+    std::vector<glm::ivec2> samples;
+    NullObserver nobody;
+    const auto plot = [&](int x, int y, double) { samples.emplace_back(x, y); };
+    drawLine(from, to, rules, plot, nobody);
+    return samples;
+}
 
 std::vector<MetDiamond> diamondsOf(const glm::dvec2& from, const glm::dvec2& to, const PixelRect& part)
 {

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/pipeline/types.h"
+#include "core/settings/rules.h"
 
 #include <glm/glm.hpp>
 
@@ -7,6 +8,12 @@
 
 namespace rasterlens
 {
+
+/// The samples of a line from one point to another by the rules, in the order they are drawn, whether on the target or
+/// not.
+///
+/// in   samples
+[[nodiscard]] std::vector<glm::ivec2> lineSamples(const glm::dvec2& from, const glm::dvec2& to, const Rules& rules);
 
 /// A sample whose diamond a line meets, see LineRule::DiamondExit.
 struct MetDiamond {
