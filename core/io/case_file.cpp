@@ -118,7 +118,8 @@ private:
             {QT_TRANSLATE_NOOP("Diagnostic",
                                "%1 is not a directive; size, subpixel_bits, exact, cull, depth_test, depth_format, "
                                "depth_bias, depth_range, depth_clamp, depth_clear, second_pass, clear, ssaa, samples, "
-                               "attribute_at, coverage_rule, zrange, window, tri, triuv, texture, texture_filter, note or expect expected"),
+                               "attribute_at, coverage_rule, zrange, window, tri, triuv, texture, texture_filter, note "
+                               "or expect expected"),
              {quotedWord(m_directive)}});
     }
 

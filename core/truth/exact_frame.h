@@ -44,7 +44,8 @@ struct ExactOptions {
     SampleOffset offset{0, 0}; ///< of all samples from the centres of theirs, on a sample grid of 1 only
     ResolveLight resolveLight = ResolveLight::Gamma;
     std::optional<PixelRect> window; ///< the part of the viewport to compute
-    /// Not Centre: for snapped frames of one sample a pixel only. Each triangle that clipping leaves is asked by itself.
+    /// Not Centre: for snapped frames of one sample a pixel only. Each triangle that clipping leaves is asked by
+    /// itself.
     CoverageRule coverageRule = CoverageRule::Centre;
     bool edgeDistance = false; ///< fill ExactFrame::edgeDistance
     /// Given: the triangles' positions lie in object space, and clip space is their exact product with this matrix.

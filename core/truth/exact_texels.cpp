@@ -144,10 +144,8 @@ class Texels
 {
 public:
     Texels(const Scene& scene, const Settings& settings)
-        : m_scene(scene), m_clipZ(settings.clipZ),
-          m_triangles(exactTriangles(scene, settings)), m_lattice{settings.size, sampleGrid(settings.samples),
-                                                                  std::int64_t{1} << settings.subpixelBits},
-          m_faces(m_triangles.size())
+        : m_scene(scene), m_clipZ(settings.clipZ), m_triangles(exactTriangles(scene, settings)),
+          m_lattice(latticeOf(exactOptions(scene, settings))), m_faces(m_triangles.size())
     {
     }
 
@@ -185,7 +183,7 @@ template <class Visit>
 void forEachSeen(const Scene& scene, const Settings& settings, const ExactFrame& truth, Visit&& visit)
 {
     Texels texels(scene, settings);
-    const bool snaps = settings.numberType == NumberType::Fixed && !scene.exact;
+    const bool snaps = settings.numberType == NumberType::Fixed && !scene.exact && truth.patternSamples == 1;
     for (int y = 0; y < truth.height; ++y)
         for (int x = 0; x < truth.width; ++x) {
             const auto sample =
