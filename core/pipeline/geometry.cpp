@@ -33,25 +33,36 @@ double cornerArea2(std::span<const ScreenVertex> polygon, std::size_t a, std::si
     return twiceArea(polygon[a].position, polygon[b].position, polygon[c].position);
 }
 
-/// The outline from a corner from which all triangles of the fan turn the polygon's way, if there is such a corner.
-std::optional<Outline> outlineSeenFromACorner(std::span<const ScreenVertex> polygon, double sense)
+/// Whether all triangles of the fan round a corner turn the polygon's way.
+bool seesAll(std::span<const ScreenVertex> polygon, std::size_t apex, double sense)
 {
     const std::size_t n = polygon.size();
-    for (std::size_t apex = 0; apex < n; ++apex) {
-        const auto turns = [&](std::size_t i) {
-            return cornerArea2(polygon, apex, (apex + i) % n, (apex + i + 1) % n) * sense >= 0;
-        };
-        std::size_t i = 1;
-        while (i + 1 < n && turns(i))
-            ++i;
-        if (i + 1 < n)
-            continue;
-        Outline outline;
-        for (std::size_t k = 0; k < n; ++k)
-            outline.add((apex + k) % n);
-        return outline;
-    }
-    return std::nullopt;
+    for (std::size_t i = 1; i + 1 < n; ++i)
+        if (cornerArea2(polygon, apex, (apex + i) % n, (apex + i + 1) % n) * sense < 0)
+            return false;
+    return true;
+}
+
+/// The outline from the first corner that sees all of it, if there is one; or from the leftmost one of them (of those
+/// the topmost).
+std::optional<Outline> outlineSeenFromACorner(std::span<const ScreenVertex> polygon, double sense, bool fromTheLeft)
+{
+    const std::size_t n = polygon.size();
+    const auto isLeftOf = [&](std::size_t a, std::size_t b) {
+        const glm::dvec2& p = polygon[a].position;
+        const glm::dvec2& q = polygon[b].position;
+        return std::pair(p.x, p.y) < std::pair(q.x, q.y);
+    };
+    std::optional<std::size_t> apex;
+    for (std::size_t corner = 0; corner < n && (!apex || fromTheLeft); ++corner)
+        if ((!apex || isLeftOf(corner, *apex)) && seesAll(polygon, corner, sense))
+            apex = corner;
+    if (!apex)
+        return std::nullopt;
+    Outline outline;
+    for (std::size_t k = 0; k < n; ++k)
+        outline.add((*apex + k) % n);
+    return outline;
 }
 
 /// The corners of the convex hull in the sense given, from the leftmost (of those the topmost) on.
@@ -105,9 +116,10 @@ void FaceStages::processVertex(ProcessedVertex& v) const
 }
 
 int FaceStages::appendFan(std::uint32_t face, std::span<const ScreenVertex> polygon, double area2,
-                          std::vector<ScreenTriangle>& out)
+                          std::vector<ScreenTriangle>& out) const
 {
-    const std::optional<Outline> seen = outlineSeenFromACorner(polygon, area2);
+    const std::optional<Outline> seen =
+        outlineSeenFromACorner(polygon, area2, m_rules.coverageRule != CoverageRule::Centre);
     const Outline outline = seen ? *seen : convexHull(polygon, area2);
     int pieces = 0;
     for (std::size_t i = 1; i + 1 < outline.count; ++i) {

@@ -207,8 +207,8 @@ private:
     ///
     /// in    twice the area of the polygon
     /// out   the number of triangles
-    static int appendFan(std::uint32_t face, std::span<const ScreenVertex> polygon, double area2,
-                         std::vector<ScreenTriangle>& out);
+    int appendFan(std::uint32_t face, std::span<const ScreenVertex> polygon, double area2,
+                  std::vector<ScreenTriangle>& out) const;
 
     /// Gives the pieces of a cut face the w of the face's vertices, as if there had been no cut.
     static void giveWOfCorners(const Corners& corners, std::span<ScreenTriangle> pieces);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -48,12 +49,11 @@ std::vector<glm::ivec2> lineSamples(const glm::dvec2& from, const glm::dvec2& to
 
 std::vector<MetDiamond> diamondsOf(const glm::dvec2& from, const glm::dvec2& to, const PixelRect& part)
 {
-    std::vector<std::pair<int, int>> drawn; // row, column
-    diamondExitLine(LinePoint::of(from), LinePoint::of(to), [&](int column, int row, double) {
+    std::map<std::pair<int, int>, double> drawn; // by row and column: where the line passes the centre's column, or row
+    diamondExitLine(LinePoint::of(from), LinePoint::of(to), [&](int column, int row, double t) {
         if (column >= part.x && row >= part.y && column < part.x + part.width && row < part.y + part.height)
-            drawn.emplace_back(row, column);
+            drawn.emplace(std::pair(row, column), t);
     });
-    std::ranges::sort(drawn);
     // A line never leaves the box of its ends, nor do the samples that it draws by more than a border.
     const glm::dvec2 low = glm::floor(glm::min(from, to)) - 1.0;
     const glm::dvec2 high = glm::floor(glm::max(from, to)) + 1.0;
@@ -65,12 +65,12 @@ std::vector<MetDiamond> diamondsOf(const glm::dvec2& from, const glm::dvec2& to,
     for (int row = begin(low.y, part.y); row < end(high.y, part.y, part.height); ++row)
         for (int column = begin(low.x, part.x); column < end(high.x, part.x, part.width); ++column) {
             std::optional<MetDiamond> diamond = met(from, to, column, row);
-            const bool isDrawn = std::ranges::binary_search(drawn, std::pair(row, column));
-            if (!diamond && isDrawn) // it passes through the corner that belongs to the diamond
-                diamond = MetDiamond{column, row, 1, 1, true};
+            const auto found = drawn.find({row, column});
+            if (!diamond && found != drawn.end()) // it passes through the corner that belongs to the diamond
+                diamond = MetDiamond{column, row, found->second, found->second, true};
             if (!diamond)
                 continue;
-            diamond->drawn = isDrawn;
+            diamond->drawn = found != drawn.end();
             diamonds.push_back(*diamond);
         }
     return diamonds;

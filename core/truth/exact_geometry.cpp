@@ -267,16 +267,20 @@ std::int64_t turn(const Snapped& a, const Snapped& b, const Snapped& c)
 
 } // namespace
 
-bool isFolded(std::span<const Snapped> polygon, int sign)
+bool seesAll(std::span<const Snapped> polygon, int sign, std::size_t eye)
 {
     const std::size_t n = polygon.size();
-    for (const Snapped& eye : polygon) {
-        bool seesAll = true;
-        for (std::size_t i = 0; i < n && seesAll; ++i)
-            seesAll = turn(eye, polygon[i], polygon[(i + 1) % n]) * sign >= 0;
-        if (seesAll)
+    for (std::size_t i = 0; i < n; ++i)
+        if (turn(polygon[eye], polygon[i], polygon[(i + 1) % n]) * sign < 0)
             return false;
-    }
+    return true;
+}
+
+bool isFolded(std::span<const Snapped> polygon, int sign)
+{
+    for (std::size_t eye = 0; eye < polygon.size(); ++eye)
+        if (seesAll(polygon, sign, eye))
+            return false;
     return true;
 }
 

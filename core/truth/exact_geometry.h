@@ -137,6 +137,9 @@ struct IntegerTriangle {
 /// Twice the area; positive where the polygon runs clockwise on the screen (y down).
 [[nodiscard]] std::int64_t doubledArea(std::span<const Snapped> polygon);
 
+/// Whether all sides of a polygon are to be seen from one of its corners, from within. in: sign of its area
+[[nodiscard]] bool seesAll(std::span<const Snapped> polygon, int sign, std::size_t eye);
+
 /// Whether snapping has folded a polygon over itself so far that no corner sees all of it. in: sign of its area
 [[nodiscard]] bool isFolded(std::span<const Snapped> polygon, int sign);
 

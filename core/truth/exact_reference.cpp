@@ -15,6 +15,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace rasterlens
@@ -296,9 +297,20 @@ private:
             drawFan(fan, span);
     }
 
-    /// The pixels whose square the triangles of the fan touch, or hold.
-    void drawSquares(const Outline& outline)
+    /// The pixels whose square the triangles touch, or hold, that the face is drawn as: a fan round the leftmost corner
+    /// (of those the topmost) that sees all of the outline.
+    void drawSquares(Outline outline)
     {
+        const auto place = [&](std::size_t corner) {
+            return std::pair(outline.polygon[corner].x, outline.polygon[corner].y);
+        };
+        std::optional<std::size_t> apex;
+        for (std::size_t corner = 0; corner < outline.polygon.size(); ++corner)
+            if (seesAll(outline.polygon, outline.sign, corner) && (!apex || place(corner) < place(*apex)))
+                apex = corner;
+        const auto first = static_cast<std::ptrdiff_t>(apex.value_or(0)); // a hull has one
+        std::ranges::rotate(outline.polygon, outline.polygon.begin() + first);
+        std::ranges::rotate(outline.corners, outline.corners.begin() + first);
         const std::vector<Piece> fan = m_setup.fanOf(outline);
         const std::int64_t side = 2 * m_setup.lattice().unit;
         const auto pixelsOf = [&](std::int64_t low, std::int64_t high, const Columns& window) {

@@ -11368,8 +11368,8 @@
         <translation>float64</translation>
     </message>
     <message>
-        <source>%1 random edges a size; samples within %2 pixels of them, in up to %3 rows each.</source>
-        <translation>每种大小 %1 条随机边；取距边 %2 像素以内的采样，每条至多 %3 行。</translation>
+        <source>%1 random edges a size, half of them between halves of pixels; samples within %2 pixels of them, in up to %3 rows each.</source>
+        <translation>每种大小 %1 条随机边，其中一半连接半像素点；取距边 %2 像素以内的采样，每条至多 %3 行。</translation>
     </message>
     <message>
         <source>From the same end for both faces the values are wrong as often, but the two faces at an edge never disagree.</source>
