@@ -81,6 +81,23 @@ HWY_INLINE Uints PerspectiveColor(const ColorPlanes& planes, int x, int y, std::
                             hn::Add(hn::Load(tag, kPattern.floatY.data() + lane), hn::Set(tag, static_cast<float>(y))));
 }
 
+/// Multi-sampling: colours of a block at the centres of pixels, which may lie beside the triangle. The planes are
+/// those of float32 in every way: nothing wraps round. Not for ColorWay::Exact.
+HWY_INLINE Uints HeldColor(const ColorPlanes& planes, int x, int y, std::size_t lane)
+{
+    if (HWY_UNLIKELY(planes.way != ColorWay::Affine))
+        return PerspectiveColor(planes, x, y, lane);
+    constexpr FloatTag tag;
+    const Floats toX = hn::Add(hn::Load(tag, kPattern.floatX.data() + lane), hn::Set(tag, static_cast<float>(x)));
+    const Floats toY = hn::Add(hn::Load(tag, kPattern.floatY.data() + lane), hn::Set(tag, static_cast<float>(y)));
+    const auto number = [](std::int32_t bits) HWY_ATTR { return hn::Set(FloatTag(), std::bit_cast<float>(bits)); };
+    const auto plane = [&](std::size_t i) HWY_ATTR {
+        return hn::Add(number(planes.origin[i]),
+                       hn::Add(hn::Mul(number(planes.perX[i]), toX), hn::Mul(number(planes.perY[i]), toY)));
+    };
+    return PackHeld(plane(1), plane(2), plane(3));
+}
+
 /// Colours of ColorWay::Affine of 16 samples, two channels to a number, in 2^-8 of a step: red and blue, alpha and
 /// green. Adding two ChannelPairs gives a valid ChannelPairs: no channel carries into the other.
 struct ChannelPairs {
@@ -192,8 +209,12 @@ struct ColorSquares {
 };
 
 /// Colours the samples of one block whose first is at (x, y) of the target. Not for ColorWay::Exact.
-HWY_INLINE Uints BlockColor(const ColorPlanes& planes, int x, int y, std::size_t v)
+///
+/// in   held: multi-sampling
+HWY_INLINE Uints BlockColor(const ColorPlanes& planes, int x, int y, std::size_t v, bool held)
 {
+    if (held)
+        return HeldColor(planes, x - planes.x0, y - planes.y0, v * kPerVector);
     if (HWY_UNLIKELY(planes.way != ColorWay::Affine))
         return PerspectiveColor(planes, x - planes.x0, y - planes.y0, v * kPerVector);
     constexpr IntTag tag;
