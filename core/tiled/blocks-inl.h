@@ -284,6 +284,7 @@ struct alignas(64) BlockQueue {
         SquareCorners offsets; ///< from the first sample of a block to the others
         ColorSquares colors;
         PatternLanes pattern; ///< multi-sampling only
+        HeldSquares held;     ///< multi-sampling, ColorWay::Affine
         std::uint32_t number;
     };
     std::array<Group, kGroups> groups;
@@ -353,13 +354,15 @@ HWY_INLINE Uints CentreColors(const Policy& policy, const BlockQueue::Group& gro
                               std::size_t block, std::size_t lane, Worker& worker)
 {
     const ColorSquares& colors = group.colors;
-    if (HWY_UNLIKELY(colors.planes->way == ColorWay::Exact)) {
-        if (lane == 0)
-            ColorExactly(policy.job, policy.origin, group.number, block, 0xffff, worker);
-        return hn::Load(UintTag(), worker.samples.color.data() + block * kLanes + lane);
+    if (HWY_LIKELY(colors.planes->way == ColorWay::Affine))
+        return group.held.held(square, lane);
+    if (colors.planes->way == ColorWay::Perspective) {
+        const auto at = static_cast<int>(square);
+        return PerspectiveColor(*colors.planes, colors.x + at % 4 * kBlockSide, colors.y + at / 4 * kBlockSide, lane);
     }
-    const auto at = static_cast<int>(square);
-    return HeldColor(*colors.planes, colors.x + at % 4 * kBlockSide, colors.y + at / 4 * kBlockSide, lane);
+    if (lane == 0)
+        ColorExactly(policy.job, policy.origin, group.number, block, 0xffff, worker);
+    return hn::Load(UintTag(), worker.samples.color.data() + block * kLanes + lane);
 }
 
 /// Multi-sampling: the samples of one block, those of 16 pixels at a time.
@@ -400,8 +403,7 @@ HWY_INLINE void CoverPatternBlock(const BlockQueue::Group& group, std::size_t sq
             const auto passed = hn::And(inside, hn::Lt(compared, stored));
             hn::Store(hn::IfThenElse(passed, key, stored), tag, keys);
             if constexpr (Policy::kKeeps != Keeps::Nothing)
-                hn::Store(hn::IfThenElse(hn::RebindMask(unsignedTag, passed), color, hn::Load(unsignedTag, kept)),
-                          unsignedTag, kept);
+                hn::BlendedStore(color, hn::RebindMask(unsignedTag, passed), unsignedTag, kept);
             if constexpr (!Policy::kUsual)
                 CountSamples(policy, inside, passed, (block * sets + s) * kLanes + lane, worker);
         }

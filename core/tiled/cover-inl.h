@@ -286,6 +286,8 @@ HWY_INLINE void FillColors(const TriangleLanes& lanes, int x, int y, const Polic
         group.colors.planes = lanes.planes;
         group.colors.x = policy.origin.x + x - lanes.planes->x0;
         group.colors.y = policy.origin.y + y - lanes.planes->y0;
+        if (HWY_LIKELY(lanes.planes->way == ColorWay::Affine))
+            group.held.fill(*lanes.planes, group.colors.x, group.colors.y);
     } else if constexpr (Policy::kKeeps == Keeps::Color) {
         group.colors.fill(*lanes.planes, lanes.colors, policy.origin.x + x - lanes.planes->x0,
                           policy.origin.y + y - lanes.planes->y0);

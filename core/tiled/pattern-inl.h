@@ -124,18 +124,51 @@ inline void ResolveBlocks(const PixelPattern& pattern, Worker& worker)
             ResolveBlock(pattern, worker, block, worker.samples.color.data() + block * kLanes);
 }
 
+/// Colours of pixels in blocks of a subtile, a bit each, that all belong to the triangle `owner`.
+///
+/// in   the first block of the subtile
+inline void ColorOwnedPixels(const FrameJob& job, Worker& worker, TileOrigin origin, std::size_t first,
+                             std::uint32_t owner, std::uint32_t blocks)
+{
+    const ColorPlanes& planes = worker.colors(owner);
+    HeldSquares squares;
+    if (HWY_LIKELY(planes.way == ColorWay::Affine))
+        squares.fill(planes, origin.x + blockColumn(static_cast<int>(first)) * kBlockSide - planes.x0,
+                     origin.y + blockRow(static_cast<int>(first)) * kBlockSide - planes.y0);
+    for (; blocks != 0; blocks &= blocks - 1) {
+        const auto square = static_cast<std::size_t>(std::countr_zero(blocks));
+        if (HWY_UNLIKELY(planes.way != ColorWay::Affine)) {
+            ColorCentres(job, origin, owner, first + square, 0xffff, worker);
+            continue;
+        }
+        std::uint32_t* out = worker.samples.color.data() + (first + square) * kLanes;
+        for (std::size_t lane = 0; lane < kLanes; lane += kPerVector)
+            hn::Store(squares.inside(square, lane), UintTag(), out + lane);
+    }
+}
+
 /// Interpolated colours of a tile: of its pixels where blocks have an owner, else of the samples.
 inline void FinishPatternColors(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
-    for (std::size_t block = 0; block < kTileBlocks; ++block) {
-        const std::uint32_t owner = worker.samples.owner[block];
-        std::uint32_t* out = worker.samples.color.data() + block * kLanes;
-        if (owner == kNobody)
-            ResolveBlock(job.pattern, worker, block, out);
-        else if (owner == kEmpty)
-            std::fill_n(out, kLanes, job.clearColor);
-        else
-            ColorCentres(job, origin, owner, block, 0xffff, worker);
+    for (std::size_t first = 0; first < kTileBlocks; first += kLanes) {
+        const std::uint32_t* owners = worker.samples.owner.data() + first;
+        for (std::uint32_t left = 0xffff; left != 0;) {
+            const std::uint32_t owner = owners[std::countr_zero(left)];
+            const std::uint32_t blocks = LanesWith(owners, owner);
+            left &= ~blocks;
+            if (owner < kEmpty) {
+                ColorOwnedPixels(job, worker, origin, first, owner, blocks);
+                continue;
+            }
+            for (std::uint32_t bits = blocks; bits != 0; bits &= bits - 1) {
+                const std::size_t block = first + static_cast<std::size_t>(std::countr_zero(bits));
+                std::uint32_t* out = worker.samples.color.data() + block * kLanes;
+                if (owner == kNobody)
+                    ResolveBlock(job.pattern, worker, block, out);
+                else
+                    std::fill_n(out, kLanes, job.clearColor);
+            }
+        }
     }
 }
 
