@@ -216,9 +216,11 @@ void TestCliFiles::countsOfSamples()
     QCOMPARE(tiled.exitCode, 2);
     QVERIFY2(tiled.err.contains(QLatin1String("--sample-coverage: algorithm tiled")), qPrintable(tiled.err));
     QVERIFY(!QFileInfo::exists(path("t.npy")));
-    const Run patterns = call(QStringLiteral("render a.case --algorithm tiled --samples msaa4"));
-    QCOMPARE(patterns.exitCode, 2);
-    QVERIFY2(patterns.err.contains(QLatin1String("not yet the patterns")), qPrintable(patterns.err));
+    QCOMPARE(call(QStringLiteral("render m.case --algorithm tiled --no-picture --sample-coverage t.npy")).exitCode, 0);
+    QCOMPARE(readFile(path("t.npy")), readFile(path("m.npy")));
+    const Run centroid = call(QStringLiteral("render m.case --algorithm tiled --attribute-at centroid"));
+    QCOMPARE(centroid.exitCode, 2);
+    QVERIFY2(centroid.err.contains(QLatin1String("needs attribute-at centre")), qPrintable(centroid.err));
 }
 
 void TestCliFiles::devicesAndPipesAreWrittenInto()

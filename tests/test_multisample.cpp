@@ -10,6 +10,7 @@
 #include "core/truth/hard_cases.h"
 #include "tests/support.h"
 
+#include <QDir>
 #include <QTest>
 
 #include <algorithm>
@@ -256,12 +257,19 @@ void TestMultisample::randomFacesAreExact()
     }
 }
 
+/// The cases of the program, and those beside the project where they are.
 void TestMultisample::casesAreExact()
 {
+    QStringList paths;
+    for (const QString& name : hardCaseNames())
+        paths << hardCasePath(name);
+    const QDir shared(QStringLiteral(RASTERLENS_SHARED "/cases"));
+    for (const QString& name : shared.entryList({QStringLiteral("*.case")}))
+        paths << shared.filePath(name);
     int compared = 0;
-    for (const QString& name : hardCaseNames()) {
-        const SceneLoad load = loadScene(hardCasePath(name));
-        QVERIFY(load.scene);
+    for (const QString& path : paths) {
+        const SceneLoad load = loadScene(path);
+        QVERIFY2(load.scene, qPrintable(path));
         const Scene& scene = *load.scene;
         for (const Samples samples : kPatterns) {
             Settings settings = scene.defaults;
@@ -271,15 +279,16 @@ void TestMultisample::casesAreExact()
                 continue;      // 16384 x 16384
             if (scene.exact) { // the truth does not snap: within what snapping may move
                 const CaseVerdict verdict = judgeCase(scene, caseTruth(scene, samples), settings);
-                QVERIFY2(verdict.grade != CaseGrade::Fails, qPrintable(name));
+                QVERIFY2(verdict.grade != CaseGrade::Fails, qPrintable(path));
                 continue;
             }
             ++compared;
             const QString wrong = wrongCount(scene, settings);
-            QVERIFY2(wrong.isEmpty(), qPrintable(name + QStringLiteral(": ") + wrong));
+            QVERIFY2(wrong.isEmpty(), qPrintable(path + QStringLiteral(": ") + wrong));
         }
     }
     QVERIFY(compared >= 200);
+    qInfo("%d comparisons of %d cases", compared, int(paths.size()));
 }
 
 /// A shared edge exactly through samples: each belongs to one face, so that the masks of the two make up the pixel's.

@@ -141,6 +141,9 @@ void TestMultisampleAnswers::refusalsSayWhy_data()
     QTest::newRow("columns") << "algorithm"
                              << "column-fill"
                              << "column-fill";
+    QTest::newRow("masks of tiled") << "attribute-at"
+                                    << "centroid"
+                                    << "attribute-at centre";
     QTest::newRow("spans") << "attribute-path"
                            << "edge-then-span"
                            << "attribute-path planes";
@@ -155,6 +158,8 @@ void TestMultisampleAnswers::refusalsSayWhy()
     Settings settings = settingsWith(Samples::Msaa8, QSize(64, 48));
     if (field == QLatin1String("attribute-path"))
         settings.algorithm = Algorithm::EdgeWalking;
+    if (field == QLatin1String("attribute-at"))
+        settings.algorithm = Algorithm::Tiled;
     QVERIFY(!setFromText(*findSettingsField(field), value, settings));
     const auto reason = unsupported(scene, settings);
     QVERIFY(reason);

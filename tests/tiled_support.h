@@ -76,6 +76,8 @@ inline QString difference(const Frame& expected, const Frame& actual)
         return "depth " + firstDifference(expected.depth, actual.depth, width);
     if (expected.ids != actual.ids)
         return "ids " + firstDifference(expected.ids, actual.ids, width);
+    if (expected.sampleCoverage != actual.sampleCoverage)
+        return "coverage of samples " + firstDifference(expected.sampleCoverage, actual.sampleCoverage, width);
     const int step = largestColorStep(expected.image, actual.image);
     return step > 1 ? QStringLiteral("colours by %1").arg(step) : QString();
 }
@@ -104,7 +106,9 @@ inline QString compareAll(const Scene& scene, Settings settings, const std::vect
 {
     settings.algorithm = Algorithm::EdgeEquation;
     Frame expected;
-    const Statistics expectedCounts = renderCounted(scene, settings, expected, kAll);
+    Outputs everything = kAll;
+    everything.sampleCoverage = patternSamples(settings.samples) > 1;
+    const Statistics expectedCounts = renderCounted(scene, settings, expected, everything);
     settings.algorithm = Algorithm::Tiled;
     std::optional<QImage> first;
     for (const Way& way : waysOf(among, threadCounts)) {
@@ -117,7 +121,7 @@ inline QString compareAll(const Scene& scene, Settings settings, const std::vect
                 .arg(what);
         };
         Frame all;
-        const Statistics counts = renderCounted(scene, settings, all, kAll);
+        const Statistics counts = renderCounted(scene, settings, all, everything);
         if (const QString d = difference(expected, all); !d.isEmpty())
             return tell(d);
         if (!(counts.faces == expectedCounts.faces))
@@ -132,6 +136,7 @@ inline QString compareAll(const Scene& scene, Settings settings, const std::vect
         Frame usual;
         render(scene, settings, usual, {.depth = true, .ids = true});
         usual.coverage = all.coverage;
+        usual.sampleCoverage = all.sampleCoverage;
         if (const QString d = difference(expected, usual); !d.isEmpty())
             return tell("uncounted: " + d);
         if (usual.image != all.image)

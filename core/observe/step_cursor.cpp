@@ -92,7 +92,7 @@ void StepCursor::resolveUpTo(std::size_t pixels)
 
 std::uint32_t StepCursor::meanAt(int x, int y) const
 {
-    std::array<std::uint32_t, ResolvedPixel::kMostSamples> colors;
+    std::array<std::uint32_t, ResolvedPixel::kMostSamples> colors{};
     const Rules& rules = m_log->rules();
     const int count = rules.samplesPerPixel();
     for (int i = 0; i < count; ++i)

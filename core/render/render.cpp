@@ -57,7 +57,12 @@ std::optional<Reason> coverageRuleSupports(const Scene& scene, const Rules& rule
 void drawTiled(const Scene& scene, const Settings& settings, const Resolved& resolved, Frame& frame, Outputs outputs,
                Statistics* statistics, const std::stop_token& stop)
 {
+    if (resolved.rules.multiSampled()) {
+        Tiled::draw(scene, settings, resolved, frame, outputs, statistics, stop);
+        return;
+    }
     Outputs asked = outputs;
+    asked.sampleCoverage = false;
     asked.coverage = outputs.coverage || outputs.sampleCoverage;
     Tiled::draw(scene, settings, resolved, frame, asked, statistics, stop);
     frame.sampleCoverage.clear();
@@ -100,8 +105,9 @@ std::optional<Reason> unsupported(const Scene& scene, const Settings& settings, 
 
 std::optional<Reason> unsupportedOutputs(const Settings& settings, Outputs outputs)
 {
-    if (outputs.sampleCoverage && settings.algorithm == Algorithm::Tiled && settings.samples != Samples::One)
-        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled keeps the counts of one sample a pixel only")};
+    if (outputs.sampleCoverage && settings.algorithm == Algorithm::Tiled && sampleGrid(settings.samples) > 1)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled keeps no counts of the samples of a grid; it "
+                                                       "does of one sample a pixel, and of msaa2 to msaa16")};
     return std::nullopt;
 }
 

@@ -27,24 +27,29 @@ enum class Keeps {
 };
 
 /// The usual case knows its depth test when it is compiled; every other one reads it from here.
-template <Keeps kKeep>
+template <Keeps kKeep, bool kHasPattern>
 struct UsualDepth {
     static constexpr bool kUsual = true; ///< float32 depths, the smaller one wins, samples are not counted
     static constexpr Keeps kKeeps = kKeep;
+    static constexpr bool kPattern = kHasPattern; ///< multi-sampling
     UsualDepth(const FrameJob& j, TileOrigin o) : job(j), origin(o) {}
     const FrameJob& job;
     TileOrigin origin;
 };
 
+template <bool kHasPattern>
 struct AnyDepth {
     static constexpr bool kUsual = false;
     static constexpr Keeps kKeeps = Keeps::Number;
-    AnyDepth(const FrameJob& job, TileOrigin origin)
-        : flip(depthFlip(job.rules.depthCompare)), handicap(depthHandicap(job.rules)), format(job.rules.depthFormat),
-          countsCoverage(job.countsCoverage()), width(job.rules.columns() - origin.x),
+    static constexpr bool kPattern = kHasPattern;
+    AnyDepth(const FrameJob& j, TileOrigin o)
+        : job(j), origin(o), flip(depthFlip(job.rules.depthCompare)), handicap(depthHandicap(job.rules)),
+          format(job.rules.depthFormat), countsCoverage(job.countsCoverage()), width(job.rules.columns() - origin.x),
           height(job.rules.rows() - origin.y)
     {
     }
+    const FrameJob& job;
+    TileOrigin origin;
     std::int32_t flip;
     std::int32_t handicap;
     DepthFormat format;
@@ -53,6 +58,40 @@ struct AnyDepth {
     int height;
 };
 
+/// Multi-sampling: what changes from the centre of a pixel to its samples, one after the other.
+struct alignas(64) PatternLanes {
+    std::array<std::array<std::int32_t, kLanes>, 3> edge;
+    std::array<double, kLanes> depth;
+};
+
+/// Where the samples of a block are stored, and how many sets of 16 there are.
+template <class Policy>
+HWY_INLINE std::size_t SetsOf(const Policy& policy)
+{
+    if constexpr (Policy::kPattern)
+        return policy.job.pattern.samples;
+    else
+        return 1;
+}
+template <class Policy>
+HWY_INLINE std::int32_t* KeysOf(const Policy& policy, Worker& worker, std::size_t block)
+{
+    std::int32_t* keys = Policy::kPattern ? worker.pattern.key.data() : worker.samples.key.data();
+    return keys + block * SetsOf(policy) * kLanes;
+}
+template <class Policy>
+HWY_INLINE std::uint32_t* NumbersOf(const Policy& policy, Worker& worker, std::size_t block)
+{
+    std::uint32_t* ids = Policy::kPattern ? worker.pattern.ids.data() : worker.samples.ids.data();
+    return ids + block * SetsOf(policy) * kLanes;
+}
+template <class Policy>
+HWY_INLINE std::uint32_t* SampleColorsOf(const Policy& policy, Worker& worker, std::size_t block)
+{
+    std::uint32_t* colors = Policy::kPattern ? worker.pattern.color.data() : worker.samples.color.data();
+    return colors + block * SetsOf(policy) * kLanes;
+}
+
 /// A triangle spread over the lanes: what changes from the first sample of a block (or first block of a subtile...) to
 /// the others.
 struct TriangleLanes {
@@ -60,6 +99,9 @@ struct TriangleLanes {
     std::array<WideDoubles, kVectors> depth;
     std::array<std::int32_t, 3> a;
     std::array<std::int32_t, 3> b;
+    std::array<std::int32_t, 3> reach; ///< multi-sampling: no sample's edge values differ more from the pixel's
+    PatternLanes pattern;              ///< multi-sampling only
+    double depthReach;                 ///< multi-sampling: no sample's depth differs more from the pixel's
     double perX;
     double perY;
     std::uint32_t number; ///< in the tile
@@ -97,17 +139,50 @@ HWY_INLINE WideDoubles DepthOffsets(double perX, double perY, std::size_t first)
     return offsets;
 }
 
+/// Multi-sampling: what a triangle changes by from the centre of a pixel to its samples.
+///
+/// exact  edge values shifted right by 8 have the sign of the whole ones; the 4 bits that the record has beside c are
+///        those that sixteenths of a pixel can carry out of
+HWY_INLINE void SpreadPattern(const PixelPattern& pattern, const TileTriangle& t, TriangleLanes& lanes)
+{
+    constexpr IntTag tag;
+    constexpr std::int32_t kRest = 15;
+    lanes.a = {t.a[0] >> 4, t.a[1] >> 4, -((t.a[0] >> 4) + (t.a[1] >> 4))};
+    lanes.b = {t.b[0] >> 4, t.b[1] >> 4, -((t.b[0] >> 4) + (t.b[1] >> 4))};
+    const std::array<std::int32_t, 3> rest{t.a[0] & kRest, t.a[1] & kRest, t.b[0] & kRest};
+    for (std::size_t k = 0; k < 3; ++k) {
+        lanes.reach[k] = ((std::abs(lanes.a[k]) + std::abs(lanes.b[k])) * pattern.reach + kRest) >> 4;
+        for (std::size_t at = 0; at < kLanes; at += kPerVector) {
+            const Ints alongX = hn::Mul(hn::Load(tag, pattern.x.data() + at), hn::Set(tag, lanes.a[k]));
+            const Ints alongY = hn::Mul(hn::Load(tag, pattern.y.data() + at), hn::Set(tag, lanes.b[k]));
+            const Ints sixteenths = hn::Add(hn::Set(tag, rest[k]), hn::Add(alongX, alongY));
+            hn::Store(hn::ShiftRight<4>(sixteenths), tag, lanes.pattern.edge[k].data() + at);
+        }
+    }
+    lanes.depthReach = pattern.depthReach(t.depthPerX, t.depthPerY);
+    for (std::size_t at = 0; at < kLanes; at += kDoubles)
+        hn::Store(
+            hn::Add(hn::Mul(hn::Load(DoubleTag(), pattern.offsetX.data() + at), hn::Set(DoubleTag(), t.depthPerX)),
+                    hn::Mul(hn::Load(DoubleTag(), pattern.offsetY.data() + at), hn::Set(DoubleTag(), t.depthPerY))),
+            DoubleTag(), lanes.pattern.depth.data() + at);
+}
+
 template <class Policy>
-HWY_INLINE TriangleLanes SpreadTriangle(const TileTriangle& t, const ColorPlanes& planes, std::uint32_t number)
+HWY_INLINE TriangleLanes SpreadTriangle(const Policy& policy, const TileTriangle& t, const ColorPlanes& planes,
+                                        std::uint32_t number)
 {
     constexpr IntTag tag;
     TriangleLanes lanes;
     lanes.number = number;
     lanes.planes = &planes;
-    if constexpr (Policy::kKeeps == Keeps::Color)
+    if constexpr (Policy::kKeeps == Keeps::Color && !Policy::kPattern)
         lanes.colors = SpreadColors(planes);
-    lanes.a = {t.a[0], t.a[1], -(t.a[0] + t.a[1])};
-    lanes.b = {t.b[0], t.b[1], -(t.b[0] + t.b[1])};
+    if constexpr (Policy::kPattern) {
+        SpreadPattern(policy.job.pattern, t, lanes);
+    } else {
+        lanes.a = {t.a[0], t.a[1], -(t.a[0] + t.a[1])};
+        lanes.b = {t.b[0], t.b[1], -(t.b[0] + t.b[1])};
+    }
     lanes.perX = t.depthPerX;
     lanes.perY = t.depthPerY;
     for (std::size_t v = 0; v < kVectors; ++v) {
@@ -142,7 +217,8 @@ HWY_INLINE WideDoubles RoundToUnorm(const WideDoubles& depth, double steps)
     return rounded;
 }
 
-HWY_INLINE Ints StoredKey(const WideDoubles& depth, const AnyDepth& policy)
+template <bool kPattern>
+HWY_INLINE Ints StoredKey(const WideDoubles& depth, const AnyDepth<kPattern>& policy)
 {
     constexpr IntTag tag;
     const int largest = largestDepthCode(policy.format);
@@ -151,15 +227,16 @@ HWY_INLINE Ints StoredKey(const WideDoubles& depth, const AnyDepth& policy)
 }
 
 /// The key of a depth in the usual depth test. Depths beyond 1 need not be clamped: they lose against every stored one.
-template <class Policy>
-HWY_INLINE Ints StoredKey(const WideDoubles& depth, const Policy&)
+template <Keeps kKeep, bool kPattern>
+HWY_INLINE Ints StoredKey(const WideDoubles& depth, const UsualDepth<kKeep, kPattern>&)
 {
     constexpr IntTag tag;
     return hn::Max(hn::BitCast(tag, ToFloats(depth)), hn::Zero(tag));
 }
 
 /// Lanes of a block that are samples of the target: only those are counted.
-HWY_INLINE hn::Mask<IntTag> OnTarget(const AnyDepth& policy, std::size_t block, std::size_t lane)
+template <class Policy>
+HWY_INLINE hn::Mask<IntTag> OnTarget(const Policy& policy, std::size_t block, std::size_t lane)
 {
     constexpr IntTag tag;
     const int x = blockColumn(static_cast<int>(block)) * kBlockSide;
@@ -168,8 +245,10 @@ HWY_INLINE hn::Mask<IntTag> OnTarget(const AnyDepth& policy, std::size_t block, 
                    hn::Lt(hn::Load(tag, kPattern.y.data() + lane), hn::Set(tag, policy.height - y)));
 }
 
-template <class Mask>
-HWY_INLINE void CountSamples(const AnyDepth& policy, Mask inside, Mask passed, std::size_t at, Worker& worker)
+///
+/// in   where the samples are stored
+template <class Policy, class Mask>
+HWY_INLINE void CountSamples(const Policy& policy, Mask inside, Mask passed, std::size_t at, Worker& worker)
 {
     constexpr IntTag tag;
     std::uint32_t covered = BitsOf(tag, inside);
@@ -181,8 +260,9 @@ HWY_INLINE void CountSamples(const AnyDepth& policy, Mask inside, Mask passed, s
     worker.pixels.depthFailed += coveredCount - passedCount;
     if (!policy.countsCoverage)
         return;
+    std::uint16_t* counts = Policy::kPattern ? worker.pattern.coverage.data() : worker.samples.coverage.data();
     for (; covered != 0; covered &= covered - 1) {
-        std::uint16_t& count = worker.samples.coverage[at + static_cast<std::size_t>(std::countr_zero(covered))];
+        std::uint16_t& count = counts[at + static_cast<std::size_t>(std::countr_zero(covered))];
         count = static_cast<std::uint16_t>(count + (count != 0xffff));
     }
 }
@@ -203,6 +283,8 @@ struct alignas(64) BlockQueue {
         SquareCorners corners;
         SquareCorners offsets; ///< from the first sample of a block to the others
         ColorSquares colors;
+        PatternLanes pattern; ///< multi-sampling only
+        HeldSquares held;     ///< multi-sampling, ColorWay::Affine
         std::uint32_t number;
     };
     std::array<Group, kGroups> groups;
@@ -216,7 +298,7 @@ struct alignas(64) BlockQueue {
 inline void ColorExactly(const FrameJob& job, TileOrigin origin, std::uint32_t number, std::size_t block,
                          std::uint32_t lanes, Worker& worker)
 {
-    shadeExactly(job, {worker.triangle(number).source, &worker.chunkOf(number), nullptr, {}},
+    shadeExactly(job, {number, worker.triangle(number).source, &worker.chunkOf(number), nullptr, {}},
                  {static_cast<std::uint16_t>(block), static_cast<std::uint16_t>(lanes), 0}, origin, worker.samples);
 }
 
@@ -266,13 +348,78 @@ HWY_INLINE void CoverBlock(const BlockQueue::Group& group, std::size_t square, s
     }
 }
 
+/// Multi-sampling: the colours of a block at the centres of pixels, whether the triangle covers them or not.
+template <class Policy>
+HWY_INLINE Uints CentreColors(const Policy& policy, const BlockQueue::Group& group, std::size_t square,
+                              std::size_t block, std::size_t lane, Worker& worker)
+{
+    const ColorSquares& colors = group.colors;
+    if (HWY_LIKELY(colors.planes->way == ColorWay::Affine))
+        return group.held.held(square, lane);
+    if (colors.planes->way == ColorWay::Perspective) {
+        const auto at = static_cast<int>(square);
+        return PerspectiveColor(*colors.planes, colors.x + at % 4 * kBlockSide, colors.y + at / 4 * kBlockSide, lane);
+    }
+    if (lane == 0)
+        ColorExactly(policy.job, policy.origin, group.number, block, 0xffff, worker);
+    return hn::Load(UintTag(), worker.samples.color.data() + block * kLanes + lane);
+}
+
+/// Multi-sampling: the samples of one block, those of 16 pixels at a time.
+template <class Policy>
+HWY_INLINE void CoverPatternBlock(const BlockQueue::Group& group, std::size_t square, std::size_t block,
+                                  const Policy& policy, Worker& worker)
+{
+    constexpr IntTag tag;
+    constexpr UintTag unsignedTag;
+    const std::size_t sets = SetsOf(policy);
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        const std::size_t lane = v * kPerVector;
+        std::array<Ints, 3> edge;
+        for (std::size_t k = 0; k < 3; ++k)
+            edge[k] = hn::Add(hn::Set(tag, group.corners.edge[k][square]),
+                              hn::Load(tag, group.offsets.edge[k].data() + lane));
+        const WideDoubles depth =
+            Add(LoadWide(group.offsets.depth.data() + lane), hn::Set(DoubleTag(), group.corners.depth[square]));
+        Uints color = hn::Zero(unsignedTag);
+        if constexpr (Policy::kKeeps == Keeps::Color)
+            color = CentreColors(policy, group, square, block, lane, worker);
+        if constexpr (Policy::kKeeps == Keeps::Number)
+            color = hn::Set(unsignedTag, group.number);
+        std::int32_t* keys = KeysOf(policy, worker, block) + lane;
+        std::uint32_t* kept = Policy::kKeeps == Keeps::Color ? SampleColorsOf(policy, worker, block) + lane
+                                                             : NumbersOf(policy, worker, block) + lane;
+        for (std::size_t s = 0; s < sets; ++s, keys += kLanes, kept += kLanes) {
+            const auto moved = [&](std::size_t k)
+                                   HWY_ATTR { return hn::Add(edge[k], hn::Set(tag, group.pattern.edge[k][s])); };
+            auto inside = NotNegative(hn::Or3(moved(0), moved(1), moved(2)));
+            if constexpr (!Policy::kUsual)
+                inside = hn::And(inside, OnTarget(policy, block, lane));
+            const Ints key = StoredKey(Add(depth, hn::Set(DoubleTag(), group.pattern.depth[s])), policy);
+            const Ints stored = hn::Load(tag, keys);
+            Ints compared = key;
+            if constexpr (!Policy::kUsual)
+                compared = hn::Sub(key, hn::Set(tag, policy.handicap));
+            const auto passed = hn::And(inside, hn::Lt(compared, stored));
+            hn::Store(hn::IfThenElse(passed, key, stored), tag, keys);
+            if constexpr (Policy::kKeeps != Keeps::Nothing)
+                hn::BlendedStore(color, hn::RebindMask(unsignedTag, passed), unsignedTag, kept);
+            if constexpr (!Policy::kUsual)
+                CountSamples(policy, inside, passed, (block * sets + s) * kLanes + lane, worker);
+        }
+    }
+}
+
 /// Tests the blocks of the queue and empties it.
 template <class Policy>
 HWY_INLINE void FlushQueue(const Policy& policy, BlockQueue& queue, Worker& worker)
 {
     for (std::size_t i = 0; i < queue.itemCount; ++i) {
         const std::uint32_t item = queue.items[i];
-        CoverBlock(queue.groups[item >> 8 & 0xff], item & 0xff, item >> 16, policy, worker);
+        if constexpr (Policy::kPattern)
+            CoverPatternBlock(queue.groups[item >> 8 & 0xff], item & 0xff, item >> 16, policy, worker);
+        else
+            CoverBlock(queue.groups[item >> 8 & 0xff], item & 0xff, item >> 16, policy, worker);
     }
     queue.itemCount = 0;
     queue.groupCount = 0;
@@ -290,13 +437,16 @@ HWY_INLINE BlockQueue::Group& NextGroup(const Policy& policy, BlockQueue& queue,
 /// Appends the next group.
 ///
 /// in   the blocks of the tile at the group's 16 places, and which of them are wanted
-template <class BlocksAt>
-HWY_INLINE void AppendGroup(const TriangleLanes& t, std::uint32_t wanted, BlockQueue& queue, BlocksAt&& blocksAt)
+template <class Policy, class BlocksAt>
+HWY_INLINE void AppendGroup(const Policy&, const TriangleLanes& t, std::uint32_t wanted, BlockQueue& queue,
+                            BlocksAt&& blocksAt)
 {
     constexpr UintTag tag;
     const auto index = static_cast<std::uint32_t>(queue.groupCount++);
     BlockQueue::Group& group = queue.groups[index];
     group.number = t.number;
+    if constexpr (Policy::kPattern)
+        group.pattern = t.pattern;
     for (std::size_t v = 0; v < kVectors; ++v) {
         const std::size_t lane = v * kPerVector;
         for (std::size_t k = 0; k < 3; ++k)

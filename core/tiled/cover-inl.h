@@ -11,6 +11,7 @@
 #include "core/tiled/exact_path.h"
 #include "core/tiled/frame_job.h"
 #include "core/tiled/lanes-inl.h"
+#include "core/tiled/pattern-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
@@ -28,21 +29,24 @@ struct TileDepth {
 /// Clears all blocks that are still unwritten. This is done in one pass, because which blocks later triangles will
 /// touch cannot be predicted.
 template <class Policy>
-inline void WriteBlankBlocks(const Policy& policy, TileSamples& samples, TileDepth& tile)
+inline void WriteBlankBlocks(const Policy& policy, Worker& worker, TileDepth& tile)
 {
     if (!tile.blank)
         return;
     tile.blank = false;
+    TileSamples& samples = worker.samples;
     for (std::size_t block = 0; block < kTileBlocks; ++block) {
         if (samples.owner[block] != kEmpty)
             continue;
         samples.owner[block] = kNobody;
-        for (std::size_t at = block * kLanes; at < (block + 1) * kLanes; at += kPerVector) {
-            hn::Store(hn::Set(IntTag(), samples.clearKey), IntTag(), samples.key.data() + at);
+        std::int32_t* keys = KeysOf(policy, worker, block);
+        for (std::size_t at = 0; at < SetsOf(policy) * kLanes; at += kPerVector) {
+            hn::Store(hn::Set(IntTag(), samples.clearKey), IntTag(), keys + at);
             if constexpr (Policy::kKeeps == Keeps::Color)
-                hn::Store(hn::Set(UintTag(), policy.job.clearColor), UintTag(), samples.color.data() + at);
+                hn::Store(hn::Set(UintTag(), policy.job.clearColor), UintTag(),
+                          SampleColorsOf(policy, worker, block) + at);
             if constexpr (Policy::kKeeps == Keeps::Number)
-                hn::Store(hn::Set(UintTag(), kNobody), UintTag(), samples.ids.data() + at);
+                hn::Store(hn::Set(UintTag(), kNobody), UintTag(), NumbersOf(policy, worker, block) + at);
         }
     }
 }
@@ -61,16 +65,18 @@ inline void ColorSamples(const FrameJob& job, TileOrigin origin, std::uint32_t n
     const int y = origin.y + blockRow(static_cast<int>(block)) * kBlockSide;
     for (std::size_t v = 0; v < kVectors; ++v) {
         std::uint32_t* colors = worker.samples.color.data() + block * kLanes + v * kPerVector;
-        hn::Store(
-            hn::IfThenElse(MaskOf(tag, lanes >> (v * kPerVector)), BlockColor(planes, x, y, v), hn::Load(tag, colors)),
-            tag, colors);
+        hn::Store(hn::IfThenElse(MaskOf(tag, lanes >> (v * kPerVector)), BlockColor(planes, x, y, v, false),
+                                 hn::Load(tag, colors)),
+                  tag, colors);
     }
 }
 
 /// The keys of blocks of a subtile, a bit each, that one triangle has to itself.
 ///
 /// in   the first block of the subtile
-inline void WriteOwnedKeys(Worker& worker, std::size_t first, std::uint32_t number, std::uint32_t blocks)
+template <class Policy>
+inline void WriteOwnedKeys(const Policy& policy, Worker& worker, std::size_t first, std::uint32_t number,
+                           std::uint32_t blocks)
 {
     const TileTriangle& t = worker.triangle(number);
     const int x = blockColumn(static_cast<int>(first)) * kBlockSide - t.anchorX();
@@ -84,9 +90,19 @@ inline void WriteOwnedKeys(Worker& worker, std::size_t first, std::uint32_t numb
     }
     for (; blocks != 0; blocks &= blocks - 1) {
         const auto square = static_cast<std::size_t>(std::countr_zero(blocks));
-        std::int32_t* keys = worker.samples.key.data() + (first + square) * kLanes;
-        for (std::size_t v = 0; v < kVectors; ++v)
-            hn::Store(KeyOf(Add(offsets[v], hn::Set(DoubleTag(), corners[square]))), IntTag(), keys + v * kPerVector);
+        std::int32_t* keys = KeysOf(policy, worker, first + square);
+        for (std::size_t v = 0; v < kVectors; ++v) {
+            const WideDoubles depth = Add(offsets[v], hn::Set(DoubleTag(), corners[square]));
+            if constexpr (!Policy::kPattern) {
+                hn::Store(KeyOf(depth), IntTag(), keys + v * kPerVector);
+            } else {
+                for (std::size_t s = 0; s < SetsOf(policy); ++s) {
+                    const double offset = policy.job.pattern.depthOffset(s, t.depthPerX, t.depthPerY);
+                    hn::Store(KeyOf(Add(depth, hn::Set(DoubleTag(), offset))), IntTag(),
+                              keys + s * kLanes + v * kPerVector);
+                }
+            }
+        }
     }
 }
 
@@ -97,10 +113,16 @@ inline void WriteOwnedRest(const Policy& policy, Worker& worker, std::size_t fir
 {
     for (; blocks != 0; blocks &= blocks - 1) {
         const std::size_t block = first + static_cast<std::size_t>(std::countr_zero(blocks));
-        if constexpr (Policy::kKeeps == Keeps::Color)
+        if constexpr (Policy::kKeeps == Keeps::Color && Policy::kPattern) {
+            ColorCentres(policy.job, policy.origin, number, block, 0xffff, worker);
+            const std::uint32_t* centres = worker.samples.color.data() + block * kLanes;
+            for (std::size_t s = 0; s < SetsOf(policy); ++s)
+                std::copy_n(centres, kLanes, SampleColorsOf(policy, worker, block) + s * kLanes);
+        } else if constexpr (Policy::kKeeps == Keeps::Color) {
             ColorSamples(policy.job, policy.origin, number, block, 0xffff, worker);
+        }
         if constexpr (Policy::kKeeps == Keeps::Number)
-            std::fill_n(worker.samples.ids.data() + block * kLanes, kLanes, number);
+            std::fill_n(NumbersOf(policy, worker, block), SetsOf(policy) * kLanes, number);
     }
 }
 
@@ -112,7 +134,7 @@ inline void WriteOwnedBlocks(const Policy& policy, Worker& worker, std::size_t f
     for (std::uint32_t left = blocks & ~LanesWith(owners, kNobody); left != 0;) {
         const std::uint32_t number = owners[std::countr_zero(left)];
         const std::uint32_t owned = left & LanesWith(owners, number);
-        WriteOwnedKeys(worker, first, number, owned);
+        WriteOwnedKeys(policy, worker, first, number, owned);
         WriteOwnedRest(policy, worker, first, number, owned);
         for (std::uint32_t bits = owned; bits != 0; bits &= bits - 1)
             owners[std::countr_zero(bits)] = kNobody;
@@ -123,7 +145,7 @@ inline void WriteOwnedBlocks(const Policy& policy, Worker& worker, std::size_t f
 template <class Policy>
 inline void WriteOwnedBlocks(const Policy& policy, Worker& worker, TileDepth& tile)
 {
-    WriteBlankBlocks(policy, worker.samples, tile);
+    WriteBlankBlocks(policy, worker, tile);
     for (std::size_t first = 0; tile.owners && first < kTileBlocks; first += kLanes)
         WriteOwnedBlocks(policy, worker, first, 0xffff);
     tile.owners = false;
@@ -135,7 +157,8 @@ struct SquareVerdicts {
     std::uint32_t covered = 0;
 };
 
-template <int kSideLog2>
+/// Multi-sampling: touched are squares of which a sample may be covered, covered those of which all are.
+template <class Policy, int kSideLog2>
 HWY_INLINE SquareVerdicts JudgeSquares(const TriangleLanes& t, const std::array<std::int32_t, 3>& first,
                                        SquareCorners& corners)
 {
@@ -148,8 +171,9 @@ HWY_INLINE SquareVerdicts JudgeSquares(const TriangleLanes& t, const std::array<
         for (std::size_t k = 0; k < 3; ++k) {
             const Ints corner = hn::Add(hn::Set(tag, first[k]), hn::ShiftLeft<kSideLog2>(t.edge[k][v]));
             hn::Store(corner, tag, corners.edge[k].data() + v * kPerVector);
-            highest[k] = hn::Add(corner, hn::Set(tag, kLast * (std::max(t.a[k], 0) + std::max(t.b[k], 0))));
-            lowest[k] = hn::Add(corner, hn::Set(tag, kLast * (std::min(t.a[k], 0) + std::min(t.b[k], 0))));
+            const std::int32_t reach = Policy::kPattern ? t.reach[k] : 0;
+            highest[k] = hn::Add(corner, hn::Set(tag, kLast * (std::max(t.a[k], 0) + std::max(t.b[k], 0)) + reach));
+            lowest[k] = hn::Add(corner, hn::Set(tag, kLast * (std::min(t.a[k], 0) + std::min(t.b[k], 0)) - reach));
         }
         const auto bits = [&](const std::array<Ints, 3>& e) HWY_ATTR {
             return BitsOf(tag, NotNegative(hn::Or3(e[0], e[1], e[2]))) << (v * kPerVector);
@@ -185,8 +209,10 @@ struct BlockWork {
     std::uint32_t writeBefore; ///< the blocks to be tested that have an owner, whose samples are written first
 };
 
-HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, double firstDepth, SquareVerdicts verdicts, const AnyDepth&,
-                                  std::size_t, TileSamples&, TileDepth&, SquareCorners& corners)
+template <bool kPattern>
+HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, double firstDepth, SquareVerdicts verdicts,
+                                  const AnyDepth<kPattern>&, std::size_t, TileSamples&, TileDepth&,
+                                  SquareCorners& corners)
 {
     StoreDepths(t, firstDepth, corners);
     return {verdicts.touched, 0};
@@ -195,10 +221,12 @@ HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, double firstDepth, Squ
 /// Drops the blocks behind what is there, and gives those that the triangle covers wholly and in front of everything
 /// to it without looking at their samples.
 ///
-/// exact  bounds are depths at corner samples, which the plane gives exactly; rounding to float32 keeps order
-template <class Policy>
-HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, double firstDepth, SquareVerdicts verdicts, const Policy&,
-                                  std::size_t firstBlock, TileSamples& samples, TileDepth& tile, SquareCorners& corners)
+/// exact  bounds are depths at corner samples, which the plane gives exactly; rounding to float32 keeps order, and so
+///        does adding what samples of a pattern may lie nearer or farther
+template <Keeps kKeep, bool kPattern>
+HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, double firstDepth, SquareVerdicts verdicts,
+                                  const UsualDepth<kKeep, kPattern>&, std::size_t firstBlock, TileSamples& samples,
+                                  TileDepth& tile, SquareCorners& corners)
 {
     constexpr IntTag tag;
     constexpr UintTag unsignedTag;
@@ -213,8 +241,14 @@ HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, double firstDepth, Squ
         const std::size_t shift = v * kPerVector;
         const WideDoubles corner = Add(Mul(t.depth[v], hn::Set(wide, double(kBlockSide))), first);
         Store(corner, corners.depth.data() + shift);
-        const Ints nearest = KeyOf(Add(corner, toNearest));
-        const Ints farthest = KeyOf(Add(corner, toFarthest));
+        WideDoubles nearestDepth = Add(corner, toNearest);
+        WideDoubles farthestDepth = Add(corner, toFarthest);
+        if constexpr (kPattern) {
+            nearestDepth = Add(nearestDepth, hn::Set(wide, -t.depthReach));
+            farthestDepth = Add(farthestDepth, hn::Set(wide, t.depthReach));
+        }
+        const Ints nearest = KeyOf(nearestDepth);
+        const Ints farthest = KeyOf(farthestDepth);
         const Ints nearestThere = hn::Min(hn::Load(tag, samples.nearest.data() + at), nearestSmall);
         const Ints farthestThere = hn::Load(tag, samples.farthest.data() + at);
         const auto shown = hn::And(MaskOf(tag, verdicts.touched >> shift), hn::Lt(nearest, farthestThere));
@@ -248,9 +282,16 @@ constexpr std::uint32_t SquaresBetween(int column0, int row0, int column1, int r
 template <class Policy>
 HWY_INLINE void FillColors(const TriangleLanes& lanes, int x, int y, const Policy& policy, BlockQueue::Group& group)
 {
-    if constexpr (Policy::kKeeps == Keeps::Color)
+    if constexpr (Policy::kKeeps == Keeps::Color && Policy::kPattern) {
+        group.colors.planes = lanes.planes;
+        group.colors.x = policy.origin.x + x - lanes.planes->x0;
+        group.colors.y = policy.origin.y + y - lanes.planes->y0;
+        if (HWY_LIKELY(lanes.planes->way == ColorWay::Affine))
+            group.held.fill(*lanes.planes, group.colors.x, group.colors.y);
+    } else if constexpr (Policy::kKeeps == Keeps::Color) {
         group.colors.fill(*lanes.planes, lanes.colors, policy.origin.x + x - lanes.planes->x0,
                           policy.origin.y + y - lanes.planes->y0);
+    }
 }
 
 /// A triangle that is large in the tile: subtiles first, then their blocks.
@@ -261,7 +302,7 @@ HWY_INLINE void CoverSubtiles(const TriangleLanes& lanes, const TileTriangle& t,
     std::uint32_t subtiles = SquaresBetween(t.x0 / 16, t.y0 / 16, t.x1 / 16, t.y1 / 16);
     if (std::popcount(subtiles) > 4) {
         SquareCorners corners;
-        subtiles &= JudgeSquares<4>(lanes, ValuesAt(lanes, t, 0, 0).edge, corners).touched;
+        subtiles &= JudgeSquares<Policy, 4>(lanes, ValuesAt(lanes, t, 0, 0).edge, corners).touched;
     }
     for (; subtiles != 0; subtiles &= subtiles - 1) {
         const int subtile = std::countr_zero(subtiles);
@@ -270,16 +311,16 @@ HWY_INLINE void CoverSubtiles(const TriangleLanes& lanes, const TileTriangle& t,
         BlockQueue::Group& group = NextGroup(policy, queue, worker);
         const std::size_t firstBlock = static_cast<std::size_t>(subtile) * 16;
         const SampleValues first = ValuesAt(lanes, t, x, y);
-        const SquareVerdicts verdicts = JudgeSquares<2>(lanes, first.edge, group.corners);
+        const SquareVerdicts verdicts = JudgeSquares<Policy, 2>(lanes, first.edge, group.corners);
         BlockWork work =
             DecideBlocks(lanes, first.depth, verdicts, policy, firstBlock, worker.samples, tile, group.corners);
         if (work.writeBefore != 0) {
-            WriteBlankBlocks(policy, worker.samples, tile);
+            WriteBlankBlocks(policy, worker, tile);
             WriteOwnedBlocks(policy, worker, firstBlock, work.writeBefore);
         }
         if (work.cover != 0) {
             FillColors(lanes, x, y, policy, group);
-            AppendGroup(lanes, work.cover, queue, [&](std::size_t lane) HWY_ATTR {
+            AppendGroup(policy, lanes, work.cover, queue, [&](std::size_t lane) HWY_ATTR {
                 return PlacesFrom(static_cast<std::uint32_t>(firstBlock), lane);
             });
         }
@@ -325,7 +366,7 @@ HWY_INLINE void CoverWindow(const TriangleLanes& lanes, const SampleValues& firs
     BlockQueue::Group& group = NextGroup(policy, queue, worker);
     StoreDepths(lanes, first.depth, group.corners);
     const std::uint32_t inBounds = SquaresBetween(0, 0, window.columns - 1, window.rows - 1);
-    const std::uint32_t touched = JudgeSquares<2>(lanes, first.edge, group.corners).touched & inBounds;
+    const std::uint32_t touched = JudgeSquares<Policy, 2>(lanes, first.edge, group.corners).touched & inBounds;
     if (tile.owners)
         for (std::uint32_t bits = touched; bits != 0; bits &= bits - 1) {
             const int square = std::countr_zero(bits);
@@ -334,7 +375,7 @@ HWY_INLINE void CoverWindow(const TriangleLanes& lanes, const SampleValues& firs
             WriteOwnedBlocks(policy, worker, block & ~std::size_t(kLanes - 1), 1U << block % kLanes);
         }
     FillColors(lanes, window.column * kBlockSide, window.row * kBlockSide, policy, group);
-    AppendGroup(lanes, touched, queue,
+    AppendGroup(policy, lanes, touched, queue,
                 [&](std::size_t lane) HWY_ATTR { return BlocksFrom(window.column, window.row, lane); });
 }
 
@@ -344,7 +385,7 @@ HWY_INLINE void CoverWindows(const TriangleLanes& lanes, const TileTriangle& t, 
                              const Policy& policy, Worker& worker, TileDepth& tile, BlockQueue& queue)
 {
     tile.nearestSmall = std::min(tile.nearestSmall, std::max(std::bit_cast<std::int32_t>(t.nearest), 0));
-    WriteBlankBlocks(policy, worker.samples, tile);
+    WriteBlankBlocks(policy, worker, tile);
     if (HWY_LIKELY(bounds.columns <= 4 && bounds.rows <= 4)) {
         CoverWindow(lanes, {t.c, t.depthOrigin}, bounds, policy, worker, tile, queue);
         return;
@@ -363,7 +404,7 @@ HWY_INLINE void CoverTriangle(const TileTriangle& t, const ColorPlanes& planes, 
                               std::uint32_t number, Worker& worker, TileDepth& tile, BlockQueue& queue)
 {
     constexpr int kSmall = 8; // blocks
-    const TriangleLanes lanes = SpreadTriangle<Policy>(t, planes, number);
+    const TriangleLanes lanes = SpreadTriangle(policy, t, planes, number);
     const BlockBounds bounds = BoundsInBlocks(t);
     if (bounds.columns > kSmall || bounds.rows > kSmall)
         CoverSubtiles(lanes, t, policy, worker, tile, queue);
@@ -379,6 +420,17 @@ inline void CoverExactly(const FrameJob& job, const ScreenTriangle& piece, const
     TileSamples& samples = worker.samples;
     if constexpr (Policy::kKeeps != Keeps::Color) {
         coverExactly(job, piece, number, origin, worker);
+    } else if constexpr (Policy::kPattern) {
+        const std::size_t perBlock = job.pattern.samples * kLanes;
+        std::fill_n(worker.pattern.ids.data(), kTileBlocks * perBlock, kNobody);
+        coverExactly(job, piece, number, origin, worker);
+        for (std::size_t block = 0; block < kTileBlocks; ++block) {
+            const std::uint32_t* ids = worker.pattern.ids.data() + block * perBlock;
+            if (std::find(ids, ids + perBlock, number) == ids + perBlock)
+                continue;
+            ColorCentres(job, origin, number, block, 0xffff, worker);
+            ShareColors(job.pattern, number, block, worker);
+        }
     } else {
         samples.ids.fill(kNobody);
         coverExactly(job, piece, number, origin, worker);
@@ -432,7 +484,8 @@ inline void CoverTriangles(const Policy& policy, const FrameJob& job, Worker& wo
 }
 
 /// Whether a tile has one triangle that covers it all, in front of the background.
-inline bool HasOneForAll(const Worker& worker, const TileDepth& tile)
+template <class Policy>
+inline bool HasOneForAll(const Policy& policy, const Worker& worker, const TileDepth& tile)
 {
     constexpr int kLast = kTileSide - 1;
     if (worker.blocks.size() != 1 || worker.blocks[0].count != 1)
@@ -440,13 +493,16 @@ inline bool HasOneForAll(const Worker& worker, const TileDepth& tile)
     const TileTriangle& t = worker.triangle(0);
     if ((t.x0 | t.y0) != 0 || t.x1 != kLast || t.y1 != kLast)
         return false;
-    const auto lowest = [&](std::int32_t c, std::int32_t a, std::int32_t b) {
-        return c + kLast * (std::min(a, 0) + std::min(b, 0));
-    };
-    const double farthest = t.depthOrigin + kLast * (std::max(t.depthPerX, 0.0) + std::max(t.depthPerY, 0.0));
-    return lowest(t.c[0], t.a[0], t.b[0]) >= 0 && lowest(t.c[1], t.a[1], t.b[1]) >= 0 &&
-           lowest(t.c[2], -(t.a[0] + t.a[1]), -(t.b[0] + t.b[1])) >= 0 &&
-           depthKey(static_cast<float>(farthest)) < tile.farthest;
+    const TriangleLanes lanes = SpreadTriangle(policy, t, worker.colors(0), 0);
+    double farthest = t.depthOrigin + kLast * (std::max(t.depthPerX, 0.0) + std::max(t.depthPerY, 0.0));
+    bool covers = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::int32_t reach = Policy::kPattern ? lanes.reach[k] : 0;
+        covers &= t.c[k] + kLast * (std::min(lanes.a[k], 0) + std::min(lanes.b[k], 0)) - reach >= 0;
+    }
+    if constexpr (Policy::kPattern)
+        farthest += lanes.depthReach;
+    return covers && depthKey(static_cast<float>(farthest)) < tile.farthest;
 }
 
 template <class Policy>
@@ -454,7 +510,7 @@ inline void CoverWith(const Policy& policy, const FrameJob& job, Worker& worker,
 {
     if constexpr (!Policy::kUsual)
         WriteOwnedBlocks(policy, worker, tile);
-    if (Policy::kUsual && HasOneForAll(worker, tile)) {
+    if (Policy::kUsual && HasOneForAll(policy, worker, tile)) {
         worker.samples.owner.fill(0);
         tile.owners = true;
     } else {
@@ -476,6 +532,19 @@ inline void HideOffTarget(const FrameJob& job, TileOrigin origin, TileSamples& s
             samples.farthest[static_cast<std::size_t>(block)] = std::numeric_limits<std::int32_t>::min();
 }
 
+template <bool kPattern>
+inline void CoverWithPattern(const FrameJob& job, Worker& worker, TileOrigin origin, TileDepth& tile)
+{
+    if (job.colorsAtOnce())
+        CoverWith(UsualDepth<Keeps::Color, kPattern>(job, origin), job, worker, origin, tile);
+    else if (job.depthOnly())
+        CoverWith(UsualDepth<Keeps::Nothing, kPattern>(job, origin), job, worker, origin, tile);
+    else if (job.usualDepth())
+        CoverWith(UsualDepth<Keeps::Number, kPattern>(job, origin), job, worker, origin, tile);
+    else
+        CoverWith(AnyDepth<kPattern>(job, origin), job, worker, origin, tile);
+}
+
 /// Fills the samples of a tile from the triangles in worker.blocks.
 inline void CoverTile(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
@@ -487,17 +556,15 @@ inline void CoverTile(const FrameJob& job, Worker& worker, TileOrigin origin)
     samples.nearest.fill(clear);
     samples.owner.fill(kEmpty);
     HideOffTarget(job, origin, samples);
-    if (job.countsCoverage())
+    if (job.countsCoverage() && job.pattern.isOn())
+        std::fill_n(worker.pattern.coverage.data(), kTileSamples * job.pattern.samples, std::uint16_t(0));
+    else if (job.countsCoverage())
         samples.coverage.fill(0);
     TileDepth tile{clear, clear};
-    if (job.colorsAtOnce())
-        CoverWith(UsualDepth<Keeps::Color>(job, origin), job, worker, origin, tile);
-    else if (job.depthOnly())
-        CoverWith(UsualDepth<Keeps::Nothing>(job, origin), job, worker, origin, tile);
-    else if (job.usualDepth())
-        CoverWith(UsualDepth<Keeps::Number>(job, origin), job, worker, origin, tile);
+    if (job.pattern.isOn())
+        CoverWithPattern<true>(job, worker, origin, tile);
     else
-        CoverWith(AnyDepth(job, origin), job, worker, origin, tile);
+        CoverWithPattern<false>(job, worker, origin, tile);
 }
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE

@@ -34,6 +34,63 @@ ProcessedVertex processedVertex(const FrameJob& job, std::size_t vertex)
     return out;
 }
 
+/// Where a tile keeps the samples of its pixels.
+struct StoredSamples {
+    std::int32_t* key;
+    std::uint32_t* ids;
+    std::uint16_t* coverage;
+};
+
+StoredSamples storedSamples(const FrameJob& job, Worker& worker)
+{
+    if (job.pattern.isOn())
+        return {worker.pattern.key.data(), worker.pattern.ids.data(), worker.pattern.coverage.data()};
+    return {worker.samples.key.data(), worker.samples.ids.data(), worker.samples.coverage.data()};
+}
+
+/// Covers with one sample of each pixel: the triangle is moved so that the sample lies at the pixel's centre.
+void coverSample(const FrameJob& job, const FaceInterpolation& interpolation, const MaskTest& mask,
+                 std::uint32_t number, TileOrigin origin, std::size_t sample, Worker& worker)
+{
+    const glm::dvec2 offset(job.pattern.offsetX[sample], job.pattern.offsetY[sample]);
+    ScreenTriangle moved = interpolation.triangle();
+    for (ScreenVertex& vertex : moved.vertices)
+        vertex.position -= offset;
+    const auto setup = setupTriangle<std::int64_t>(moved, job.rules);
+    if (!setup)
+        return;
+    const PixelRect& box = setup->bounds;
+    const int yEnd = std::min({box.y + box.height, origin.y + job.grid.pitch, job.rules.rows()});
+    const int xEnd = std::min({box.x + box.width, origin.x + job.grid.pitch, job.rules.columns()});
+    const StoredSamples stored = storedSamples(job, worker);
+    const std::int32_t flip = depthFlip(job.rules.depthCompare);
+    const std::int32_t handicap = depthHandicap(job.rules);
+    for (int y = std::max(box.y, origin.y); y < yEnd; ++y)
+        for (int x = std::max(box.x, origin.x); x < xEnd; ++x) {
+            const auto p = TriangleSetup<std::int64_t>::centre(x, y);
+            ++worker.pixels.tested;
+            const auto inside = [&](const EdgeFunction<std::int64_t>& e) { return e.at(p) >= e.threshold; };
+            if (!std::all_of(setup->edges.begin(), setup->edges.end(), inside))
+                continue;
+            const Weights screen = interpolation.weightsAt(x, y);
+            if (mask.mask != nullptr && isHole(mask, interpolation, screen, interpolation.perspective(screen)))
+                continue;
+            const std::size_t at =
+                job.pattern.place(static_cast<std::size_t>(sampleIndex(x - origin.x, y - origin.y)), sample);
+            const double depth = interpolation.depthAt(x, y, offset);
+            const std::int32_t key = std::bit_cast<std::int32_t>(storedDepth(depth, job.rules.depthFormat)) ^ flip;
+            const bool passed = key - handicap < stored.key[at];
+            ++worker.pixels.covered;
+            ++(passed ? worker.pixels.depthPassed : worker.pixels.depthFailed);
+            if (job.countsCoverage() && stored.coverage[at] != 0xffff)
+                ++stored.coverage[at];
+            if (passed) {
+                stored.key[at] = key;
+                stored.ids[at] = number;
+            }
+        }
+}
+
 } // namespace
 
 std::int32_t planesOutside(const FrameJob& job, std::size_t vertex)
@@ -81,40 +138,10 @@ ScreenTriangle screenTriangle(const FrameJob& job, const Chunk& chunk, std::uint
 void coverExactly(const FrameJob& job, const ScreenTriangle& piece, std::uint32_t number, TileOrigin origin,
                   Worker& worker)
 {
-    const auto setup = setupTriangle<std::int64_t>(piece, job.rules);
-    if (!setup)
-        return;
     const FaceInterpolation interpolation(piece, piece.area2, job.rules);
     const MaskTest mask = maskTest(*job.scene, piece.face, job.rules);
-    const PixelRect& box = setup->bounds;
-    const int yEnd = std::min({box.y + box.height, origin.y + job.grid.pitch, job.rules.rows()});
-    const int xEnd = std::min({box.x + box.width, origin.x + job.grid.pitch, job.rules.columns()});
-    TileSamples& samples = worker.samples;
-    const std::int32_t flip = depthFlip(job.rules.depthCompare);
-    const std::int32_t handicap = depthHandicap(job.rules);
-    for (int y = std::max(box.y, origin.y); y < yEnd; ++y)
-        for (int x = std::max(box.x, origin.x); x < xEnd; ++x) {
-            const auto p = TriangleSetup<std::int64_t>::centre(x, y);
-            ++worker.pixels.tested;
-            const auto inside = [&](const EdgeFunction<std::int64_t>& e) { return e.at(p) >= e.threshold; };
-            if (!std::all_of(setup->edges.begin(), setup->edges.end(), inside))
-                continue;
-            const Weights screen = interpolation.weightsAt(x, y);
-            if (mask.mask != nullptr && isHole(mask, interpolation, screen, interpolation.perspective(screen)))
-                continue;
-            const auto at = static_cast<std::size_t>(sampleIndex(x - origin.x, y - origin.y));
-            const double depth = interpolation.depthAt(x, y, screen);
-            const std::int32_t key = std::bit_cast<std::int32_t>(storedDepth(depth, job.rules.depthFormat)) ^ flip;
-            const bool passed = key - handicap < samples.key[at];
-            ++worker.pixels.covered;
-            ++(passed ? worker.pixels.depthPassed : worker.pixels.depthFailed);
-            if (job.countsCoverage() && samples.coverage[at] != 0xffff)
-                ++samples.coverage[at];
-            if (passed) {
-                samples.key[at] = key;
-                samples.ids[at] = number;
-            }
-        }
+    for (std::size_t sample = 0; sample < job.pattern.samples; ++sample)
+        coverSample(job, interpolation, mask, number, origin, sample, worker);
 }
 
 void shadeExactly(const FrameJob& job, const VisibleTriangle& visible, const BlockShare& share, TileOrigin origin,
@@ -130,6 +157,10 @@ void shadeExactly(const FrameJob& job, const VisibleTriangle& visible, const Blo
         const std::size_t at = std::size_t(share.block) * kLanes + std::size_t(lane);
         Varyings varyings;
         UvGradient gradient;
+        // The centre of a pixel with a pattern has no stored depth.
+        const float depth = job.pattern.isOn()
+                                ? storedDepth(interpolation.depthAt(x, y, glm::dvec2(0)), job.rules.depthFormat)
+                                : std::bit_cast<float>(samples.key[at] ^ depthFlip(job.rules.depthCompare));
         if (job.rules.varyingCount > 0) {
             const Weights screen = interpolation.weightsAt(x, y);
             const Weights weights = interpolation.perspective(screen);
@@ -137,7 +168,6 @@ void shadeExactly(const FrameJob& job, const VisibleTriangle& visible, const Blo
             if (needsUvGradient(job.rules, uniforms))
                 gradient = interpolation.uvGradient(screen, weights, kVaryingUv);
         }
-        const float depth = std::bit_cast<float>(samples.key[at] ^ depthFlip(job.rules.depthCompare));
         samples.color[at] =
             shadeFragment(job.rules, uniforms, varyings, depth, glm::vec3(job.matrices.eyeObject), gradient);
     }

@@ -6,6 +6,7 @@
 #define RASTERLENS_TILED_FACES_INL_H
 #endif
 
+#include "core/tiled/batch-inl.h"
 #include "core/tiled/exact_path.h"
 #include "core/tiled/frame_job.h"
 #include "core/tiled/lanes-inl.h"
@@ -18,85 +19,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
 {
-
-constexpr std::uint32_t kFaceBatch = 64;
-
-/// Triangles that passed every test and wait for their set-up, corner by corner.
-struct alignas(64) SetupQueue {
-    static constexpr std::size_t kCapacity = 2 * kFaceBatch + 16;
-    std::array<std::array<ScreenXY, kCapacity>, 3> position;
-    std::array<std::array<double, kCapacity>, 3> depth;
-    std::array<std::uint32_t, kCapacity> source;
-    std::size_t count = 0;
-
-    void moveToFront(std::size_t from)
-    {
-        const auto move = [&](auto& lanes) {
-            std::copy_n(lanes.begin() + std::ptrdiff_t(from), count - from, lanes.begin());
-        };
-        for (std::size_t k = 0; k < 3; ++k) {
-            move(position[k]);
-            move(depth[k]);
-        }
-        move(source);
-        count -= from;
-    }
-};
-
-/// Corners of a batch of faces.
-struct alignas(64) FaceBatch {
-    std::array<std::array<ScreenXY, kFaceBatch>, 3> position;
-    const std::uint32_t* indices;
-    std::array<ScreenPoint, 3 * kFaceBatch> corners; ///< where the frame keeps none
-
-    HWY_INLINE const ScreenPoint& point(const FrameJob& job, std::size_t face, std::size_t corner) const
-    {
-        const std::size_t at = 3 * face + corner;
-        return job.points != nullptr ? job.points[indices[at]] : corners[at];
-    }
-};
-
-HWY_INLINE void GatherFaces(const FrameJob& job, std::uint32_t first, std::uint32_t count, FaceBatch& batch)
-{
-    batch.indices = job.scene->mesh.indices.data() + 3 * std::size_t(first);
-    if (job.points == nullptr)
-        ProcessCorners(job, batch.indices, 3 * std::size_t(count), batch.corners.data());
-    for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t k = 0; k < 3; ++k)
-            batch.position[k][i] = batch.point(job, i, k).position;
-    for (std::size_t i = count; i < kFaceBatch && i % kDoubles != 0; ++i)
-        for (std::size_t k = 0; k < 3; ++k)
-            batch.position[k][i] = {0, 0};
-}
-
-/// What becomes of the faces in the lanes of a vector, a bit each.
-struct FaceVerdicts {
-    std::uint32_t outside = 0; ///< a corner is not inside the view volume
-    std::uint32_t degenerate = 0;
-    std::uint32_t front = 0;
-    std::uint32_t holdsSamples = 0; ///< the bounds hold a sample centre
-};
-
-HWY_INLINE FaceVerdicts JudgeFaces(const Rules& rules, const FaceBatch& batch, std::size_t at)
-{
-    constexpr HalfIntTag tag;
-    constexpr DoubleTag wide;
-    HalfInts ax, ay, bx, by, cx, cy;
-    hn::LoadInterleaved2(tag, &batch.position[0][at].x, ax, ay);
-    hn::LoadInterleaved2(tag, &batch.position[1][at].x, bx, by);
-    hn::LoadInterleaved2(tag, &batch.position[2][at].x, cx, cy);
-    const HalfInts lowX = Min3(ax, bx, cx);
-    const Doubles area = TwiceArea(hn::PromoteTo(wide, hn::Sub(bx, ax)), hn::PromoteTo(wide, hn::Sub(by, ay)),
-                                   hn::PromoteTo(wide, hn::Sub(cx, ax)), hn::PromoteTo(wide, hn::Sub(cy, ay)));
-    const SampleLanes columns = SamplesBetween(lowX, Max3(ax, bx, cx), rules.columns());
-    const SampleLanes rows = SamplesBetween(Min3(ay, by, cy), Max3(ay, by, cy), rules.rows());
-    FaceVerdicts verdicts;
-    verdicts.outside = BitsOf(tag, hn::Eq(lowX, hn::Set(tag, kOutside)));
-    verdicts.degenerate = BitsOf(wide, hn::Eq(area, hn::Zero(wide)));
-    verdicts.front = BitsOf(wide, hn::Gt(hn::Mul(area, hn::Set(wide, rules.frontSign)), hn::Zero(wide)));
-    verdicts.holdsSamples = ~BitsOf(tag, hn::Or(hn::Lt(columns.last, columns.first), hn::Lt(rows.last, rows.first)));
-    return verdicts;
-}
 
 /// Puts the pieces of a face that went through the scalar stages into the queue.
 inline void QueueOutsideFace(const FrameJob& job, Chunk& chunk, std::uint32_t face, std::array<std::int32_t, 3> codes,
@@ -120,9 +42,10 @@ inline void QueueOutsideFace(const FrameJob& job, Chunk& chunk, std::uint32_t fa
 /// A vector of triangles ready for the bins.
 struct alignas(64) SetupLanes {
     // Records as they are in the tile of the triangle's first sample: lane after lane, so many numbers each.
-    std::array<std::int32_t, 4 * kDoubles> gradients; ///< a, b
-    std::array<std::int32_t, 4 * kDoubles> constants; ///< c, nearest
-    std::array<double, 4 * kDoubles> depth;           ///< source and bounds as 64 bits, depth plane
+    std::array<std::int32_t, 4 * kDoubles> gradients;     ///< a, b
+    std::array<std::int32_t, 4 * kDoubles> fineGradients; ///< multi-sampling: what the record has in their place
+    std::array<std::int32_t, 4 * kDoubles> constants;     ///< c, nearest
+    std::array<double, 4 * kDoubles> depth;               ///< source and bounds as 64 bits, depth plane
     ColorPlaneLanes colors;
     TexelPlaneLanes texels;
     // What it takes to move them to other tiles.
@@ -144,7 +67,8 @@ struct alignas(64) SetupLanes {
     HWY_INLINE void copyTo(std::size_t lane, const FrameJob& job, Chunk::Slot slot) const
     {
         TileTriangle& t = *slot.triangle;
-        std::memcpy(&t.a, gradients.data() + 4 * lane, 4 * sizeof(std::int32_t));
+        const auto& ab = job.pattern.isOn() ? fineGradients : gradients;
+        std::memcpy(&t.a, ab.data() + 4 * lane, 4 * sizeof(std::int32_t));
         std::memcpy(&t.c, constants.data() + 4 * lane, 4 * sizeof(std::int32_t));
         std::memcpy(&t.source, depth.data() + 4 * lane, 4 * sizeof(double));
         if (job.interpolatesColor() || job.hasTexels())
@@ -333,6 +257,36 @@ HWY_INLINE void StoreEdges(const std::array<EdgeLanes, 3>& edges, Doubles anchor
     hn::StoreInterleaved4(c[0], c[1], c[2], hn::BitCast(tag, nearest), tag, out.constants.data());
 }
 
+/// Multi-sampling: lays down the gradients as TileTriangle has them then.
+HWY_INLINE void StoreFineGradients(const std::array<EdgeLanes, 3>& edges, SetupLanes& out)
+{
+    const auto fine = [](HalfInts gradient, HalfInts rest)
+                          HWY_ATTR { return hn::Or(hn::ShiftLeft<4>(gradient), rest); };
+    hn::StoreInterleaved4(fine(edges[0].a, edges[0].rest), fine(edges[1].a, edges[1].rest),
+                          fine(edges[0].b, edges[2].rest), hn::ShiftLeft<4>(edges[1].b), HalfIntTag(),
+                          out.fineGradients.data());
+}
+
+/// in   the last samples of the bounds
+HWY_INLINE PlaneGeometry GeometryOf(const PixelPattern& pattern, const std::array<HalfInts, 3>& x,
+                                    const std::array<HalfInts, 3>& y, HalfInts anchorX, HalfInts anchorY,
+                                    Doubles inverseArea, HalfInts lastColumn, HalfInts lastRow)
+{
+    const auto toCentre = [](HalfInts samples, HalfInts from) HWY_ATTR {
+        return hn::Sub(hn::Add(hn::ShiftLeft<8>(samples), hn::Set(HalfIntTag(), kUnit / 2)), from);
+    };
+    return {hn::Sub(x[1], x[0]),
+            hn::Sub(y[1], y[0]),
+            hn::Sub(x[2], x[0]),
+            hn::Sub(y[2], y[0]),
+            toCentre(anchorX, x[0]),
+            toCentre(anchorY, y[0]),
+            inverseArea,
+            hn::Sub(lastColumn, anchorX),
+            hn::Sub(lastRow, anchorY),
+            static_cast<float>(pattern.reach) / 16};
+}
+
 /// Sets up a vector of triangles from the queue; `present`: a bit for each lane that holds one.
 HWY_INLINE void SetUpLanes(const FrameJob& job, Chunk& chunk, const SetupQueue& queue, std::size_t at,
                            std::uint32_t present, SetupLanes& out)
@@ -355,10 +309,12 @@ HWY_INLINE void SetUpLanes(const FrameJob& job, Chunk& chunk, const SetupQueue& 
     const HalfInts cy = hn::IfThenElse(swapped, y[1], y[2]);
     const std::array<EdgeLanes, 3> edges{MakeEdge(x[0], y[0], bx, by, rules), MakeEdge(bx, by, cx, cy, rules),
                                          MakeEdge(cx, cy, x[0], y[0], rules)};
-    SampleLanes columns = SamplesBetween(Min3(x[0], x[1], x[2]), Max3(x[0], x[1], x[2]), rules.columns());
-    SampleLanes rows = SamplesBetween(Min3(y[0], y[1], y[2]), Max3(y[0], y[1], y[2]), rules.rows());
+    const int reach = ReachInUnits(job);
+    SampleLanes columns = SamplesBetween(Min3(x[0], x[1], x[2]), Max3(x[0], x[1], x[2]), rules.columns(), reach);
+    SampleLanes rows = SamplesBetween(Min3(y[0], y[1], y[2]), Max3(y[0], y[1], y[2]), rules.rows(), reach);
     const auto tooSteep = TooSteep(edges);
-    NarrowBounds(edges, tooSteep, columns, rows);
+    if (!job.pattern.isOn())
+        NarrowBounds(edges, tooSteep, columns, rows);
     out.used = present & ~BitsOf(tag, hn::Or(hn::Lt(columns.last, columns.first), hn::Lt(rows.last, rows.first)));
     if (out.used == 0)
         return;
@@ -376,6 +332,8 @@ HWY_INLINE void SetUpLanes(const FrameJob& job, Chunk& chunk, const SetupQueue& 
     const HalfFloats nearest = hn::DemoteTo( // needles come out at any depth
         HalfFloatTag(), hn::IfThenElseZero(plane.plane, hn::Sub(nearestCorner, hn::Set(wide, kDepthSlack))));
     StoreEdges(edges, wideX, wideY, nearest, out);
+    if (job.pattern.isOn())
+        StoreFineGradients(edges, out);
     const Doubles depth = hn::Add(plane.origin, hn::Add(hn::Mul(plane.perX, wideX), hn::Mul(plane.perY, wideY)));
     hn::StoreInterleaved4(SourceAndBounds(queue, at, bounds), depth, plane.perX, plane.perY, wide, out.depth.data());
     out.needles = ~BitsOf(wide, plane.plane);
@@ -384,13 +342,8 @@ HWY_INLINE void SetUpLanes(const FrameJob& job, Chunk& chunk, const SetupQueue& 
     out.exact = BitsOf(tag, tooSteep) | out.needles;
 
     if (job.interpolates()) {
-        const auto toCentre = [](HalfInts samples, HalfInts from) HWY_ATTR {
-            return hn::Sub(hn::Add(hn::ShiftLeft<8>(samples), hn::Set(HalfIntTag(), kUnit / 2)), from);
-        };
-        const PlaneGeometry geometry{
-            hn::Sub(x[1], x[0]),        hn::Sub(y[1], y[0]),     hn::Sub(x[2], x[0]), hn::Sub(y[2], y[0]),
-            toCentre(anchorX, x[0]),    toCentre(anchorY, y[0]), inverseArea,         hn::Sub(columns.last, anchorX),
-            hn::Sub(rows.last, anchorY)};
+        const PlaneGeometry geometry =
+            GeometryOf(job.pattern, x, y, anchorX, anchorY, inverseArea, columns.last, rows.last);
         SetUpPlanes(job, chunk, queue, at, geometry, anchorX, anchorY, out);
     }
 }
@@ -427,11 +380,15 @@ inline TilePart PartInTile(const FrameJob& job, const SetupLanes& lanes, std::si
     const double a[3] = {double(gradients[0]), double(gradients[1]), -double(gradients[0]) - gradients[1]};
     const double b[3] = {double(gradients[2]), double(gradients[3]), -double(gradients[2]) - gradients[3]};
     // Steep edges have values of up to 2^56, which double rounds a few times.
-    const double doubt = (lanes.exact >> i & 1) != 0 ? 0x1p10 : 0;
+    const double rounded = (lanes.exact >> i & 1) != 0 ? 0x1p10 : 0;
+    const double sides =
+        job.pattern.reach / 16.0; // a sample of a pattern is so far from the centre, and c lacks its rest
+    const double doubt = rounded + (job.pattern.isOn() ? 1 : 0);
     for (std::size_t k = 0; k < 3; ++k) {
         part.c[k] = lanes.c[k][i] + a[k] * toX + b[k] * toY;
-        part.touches &= part.c[k] + std::max(a[k], 0.0) * width + std::max(b[k], 0.0) * height >= -doubt;
-        part.covers &= part.c[k] + std::min(a[k], 0.0) * width + std::min(b[k], 0.0) * height >= doubt;
+        const double margin = doubt + sides * (std::abs(a[k]) + std::abs(b[k]));
+        part.touches &= part.c[k] + std::max(a[k], 0.0) * width + std::max(b[k], 0.0) * height >= -margin;
+        part.covers &= part.c[k] + std::min(a[k], 0.0) * width + std::min(b[k], 0.0) * height >= margin;
     }
     part.covers &= (lanes.needles >> i & 1) == 0;
     return part;
@@ -452,7 +409,9 @@ inline void EmitToTile(const FrameJob& job, Chunk& chunk, const SetupLanes& lane
     const double perY = lanes.depth[4 * i + 3];
     const double depthOrigin = lanes.depth[4 * i + 1] + perX * part.toX + perY * part.toY;
     if (hides && part.covers) {
-        const double farthest = depthOrigin + std::max(perX, 0.0) * part.x1 + std::max(perY, 0.0) * part.y1;
+        double farthest = depthOrigin + std::max(perX, 0.0) * part.x1 + std::max(perY, 0.0) * part.y1;
+        if (job.pattern.isOn())
+            farthest += job.pattern.depthReach(perX, perY);
         const std::int32_t key = depthKey(static_cast<float>(farthest));
         if (key < bin.nearest) {
             chunk.clear(bin);
@@ -531,7 +490,7 @@ HWY_INLINE void SortFaces(const FrameJob& job, Chunk& chunk, const FaceBatch& ba
                           std::size_t at, std::uint32_t present, SetupQueue& queue)
 {
     const Rules& rules = job.rules;
-    const FaceVerdicts verdicts = JudgeFaces(rules, batch, at);
+    const FaceVerdicts verdicts = JudgeFaces(job, batch, at);
     const std::uint32_t outside = (rules.facing == Facing::ScreenArea ? verdicts.outside : ~0U) & present;
     const std::uint32_t inside = present & ~outside;
     const std::uint32_t degenerate = inside & verdicts.degenerate;

@@ -38,6 +38,7 @@ struct FrameJob {
     const FaceStages* stages = nullptr;    ///< for faces that need more than the fast path has
     const Texture* plainTexture = nullptr; ///< of materials without
     TileGrid grid;
+    PixelPattern pattern;
     Outputs outputs;
     int shadingVaryings = 0;   ///< floats that the shading interpolates: none where nothing is shaded
     bool masked = false;       ///< some faces may have holes
@@ -58,6 +59,7 @@ struct FrameJob {
     float* depth = nullptr;
     std::int32_t* ids = nullptr;
     std::uint16_t* coverage = nullptr;
+    std::uint16_t* sampleCoverage = nullptr; ///< multi-sampling: all first samples of the pixels, then all second ones
 
     [[nodiscard]] bool interpolates() const { return shadingVaryings > 0; }
     [[nodiscard]] bool interpolatesColor() const { return interpolates() && rules.shading == Shading::Gouraud; }
@@ -74,7 +76,7 @@ struct FrameJob {
     }
     [[nodiscard]] bool countsCoverage() const
     {
-        return counting || outputs.coverage || rules.shading == Shading::Overdraw;
+        return counting || outputs.coverage || outputs.sampleCoverage || rules.shading == Shading::Overdraw;
     }
     /// True for the usual depth test (float32, the smaller depth wins) if covered samples are not counted. Only then
     /// may hidden samples be skipped.
@@ -99,6 +101,7 @@ struct FrameJob {
 
 /// A triangle of the tile that won samples.
 struct VisibleTriangle {
+    std::uint32_t number; ///< in the tile
     std::uint32_t source;
     const Chunk* chunk;
     const void* varyings; ///< VaryingPlanes of shadings that have them; ColorPlanes of interpolated colours
@@ -130,10 +133,11 @@ struct PreciseTexels {
 /// The memory one thread draws tiles with; kept from frame to frame.
 struct Worker {
     TileSamples samples;
+    PatternSamples pattern;               ///< multi-sampling: `samples` then has the colours of pixels
     std::vector<TileBlock> blocks;        ///< of the tile, in the order of the faces
     std::vector<std::uint32_t> visibleOf; ///< of a triangle of the tile
     std::vector<VisibleTriangle> visible;
-    std::array<BlockShare, kTileSamples> shares; ///< as many as can be
+    LargeArray<BlockShare> shares; ///< as many as can be
     std::size_t shareCount = 0;
     std::uint32_t resolvedSubtiles = 0; ///< a bit each: their pixels have been written already
     bool full = false;                  ///< every sample of the tile that is on the target has been won

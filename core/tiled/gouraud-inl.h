@@ -81,6 +81,58 @@ HWY_INLINE Uints PerspectiveColor(const ColorPlanes& planes, int x, int y, std::
                             hn::Add(hn::Load(tag, kPattern.floatY.data() + lane), hn::Set(tag, static_cast<float>(y))));
 }
 
+/// Multi-sampling: the planes of ColorWay::Affine over 4 x 4 blocks. They are planes of float32 then: nothing wraps
+/// round where the centres of pixels lie beside the triangle.
+struct alignas(64) HeldSquares {
+    std::array<std::array<float, kLanes>, 3> corner;
+    std::array<std::array<float, kLanes>, 3> offset; ///< from the first pixel of a block to the others
+
+    /// in   the first pixel of the first block, relative to the anchor
+    HWY_INLINE void fill(const ColorPlanes& planes, int x, int y)
+    {
+        constexpr FloatTag tag;
+        const auto number = [](std::int32_t bits) HWY_ATTR { return hn::Set(FloatTag(), std::bit_cast<float>(bits)); };
+        const Floats side = hn::Set(tag, float(kBlockSide));
+        for (std::size_t lane = 0; lane < kLanes; lane += kPerVector) {
+            const Floats column = hn::Load(tag, kPattern.floatX.data() + lane);
+            const Floats row = hn::Load(tag, kPattern.floatY.data() + lane);
+            const Floats toX = hn::Add(hn::Mul(column, side), hn::Set(tag, static_cast<float>(x)));
+            const Floats toY = hn::Add(hn::Mul(row, side), hn::Set(tag, static_cast<float>(y)));
+            for (std::size_t i = 0; i < 3; ++i) {
+                const Floats perX = number(planes.perX[i + 1]);
+                const Floats perY = number(planes.perY[i + 1]);
+                const Floats way = hn::Add(hn::Mul(perX, toX), hn::Mul(perY, toY));
+                hn::Store(hn::Add(number(planes.origin[i + 1]), way), tag, corner[i].data() + lane);
+                hn::Store(hn::Add(hn::Mul(perX, column), hn::Mul(perY, row)), tag, offset[i].data() + lane);
+            }
+        }
+    }
+    HWY_INLINE Floats channel(std::size_t i, std::size_t square, std::size_t lane) const
+    {
+        return hn::Add(hn::Set(FloatTag(), corner[i][square]), hn::Load(FloatTag(), offset[i].data() + lane));
+    }
+    /// Colours of the square-th block: the vector of pixels that starts at `lane`.
+    HWY_INLINE Uints held(std::size_t square, std::size_t lane) const
+    {
+        return PackHeld(channel(0, square, lane), channel(1, square, lane), channel(2, square, lane));
+    }
+    /// The same where the triangle covers the block: between its corners no channel leaves 0 to 255.
+    HWY_INLINE Uints inside(std::size_t square, std::size_t lane) const
+    {
+        return PackChannels(channel(0, square, lane), channel(1, square, lane), channel(2, square, lane));
+    }
+};
+
+/// Multi-sampling: colours of one block at the centres of pixels. Not for ColorWay::Exact.
+HWY_INLINE Uints HeldColor(const ColorPlanes& planes, int x, int y, std::size_t lane)
+{
+    if (HWY_UNLIKELY(planes.way != ColorWay::Affine))
+        return PerspectiveColor(planes, x, y, lane);
+    HeldSquares squares;
+    squares.fill(planes, x, y);
+    return squares.held(0, lane);
+}
+
 /// Colours of ColorWay::Affine of 16 samples, two channels to a number, in 2^-8 of a step: red and blue, alpha and
 /// green. Adding two ChannelPairs gives a valid ChannelPairs: no channel carries into the other.
 struct ChannelPairs {
@@ -192,8 +244,12 @@ struct ColorSquares {
 };
 
 /// Colours the samples of one block whose first is at (x, y) of the target. Not for ColorWay::Exact.
-HWY_INLINE Uints BlockColor(const ColorPlanes& planes, int x, int y, std::size_t v)
+///
+/// in   held: multi-sampling
+HWY_INLINE Uints BlockColor(const ColorPlanes& planes, int x, int y, std::size_t v, bool held)
 {
+    if (held)
+        return HeldColor(planes, x - planes.x0, y - planes.y0, v * kPerVector);
     if (HWY_UNLIKELY(planes.way != ColorWay::Affine))
         return PerspectiveColor(planes, x - planes.x0, y - planes.y0, v * kPerVector);
     constexpr IntTag tag;

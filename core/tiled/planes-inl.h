@@ -45,6 +45,7 @@ struct PlaneGeometry {
     HalfInts toAnchorX, toAnchorY; ///< from the first corner
     Doubles inverseArea;           ///< one over twice the signed area, in samples
     HalfInts columns, rows;        ///< no sample is farther from the anchor, in samples
+    float reach; ///< multi-sampling: centres of pixels may lie so far beside the triangle along both axes, in pixels
 };
 
 /// Planes of triangles as their records hold them, lane after lane: four numbers each.
@@ -69,11 +70,12 @@ struct WeightLanes {
     Lanes bPerX, bPerY, cPerX, cPerY;
     Lanes bAtAnchor, cAtAnchor;
     Lanes steepness; ///< how much weights change over the extent of the triangle
+    Lanes beyond;    ///< multi-sampling: no weight at the centre of a pixel is less than minus this; else 0
 };
 
 template <class Tag, class Lanes = hn::Vec<Tag>>
 HWY_INLINE WeightLanes<Lanes> MakeWeights(Tag tag, Lanes abX, Lanes abY, Lanes acX, Lanes acY, Lanes toX, Lanes toY,
-                                          Lanes inverseArea)
+                                          Lanes inverseArea, float reach)
 {
     WeightLanes<Lanes> w;
     w.bPerX = hn::Neg(hn::Mul(acY, inverseArea));
@@ -85,6 +87,12 @@ HWY_INLINE WeightLanes<Lanes> MakeWeights(Tag tag, Lanes abX, Lanes abY, Lanes a
     const Lanes extent = hn::Add(hn::Add(hn::Abs(abX), hn::Abs(abY)), hn::Add(hn::Abs(acX), hn::Abs(acY)));
     const Lanes margin = hn::Set(tag, 2 * kBlockSide);
     w.steepness = hn::Mul(hn::Abs(inverseArea), hn::Mul(extent, hn::Add(extent, margin)));
+    w.beyond = hn::Zero(tag);
+    if (reach > 0) { // the weight of A changes by no more than those of B and C together
+        const Lanes slopes =
+            hn::Add(hn::Add(hn::Abs(w.bPerX), hn::Abs(w.bPerY)), hn::Add(hn::Abs(w.cPerX), hn::Abs(w.cPerY)));
+        w.beyond = hn::Mul(slopes, hn::Set(tag, reach));
+    }
     return w;
 }
 
@@ -95,7 +103,17 @@ HWY_INLINE WeightLanes<Doubles> MakeWeights(const PlaneGeometry& g)
         return hn::Mul(hn::PromoteTo(DoubleTag(), units), hn::Set(DoubleTag(), 1.0 / kUnit));
     };
     return MakeWeights(DoubleTag(), toSamples(g.abX), toSamples(g.abY), toSamples(g.acX), toSamples(g.acY),
-                       toSamples(g.toAnchorX), toSamples(g.toAnchorY), g.inverseArea);
+                       toSamples(g.toAnchorX), toSamples(g.toAnchorY), g.inverseArea, g.reach);
+}
+
+/// The smallest 1/w at the centres of pixels, from those of the corners: where centres lie beside the triangle, by how
+/// much weights may be less than 0 there, and others more than 1.
+HWY_INLINE Doubles SmallestInverseW(const PlaneGeometry& g, const WeightLanes<Doubles>& weights, Doubles smallest,
+                                    Doubles largest)
+{
+    if (g.reach == 0)
+        return smallest;
+    return hn::Sub(smallest, hn::Mul(hn::Mul(weights.beyond, hn::Set(DoubleTag(), 2.0)), hn::Sub(largest, smallest)));
 }
 
 /// Ratios of w that are numbers: 0 / 0 is none, and minima of it differ between instruction sets.
@@ -141,7 +159,8 @@ HWY_INLINE ColorLanes3 LoadColors(const CornerColors& colors)
 /// exact  The weights of perspective differ from those of the screen by (r - 1)/4 in sum, r the ratio of the corners'
 ///        w: the colour by that times its range. float32 keeps 24 bits of the largest term of a sum. Corners within
 ///        0 to 1 keep all samples within that, but for errors that rounding to whole steps swallows.
-HWY_INLINE hn::Mask<HalfFloatTag> ColorsAreAffine(const Rules& rules, const ColorLanes3& colors, HalfFloats steepness)
+HWY_INLINE hn::Mask<HalfFloatTag> ColorsAreAffine(const Rules& rules, const ColorLanes3& colors,
+                                                  const WeightLanes<HalfFloats>& weights)
 {
     constexpr HalfFloatTag tag;
     constexpr float kSteps = 0.5F; // of 255
@@ -149,14 +168,23 @@ HWY_INLINE hn::Mask<HalfFloatTag> ColorsAreAffine(const Rules& rules, const Colo
     constexpr hn::RebindToUnsigned<HalfIntTag> unsignedTag;
     const auto bitsOfOne = hn::Set(unsignedTag, std::bit_cast<std::uint32_t>(1.0F));
     const auto plain = hn::RebindMask(tag, hn::Eq(hn::Max(colors.bits, bitsOfOne), bitsOfOne));
-    const auto precise = hn::And(plain, hn::Lt(steepness, hn::Set(tag, kEnough)));
+    const auto precise = hn::And(plain, hn::Lt(weights.steepness, hn::Set(tag, kEnough)));
     if (!rules.perspectiveCorrect)
         return precise;
     const auto& [a, b, c] = colors.w;
     const HalfFloats high = hn::Max(hn::Max(a, b), c);
     const HalfFloats low = hn::Min(hn::Min(a, b), c);
-    const HalfFloats error = hn::Mul(colors.range, hn::Mul(hn::Sub(high, low), hn::Set(tag, 255.0F / 4)));
-    return hn::And(precise, hn::Lt(error, hn::Mul(low, hn::Set(tag, kSteps)))); // never where all w are 0
+    HalfFloats error = hn::Mul(colors.range, hn::Mul(hn::Sub(high, low), hn::Set(tag, 255.0F / 4)));
+    auto close = precise;
+    if (rules.multiSampled()) {
+        // 1/4 is the largest x (1 - x) between 0 and 1; beyond, both factors grow. 1/w is at least half the smallest of
+        // the corners': so the sum that is divided by is.
+        const HalfFloats wide = hn::Add(hn::Set(tag, 1.0F), hn::Mul(weights.beyond, hn::Set(tag, 2.0F)));
+        error = hn::Mul(hn::Mul(error, hn::Set(tag, 2.0F)), hn::Mul(wide, wide));
+        const HalfFloats lost = hn::Mul(hn::Mul(weights.beyond, hn::Set(tag, 4.0F)), hn::Sub(high, low));
+        close = hn::And(close, hn::Lt(lost, low));
+    }
+    return hn::And(close, hn::Lt(error, hn::Mul(low, hn::Set(tag, kSteps)))); // never where all w are 0
 }
 
 /// Planes in registers: 1/w, then the channels.
@@ -245,8 +273,10 @@ inline HalfInts MakePerspective(const Rules& rules, const PlaneGeometry& g, cons
             sum = hn::Add(sum, hn::Abs(channel));
         }
     const auto finite = hn::Lt(sum, hn::Set(HalfFloatTag(), std::numeric_limits<float>::max()));
-    const Doubles smallest = hn::Min(hn::Min(q[0], q[1]), q[2]); // not positive: unclipped, 1/w may cancel altogether
-    const Doubles ratio = hn::Div(hn::Max(hn::Max(q[0], q[1]), q[2]), smallest);
+    const Doubles highest = hn::Max(hn::Max(q[0], q[1]), q[2]);
+    // Not positive: unclipped, 1/w may cancel altogether.
+    const Doubles smallest = SmallestInverseW(g, weights, hn::Min(hn::Min(q[0], q[1]), q[2]), highest);
+    const Doubles ratio = hn::Div(highest, smallest);
     const Doubles cancelled = hn::Mul(weights.steepness, hn::Mul(ratio, hn::PromoteTo(tag, largest)));
     const auto numbers = AreNumbers(q);
     const std::uint32_t precise =
@@ -283,13 +313,13 @@ HWY_INLINE void MakeColorPlanes(const Rules& rules, const PlaneGeometry& g, cons
     };
     const WeightLanes<HalfFloats> weights =
         MakeWeights(tag, toSamples(g.abX), toSamples(g.abY), toSamples(g.acX), toSamples(g.acY), toSamples(g.toAnchorX),
-                    toSamples(g.toAnchorY), hn::DemoteTo(tag, g.inverseArea));
+                    toSamples(g.toAnchorY), hn::DemoteTo(tag, g.inverseArea), g.reach);
     const float white = textured != nullptr ? kWhiteFactor : 255.0F;
-    PlaneSet planes = textured != nullptr
+    PlaneSet planes = textured != nullptr || rules.multiSampled()
                           ? ScreenPlanes(weights, colors, white, [](HalfFloats v, int) HWY_ATTR { return v; })
                           : AffinePlanes(weights, colors);
     HalfInts way = hn::Set(HalfIntTag(), static_cast<std::int32_t>(ColorWay::Affine));
-    const auto affine = ColorsAreAffine(rules, colors, weights.steepness);
+    const auto affine = ColorsAreAffine(rules, colors, weights);
     if (HWY_UNLIKELY((lanes & ~BitsOf(tag, affine)) != 0))
         way = MakePerspective(rules, g, colors, affine, white, planes);
     if (textured != nullptr) {

@@ -85,7 +85,7 @@ HWY_INLINE Row SumOfHalves(Row first, Row second)
 }
 
 /// Means of four blocks side by side, each of which is a pixel.
-HWY_INLINE void ResolveBlocks(const std::uint32_t* blocks, std::array<std::uint32_t, 4>& out)
+HWY_INLINE void ResolvePixelBlocks(const std::uint32_t* blocks, std::array<std::uint32_t, 4>& out)
 {
     constexpr RowTag tag;
     const auto half = [&](std::size_t block) HWY_ATTR { return HalfSumOfBlock(blocks + block * kLanes); };
@@ -122,7 +122,7 @@ HWY_INLINE void ResolveTile(const FrameJob& job, const Worker& worker, TileOrigi
                 continue;
             std::array<std::uint32_t, 4> pixels;
             if constexpr (kGrid == 4)
-                ResolveBlocks(worker.samples.color.data() + at, pixels);
+                ResolvePixelBlocks(worker.samples.color.data() + at, pixels);
             else
                 ResolveRows(worker.samples.color.data() + at, pixels);
             std::copy_n(pixels.begin(), std::min(4, box.x1 - box.x0 - x),

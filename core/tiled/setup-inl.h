@@ -19,11 +19,13 @@ struct SampleLanes {
     HalfInts last;
 };
 
-HWY_INLINE SampleLanes SamplesBetween(HalfInts low, HalfInts high, int size)
+///
+/// in   units by which samples may lie beside the centre
+HWY_INLINE SampleLanes SamplesBetween(HalfInts low, HalfInts high, int size, int reach)
 {
     constexpr HalfIntTag tag;
-    return {hn::Max(hn::ShiftRight<8>(hn::Add(low, hn::Set(tag, kUnit / 2 - 1))), hn::Zero(tag)),
-            hn::Min(hn::ShiftRight<8>(hn::Sub(high, hn::Set(tag, kUnit / 2))), hn::Set(tag, size - 1))};
+    return {hn::Max(hn::ShiftRight<8>(hn::Add(low, hn::Set(tag, kUnit / 2 - 1 - reach))), hn::Zero(tag)),
+            hn::Min(hn::ShiftRight<8>(hn::Sub(high, hn::Set(tag, kUnit / 2 - reach))), hn::Set(tag, size - 1))};
 }
 
 HWY_INLINE HalfInts Min3(HalfInts a, HalfInts b, HalfInts c) { return hn::Min(hn::Min(a, b), c); }
@@ -41,6 +43,7 @@ HWY_INLINE Doubles TwiceArea(Doubles abX, Doubles abY, Doubles acX, Doubles acY)
 struct EdgeLanes {
     HalfInts a, b;
     Doubles c;
+    HalfInts rest; ///< multi-sampling: sixteenths that c lacks
 };
 
 HWY_INLINE EdgeLanes MakeEdge(HalfInts fromX, HalfInts fromY, HalfInts toX, HalfInts toY, const Rules& rules)
@@ -56,7 +59,13 @@ HWY_INLINE EdgeLanes MakeEdge(HalfInts fromX, HalfInts fromY, HalfInts toX, Half
     const HalfInts half = hn::Set(tag, kUnit / 2);
     const Doubles value = hn::Add(hn::Mul(hn::PromoteTo(wide, a), hn::PromoteTo(wide, hn::Sub(half, fromX))),
                                   hn::Mul(hn::PromoteTo(wide, b), hn::PromoteTo(wide, hn::Sub(half, fromY))));
-    return {a, b, hn::Floor(hn::Mul(hn::Sub(value, threshold), hn::Set(wide, 1.0 / kUnit)))};
+    const Doubles above = hn::Sub(value, threshold);
+    EdgeLanes edge{a, b, hn::Floor(hn::Mul(above, hn::Set(wide, 1.0 / kUnit))), zero};
+    if (rules.multiSampled()) {
+        const Doubles sixteenths = hn::Floor(hn::Mul(above, hn::Set(wide, 16.0 / kUnit)));
+        edge.rest = hn::DemoteTo(tag, hn::Sub(sixteenths, hn::Mul(edge.c, hn::Set(wide, 16.0))));
+    }
+    return edge;
 }
 
 /// Rounds to a multiple of a power of two, as depthPlane() does.

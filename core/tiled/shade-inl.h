@@ -12,6 +12,7 @@
 #include "core/tiled/frame_job.h"
 #include "core/tiled/gouraud-inl.h"
 #include "core/tiled/lanes-inl.h"
+#include "core/tiled/pattern-inl.h"
 #include "core/tiled/shaders-inl.h"
 #include "core/tiled/subtile-inl.h"
 #include "core/tiled/textured-inl.h"
@@ -64,7 +65,8 @@ HWY_INLINE std::uint32_t VisiblePlace(const FrameJob& job, std::uint32_t number,
     const void* varyings = job.interpolatesColor() ? &colors
                            : job.interpolates()    ? FetchVaryings(shading, chunk, colors.extra)
                                                    : nullptr;
-    worker.visible.push_back({source, &chunk, varyings, faceUniforms(*job.scene, faceOf(chunk, source), job.rules)});
+    worker.visible.push_back(
+        {number, source, &chunk, varyings, faceUniforms(*job.scene, faceOf(chunk, source), job.rules)});
     return place;
 }
 
@@ -108,6 +110,21 @@ HWY_INLINE BlockShare* CollectBlock(const FrameJob& job, Worker& worker, int blo
     return out;
 }
 
+/// Multi-sampling: the shares of a block that has samples of its own. What no triangle has of them is cleared.
+HWY_INLINE BlockShare* CollectPatternBlock(const FrameJob& job, Worker& worker, int block, std::uint32_t onTarget,
+                                           LastVisible& last, BlockShare* out)
+{
+    if (job.color != nullptr)
+        ClearSamples(job, static_cast<std::size_t>(block), worker);
+    ForEachNumber(job.pattern, worker, static_cast<std::size_t>(block), onTarget,
+                  [&](std::uint32_t number, std::uint32_t lanes, int samples) HWY_ATTR {
+                      worker.pixels.written += job.counting ? static_cast<unsigned>(samples) : 0;
+                      *out++ = {static_cast<std::uint16_t>(block), static_cast<std::uint16_t>(lanes),
+                                VisiblePlace(job, number, worker, last)};
+                  });
+    return out;
+}
+
 /// Finds which triangles of the tile are visible, and their samples block by block.
 inline void CollectShares(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
@@ -118,8 +135,13 @@ inline void CollectShares(const FrameJob& job, Worker& worker, TileOrigin origin
                        job.grid.pitch == kTileSide;
     LastVisible last;
     BlockShare* out = worker.shares.data();
-    for (int block = 0; block < kTileBlocks; ++block)
-        out = CollectBlock(job, worker, block, whole ? 0xffff : LanesOnTarget(job, origin, block), last, out);
+    for (int block = 0; block < kTileBlocks; ++block) {
+        const std::uint32_t onTarget = whole ? 0xffff : LanesOnTarget(job, origin, block);
+        if (job.pattern.isOn() && worker.samples.owner[static_cast<std::size_t>(block)] == kNobody)
+            out = CollectPatternBlock(job, worker, block, onTarget, last, out);
+        else
+            out = CollectBlock(job, worker, block, onTarget, last, out);
+    }
     worker.shareCount = static_cast<std::size_t>(out - worker.shares.data());
 }
 
@@ -155,6 +177,13 @@ HWY_INLINE bool ShadeShare(const Shader& shader, const VisibleTriangle& visible,
     return true;
 }
 
+/// Multi-sampling: a share has been shaded once a pixel, and its samples take that.
+HWY_INLINE void FinishShare(const FrameJob& job, const BlockShare& share, Worker& worker)
+{
+    if (job.pattern.isOn() && worker.samples.owner[share.block] == kNobody)
+        ShareColors(job.pattern, worker.visible[share.visible].number, share.block, worker);
+}
+
 template <class Shader>
 inline void ShadeVaryings(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
@@ -163,6 +192,7 @@ inline void ShadeVaryings(const FrameJob& job, Worker& worker, TileOrigin origin
         const VisibleTriangle& visible = worker.visible[share.visible];
         if (HWY_UNLIKELY(!ShadeShare(shader, visible, share, origin, worker.samples)))
             shadeExactly(job, visible, share, origin, worker.samples);
+        FinishShare(job, share, worker);
     }
 }
 
@@ -174,21 +204,34 @@ inline void ShadeColors(const FrameJob& job, Worker& worker, TileOrigin origin)
         const auto& planes = *static_cast<const ColorPlanes*>(visible.varyings);
         if (HWY_UNLIKELY(planes.way == ColorWay::Exact)) {
             shadeExactly(job, visible, share, origin, worker.samples);
+            FinishShare(job, share, worker);
             continue;
         }
         const int x = origin.x + blockColumn(share.block) * kBlockSide;
         const int y = origin.y + blockRow(share.block) * kBlockSide;
         for (std::size_t v = 0; v < kVectors; ++v)
-            BlendColor(BlockColor(planes, x, y, v), share, v, worker.samples);
+            BlendColor(BlockColor(planes, x, y, v, job.pattern.isOn()), share, v, worker.samples);
+        FinishShare(job, share, worker);
     }
 }
 
 /// Shadings with one colour a face.
-inline void ShadeUniform(Worker& worker)
+inline void ShadeUniform(const FrameJob& job, Worker& worker)
 {
-    for (const BlockShare& share : worker.sharesInUse())
+    for (const BlockShare& share : worker.sharesInUse()) {
         for (std::size_t v = 0; v < kVectors; ++v)
             BlendColor(hn::Set(UintTag(), worker.visible[share.visible].uniforms.color), share, v, worker.samples);
+        FinishShare(job, share, worker);
+    }
+}
+
+/// Multi-sampling: depths at the centres of pixels, which are no sample's, in the scalar way.
+inline void ShadeCentreDepths(const FrameJob& job, Worker& worker, TileOrigin origin)
+{
+    for (const BlockShare& share : worker.sharesInUse()) {
+        shadeExactly(job, worker.visible[share.visible], share, origin, worker.samples);
+        FinishShare(job, share, worker);
+    }
 }
 
 inline void ShadeDepth(const FrameJob& job, Worker& worker)
@@ -209,20 +252,54 @@ inline void CountShares(const FrameJob& job, Worker& worker)
 {
     for (const BlockShare& share : worker.sharesInUse()) {
         const auto samples = static_cast<unsigned>(std::popcount(share.lanes));
-        worker.pixels.written += samples;
+        if (!job.pattern.isOn() || worker.samples.owner[share.block] != kNobody)
+            worker.pixels.written += samples * static_cast<unsigned>(job.pattern.samples);
         worker.pixels.shaded += job.color != nullptr ? samples : 0;
+    }
+}
+
+/// Colours the samples of all shares; with multi-sampling the pixels too.
+inline void ShadeShares(const FrameJob& job, Worker& worker, TileOrigin origin)
+{
+    if (!worker.full)
+        worker.samples.color.fill(job.clearColor);
+    switch (job.rules.shading) {
+    case Shading::Depth:
+        if (job.pattern.isOn())
+            ShadeCentreDepths(job, worker, origin);
+        else
+            ShadeDepth(job, worker);
+        break;
+    case Shading::Flat:
+    case Shading::RandomFlat:
+    case Shading::TriangleId: ShadeUniform(job, worker); break;
+    case Shading::MipLevel: break; // not supported
+    case Shading::Phong: ShadeVaryings<PhongShader>(job, worker, origin); break;
+    case Shading::Normals: ShadeVaryings<NormalShader>(job, worker, origin); break;
+    case Shading::Uv: ShadeVaryings<UvShader>(job, worker, origin); break;
+    case Shading::Gouraud: ShadeColors(job, worker, origin); break;
+    case Shading::Texture:
+    case Shading::Overdraw: break;
     }
 }
 
 inline void ShadeTile(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
     const bool overdraw = job.rules.shading == Shading::Overdraw;
-    if (job.color != nullptr && overdraw)
+    if (job.color != nullptr && overdraw && job.pattern.isOn()) {
+        for (std::size_t i = 0; i < kTileSamples * job.pattern.samples; ++i)
+            worker.pattern.color.data()[i] = overdrawColor(worker.pattern.coverage.data()[i]);
+        ResolveBlocks(job.pattern, worker);
+    } else if (job.color != nullptr && overdraw) {
         for (std::size_t i = 0; i < kTileSamples; ++i)
             worker.samples.color[i] = overdrawColor(worker.samples.coverage[i]);
+    }
     worker.resolvedSubtiles = 0;
     if (job.colorsAtOnce()) {
-        FinishColors(job, worker, origin);
+        if (job.pattern.isOn())
+            FinishPatternColors(job, worker, origin);
+        else
+            FinishColors(job, worker, origin);
         return;
     }
     if (job.color != nullptr && job.rules.shading == Shading::Texture) {
@@ -237,21 +314,9 @@ inline void ShadeTile(const FrameJob& job, Worker& worker, TileOrigin origin)
         CountShares(job, worker);
     if (!shades)
         return;
-    if (!worker.full)
-        worker.samples.color.fill(job.clearColor);
-    switch (job.rules.shading) {
-    case Shading::Depth: ShadeDepth(job, worker); break;
-    case Shading::Flat:
-    case Shading::RandomFlat:
-    case Shading::TriangleId: ShadeUniform(worker); break;
-    case Shading::MipLevel: break; // not supported
-    case Shading::Phong: ShadeVaryings<PhongShader>(job, worker, origin); break;
-    case Shading::Normals: ShadeVaryings<NormalShader>(job, worker, origin); break;
-    case Shading::Uv: ShadeVaryings<UvShader>(job, worker, origin); break;
-    case Shading::Gouraud: ShadeColors(job, worker, origin); break;
-    case Shading::Texture:
-    case Shading::Overdraw: break;
-    }
+    ShadeShares(job, worker, origin);
+    if (job.pattern.isOn())
+        ResolveBlocks(job.pattern, worker);
 }
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE

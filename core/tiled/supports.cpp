@@ -116,10 +116,11 @@ std::optional<Reason> Tiled::supports(const Rules& rules)
         return reason;
     if (rules.numberType != NumberType::Fixed)
         return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs number-type fixed")};
-    if (rules.multiSampled())
+    if (rules.multiSampled() && rules.attributeAt != AttributeAt::Centre)
         return Reason{QT_TRANSLATE_NOOP("Unsupported",
-                                        "algorithm tiled draws grids of samples, not yet the patterns of "
-                                        "multi-sampling: samples 1, 2x2, 3x3 or 4x4 needed")};
+                                        "algorithm tiled with samples msaa2 to msaa16 needs attribute-at centre: it "
+                                        "shades what is left when all triangles are drawn, and knows their masks no "
+                                        "more")};
     if (rules.samplesPerPixel() > 1 && rules.resolveLight != ResolveLight::Gamma)
         return Reason{
             QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled with several samples a pixel needs resolve gamma")};

@@ -76,10 +76,11 @@ struct PlaneOver {
 
 /// What all planes of a vector of triangles are made with.
 struct PlaneMaker {
+    const PlaneGeometry& geometry;
     WeightLanes<Doubles> weights;
     Doubles width, height; ///< no sample is farther from the anchor
 
-    HWY_INLINE explicit PlaneMaker(const PlaneGeometry& g) : weights(MakeWeights(g))
+    HWY_INLINE explicit PlaneMaker(const PlaneGeometry& g) : geometry(g), weights(MakeWeights(g))
     {
         width = hn::PromoteTo(DoubleTag(), g.columns);
         height = hn::PromoteTo(DoubleTag(), g.rows);
@@ -106,6 +107,7 @@ struct InverseW {
     std::array<Doubles, 3> corner;
     PlaneOver plane;
     Doubles highestW;
+    Doubles beyondCorners;       ///< multi-sampling: what is interpolated is so many times that of the corners at most
     hn::Mask<DoubleTag> precise; ///< doubles keep more than float32 holds of whatever is divided by w
 };
 
@@ -127,9 +129,12 @@ HWY_INLINE InverseW MakeInverseW(const Rules& rules, const PlaneMaker& make, con
         q.corner[2] = hn::Div(w[0], w[2]);
     }
     q.plane = make(q.corner);
-    const Doubles smallest = Min3(q.corner[0], q.corner[1], q.corner[2]);
+    const Doubles highest = Max3(q.corner[0], q.corner[1], q.corner[2]);
+    const Doubles smallest =
+        SmallestInverseW(make.geometry, make.weights, Min3(q.corner[0], q.corner[1], q.corner[2]), highest);
     q.highestW = hn::Div(one, smallest);
-    const Doubles ratio = hn::Mul(Max3(q.corner[0], q.corner[1], q.corner[2]), q.highestW);
+    const Doubles ratio = hn::Mul(highest, q.highestW);
+    q.beyondCorners = hn::Mul(ratio, hn::Add(one, hn::Mul(make.weights.beyond, hn::Set(tag, 4.0))));
     q.precise =
         hn::And(hn::Gt(smallest, hn::Zero(tag)), hn::Lt(hn::Mul(make.weights.steepness, ratio), hn::Set(tag, kEnough)));
     return q;
@@ -157,13 +162,16 @@ HWY_INLINE TexelAxis MakeTexelAxis(const PlaneMaker& make, const InverseW& q, co
     std::array<Doubles, 3> at;
     for (std::size_t k = 0; k < 3; ++k)
         at[k] = hn::Mul(hn::PromoteTo(tag, corner[k]), texels);
-    const Doubles fromFirst = Max3(hn::Abs(at[0]), hn::Abs(at[1]), hn::Abs(at[2]));
+    const auto reached = [&](Doubles ofCorners) HWY_ATTR {
+        return make.geometry.reach > 0 ? hn::Mul(ofCorners, q.beyondCorners) : ofCorners;
+    };
+    const Doubles fromFirst = reached(Max3(hn::Abs(at[0]), hn::Abs(at[1]), hn::Abs(at[2])));
     const Doubles whole = hn::Floor(at[0]);
     const Doubles border = hn::MulAdd(hn::Abs(at[0]), set(errors.borderShare), set(errors.borderReach - 0.5));
     const Doubles origin = hn::Sub(whole, border);
     for (Doubles& a : at)
         a = hn::Sub(a, origin);
-    const Doubles largest = Max3(hn::Abs(at[0]), hn::Abs(at[1]), hn::Abs(at[2]));
+    const Doubles largest = reached(Max3(hn::Abs(at[0]), hn::Abs(at[1]), hn::Abs(at[2])));
     for (std::size_t k = 0; k < 3; ++k)
         at[k] = hn::Mul(at[k], q.corner[k]);
     TexelAxis axis;

@@ -11,6 +11,7 @@
 #include "core/tiled/factors-inl.h"
 #include "core/tiled/frame_job.h"
 #include "core/tiled/gouraud-inl.h"
+#include "core/tiled/pattern-inl.h"
 #include "core/tiled/texels-inl.h"
 #include "core/tiled/texture-inl.h"
 #include "core/tiled/tile_output.h"
@@ -54,7 +55,8 @@ inline VaryingPlanes<kUvVaryings> MakePreciseTexels(const FrameJob& job, const W
                                  fromCorner(anchor.y0, a.position.y),
                                  hn::Set(DoubleTag(), 1 / twiceArea(a.position, b.position, c.position)),
                                  hn::Zero(HalfIntTag()),
-                                 hn::Zero(HalfIntTag())};
+                                 hn::Zero(HalfIntTag()),
+                                 static_cast<float>(job.pattern.reach) / 16};
     VaryingPlanes<kUvVaryings> planes;
     MakeVaryingPlanes<kUvVaryings>(job.rules, geometry, stage, 1, hn::Set(HalfIntTag(), anchor.x0),
                                    hn::Set(HalfIntTag(), anchor.y0), {&planes});
@@ -317,6 +319,11 @@ public:
         }
         for (std::uint32_t bits = empty | mixed; bits != 0; bits &= bits - 1)
             clear(static_cast<std::size_t>(std::countr_zero(bits)));
+        if (m_job.pattern.isOn()) {
+            for (std::uint32_t bits = mixed; bits != 0; bits &= bits - 1)
+                shadePattern(static_cast<std::size_t>(std::countr_zero(bits)));
+            return;
+        }
         for (std::size_t row = 0; row < kLanes; row += 4)
             collectRow(row, mixed >> row);
         while (m_shareCount != 0)
@@ -419,6 +426,52 @@ private:
             }
             if (HWY_UNLIKELY(left != 0))
                 colorExactly(number, square, left);
+        }
+    }
+
+    /// Multi-sampling: a block that has samples of its own, triangle by triangle, each shaded once a pixel.
+    HWY_INLINE void shadePattern(std::size_t square)
+    {
+        const std::size_t block = m_first.block + square;
+        const std::uint32_t pixels =
+            m_job.counting ? LanesOnTarget(m_job, m_first.origin, static_cast<int>(block)) : 0xffff;
+        ClearSamples(m_job, block, m_worker);
+        ForEachNumber(m_job.pattern, m_worker, block, pixels,
+                      [&](std::uint32_t number, std::uint32_t lanes, int samples) HWY_ATTR {
+                          if (m_job.counting) {
+                              m_worker.pixels.shaded += static_cast<unsigned>(std::popcount(lanes));
+                              m_worker.pixels.written += static_cast<unsigned>(samples);
+                          }
+                          shadePatternShare(number, square, lanes);
+                      });
+        ResolveBlock(m_job.pattern, m_worker, block, m_out + square * kLanes);
+    }
+
+    HWY_INLINE void shadePatternShare(std::uint32_t number, std::size_t square, std::uint32_t lanes)
+    {
+        const std::size_t block = m_first.block + square;
+        const ColorPlanes& planes = m_worker.colors(number);
+        const TexelGrid grid(textureOf(number));
+        std::uint32_t left = lanes;
+        if (HWY_LIKELY(planes.way != ColorWay::Exact)) {
+            TexelFinder finder{m_job, m_worker, place(square), number, planes, m_worker.texels(number), grid};
+            for (std::size_t v = 0; v < kVectors; ++v) {
+                const auto wanted = MaskAt(lanes, v);
+                const Uints color = ColorsOf<kFilter>(grid.texture, find(finder, square, v, wanted), wanted);
+                ShareColors(m_job.pattern, number, block, v * kPerVector, color, m_worker);
+            }
+            left &= finder.left;
+        }
+        if (HWY_LIKELY(left == 0))
+            return;
+        ColorExactly(m_job, m_first.origin, number, block, left, m_worker);
+        for (; left != 0; left &= left - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+            for (std::size_t s = 0; s < m_job.pattern.samples; ++s) {
+                const std::size_t at = m_job.pattern.place(block * kLanes + lane, s);
+                if (m_worker.pattern.ids.data()[at] == number)
+                    m_worker.pattern.color.data()[at] = m_worker.samples.color[block * kLanes + lane];
+            }
         }
     }
 

@@ -62,7 +62,7 @@ inline void WriteColor(const FrameJob& job, const Worker& worker, TileOrigin ori
 /// coverage are not tracked: a frame that has them clears every tile.
 inline bool StaysBlank(const FrameJob& job, std::size_t tile)
 {
-    return job.ids == nullptr && job.coverage == nullptr && job.blank[tile] != 0;
+    return job.ids == nullptr && job.coverage == nullptr && job.sampleCoverage == nullptr && job.blank[tile] != 0;
 }
 
 /// Some tiles of a row; neighbours that are empty are cleared together.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -71,7 +72,9 @@ static_assert(kFarInside + 2LL * 63 * kLargestGradient <= std::numeric_limits<st
 /// What a tile needs to know of a triangle to find its samples: one cache line, which set-up fills from its lanes four
 /// numbers at a time.
 struct alignas(64) TileTriangle {
-    std::array<std::int32_t, 2> a; ///< AB, BC; CA's are minus their sum
+    /// AB, BC; CA's are minus their sum. Multi-sampling: times 16, and in the lowest 4 bits of a[0], a[1], b[0] what c
+    /// of AB, BC, CA lacks, in sixteenths.
+    std::array<std::int32_t, 2> a;
     std::array<std::int32_t, 2> b;
 
     std::array<std::int32_t, 3> c; ///< edge values >> 8 with the tie threshold taken off, at the anchor
@@ -286,6 +289,49 @@ struct alignas(64) TileSamples {
     /// keys and ids are not written yet. kNobody: they are written, and the block may belong to several triangles.
     std::array<std::uint32_t, kTileBlocks> owner;
     std::int32_t clearKey; ///< last: the arrays stay aligned
+};
+
+/// Multi-sampling: the samples of a pixel, seen from its centre. A tile then has 64 x 64 pixels.
+struct PixelPattern {
+    std::size_t samples = 1;
+    std::int32_t reach = 0; ///< no sample is farther along an axis, in sixteenths of a pixel
+    alignas(64) std::array<std::int32_t, kLanes> x{}, y{}; ///< sixteenths of a pixel
+    std::array<double, kLanes> offsetX{}, offsetY{};       ///< pixels
+
+    [[nodiscard]] bool isOn() const { return samples > 1; }
+    /// How much nearer or farther than its pixel's centre a sample of a plane lies: as FaceInterpolation::depthAt() has
+    /// it.
+    [[nodiscard]] double depthOffset(std::size_t sample, double perX, double perY) const
+    {
+        return perX * offsetX[sample] + perY * offsetY[sample];
+    }
+    /// No depthOffset() is larger: rounding keeps the order of the terms.
+    [[nodiscard]] double depthReach(double perX, double perY) const
+    {
+        return std::abs(perX) * (reach / 16.0) + std::abs(perY) * (reach / 16.0);
+    }
+    /// Where a sample of the pixel at this place of a tile is stored: block by block, in them sample by sample.
+    [[nodiscard]] std::size_t place(std::size_t pixel, std::size_t sample) const
+    {
+        return (pixel / kLanes * samples + sample) * kLanes + pixel % kLanes;
+    }
+};
+
+/// Multi-sampling: what TileSamples has for pixels, for their samples. A block that belongs to one triangle is not
+/// written here.
+struct PatternSamples {
+    LargeArray<std::int32_t> key;
+    LargeArray<std::uint32_t> ids;
+    LargeArray<std::uint32_t> color;
+    LargeArray<std::uint16_t> coverage;
+
+    void reserve(std::size_t samples)
+    {
+        key.reserve(kTileSamples * samples);
+        ids.reserve(kTileSamples * samples);
+        color.reserve(kTileSamples * samples);
+        coverage.reserve(kTileSamples * samples);
+    }
 };
 
 /// A picture cut into tiles.

@@ -59,6 +59,8 @@ std::uint32_t meanColor(const TileSamples& samples, int x, int y, int first)
     return 0xff000000U | (redBlue >> 16) / kCount << 16 | green / kCount << 8 | (redBlue & 0xffffU) / kCount;
 }
 
+std::size_t pixelCount(const FrameJob& job) { return std::size_t(job.rules.width) * std::size_t(job.rules.height); }
+
 template <class Write>
 void forEachPixel(const PixelBox& box, Write&& write)
 {
@@ -129,20 +131,24 @@ void writeTile(const FrameJob& job, const Worker& worker, TileOrigin origin)
     const TileSamples& samples = worker.samples;
     const PixelBox box = pixelsOf(job, origin);
     const int grid = job.rules.sampleGrid;
-    // The sample nearest the pixel's centre.
+    const bool isPattern = job.pattern.isOn();
+    const std::int32_t* keys = isPattern ? worker.pattern.key.data() : samples.key.data();
+    const std::uint32_t* ids = isPattern ? worker.pattern.ids.data() : samples.ids.data();
+    const std::uint16_t* coverage = isPattern ? worker.pattern.coverage.data() : samples.coverage.data();
+    // The sample nearest the pixel's centre; of a pattern the first.
     const auto at = [&](int x, int y) {
-        return std::size_t(sampleIndex(x * grid + grid / 2 - origin.x, y * grid + grid / 2 - origin.y));
+        const auto sample = std::size_t(sampleIndex(x * grid + grid / 2 - origin.x, y * grid + grid / 2 - origin.y));
+        return isPattern ? job.pattern.place(sample, 0) : sample;
     };
     const std::int32_t flip = depthFlip(job.rules.depthCompare);
-    if (job.depth != nullptr && grid == 1 && flip == 0)
+    if (job.depth != nullptr && grid == 1 && flip == 0 && !isPattern)
         copySamples(job, samples.key.data(), box, reinterpret_cast<std::int32_t*>(job.depth));
     else if (job.depth != nullptr)
-        forEachPixel(box, [&](int x, int y) {
-            job.depth[pixelIndex(job, x, y)] = std::bit_cast<float>(samples.key[at(x, y)] ^ flip);
-        });
+        forEachPixel(
+            box, [&](int x, int y) { job.depth[pixelIndex(job, x, y)] = std::bit_cast<float>(keys[at(x, y)] ^ flip); });
     if (job.ids != nullptr)
         forEachPixel(box, [&](int x, int y) {
-            const std::uint32_t number = samples.ids[at(x, y)];
+            const std::uint32_t number = ids[at(x, y)];
             std::int32_t face = -1;
             if (number != kNobody) {
                 face = static_cast<std::int32_t>(faceOf(worker.chunkOf(number), worker.triangle(number).source));
@@ -150,7 +156,12 @@ void writeTile(const FrameJob& job, const Worker& worker, TileOrigin origin)
             job.ids[pixelIndex(job, x, y)] = face;
         });
     if (job.coverage != nullptr)
-        forEachPixel(box, [&](int x, int y) { job.coverage[pixelIndex(job, x, y)] = samples.coverage[at(x, y)]; });
+        forEachPixel(box, [&](int x, int y) { job.coverage[pixelIndex(job, x, y)] = coverage[at(x, y)]; });
+    for (std::size_t s = 0; job.sampleCoverage != nullptr && s < job.pattern.samples; ++s)
+        forEachPixel(box, [&](int x, int y) {
+            const auto pixel = std::size_t(sampleIndex(x - origin.x, y - origin.y));
+            job.sampleCoverage[s * pixelCount(job) + pixelIndex(job, x, y)] = coverage[job.pattern.place(pixel, s)];
+        });
 }
 
 void prefetchTile(const FrameJob& job, TileOrigin origin)
@@ -180,6 +191,8 @@ void clearTiles(const FrameJob& job, TileOrigin origin, int count)
             std::fill_n(job.ids + first, width, -1);
         if (job.coverage != nullptr)
             std::fill_n(job.coverage + first, width, std::uint16_t(0));
+        for (std::size_t s = 0; job.sampleCoverage != nullptr && s < job.pattern.samples; ++s)
+            std::fill_n(job.sampleCoverage + s * pixelCount(job) + first, width, std::uint16_t(0));
     }
 }
 

@@ -4,6 +4,7 @@
 #include "core/pipeline/framebuffer.h"
 #include "core/pipeline/shading.h"
 #include "core/scene/camera.h"
+#include "core/settings/sample_pattern.h"
 #include "core/tiled/context.h"
 #include "core/tiled/kernels.h"
 
@@ -24,7 +25,9 @@ constexpr std::size_t kChunksPerThread = 4; ///< so that threads finish about to
 constexpr std::size_t kMostBins = 16384;    ///< in all chunks: the last block of each is half empty
 
 /// The frame's context, made or, where a copy of the frame has it too, made anew.
-TiledContext& contextOf(Frame& frame, int threads)
+///
+/// in   samples a pixel of a pattern
+TiledContext& contextOf(Frame& frame, int threads, std::size_t samples)
 {
     if (!frame.tiled || frame.tiled.use_count() > 1)
         frame.tiled = std::make_shared<TiledContext>();
@@ -40,12 +43,30 @@ TiledContext& contextOf(Frame& frame, int threads)
         visible = std::max(visible, worker->visible.capacity());
     }
     for (const auto& worker : context.workers) { // any worker may get the fullest tile this time
+        worker->shares.reserve(kTileSamples * samples);
+        if (samples > 1)
+            worker->pattern.reserve(samples);
         worker->blocks.reserve(blocks);
         worker->visibleOf.reserve(blocks * BinBlock::kCapacity);
         worker->visible.reserve(visible);
         worker->pixels = {};
     }
     return context;
+}
+
+PixelPattern pixelPattern(const Rules& rules)
+{
+    PixelPattern pattern;
+    const std::span<const SampleOffset> offsets = samplePattern(rules.patternSamples);
+    pattern.samples = offsets.size();
+    for (std::size_t i = 0; i < offsets.size(); ++i) {
+        pattern.x[i] = offsets[i].x;
+        pattern.y[i] = offsets[i].y;
+        pattern.offsetX[i] = offsets[i].pixels().x;
+        pattern.offsetY[i] = offsets[i].pixels().y;
+        pattern.reach = std::max({pattern.reach, std::abs(pattern.x[i]), std::abs(pattern.y[i])});
+    }
+    return pattern;
 }
 
 TileGrid tileGrid(const Rules& rules)
@@ -131,6 +152,8 @@ void aim(FrameJob& job, Frame& frame, PictureMemory& picture)
         frame.depth.clear();
     job.ids = output(frame.ids, job.outputs.ids, pixels);
     job.coverage = output(frame.coverage, job.outputs.coverage, pixels);
+    const bool countsSamples = job.outputs.sampleCoverage && job.pattern.isOn();
+    job.sampleCoverage = output(frame.sampleCoverage, countsSamples, pixels * job.pattern.samples);
     picture.size = {rules.width, rules.height};
     picture.pitch = job.grid.pitch;
     picture.image = frame.image.cacheKey();
@@ -218,7 +241,8 @@ void drawFrame(const Scene& scene, const Settings& settings, const Resolved& res
     StageTimes times;
     const Kernels& kernels = *kernelsFor(settings.simd);
     const int threads = Tiled::threads(settings);
-    TiledContext& context = contextOf(frame, threads);
+    const PixelPattern pattern = pixelPattern(resolved.rules);
+    TiledContext& context = contextOf(frame, threads, pattern.samples);
     ThreadPool& pool = *context.pool;
 
     FrameJob job;
@@ -235,6 +259,7 @@ void drawFrame(const Scene& scene, const Settings& settings, const Resolved& res
     job.stages = &stages;
     job.plainTexture = &plainTexture(scene);
     job.grid = tileGrid(job.rules);
+    job.pattern = pattern;
     job.outputs = outputs;
     job.counting = statistics != nullptr;
     job.clearColor = packColor(scene.background);

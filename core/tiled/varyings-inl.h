@@ -95,8 +95,9 @@ HWY_INLINE void MakeVaryingPlanes(const Rules& rules, const PlaneGeometry& g, co
 
     // So much of the 53 bits may be lost where terms cancel; what is left is still more than float32 holds.
     constexpr double kEnough = 1 << 20;
-    const Doubles smallest = hn::Min(hn::Min(q[0], q[1]), q[2]);
-    const Doubles ratio = hn::Div(hn::Max(hn::Max(q[0], q[1]), q[2]), smallest);
+    const Doubles highest = hn::Max(hn::Max(q[0], q[1]), q[2]);
+    const Doubles smallest = SmallestInverseW(g, weights, hn::Min(hn::Min(q[0], q[1]), q[2]), highest);
+    const Doubles ratio = hn::Div(highest, smallest);
     const auto precise =
         hn::And(hn::Gt(smallest, hn::Zero(tag)), hn::Lt(hn::Mul(weights.steepness, ratio), hn::Set(tag, kEnough)));
     const std::uint32_t good = BitsOf(tag, hn::And(hn::And(moderate, precise), AreNumbers(q)));

@@ -7178,10 +7178,6 @@
         <translation>重复覆盖</translation>
     </message>
     <message>
-        <source>Hit by both faces at the edge they share: 0 under the top-left rule.</source>
-        <translation>在公共边上被两个面同时覆盖：左上规则下为 0。</translation>
-    </message>
-    <message>
         <source>clipped · into pieces</source>
         <translation>被裁剪 · 裁成</translation>
     </message>
@@ -7204,6 +7200,22 @@
     <message>
         <source>Without area after snapping, and with a corner that is infinite or not a number.</source>
         <translation>对齐后没有面积的，与有顶点为无穷大或非数的。</translation>
+    </message>
+    <message>
+        <source>Hit by both faces at the edge they share: 0 under the top-left rule. With multi-sampling samples count: at 0 the masks of the two faces complement each other in every pixel.</source>
+        <translation>在公共边上被两个面同时覆盖：左上规则下为 0。多重采样时按采样点计数：为 0 就表示两个面的覆盖掩码在每个像素里互补。</translation>
+    </message>
+    <message>
+        <source>Samples, %1 a pixel</source>
+        <translation>采样点，每像素 %1 个</translation>
+    </message>
+    <message>
+        <source>a pixel: shaded · covered</source>
+        <translation>每像素：着色 · 覆盖</translation>
+    </message>
+    <message>
+        <source>Both counts over the pixels of the picture. Super-sampling shades every sample that is seen, multi-sampling a face once a pixel, however many samples it covers.</source>
+        <translation>两个计数除以图像的像素数。超采样给每个看得见的采样点着色；多重采样中一个面在每个像素只着色一次，不管它覆盖几个采样点。</translation>
     </message>
 </context>
 <context>
@@ -7925,14 +7937,6 @@
         <translation>samples msaa2 到 msaa16 不能与采样点存放位置方面的错误同时使用</translation>
     </message>
     <message>
-        <source>algorithm tiled keeps the counts of one sample a pixel only</source>
-        <translation>分块算法只保留每个像素一个采样点时的计数</translation>
-    </message>
-    <message>
-        <source>algorithm tiled draws grids of samples, not yet the patterns of multi-sampling: samples 1, 2x2, 3x3 or 4x4 needed</source>
-        <translation>分块算法能画网格采样，还不能画多重采样的采样图案：需要每像素 1、2 x 2、3 x 3 或 4 x 4 个采样点</translation>
-    </message>
-    <message>
         <source>algorithm tiled with several samples a pixel needs resolve gamma</source>
         <translation>分块算法在每个像素有多个采样点时，只能按显示值求平均</translation>
     </message>
@@ -7967,6 +7971,14 @@
     <message>
         <source>coverage-rule conservative and inner are about whole pixels: they need samples 1</source>
         <translation>coverage-rule 为 conservative 或 inner 时针对整个像素：需要 samples 1</translation>
+    </message>
+    <message>
+        <source>algorithm tiled keeps no counts of the samples of a grid; it does of one sample a pixel, and of msaa2 to msaa16</source>
+        <translation>分块算法不保留网格中各采样点的计数；每个像素一个采样点时，以及 msaa2 到 msaa16 时保留</translation>
+    </message>
+    <message>
+        <source>algorithm tiled with samples msaa2 to msaa16 needs attribute-at centre: it shades what is left when all triangles are drawn, and knows their masks no more</source>
+        <translation>分块算法使用 msaa2 到 msaa16 时需要 attribute-at centre：它在所有三角形画完之后才给剩下的部分着色，那时已不知道各三角形的覆盖掩码</translation>
     </message>
 </context>
 <context>

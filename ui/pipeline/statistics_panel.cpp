@@ -29,7 +29,16 @@ constexpr int kLagMs = 100; ///< counters that follow sooner are not dimmed in b
 
 #define COUNTER(id, member)                                                                                            \
     {                                                                                                                  \
-        id, [](const Statistics& s) -> std::uint64_t { return s.member; }                                              \
+        id, [](const Settings&, const Statistics& s) -> QString { return grouped(s.member); }                          \
+    }
+
+/// A counter over the pixels of the picture.
+#define MEAN(id, member)                                                                                               \
+    {                                                                                                                  \
+        id, [](const Settings& settings, const Statistics& s) -> QString {                                             \
+            const double pixels = double(settings.size.width()) * settings.size.height();                              \
+            return QString::number(double(s.member) / pixels, 'f', 2);                                                 \
+        }                                                                                                              \
     }
 
 QLabel* mutedLabel(const QString& text = {})
@@ -75,7 +84,10 @@ std::vector<StatisticsPanel::Row> StatisticsPanel::faceRows()
 std::vector<StatisticsPanel::Row> StatisticsPanel::pixelRows()
 {
     return {
-        {QT_TRANSLATE_NOOP("StatisticsPanel", "Pixels"), nullptr, {}},
+        {QT_TRANSLATE_NOOP("StatisticsPanel", "Pixels"),
+         nullptr,
+         {},
+         QT_TRANSLATE_NOOP("StatisticsPanel", "Samples, %1 a pixel")},
         {QT_TRANSLATE_NOOP("StatisticsPanel", "tested"),
          QT_TRANSLATE_NOOP("StatisticsPanel",
                            "Positions at which coverage was decided. The tiled algorithm decides for several at once."),
@@ -98,12 +110,20 @@ std::vector<StatisticsPanel::Row> StatisticsPanel::pixelRows()
                            "Fragments stored in the image. The tiled algorithm stores visible ones only."),
          {COUNTER("written", pixels.written)}},
         {QT_TRANSLATE_NOOP("StatisticsPanel", "hit twice"),
-         QT_TRANSLATE_NOOP("StatisticsPanel", "Hit by both faces at the edge they share: 0 under the top-left rule."),
+         QT_TRANSLATE_NOOP("StatisticsPanel",
+                           "Hit by both faces at the edge they share: 0 under the top-left rule. With multi-sampling "
+                           "samples count: at 0 the masks of the two faces complement each other in every pixel."),
          {COUNTER("covered_twice", pixels.coveredTwice)}},
+        {QT_TRANSLATE_NOOP("StatisticsPanel", "a pixel: shaded · covered"),
+         QT_TRANSLATE_NOOP("StatisticsPanel",
+                           "Both counts over the pixels of the picture. Super-sampling shades every sample that is "
+                           "seen, multi-sampling a face once a pixel, however many samples it covers."),
+         {MEAN("shaded_a_pixel", pixels.shaded), MEAN("covered_a_pixel", pixels.covered)}},
     };
 }
 
 #undef COUNTER
+#undef MEAN
 
 StatisticsPanel::StatisticsPanel(QWidget* parent) : QWidget(parent), m_rows(faceRows())
 {
@@ -203,7 +223,8 @@ void StatisticsPanel::showCounters(const FramePtr& frame)
     m_counted = {frame->scene, frame->settings, frame->statistics};
     for (const Row& row : m_rows)
         for (const Counter& counter : row.counters)
-            counter.value->setText(grouped(counter.get(frame->statistics)));
+            counter.value->setText(counter.text(frame->settings, frame->statistics));
+    showHeadings();
     keepWideEnough();
     m_lag.stop();
     setStale(false);
@@ -212,10 +233,15 @@ void StatisticsPanel::showCounters(const FramePtr& frame)
 /// `Faces · after step 120`: what moment the counters below are of.
 void StatisticsPanel::showHeadings()
 {
-    for (const Row& row : m_rows)
-        if (row.counters.empty())
-            row.name->setText(QStringLiteral("%1 \u00b7 %2")
-                                  .arg(QCoreApplication::translate("StatisticsPanel", row.title), momentText(m_step)));
+    const int samples = m_counted ? samplesPerPixel(m_counted->settings.samples) : 1;
+    for (const Row& row : m_rows) {
+        if (!row.counters.empty())
+            continue;
+        const QString title = samples > 1 && row.ofSamples != nullptr
+                                  ? QCoreApplication::translate("StatisticsPanel", row.ofSamples).arg(samples)
+                                  : QCoreApplication::translate("StatisticsPanel", row.title);
+        row.name->setText(QStringLiteral("%1 \u00b7 %2").arg(title, momentText(m_step)));
+    }
 }
 
 void StatisticsPanel::setMoment(const std::optional<std::size_t>& step)

@@ -57,7 +57,7 @@ protected:
 private:
     struct Counter {
         const char* id;
-        std::uint64_t (*get)(const Statistics&);
+        QString (*text)(const Settings&, const Statistics&);
         QLabel* value = nullptr;
     };
     /// One or two counters on a line; none: a heading.
@@ -65,6 +65,7 @@ private:
         const char* title;
         const char* help;
         std::vector<Counter> counters;
+        const char* ofSamples = nullptr; ///< the title where pixels have several samples
         QLabel* name = nullptr;
     };
     [[nodiscard]] static std::vector<Row> faceRows();
