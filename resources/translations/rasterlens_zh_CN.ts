@@ -6147,7 +6147,7 @@
     </message>
     <message>
         <source>Ties of a line go by its direction</source>
-        <translation>线的平局取决于方向</translation>
+        <translation>线恰在正中时取决于方向</translation>
     </message>
     <message>
         <source>The line from B to A has other pixels than that from A to B: drawn both ways it is thick here and there.</source>
@@ -6912,7 +6912,7 @@
     </message>
     <message>
         <source>Line ties</source>
-        <translation>线的平局</translation>
+        <translation>线恰在正中时</translation>
     </message>
     <message>
         <source>Where a line passes half-way between two pixels: the choice depends on which end is drawn first, or is one for both directions.</source>
@@ -8692,6 +8692,10 @@
     <message>
         <source>%1 of %2 questions answered right.</source>
         <translation>%2 个问题答对 %1 个。</translation>
+    </message>
+    <message>
+        <source>▶ opens the next lesson: %1</source>
+        <translation>▶ 打开下一课：%1</translation>
     </message>
     <message>
         <source>(second look) </source>
