@@ -266,6 +266,7 @@ int main(int argc, char** argv)
     if (arguments.theme)
         window.setLook({*arguments.theme, false});
     constexpr QSize kPictureSize(1440, 900); // on no screen: none limits it
+    window.setAnimated(!forScreenshot);      // or the picture shows panels on the way to their places
     if (arguments.windowSize || forScreenshot)
         window.resize(arguments.windowSize.value_or(kPictureSize));
 

@@ -199,7 +199,7 @@ QString factText(const QJsonValue& said)
         return textOf(FactValue(sorted(std::move(pixels))));
     }
     const double number = said.toDouble();
-    constexpr double kGrouped = 10'000; // from here on in groups of three digits
+    constexpr double kGrouped = 1'000; // from here on in groups of three digits
     if (number == std::round(number) && std::abs(number) >= kGrouped) {
         QLocale grouped = QLocale::c();
         grouped.setNumberOptions(QLocale::DefaultNumberOptions);

@@ -366,6 +366,7 @@ void StepRecorder::addEffect(const StepEffect& effect)
 
 std::shared_ptr<const StepLog> StepRecorder::finish(bool stopped, const QImage& picture)
 {
+    m_sample = 0; // of the grid: a pixel that was resolved had none
     endTriangle();
     dropPending();
     StepLog& log = *m_log;

@@ -6299,7 +6299,7 @@
     </message>
     <message>
         <source>Ties of a line go by its direction</source>
-        <translation>线的平局取决于方向</translation>
+        <translation>线恰在正中时取决于方向</translation>
     </message>
     <message>
         <source>The line from B to A has other pixels than that from A to B: drawn both ways it is thick here and there.</source>
@@ -7064,7 +7064,7 @@
     </message>
     <message>
         <source>Line ties</source>
-        <translation>线的平局</translation>
+        <translation>线恰在正中时</translation>
     </message>
     <message>
         <source>Where a line passes half-way between two pixels: the choice depends on which end is drawn first, or is one for both directions.</source>
@@ -8928,6 +8928,10 @@
     <message>
         <source>✗ Not quite.</source>
         <translation>✗ 不太对。</translation>
+    </message>
+    <message>
+        <source>▶ opens the next lesson: %1</source>
+        <translation>▶ 打开下一课：%1</translation>
     </message>
 </context>
 <context>

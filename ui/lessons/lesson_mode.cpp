@@ -7,6 +7,7 @@
 #include "ui/canvas/viewport_widget.h"
 #include "ui/lessons/lesson_panel.h"
 #include "ui/lessons/question_box.h"
+#include "ui/lessons/texts.h"
 
 #include <QAction>
 #include <QFileDialog>
@@ -46,6 +47,7 @@ LessonMode::LessonMode(ViewportWidget& viewport, QMainWindow& window, ActionTabl
         m_viewport.update();
     });
     connect(&viewport, &ViewportWidget::pixelAnswered, &m_panel->question(), &QuestionBox::togglePixel);
+    connect(&m_panel->question(), &QuestionBox::leftKeys, this, [this] { m_viewport.setFocus(Qt::OtherFocusReason); });
     retranslate();
 }
 
@@ -122,10 +124,8 @@ void LessonMode::showDock()
 /// Behind the last slide comes the next lesson of the list.
 void LessonMode::openNext()
 {
-    const QStringList ids = lessonIds();
-    const auto at = ids.indexOf(m_player.lesson().id);
-    if (at >= 0 && at + 1 < ids.size())
-        open(ids[at + 1]);
+    if (const auto next = lessonAfter(m_player.lesson().id))
+        open(next->id);
 }
 
 void LessonMode::markPixel()
@@ -158,8 +158,7 @@ void LessonMode::follow()
 void LessonMode::sync()
 {
     const bool isOpen = m_player.isOpen();
-    const bool isLast = isOpen && m_player.lesson().id == lessonIds().value(lessonIds().size() - 1);
-    m_next->setEnabled(isOpen && (m_player.hasNext() || !isLast));
+    m_next->setEnabled(isOpen && (m_player.hasNext() || lessonAfter(m_player.lesson().id)));
     m_previous->setEnabled(m_player.hasPrevious());
     for (QAction* action : {m_back, m_close})
         action->setEnabled(isOpen);

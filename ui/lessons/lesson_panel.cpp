@@ -352,6 +352,8 @@ QString LessonPanel::endText() const
     QString text = tr("The lesson ends here.");
     if (score.questions > 0)
         text += QLatin1Char(' ') + tr("%1 of %2 questions answered right.").arg(score.right).arg(score.questions);
+    if (const auto next = lessonAfter(m_player.lesson().id))
+        text += QLatin1Char('\n') + tr("\u25b6 opens the next lesson: %1").arg(textInUse(next->title));
     return text;
 }
 

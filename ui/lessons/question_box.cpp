@@ -2,6 +2,7 @@
 
 #include "ui/lessons/texts.h"
 
+#include <QApplication>
 #include <QBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -95,6 +96,8 @@ void QuestionBox::setQuestion(const Question* question)
 {
     if (question == m_question)
         return;
+    const QWidget* focused = QApplication::focusWidget();
+    const bool hadKeys = focused && isAncestorOf(focused);
     m_question = question;
     m_marked.clear();
     m_tries.clear();
@@ -102,6 +105,8 @@ void QuestionBox::setQuestion(const Question* question)
     retranslate();
     if (!m_field->isHidden())
         m_field->setFocus(); // what is typed is the answer, and no key of the canvas
+    else if (hadKeys)
+        Q_EMIT leftKeys();
     Q_EMIT markedChanged();
 }
 

@@ -44,6 +44,7 @@ public:
 Q_SIGNALS:
     void markedChanged();
     void given(const rasterlens::GivenAnswer& answer);
+    void leftKeys(); ///< the field or button that had the keyboard is gone
 
 private:
     void sync();

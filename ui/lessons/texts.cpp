@@ -6,6 +6,9 @@
 #include <QCoreApplication>
 #include <QRegularExpression>
 
+#include <algorithm>
+#include <vector>
+
 namespace rasterlens
 {
 
@@ -18,6 +21,13 @@ QString choiceText(const QuestionChoice& choice)
         return textInUse(choice.text);
     return QLatin1String(mistake->number) + QStringLiteral(": ") +
            QCoreApplication::translate("Mistake", mistake->title);
+}
+
+std::optional<LessonTitle> lessonAfter(const QString& id)
+{
+    const std::vector<LessonTitle> titles = lessonTitles();
+    const auto at = std::ranges::find(titles, id, &LessonTitle::id);
+    return at == titles.end() || at + 1 == titles.end() ? std::nullopt : std::optional(*(at + 1));
 }
 
 QString firstSentence(const QString& text)

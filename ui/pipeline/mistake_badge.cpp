@@ -24,6 +24,7 @@ namespace
 
 constexpr int kMargin = 10;
 constexpr int kPaddingX = 10;
+constexpr int kBar = 6; ///< on the left, in the colour of alarm
 constexpr int kPaddingY = 5;
 constexpr qsizetype kShownLines = 5;
 constexpr QRgb kAlarm = kCanvasMinus;
@@ -166,19 +167,27 @@ void MistakeBadge::setConcealed(bool on)
         fitToText();
 }
 
+/// Title, proof and moment stand in one line where there is room for them, for the proof must not be cut.
 QStringList MistakeBadge::lines() const
 {
+    const QFontMetrics metrics(textFont(0, true));
     QStringList lines;
     for (const Evidence& one : m_evidence) {
-        QString line = mistakeTitle(*one.mistake);
-        if (one.known)
-            line += QStringLiteral(" \u00b7 %1 %2").arg(proofTitle(one.mistake->proof), number(one.shown));
-        if (one.known && one.right != 0)
-            line += tr(", right: %1").arg(number(one.right));
-        if (one.known && m_saysMoment)
-            line += QStringLiteral(" \u00b7 ") + momentText(std::nullopt);
-        lines << line;
-        if (one.known && one.unchanged)
+        lines << mistakeTitle(*one.mistake);
+        if (!one.known)
+            continue;
+        const auto add = [&](const QString& part) {
+            const QString longer = lines.last() + QStringLiteral(" \u00b7 ") + part;
+            if (metrics.horizontalAdvance(longer) <= room())
+                lines.last() = longer;
+            else
+                lines << part;
+        };
+        const QString proof = QStringLiteral("%1 %2").arg(proofTitle(one.mistake->proof), number(one.shown));
+        add(one.right == 0 ? proof : proof + tr(", right: %1").arg(number(one.right)));
+        if (m_saysMoment)
+            add(momentText(std::nullopt));
+        if (one.unchanged)
             lines << unchangedText(*one.unchanged);
     }
     if (lines.size() > kShownLines) {
@@ -189,6 +198,9 @@ QStringList MistakeBadge::lines() const
     return lines;
 }
 
+/// The width of the longest line.
+int MistakeBadge::room() const { return parentWidget()->width() - 2 * kMargin - 2 * kPaddingX - kBar; }
+
 void MistakeBadge::fitToText()
 {
     const QFontMetrics metrics(textFont(0, true));
@@ -196,8 +208,7 @@ void MistakeBadge::fitToText()
     const QStringList shown = lines();
     for (const QString& line : shown)
         width = std::max(width, metrics.horizontalAdvance(line));
-    const int room = parentWidget()->width() - 2 * kMargin;
-    setGeometry(kMargin, kMargin, std::min(width + 2 * kPaddingX + 6, room),
+    setGeometry(kMargin, kMargin, std::min(width, room()) + 2 * kPaddingX + kBar,
                 static_cast<int>(shown.size()) * metrics.lineSpacing() + 2 * kPaddingY);
     setVisible(!m_evidence.empty() && !m_isConcealed);
     update();

@@ -79,6 +79,7 @@ private:
     [[nodiscard]] Right rightFor(const RenderedFrame& shown) const;
     [[nodiscard]] Weighed weigh(const RenderedFrame& shown, Weighed known, const std::stop_token& stop);
     void keep(Right right);
+    [[nodiscard]] int room() const;
     void fitToText();
 
     std::vector<Evidence> m_evidence;

@@ -117,7 +117,8 @@ void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTran
     paintCurrent(view);
     paintCorners(view);
     paintHover(view);
-    if (m_model->hasSetup() && view.cell >= kGlyphsFromCell)
+    const bool isWalked = m_model->sides() != nullptr; // with a legend of its own, and without signs
+    if (m_model->hasSetup() && view.cell >= kGlyphsFromCell && !isWalked)
         paintLensLegend(painter, canvas, boundsOf(view, m_model->triangle().setup), m_model->triangle().setup,
                         hasNumbers);
     painter.restore();

@@ -50,7 +50,7 @@ QColor withAlpha(QColor color, int alpha)
     return color;
 }
 
-void paintPlate(QPainter& painter, const QRectF& within, QPointF at, const QStringList& lines, const QFont& font)
+QRectF paintPlate(QPainter& painter, const QRectF& within, QPointF at, const QStringList& lines, const QFont& font)
 {
     const QFontMetricsF metrics(font);
     double width = 0;
@@ -70,6 +70,7 @@ void paintPlate(QPainter& painter, const QRectF& within, QPointF at, const QStri
     painter.setPen(p.ink);
     for (int i = 0; i < lines.size(); ++i)
         painter.drawText(plate.topLeft() + QPointF(8, 5 + metrics.ascent() + i * metrics.lineSpacing()), lines[i]);
+    return plate;
 }
 
 QRect LensView::visible(const PixelRect& of) const

@@ -29,7 +29,7 @@ struct Paper {
 /// Text on a plate, readable over anything.
 ///
 /// in  where its upper left corner is wanted; it is moved into `within`
-void paintPlate(QPainter& painter, const QRectF& within, QPointF at, const QStringList& lines, const QFont& font);
+QRectF paintPlate(QPainter& painter, const QRectF& within, QPointF at, const QStringList& lines, const QFont& font);
 
 /// What one paint of the lens works with.
 struct LensView {

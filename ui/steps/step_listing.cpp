@@ -22,9 +22,9 @@ const QString kBetween = QStringLiteral("   "); ///< what stands between the par
 
 /// Where the first row of a line ends: before the last part that has room, else before the last word that has; -1: the
 /// first word has no room.
-qsizetype endOfRow(const QString& line, const QFontMetrics& metrics, int room)
+qsizetype endOfRow(const QString& line, const QFontMetrics& metrics, int room, const QStringList& breaks)
 {
-    for (const QString& between : {kBetween, QStringLiteral(" ")}) {
+    for (const QString& between : breaks) {
         qsizetype end = -1;
         for (qsizetype at = line.indexOf(between, 1); at > 0 && metrics.horizontalAdvance(line.left(at)) <= room;
              at = line.indexOf(between, at + between.size()))
@@ -35,11 +35,12 @@ qsizetype endOfRow(const QString& line, const QFontMetrics& metrics, int room)
     return -1;
 }
 
-QStringList wrapped(QString line, const QFontMetrics& metrics, int room)
+/// Breaks a line at the first of `breaks` that it has, as late as there is room.
+QStringList wrapped(QString line, const QFontMetrics& metrics, int room, const QStringList& breaks)
 {
     QStringList rows;
     while (metrics.horizontalAdvance(line) > room) {
-        const qsizetype end = endOfRow(line, metrics, room);
+        const qsizetype end = endOfRow(line, metrics, room, breaks);
         if (end < 0)
             break;
         rows << line.left(end);
@@ -48,12 +49,17 @@ QStringList wrapped(QString line, const QFontMetrics& metrics, int room)
     return rows << line;
 }
 
-/// A formula in at most `most` rows; what is left over stands behind the last one, which ends in dots then.
-QStringList rowsOf(const QString& formula, const QFontMetrics& metrics, int room, int most)
+/// A formula in at most `most` rows; what is left over stands behind the last one, which ends in dots then. If rows are
+/// to be filled, they end before any word, and else where a part ends if there is such a place.
+QStringList rowsOf(QString formula, const QFontMetrics& metrics, int room, int most, bool filled)
 {
+    const QString word = QStringLiteral(" ");
     QStringList rows;
-    for (const QString& line : formula.split(QLatin1Char('\n')))
-        rows << wrapped(line, metrics, room);
+    if (filled)
+        rows = wrapped(formula.replace(QLatin1Char('\n'), kBetween), metrics, room, {word});
+    else
+        for (const QString& line : formula.split(QLatin1Char('\n')))
+            rows << wrapped(line, metrics, room, {kBetween, word});
     while (rows.size() > most) {
         const QString last = rows.takeLast();
         rows.last() += kBetween + last;
@@ -150,7 +156,8 @@ int StepListing::formulaRowCount() const
     return m_place == Place::Beside ? 3 * most : most;
 }
 
-/// Long formulas are broken into rows, then made smaller, and end in dots at last; the tool tip has all of them.
+/// Long formulas are broken into rows, then made smaller, then the rows are filled, and they end in dots at last; the
+/// tool tip has all of them.
 void StepListing::fitFormula()
 {
     const QMargins around = layout()->contentsMargins() + m_formula->contentsMargins();
@@ -159,9 +166,10 @@ void StepListing::fitFormula()
     QFont font = numberFont(-0.5);
     const double full = font.pointSizeF();
     QStringList rows;
-    for (const double size : {1.0, 0.9, 0.8}) {
+    constexpr std::pair<double, bool> kTries[]{{1.0, false}, {0.9, false}, {0.8, false}, {0.8, true}};
+    for (const auto& [size, isFilled] : kTries) {
         font.setPointSizeF(full * size);
-        rows = rowsOf(m_explanation.formula, QFontMetrics(font), room, most);
+        rows = rowsOf(m_explanation.formula, QFontMetrics(font), room, most, isFilled);
         if (fits(rows, QFontMetrics(font), room))
             break;
     }

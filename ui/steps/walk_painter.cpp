@@ -12,6 +12,7 @@
 #include <QPalette>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -49,11 +50,12 @@ public:
         paintSides();
         if (atHalves)
             paintHalfNames();
+        QRectF numbers;
         if (m_now == StepKind::Crossing)
             paintCrossings(*m_model.crossings());
         else if (m_row >= 0 && m_model.span() != nullptr)
-            paintSpan(*m_model.span());
-        paintLegend();
+            numbers = paintSpan(*m_model.span());
+        paintLegend(numbers);
     }
 
 private:
@@ -159,7 +161,9 @@ private:
     }
 
     /// The samples of the row, and where the span begins and ends before and after ceil(v - 0.5).
-    void paintSpan(const SpanStep& span) const
+    ///
+    /// out  the plate with the numbers
+    QRectF paintSpan(const SpanStep& span) const
     {
         const int y = m_row;
         const QRectF row(m_view.at({span.xBegin, y}), m_view.at({span.xEnd, y + 1}));
@@ -171,13 +175,15 @@ private:
         const SpanEnds& ends = span.ends;
         paintEnds(ends.whole ? y : y + 0.5, ends.longEdgeIsLeft ? ends.left : ends.right,
                   ends.longEdgeIsLeft ? ends.right : ends.left);
-        if (m_view.cell >= kGlyphsFromCell)
-            paintPlate(m_view.painter, m_view.canvas, row.bottomLeft() + QPointF(4, 6), spanLines(span), numberFont(0));
+        if (m_view.cell < kGlyphsFromCell)
+            return {};
+        return paintPlate(m_view.painter, m_view.canvas, row.bottomLeft() + QPointF(4, 6), spanLines(span),
+                          numberFont(0));
     }
 
     /// What the two colours are, by the numbers of the sorted corners and the names of the edges; the half of the row,
-    /// and the numbers of its crossings.
-    void paintLegend() const
+    /// and the numbers of its crossings. It leaves `numbers` free.
+    void paintLegend(const QRectF& numbers) const
     {
         const StepTriangle& triangle = m_model.triangle();
         if (!triangle.hasSetup)
@@ -203,7 +209,7 @@ private:
         for (const QString& line : lines)
             indented << room + line;
         const double height = spacing * double(lines.size()) + 10;
-        const QPointF corner = legendCorner(indented, font, height);
+        const QPointF corner = legendCorner(indented, font, height, numbers);
         paintPlate(m_view.painter, m_view.canvas, corner, indented, font);
         for (int i = 0; i < 2; ++i) {
             const QPointF from = corner + QPointF(8, 5 + spacing * (i + 0.5));
@@ -215,21 +221,31 @@ private:
         }
     }
 
-    /// Below, as messages are above: at the left, or at the right where a corner of the triangle and its letter would
-    /// lie under the legend.
-    [[nodiscard]] QPointF legendCorner(const QStringList& lines, const QFont& font, double height) const
+    /// Below, as messages are above, and at the left, unless a corner of the triangle with its letter, or the numbers,
+    /// would lie under the legend there; then in another corner of the canvas.
+    [[nodiscard]] QPointF legendCorner(const QStringList& lines, const QFont& font, double height,
+                                       const QRectF& numbers) const
     {
         constexpr double kGap = 10;
         double width = 2 * kGap;
         for (const QString& line : lines)
             width = std::max(width, QFontMetricsF(font).horizontalAdvance(line) + 2 * kGap);
         const QRectF canvas(m_view.canvas);
-        const QPointF left(canvas.left() + kGap, canvas.bottom() - height - kGap);
-        const double letter = 1.6 * QFontMetricsF(textFont(3, true)).height();
-        const QRectF kept = QRectF(left, QSizeF(width, height)).adjusted(-letter, -letter, letter, letter);
-        const auto isUnder = [&](const ScreenVertex& vertex) { return kept.contains(m_view.at(vertex.position)); };
-        const bool isFree = std::ranges::none_of(m_model.triangle().screen.vertices, isUnder);
-        return isFree ? left : QPointF(canvas.right() - kGap - width, left.y());
+        const double right = canvas.right() - kGap - width;
+        const double left = canvas.left() + kGap;
+        const double below = canvas.bottom() - height - kGap;
+        const std::array corners{QPointF(left, below), QPointF(right, below), QPointF(right, canvas.top() + kGap)};
+        for (const double letter : {1.6 * QFontMetricsF(textFont(3, true)).height(), 0.0})
+            for (const QPointF& corner : corners) {
+                const QRectF plate(corner, QSizeF(width, height));
+                const QRectF kept = plate.adjusted(-letter, -letter, letter, letter);
+                const auto isUnder = [&](const ScreenVertex& vertex) {
+                    return kept.contains(m_view.at(vertex.position));
+                };
+                if (!plate.intersects(numbers) && std::ranges::none_of(m_model.triangle().screen.vertices, isUnder))
+                    return corner;
+            }
+        return {right, below};
     }
 
     const LensView& m_view;

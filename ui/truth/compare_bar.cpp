@@ -36,7 +36,13 @@ public:
         update();
     }
 
-    [[nodiscard]] QSize sizeHint() const override { return {200, QFontMetrics(textFont(-1)).height() + 4}; }
+    [[nodiscard]] QSize sizeHint() const override
+    {
+        constexpr int kLeast = 200;
+        const QFontMetrics metrics(textFont(-1));
+        const int each = metrics.horizontalAdvance(QStringLiteral(" 255 "));
+        return {std::max(kLeast, each * static_cast<int>(heatScale().size())), metrics.height() + 4};
+    }
 
 protected:
     void paintEvent(QPaintEvent*) override

@@ -194,6 +194,17 @@ bool PanelPlaces::hasRoomForStatistics(const QDockWidget* dock) const
     return m_canvas.height() >= dock->sizeHint().height() + m_columns.statistics->minimumSizeHint().height();
 }
 
+/// A tab behind another one, as the scene behind a lesson, keeps the width that it had before.
+int PanelPlaces::widthOfSceneColumn() const
+{
+    if (!m_arranged)
+        return std::min(kSceneWidth, m_window.width() / 4);
+    for (const QDockWidget* tab : m_window.tabifiedDockWidgets(m_columns.scene))
+        if (isInSight(tab))
+            return tab->width();
+    return m_columns.scene->width();
+}
+
 void PanelPlaces::sizeColumns()
 {
     const int scene = std::min(kSceneWidth, m_window.width() / 4);
@@ -319,7 +330,7 @@ void PanelPlaces::makeRoom(QDockWidget* dock)
     if (dock->isFloating() || dock->isHidden() || m_window.dockWidgetArea(dock) == Qt::BottomDockWidgetArea)
         return;
     const bool sharesColumn = m_window.dockWidgetArea(dock) == m_window.dockWidgetArea(m_columns.scene);
-    const int other = sharesColumn || m_columns.scene->isHidden() ? 0 : m_columns.scene->width();
+    const int other = sharesColumn || m_columns.scene->isHidden() ? 0 : widthOfSceneColumn();
     const int spare = m_window.width() - other - static_cast<int>(m_window.width() * kCanvasShare);
     const int least = std::min(kTabWidth, spare);
     const int width = std::clamp(dock->width(), least, std::max(least, spare));

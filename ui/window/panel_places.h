@@ -79,6 +79,7 @@ private:
     void placeTabs();
     void noteOpen();
     void visibilityChanged(QDockWidget* dock);
+    [[nodiscard]] int widthOfSceneColumn() const;
     void makeRoom(QDockWidget* dock);
     [[nodiscard]] QDockWidget* openTab() const;
     [[nodiscard]] bool areStatisticsTab() const;

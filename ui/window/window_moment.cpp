@@ -85,12 +85,14 @@ void WindowMoment::show(const Moment& moment, Document::GivingUp former)
 {
     m_wanted = moment;
     m_isOpen = false;
+    m_isSlide = true;
     m_parts.document.openMoment(moment, former);
 }
 
 void WindowMoment::showView(const Moment& moment)
 {
     m_wanted = moment;
+    m_isSlide = false;
     begin(moment);
 }
 
@@ -157,15 +159,21 @@ void WindowMoment::finish()
 }
 
 /// Without a centre the whole picture is shown, as large as the canvas has room for; where that is less than half as
-/// large as the moment wants, the selected pixel in its surroundings.
+/// large as the moment wants, the selected pixel in its surroundings. A slide's centre gives way where all of the
+/// picture has room in a larger zoom.
 void WindowMoment::showPlace(const Moment& moment)
 {
     ViewportWidget& viewport = m_parts.viewport;
-    if (moment.centre && moment.zoom) {
+    if (moment.centre && moment.zoom && !m_isSlide) {
         viewport.showAround(*moment.centre, *moment.zoom);
         return;
     }
     viewport.fit(m_parts.document.scene()->window);
+    if (moment.centre && moment.zoom) {
+        if (viewport.transform().zoom <= *moment.zoom)
+            viewport.showAround(*moment.centre, *moment.zoom);
+        return;
+    }
     if (moment.zoom && moment.pixel && 2 * viewport.transform().zoom <= *moment.zoom)
         viewport.showAround(QPointF(*moment.pixel) + QPointF(0.5, 0.5), *moment.zoom);
 }

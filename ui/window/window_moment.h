@@ -80,7 +80,8 @@ private:
 
     Parts m_parts;
     std::optional<Moment> m_wanted;
-    bool m_isOpen = false; ///< the scene of the wanted moment is open
+    bool m_isOpen = false;  ///< the scene of the wanted moment is open
+    bool m_isSlide = false; ///< the wanted moment is a lesson's, not what the user had before
     Mark m_mark;
 };
 
