@@ -16,6 +16,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
+#include <array>
 #include <functional>
 #include <random>
 
@@ -221,9 +223,19 @@ std::vector<T> someOfBuild(const std::vector<T>& all)
     return some;
 }
 
-/// A picture of 8 x 8 pixels: `whole-rows`, moved by a pixel to the left, draws seven of the eight pixels that are hit
-/// twice, and the eighth and one of two noisy pixels lie in the column that the move leaves out.
-constexpr QLatin1String kLooksLikeAnother("all-inclusive, noise");
+/// Pictures of 8 x 8 pixels that look like another mistake, or like none, once they are changed on their way.
+bool looksLikeAnother(const Sample& sample)
+{
+    const std::array names{
+        // `whole-rows`, moved by a pixel to the left, draws seven of the eight pixels that are hit twice; the eighth
+        // and
+        // one of two noisy pixels lie in the column that the move leaves out.
+        QLatin1String("all-inclusive, noise"),
+        // The row and the column without a face have the colour of a border; what it surrounds is the right picture.
+        QLatin1String("viewport-one-short, white background"),
+    };
+    return std::ranges::find(names, sample.name) != names.end();
+}
 
 /// How many of the pictures asked for so far came out right first.
 struct Tally {
@@ -245,7 +257,7 @@ void askFor(const Sample& sample, Tally& tally)
     qInfo("%s %-45s %s %.3f, %s %.3f%s", isFirst ? "ok  " : "MISS", qPrintable(sample.name), qPrintable(best.mistake),
           best.score, qPrintable(sample.expected), own == found.matches.end() ? -1 : own->score,
           isAlike ? ", the same picture" : "");
-    QVERIFY2(isFirst || isAlike || sample.name == kLooksLikeAnother, qPrintable(best.mistake));
+    QVERIFY2(isFirst || isAlike || looksLikeAnother(sample), qPrintable(best.mistake));
 }
 
 /// A row of a test for each sample: Qt's watchdog waits five minutes for a row.

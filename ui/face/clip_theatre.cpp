@@ -32,7 +32,8 @@ QString brief(double value)
     return QString::number(value, 'g', kDigits).replace(QLatin1Char('-'), QChar(0x2212));
 }
 
-/// Corners of the face keep their letters A, B, C; new ones are P1, P2.. in the order of their making.
+/// Corners of the face keep their letters A, B, C; new ones are I1, I2.. in the order of their making, as on the
+/// canvas.
 QString cornerName(const ClipVertex& corner, const ClipStory& story, std::size_t index)
 {
     for (std::size_t i = 0; i < story.corners.size(); ++i)
@@ -45,7 +46,7 @@ QString cornerName(const ClipVertex& corner, const ClipStory& story, std::size_t
                 continue;
             ++made;
             if (step.after[static_cast<std::size_t>(cut.corner)].positionClip == corner.positionClip)
-                return QStringLiteral("P%1").arg(made);
+                return QStringLiteral("I%1").arg(made);
         }
     return QString::number(index);
 }

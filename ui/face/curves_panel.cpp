@@ -43,7 +43,7 @@ QString fixed(double value)
     return text.replace(QLatin1Char('-'), QChar(0x2212));
 }
 
-constexpr int kWidthOfOneRow = 640;
+constexpr int kWidthOfOneRow = 900; ///< of two plots and the board beside each other, also in the letters of the stage
 
 } // namespace
 

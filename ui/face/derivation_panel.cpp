@@ -55,7 +55,7 @@ std::optional<std::size_t> numberOf(const QUrl& url, const QString& scheme)
 }
 
 /// The hue of an edge over the picture, light enough for the dark seam around it.
-QColor figureInk(std::size_t look) { return QColor(kEdgeLooks[look].color).lighter(165); }
+QColor figureInk(std::size_t look) { return QColor(kEdgeLooks[look].color).lighter(230); }
 
 /// Which of the looks of edges a part of the picture has: that of the edge between its first two corners.
 std::optional<std::size_t> edgeLookOf(const CanvasPart& part)
@@ -95,12 +95,15 @@ void paintArrow(QPainter& painter, QPointF from, QPointF to)
     constexpr double kHead = 11;
     if (line.length() < 1)
         return;
+    const QPen pen = painter.pen();
+    painter.setPen(QPen(pen.color(), pen.widthF())); // a head of dots is none
     for (const double turn : {-24.0, 24.0}) {
         QLineF head = line;
         head.setLength(std::min(kHead, line.length()));
         head.setAngle(line.angle() + turn);
         painter.drawLine(head);
     }
+    painter.setPen(pen);
 }
 
 void paintPart(QPainter& painter, const CanvasPart& part, const CanvasTransform& transform)
@@ -149,6 +152,10 @@ void DerivationLayer::paint(QPainter& painter, const QRect& canvas, const Canvas
     const auto paintOne = [&](const CanvasPart& part, QColor ink, Qt::PenStyle style) {
         painter.setPen(QPen(QColor(kCanvasInk), width + kSeam));
         paintPart(painter, part, transform);
+        if (style != Qt::SolidLine && part.kind != CanvasKind::Area) { // between dashes the line goes on
+            painter.setPen(QPen(ink.darker(200), width));
+            paintPart(painter, part, transform);
+        }
         painter.setPen(QPen(ink, width, style, Qt::FlatCap));
         paintPart(painter, part, transform);
     };

@@ -341,7 +341,9 @@ void PanelPlaces::makeRoom(QDockWidget* dock)
         m_window.resizeDocks({dock, m_columns.statistics}, {m_window.height(), 1}, Qt::Vertical);
         return;
     }
-    quietly([this, dock] {
+    const QList<QDockWidget*> beside = m_window.tabifiedDockWidgets(dock); // another may have come to the front since
+    const auto front = std::ranges::find_if(beside, [this](const QDockWidget* one) { return isInSight(one); });
+    quietly([this, dock = front == beside.end() ? dock : *front] {
         m_window.tabifyDockWidget(m_columns.card, m_columns.statistics);
         dock->raise();
     });
