@@ -4804,6 +4804,22 @@
         <translation>折边 1-2-3：%1、%2</translation>
     </message>
     <message>
+        <source>sample, covered</source>
+        <translation>被覆盖的点</translation>
+    </message>
+    <message>
+        <source>not covered</source>
+        <translation>未覆盖的点</translation>
+    </message>
+    <message>
+        <source>shaded here</source>
+        <translation>在此着色</translation>
+    </message>
+    <message>
+        <source>shaded outside</source>
+        <translation>在面外着色</translation>
+    </message>
+    <message>
         <source>inside this edge</source>
         <translation>在这条边内侧</translation>
     </message>
