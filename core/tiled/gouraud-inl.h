@@ -116,7 +116,7 @@ struct alignas(64) HeldSquares {
     {
         return PackHeld(channel(0, square, lane), channel(1, square, lane), channel(2, square, lane));
     }
-    /// The same where the triangle covers the block: between its corners no channel leaves 0 to 255.
+    /// Colours of a block that the triangle covers: between its corners no channel leaves 0 to 255.
     HWY_INLINE Uints inside(std::size_t square, std::size_t lane) const
     {
         return PackChannels(channel(0, square, lane), channel(1, square, lane), channel(2, square, lane));

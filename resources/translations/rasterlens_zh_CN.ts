@@ -4999,6 +4999,22 @@
         <source>not drawn</source>
         <translation>不画</translation>
     </message>
+    <message>
+        <source>sample, covered</source>
+        <translation>被覆盖的点</translation>
+    </message>
+    <message>
+        <source>not covered</source>
+        <translation>未覆盖的点</translation>
+    </message>
+    <message>
+        <source>shaded here</source>
+        <translation>在此着色</translation>
+    </message>
+    <message>
+        <source>shaded outside</source>
+        <translation>在面外着色</translation>
+    </message>
 </context>
 <context>
     <name>LocateModel</name>

@@ -4,6 +4,7 @@
 #include "core/observe/step_text.h"
 #include "ui/base/inks.h"
 #include "ui/base/theme.h"
+#include "ui/steps/pattern_painter.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -12,7 +13,9 @@
 #include <QPalette>
 
 #include <algorithm>
+#include <functional>
 #include <optional>
+#include <vector>
 
 namespace rasterlens
 {
@@ -105,28 +108,71 @@ std::optional<QRectF> placeOfLegend(const QRectF& canvas, QSizeF size, const QRe
     return std::nullopt;
 }
 
+/// A line of the legend below those of the edges.
+struct LegendRow {
+    std::function<void(QPointF centre, double diameter)> paintMark; ///< none: words alone
+    QString text;
+};
+
+QString translated(const char* text) { return QCoreApplication::translate("Lens", text); }
+
+std::vector<LegendRow> signRows(QPainter& painter, bool hasNumbers)
+{
+    const auto glyph = [&painter](EdgeSign sign) {
+        return [&painter, sign](QPointF centre, double diameter) {
+            paintGlyph(painter, centre, diameter, sign, 0, false);
+        };
+    };
+    std::vector<LegendRow> rows{
+        {glyph(EdgeSign::Plus), translated(QT_TRANSLATE_NOOP("Lens", "inside this edge"))},
+        {glyph(EdgeSign::Minus), translated(QT_TRANSLATE_NOOP("Lens", "outside it"))},
+        {glyph(EdgeSign::Zero), translated(QT_TRANSLATE_NOOP("Lens", "exactly on it"))},
+    };
+    if (hasNumbers)
+        rows.push_back({{}, translated(QT_TRANSLATE_NOOP("Lens", "number: E, px\u00b2"))});
+    return rows;
+}
+
+std::vector<LegendRow> patternRows(QPainter& painter, const Rules& rules)
+{
+    const auto sample = [&painter](bool isCovered) {
+        return [&painter, isCovered](QPointF centre, double diameter) {
+            paintSampleMark(painter, centre, diameter / 3, isCovered);
+        };
+    };
+    const auto place = [&painter](bool isOutside) {
+        return [&painter, isOutside](QPointF centre, double diameter) {
+            paintPlaceMark(painter, centre, diameter / 3, isOutside);
+        };
+    };
+    std::vector<LegendRow> rows{
+        {sample(true), translated(QT_TRANSLATE_NOOP("Lens", "sample, covered"))},
+        {sample(false), translated(QT_TRANSLATE_NOOP("Lens", "not covered"))},
+    };
+    if (rules.attributeAt != AttributeAt::Sample)
+        rows.push_back({place(false), translated(QT_TRANSLATE_NOOP("Lens", "shaded here"))});
+    if (rules.attributeAt == AttributeAt::Centre)
+        rows.push_back({place(true), translated(QT_TRANSLATE_NOOP("Lens", "shaded outside"))});
+    return rows;
+}
+
 } // namespace
 
 void paintLensLegend(QPainter& painter, const QRect& canvas, const QRectF& samples, const StepSetup& setup,
-                     bool hasNumbers)
+                     const Rules& rules, bool hasNumbers)
 {
-    const auto translated = [](const char* text) { return QCoreApplication::translate("Lens", text); };
-    const std::array<std::pair<EdgeSign, QString>, 3> signs{{
-        {EdgeSign::Plus, translated(QT_TRANSLATE_NOOP("Lens", "inside this edge"))},
-        {EdgeSign::Minus, translated(QT_TRANSLATE_NOOP("Lens", "outside it"))},
-        {EdgeSign::Zero, translated(QT_TRANSLATE_NOOP("Lens", "exactly on it"))},
-    }};
-    const QString number = translated(QT_TRANSLATE_NOOP("Lens", "number: E, px\u00b2"));
+    const std::vector<LegendRow> rows =
+        rules.multiSampled() ? patternRows(painter, rules) : signRows(painter, hasNumbers);
     const QFont font = textFont(-1);
     const QFontMetricsF metrics(font);
     const double row = metrics.height() * 1.3;
     const double glyph = metrics.height() * 0.9;
-    double width = hasNumbers ? metrics.horizontalAdvance(number) : 0;
-    for (const auto& [sign, text] : signs)
-        width = std::max(width, glyph * 1.4 + metrics.horizontalAdvance(text));
+    const auto indent = [glyph](const LegendRow& line) { return line.paintMark ? glyph * 1.4 : 0; };
+    double width = 0;
+    for (const LegendRow& line : rows)
+        width = std::max(width, indent(line) + metrics.horizontalAdvance(line.text));
     constexpr double kPad = 8;
-    const int rows = 6 + (hasNumbers ? 1 : 0);
-    const QSizeF size(width + 2 * kPad, rows * row + kPad);
+    const QSizeF size(width + 2 * kPad, double(kEdgeLooks.size() + rows.size()) * row + kPad);
     const auto plate = placeOfLegend(canvas, size, samples, setup);
     if (!plate)
         return;
@@ -147,12 +193,11 @@ void paintLensLegend(QPainter& painter, const QRect& canvas, const QRectF& sampl
         painter.drawLine(at, at + QPointF(end, 0));
         write(end + 8, edgeName(setup, static_cast<int>(edge)));
     }
-    for (const auto& [sign, text] : signs) {
-        paintGlyph(painter, at + QPointF(glyph / 2, 0), glyph, sign, 0, false);
-        write(glyph * 1.4, text);
+    for (const LegendRow& line : rows) {
+        if (line.paintMark)
+            line.paintMark(at + QPointF(glyph / 2, 0), glyph);
+        write(indent(line), line.text);
     }
-    if (hasNumbers)
-        write(0, number);
 }
 
 } // namespace rasterlens

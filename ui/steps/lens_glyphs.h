@@ -30,11 +30,11 @@ struct GlyphColors {
 /// A sign in a circle, whose rim has the hue of its edge: 0 AB, 1 BC, 2 CA.
 void paintGlyph(QPainter& painter, QPointF centre, double diameter, EdgeSign sign, std::size_t edge, bool isHollow);
 
-/// Tells beside the picture which edge has which line and rim, what the signs say, and what the number is; nothing
-/// where there is no room.
+/// Tells beside the picture which edge has which line and rim, what the signs say, and what the number is; with
+/// multi-sampling what the marks of samples say. Nothing where there is no room.
 ///
 /// in  canvas pixels
 void paintLensLegend(QPainter& painter, const QRect& canvas, const QRectF& picture, const StepSetup& setup,
-                     bool hasNumbers);
+                     const Rules& rules, bool hasNumbers);
 
 } // namespace rasterlens

@@ -120,7 +120,7 @@ void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTran
     const bool isWalked = m_model->sides() != nullptr; // with a legend of its own, and without signs
     if (m_model->hasSetup() && view.cell >= kGlyphsFromCell && !isWalked)
         paintLensLegend(painter, canvas, boundsOf(view, m_model->triangle().setup), m_model->triangle().setup,
-                        hasNumbers);
+                        m_model->log().rules(), hasNumbers);
     painter.restore();
 }
 
@@ -200,9 +200,11 @@ void LensOverlay::paintCells(LensView& view) const
     m_tilePaper = fill;
     for (int y = shown.top(); y <= shown.bottom(); ++y)
         for (int x = shown.left(); x <= shown.right(); ++x) {
-            const LensCell cell = m_model->cell(x, y);
+            LensCell cell = m_model->cell(x, y);
             const QRectF box = view.box(x, y);
             view.cells.push_back({box, cell});
+            if (m_model->log().rules().multiSampled())
+                cell.hasValues = false; // signs are those of the centre, and samples lie in their place
             if (vectors) {
                 view.painter.save();
                 paintCell(view.painter, box, cell);

@@ -39,31 +39,12 @@ PatternPixel patternPixel(const LensModel& model, int x, int y)
 
 bool isEach(const Rules& rules) { return rules.attributeAt == AttributeAt::Sample; }
 
-/// A cross where attributes are taken; in the colour of what is outside, where that is the case.
-void paintPlace(const LensView& view, const PatternPixel& pixel)
-{
-    const double arm = std::clamp(view.cell * 0.11, 3.0, 9.0);
-    const QPointF at = view.at(pixel.shadedAt);
-    const QColor color(pixel.shadedOutside ? kCanvasMinus : kCanvasPlus);
-    for (const auto& [ink, width] : {std::pair(QColor(Qt::white), 4.5), std::pair(color, 2.4)}) {
-        view.painter.setPen(QPen(ink, view.thickness(width)));
-        view.painter.drawLine(at - QPointF(arm, arm), at + QPointF(arm, arm));
-        view.painter.drawLine(at + QPointF(-arm, arm), at + QPointF(arm, -arm));
-    }
-}
-
 void paintSamples(const LensView& view, const Rules& rules, const PatternPixel& pixel, int present)
 {
     const double radius = std::clamp(view.cell * (rules.patternSamples > 8 ? 0.045 : 0.06), 2.0, 7.0);
     for (int sample = 0; sample < rules.patternSamples; ++sample) {
-        const bool isCovered = (pixel.covered >> sample & 1U) != 0;
         const QPointF at = view.at(testedPoint(rules, pixel.x, pixel.y, sample));
-        view.painter.setPen(QPen(Qt::white, view.thickness(3)));
-        view.painter.setBrush(isCovered ? QColor(kCanvasPlus) : QColor(Qt::white));
-        view.painter.drawEllipse(at, radius, radius);
-        view.painter.setPen(
-            QPen(isCovered ? QColor(kCanvasPlus).darker(160) : QColor(90, 96, 106), view.thickness(1.4)));
-        view.painter.drawEllipse(at, radius, radius);
+        paintSampleMark(view.painter, at, radius, (pixel.covered >> sample & 1U) != 0, view.thickness(1));
         if (sample != present)
             continue;
         view.painter.setBrush(Qt::NoBrush);
@@ -110,6 +91,25 @@ QString placeWords(const LensModel& model, const PatternPixel& pixel)
 
 } // namespace
 
+void paintSampleMark(QPainter& painter, QPointF at, double radius, bool isCovered, double thickness)
+{
+    painter.setPen(QPen(Qt::white, 3 * thickness));
+    painter.setBrush(isCovered ? QColor(kCanvasPlus) : QColor(Qt::white));
+    painter.drawEllipse(at, radius, radius);
+    painter.setPen(QPen(isCovered ? QColor(kCanvasPlus).darker(160) : QColor(90, 96, 106), 1.4 * thickness));
+    painter.drawEllipse(at, radius, radius);
+}
+
+void paintPlaceMark(QPainter& painter, QPointF at, double arm, bool isOutside, double thickness)
+{
+    const QColor color(isOutside ? kCanvasMinus : kCanvasPlus);
+    for (const auto& [ink, width] : {std::pair(QColor(Qt::white), 4.5), std::pair(color, 2.4)}) {
+        painter.setPen(QPen(ink, width * thickness));
+        painter.drawLine(at - QPointF(arm, arm), at + QPointF(arm, arm));
+        painter.drawLine(at + QPointF(-arm, arm), at + QPointF(arm, -arm));
+    }
+}
+
 QStringList patternWords(const LensModel& model, int x, int y)
 {
     const Rules& rules = model.log().rules();
@@ -138,7 +138,8 @@ void paintPattern(LensView& view, const LensModel& model)
             const PatternPixel pixel = patternPixel(model, x, y);
             paintSamples(view, log.rules(), pixel, isHere && now->x == x && now->y == y ? int(now->sample) : -1);
             if (pixel.covered != 0 && !isEach(log.rules()))
-                paintPlace(view, pixel);
+                paintPlaceMark(view.painter, view.at(pixel.shadedAt), std::clamp(view.cell * 0.11, 3.0, 9.0),
+                               pixel.shadedOutside, view.thickness(1));
         }
     if (isHere && view.cell >= kWordsFromCell && !view.options.hoveredPixel)
         paintPlate(view.painter, view.canvas, view.box(now->x + 1, now->y + 1).topLeft() + QPointF(6, 6),
