@@ -4,6 +4,7 @@
 
 #include <QTest>
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
@@ -105,6 +106,9 @@ void TestTiled::drawsBuiltinScenesAlike()
         settings.attributePath = AttributePath::Planes;
         settings.samples = samples;
         settings.size = {140, 100};
+        settings.algorithm = Algorithm::Tiled;
+        if (const auto reason = unsupported(*load.scene, settings))
+            QSKIP(qPrintable(textOf(*reason))); // two passes
         const QString d =
             compareAll(*load.scene, settings, samples == Samples::One ? simds() : std::vector{Simd::Auto});
         QVERIFY2(d.isEmpty(), qPrintable(d));
@@ -174,7 +178,7 @@ void TestTiled::drawsSoupsAlike()
         Settings settings;
         settings.size = size;
         settings.culling = static_cast<Culling>(random() % 3);
-        settings.depthTest = static_cast<DepthTest>(random() % 3);
+        settings.depthTest = std::array{DepthTest::Less, DepthTest::LessEqual, DepthTest::Greater}[random() % 3];
         settings.clipping = static_cast<Clipping>(random() % 7);
         settings.samples = round % 2 == 0 ? Samples::One : static_cast<Samples>(random() % 4);
         const QString d = compareAll(scene, settings, {all[random() % all.size()]});

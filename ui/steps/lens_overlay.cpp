@@ -121,6 +121,7 @@ void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTran
     if (m_model->hasSetup() && view.cell >= kGlyphsFromCell && !isWalked)
         paintLensLegend(painter, canvas, boundsOf(view, m_model->triangle().setup), m_model->triangle().setup,
                         m_model->log().rules(), hasNumbers);
+    paintPatternWords(view, *m_model);
     painter.restore();
 }
 

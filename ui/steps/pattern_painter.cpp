@@ -141,7 +141,14 @@ void paintPattern(LensView& view, const LensModel& model)
                 paintPlaceMark(view.painter, view.at(pixel.shadedAt), std::clamp(view.cell * 0.11, 3.0, 9.0),
                                pixel.shadedOutside, view.thickness(1));
         }
-    if (isHere && view.cell >= kWordsFromCell && !view.options.hoveredPixel)
+}
+
+void paintPatternWords(LensView& view, const LensModel& model)
+{
+    const StepEvent* now = model.event();
+    if (!model.log().rules().multiSampled() || !model.hasSetup() || now == nullptr || !model.ownsEvent())
+        return;
+    if (now->x >= 0 && now->y >= 0 && view.cell >= kWordsFromCell && !view.options.hoveredPixel)
         paintPlate(view.painter, view.canvas, view.box(now->x + 1, now->y + 1).topLeft() + QPointF(6, 6),
                    patternWords(model, now->x, now->y), numberFont(0));
 }

@@ -4,9 +4,11 @@
 namespace rasterlens
 {
 
-/// Multi-sampling: the samples of the pixels in sight, which of them the triangle covers, where each pixel is shaded,
-/// and in words what becomes of the present one.
+/// Multi-sampling: the samples of the pixels in sight, which of them the triangle covers, and where each pixel is
+/// shaded.
 void paintPattern(LensView& view, const LensModel& model);
+/// Multi-sampling: what becomes of the present pixel, in words beside it.
+void paintPatternWords(LensView& view, const LensModel& model);
 
 /// The mark of a sample that the triangle covers, or of one that it does not.
 ///
