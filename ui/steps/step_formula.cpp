@@ -226,7 +226,10 @@ int lineOf(const StepLog& log, std::size_t i)
     const bool isRejected = event.kind == StepKind::Fate && log.payload<FateStep>(event).fate == FaceFate::Rejected;
     const bool beginsLines = event.kind == StepKind::Triangle && !isFilled;
     const bool isLine = event.kind == StepKind::LineDecision || event.kind == StepKind::LinePosition;
-    const bool leadsToNoSample = isLine && !becauseOf(log, i).empty();
+    const auto causes = becauseOf(log, i);
+    const bool leadsToNoSample = isLine && std::ranges::any_of(causes, [&](const Mistake* mistake) {
+                                     return (stepsOf(*mistake) & kindBit(event.kind)) == 0;
+                                 });
     // Nothing has been added to the first position of a line.
     const bool isStart =
         event.kind == StepKind::LinePosition && log.payload<LinePositionStep>(event).position.step == 0;

@@ -118,10 +118,9 @@ private:
     [[nodiscard]] QString position() const
     {
         const LinePosition& p = m_log.payload<LinePositionStep>(m_event).position;
-        const auto number = [](double value) {
-            return shortNumber(value).replace(QLatin1Char('-'), QChar(0x2212));
-        };
-        return (p.steep() ? tr("x = %1 is rounded to %2: an error of %3.") : tr("y = %1 is rounded to %2: an error of %3."))
+        const auto number = [](double value) { return shortNumber(value).replace(QLatin1Char('-'), QChar(0x2212)); };
+        return (p.steep() ? tr("x = %1 is rounded to %2: an error of %3.")
+                          : tr("y = %1 is rounded to %2: an error of %3."))
             .arg(number(p.steep() ? p.x : p.y), number(p.steep() ? p.column : p.row), number(p.error()));
     }
 
