@@ -810,8 +810,8 @@
         <translation>新端点的 w。</translation>
     </message>
     <message>
-        <source>The outline put together again: the ends that are left (%1), and the corners of the screen that lie inside the face. Edges alone lose those.</source>
-        <translation>重新拼成轮廓：留下的端点（%1），以及落在面内的屏幕角点。只裁边会丢掉这些角点。</translation>
+        <source>The outline put together again: the ends that are left (%1), and the corners of the screen that lie inside the face (%2). Edges alone lose those.</source>
+        <translation>重新拼成轮廓：留下的端点（%1），以及落在面内的屏幕角点（%2）。只裁边会丢掉这些角点。</translation>
     </message>
     <message>
         <source>A worked example, not of this face: from U left of the screen to V above it. The codes have no bit in common, yet the edge passes the corner of the screen by.</source>
@@ -6242,8 +6242,8 @@
         <translation>一行代码看起来就是一步。</translation>
     </message>
     <message>
-        <source>Rows and their ends in whole numbers, both ends filled</source>
-        <translation>行和行的两端都取整数，两端都填充</translation>
+        <source>Whole rows, both ends filled</source>
+        <translation>整行，两端都填充</translation>
     </message>
     <message>
         <source>Each triangle has a row and a column more than it should: pixels on a shared edge are drawn twice.</source>
@@ -6303,6 +6303,17 @@
     <message>
         <source>not in front of the eye: %1</source>
         <translation>不在眼睛前方：%1</translation>
+    </message>
+</context>
+<context>
+    <name>Motion</name>
+    <message>
+        <source>Turntable</source>
+        <translation>转台</translation>
+    </message>
+    <message>
+        <source>Jitter by 1/256 pixel</source>
+        <translation>按 1/256 像素抖动</translation>
     </message>
 </context>
 <context>
@@ -7672,6 +7683,10 @@
 </context>
 <context>
     <name>Unsupported</name>
+    <message>
+        <source>a turntable turns the camera; this scene is given in clip space and has none</source>
+        <translation>转台让相机旋转；此场景由裁剪空间坐标给出，没有相机</translation>
+    </message>
     <message>
         <source>cull-space view needs object-space positions; this scene is given in clip space</source>
         <translation>按法线与视线判定朝向需要物体空间的位置；此场景由裁剪空间坐标给出</translation>
@@ -9373,6 +9388,29 @@
     <message>
         <source>Show %1 in its scene</source>
         <translation>在它的场景中演示 %1</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::MotionMode</name>
+    <message>
+        <source>The motion ended: %1.</source>
+        <translation>运动已停止：%1。</translation>
+    </message>
+    <message>
+        <source>Turntable, frame %1: turned by %2°</source>
+        <translation>转台，第 %1 帧：转过 %2°</translation>
+    </message>
+    <message>
+        <source>Jitter, frame %1: %2/256 pixel to the right</source>
+        <translation>抖动，第 %1 帧：向右 %2/256 像素</translation>
+    </message>
+    <message>
+        <source>pixels changed since the last frame: %1, to another face: %2</source>
+        <translation>与上一帧不同的像素：%1，其中换了面：%2</translation>
+    </message>
+    <message>
+        <source>%1 a frame on average</source>
+        <translation>平均每帧 %1</translation>
     </message>
 </context>
 <context>
