@@ -424,7 +424,8 @@ private:
                    std::vector<ViewportStep>, std::vector<FacingStep>, std::vector<ClippedStep>, std::vector<FateStep>,
                    std::vector<WalkStep>, std::vector<SidesStep>, std::vector<HalvesStep>, std::vector<CrossingStep>,
                    std::vector<SpanStep>, std::vector<ColumnFillStep>, std::vector<SampleStep>, std::vector<LineStep>,
-                   std::vector<LinePositionStep>, std::vector<FragmentStep>, std::vector<ShadeStep>, std::vector<WriteStep>, std::vector<ResolveStep>>;
+                   std::vector<LinePositionStep>, std::vector<FragmentStep>, std::vector<ShadeStep>,
+                   std::vector<WriteStep>, std::vector<ResolveStep>>;
 
     /// What this event alone adds to the counters.
     void count(const StepEvent& event, Statistics& statistics) const;

@@ -19,8 +19,8 @@ namespace rasterlens
 /// A name and what it names, which never stand in two lines of a FlowLayout.
 [[nodiscard]] QWidget* makeTogether(QWidget* name, QWidget* named);
 
-/// The line of a field of the settings: a dot or the room of one, the name, what is edited, and the hint at a key or the
-/// room of one.
+/// The line of a field of the settings: a dot or the room of one, the name, what is edited, and the hint at a key or
+/// the room of one.
 [[nodiscard]] QHBoxLayout* makeFieldLine(QWidget* dot, QWidget* name, QWidget* editor, QLabel* key = nullptr);
 
 /// A widget for the inside of a scroll area, through which the card behind is seen.
