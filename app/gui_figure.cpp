@@ -154,6 +154,8 @@ bool startMotion(MainWindow& window, const FigureArguments& figure)
         std::fprintf(stderr, "--motion: %s\n", qPrintable(textOf(*why)));
         return false;
     }
+    if (!figure.path.isEmpty()) // its caption says it
+        window.motion().setPlate(!window.figures().hasTexts());
     if (figure.moves)
         window.motion().start(motion);
     else
