@@ -6,6 +6,7 @@
 #include "core/lessons/moment.h"
 #include "core/lessons/step_run.h"
 #include "ui/pipeline/canvas_views.h"
+#include "ui/steps/motion_mode.h"
 #include "ui/steps/step_mode.h"
 #include "ui/truth/truth_mode.h"
 #include "ui/window/figure_export.h"
@@ -23,6 +24,12 @@ namespace
 
 enum ExitCode { kFine = 0, kBadArguments = 2, kInvalidInput = 3 };
 
+/// Whether frames of a motion are written one after the other.
+bool isMotionRun(const FigureArguments& figure)
+{
+    return !figure.path.isEmpty() && figure.motion && figure.motion->frames.first < figure.motion->frames.second;
+}
+
 /// Reads the options about an animation.
 ///
 /// out  why one of them is refused
@@ -32,6 +39,18 @@ std::optional<QString> readRun(const QCommandLineParser& parser, const FigureOpt
         figure.steps = stepRunFromText(parser.value(options.steps));
         if (!figure.steps || figure.path.isEmpty())
             return QStringLiteral("--figure-steps takes FIRST-LAST, as 10-60, and needs --figure");
+    }
+    if (parser.isSet(options.motion)) {
+        figure.moves = motionFromId(parser.value(options.motion));
+        figure.motion = motionRunFromText(parser.value(options.motion));
+        if (!figure.moves && !figure.motion)
+            return QStringLiteral("--motion takes %1").arg(motionRunHelp());
+        if (figure.path.isEmpty() && figure.motion && figure.motion->frames.first < figure.motion->frames.second)
+            return QStringLiteral("--motion: a run of frames needs --figure");
+        if (!figure.path.isEmpty() && figure.moves)
+            return QStringLiteral("--motion: --figure needs a frame or a run of them: %1").arg(motionRunHelp());
+        if (figure.steps)
+            return QStringLiteral("--motion: cannot be combined with --figure-steps");
     }
     if (parser.isSet(options.frameTime)) {
         figure.milliseconds = parser.value(options.frameTime).toInt();
@@ -68,8 +87,13 @@ FigureOptions::FigureOptions()
       steps(QStringLiteral("figure-steps"),
             QStringLiteral("The figures of these steps as an animated GIF: --figure names a .gif then."),
             QStringLiteral("first-last")),
+      motion(QStringLiteral("motion"),
+             QStringLiteral("Moves the picture and tells how many pixels each frame changes: %1. With --figure a run "
+                            "of frames is an animated GIF.")
+                 .arg(motionRunHelp()),
+             QStringLiteral("motion")),
       frameTime(QStringLiteral("frame-time"),
-                QStringLiteral("Milliseconds of each step in it, %1 to %2; default %3.")
+                QStringLiteral("Milliseconds of each picture in an animation, %1 to %2; default %3.")
                     .arg(GifWriter::kLeastMilliseconds)
                     .arg(GifWriter::kMostMilliseconds)
                     .arg(RunAnimation::kUsualMilliseconds),
@@ -79,7 +103,7 @@ FigureOptions::FigureOptions()
 
 QList<QCommandLineOption> FigureOptions::all() const
 {
-    return {path, scale, caption, region, overlays, beforeAfter, steps, frameTime};
+    return {path, scale, caption, region, overlays, beforeAfter, steps, motion, frameTime};
 }
 
 std::optional<QString> readFigure(const QCommandLineParser& parser, const FigureOptions& options,
@@ -90,7 +114,8 @@ std::optional<QString> readFigure(const QCommandLineParser& parser, const Figure
         return QStringLiteral("--figure needs a file");
     if (const auto why = readRun(parser, options, figure))
         return why;
-    const QStringList formats = figure.steps ? QStringList{QStringLiteral("gif")} : FigureExport::formats();
+    const QStringList formats =
+        figure.steps || isMotionRun(figure) ? QStringList{QStringLiteral("gif")} : FigureExport::formats();
     if (const auto why = whyNotFormat(figure.path, formats))
         return QStringLiteral("--figure %1: %2").arg(figure.path, textOf(*why));
     if (parser.isSet(options.caption))
@@ -118,6 +143,24 @@ std::optional<QString> readFigure(const QCommandLineParser& parser, const Figure
         if (!known.contains(id))
             return QStringLiteral("--figure-overlay: \"%1\" is none of %2").arg(id, known.join(QStringLiteral(", ")));
     return std::nullopt;
+}
+
+bool startMotion(MainWindow& window, const FigureArguments& figure)
+{
+    if (!figure.moves && !figure.motion)
+        return true;
+    const Motion motion = figure.moves ? *figure.moves : figure.motion->motion;
+    if (const auto why = whyNotMoved(*window.document().scene(), motion)) {
+        std::fprintf(stderr, "--motion: %s\n", qPrintable(textOf(*why)));
+        return false;
+    }
+    if (!figure.path.isEmpty()) // its caption says it
+        window.motion().setPlate(!window.figures().hasTexts());
+    if (figure.moves)
+        window.motion().start(motion);
+    else
+        window.motion().showFrame(motion, figure.motion->frames.first);
+    return true;
 }
 
 void prepareFigure(MainWindow& window, const FigureArguments& figure)
@@ -158,17 +201,20 @@ void writeFigure(MainWindow& window, const FigureArguments& figure)
             QApplication::exit(kBadArguments);
             return;
         }
-        if (!figure.beforeAfter && !figure.steps) {
+        if (!figure.beforeAfter && !figure.steps && !isMotionRun(figure)) {
             end(window.figures().exportTo(figure.path).value_or(QString()));
             return;
         }
         QObject::connect(&window.figures(), &FigureExport::finished, &window,
                          [end](const QString&, const QString& error) { end(error); });
+        const auto run = [&figure](const std::pair<std::size_t, std::size_t>& of) {
+            return RunAnimation::Run{of.first, of.second,
+                                     figure.milliseconds.value_or(RunAnimation::kUsualMilliseconds)};
+        };
         if (figure.steps)
-            window.figures().exportRun(figure.path,
-                                       {figure.steps->first, figure.steps->second,
-                                        figure.milliseconds.value_or(RunAnimation::kUsualMilliseconds)},
-                                       &window);
+            window.figures().exportRun(figure.path, run(*figure.steps), &window);
+        else if (isMotionRun(figure))
+            window.figures().exportMotion(figure.path, figure.motion->motion, run(figure.motion->frames), &window);
         else
             window.figures().exportBeforeAfter(figure.path);
     });

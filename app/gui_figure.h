@@ -1,4 +1,6 @@
 #pragma once
+#include "core/render/motion.h"
+
 #include <QCommandLineOption>
 #include <QCommandLineParser>
 #include <QRect>
@@ -23,6 +25,8 @@ struct FigureArguments {
     std::optional<QStringList> overlays; ///< ids; nothing: those that the window starts with
     bool beforeAfter = false;
     std::optional<std::pair<std::size_t, std::size_t>> steps; ///< an animation of this run
+    std::optional<MotionRun> motion;                          ///< an animation of these frames, or one of them
+    std::optional<Motion> moves;                              ///< what the window begins with
     std::optional<int> milliseconds;                          ///< of each step in it
 };
 
@@ -35,6 +39,7 @@ struct FigureOptions {
     QCommandLineOption overlays;
     QCommandLineOption beforeAfter;
     QCommandLineOption steps;
+    QCommandLineOption motion;
     QCommandLineOption frameTime;
 
     FigureOptions();
@@ -46,6 +51,11 @@ struct FigureOptions {
 /// out  why one of them is refused
 [[nodiscard]] std::optional<QString> readFigure(const QCommandLineParser& parser, const FigureOptions& options,
                                                 FigureArguments& figure);
+
+/// Moves the picture as the arguments ask for, or shows one frame of it.
+///
+/// out  false: the scene does not move so, which an error message says
+[[nodiscard]] bool startMotion(MainWindow& window, const FigureArguments& figure);
 
 /// Lays over the picture what the figure is to show.
 void prepareFigure(MainWindow& window, const FigureArguments& figure);

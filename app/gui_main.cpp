@@ -208,6 +208,10 @@ void startWith(rasterlens::MainWindow& window, const Arguments& arguments, QObje
                          }
                          if (arguments.guide)
                              openGuide(window, arguments);
+                         if (!rasterlens::startMotion(window, arguments.figure)) {
+                             QApplication::exit(kBadArguments);
+                             return;
+                         }
                          if (!arguments.screenshot.isEmpty())
                              takeScreenshot(window, arguments.screenshot);
                          if (!arguments.figure.path.isEmpty()) {

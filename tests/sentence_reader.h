@@ -119,18 +119,22 @@ inline void readSample(const StepLog& log, const StepEvent& event, const QString
                               formula, "other edge value");
 }
 
-/// `xl = 1.5   ceil(1.5 - 0.5) = 1`
+/// `xl = 1.5   ceil(1.5 - 0.5) = 1`, or in whole numbers `xl = 1.5   floor(1.5) = 1`
 inline void readSpan(const SpanStep& span, const QString& formula, Reader& reader)
 {
     static const QRegularExpression end(
-        QStringLiteral("x[lr] = (\\S+)   (ceil|floor)\\((\\S+) - 0.5\\)(?: \\+ 1)? = (-?\\d+)"));
+        QStringLiteral("x[lr] = (\\S+)   (ceil|floor)\\((\\S+?)( - 0.5)?\\)( \\+ 1)? = (-?\\d+)"));
     int ends = 0;
     for (const auto& match : end.globalMatch(formula)) {
         ++ends;
         const double v = number(match.captured(1));
-        const double rounded =
-            match.captured(2) == QStringLiteral("ceil") ? std::ceil(v - 0.5) : std::floor(v - 0.5) + 1;
-        reader.expect(number(match.captured(3)) == v && rounded == number(match.captured(4)), formula, "end of a span");
+        const bool isWhole = match.captured(4).isEmpty();
+        const double from = isWhole ? v : v - 0.5;
+        const double rounded = (match.captured(2) == QStringLiteral("ceil") ? std::ceil(from) : std::floor(from)) +
+                               (match.captured(5).isEmpty() ? 0 : 1);
+        reader.expect(isWhole == span.ends.whole && number(match.captured(3)) == v &&
+                          rounded == number(match.captured(6)),
+                      formula, "end of a span");
     }
     reader.expect(ends == 2, formula, "ends of a span");
     static const QRegularExpression range(QStringLiteral("x = (-?\\d+) \u2026 (-?\\d+)"));
@@ -156,9 +160,9 @@ inline void readLine(const QString& formula, Reader& reader)
 /// `y_4 = 3.9 + 0.3 = 4.2   x_4 = 7`, `round(y_4) = 4   error = 4.2 - 4 = 0.2`
 inline void readPosition(const QString& formula, Reader& reader)
 {
-    static const QRegularExpression position(
-        QStringLiteral("^([xy])_(\\d+) = (?:(\\S+) ([+-]) (\\S+) = )?(\\S+)   ([xy])_\\2 = (?:\\S+ [+-] \\S+ = )?(-?\\d+)"
-                       "\n(?:because of [^\n]*   )?round\\(\\1_\\2\\) = (-?\\d+)   error = (\\S+) - \\(?(-?\\d+)\\)? = (\\S+)$"));
+    static const QRegularExpression position(QStringLiteral(
+        "^([xy])_(\\d+) = (?:(\\S+) ([+-]) (\\S+) = )?(\\S+)   ([xy])_\\2 = (?:\\S+ [+-] \\S+ = )?(-?\\d+)"
+        "\n(?:because of [^\n]*   )?round\\(\\1_\\2\\) = (-?\\d+)   error = (\\S+) - \\(?(-?\\d+)\\)? = (\\S+)$"));
     const auto match = position.match(formula);
     reader.expect(match.hasMatch(), formula, "line position");
     const auto n = [&](int i) { return number(match.captured(i)); };

@@ -1,5 +1,7 @@
 // Derivations: their numbers come out, they are those of the exact answer, and every sentence has its Chinese.
 #include "core/derive/derive.h"
+#include "core/derive/face_record.h"
+#include "core/observe/face_moment.h"
 #include "core/scenes/builtin_scenes.h"
 #include "tests/derivation_fixture.h"
 #include "tests/derived_numbers.h"
@@ -76,6 +78,7 @@ private Q_SLOTS:
     void depthCurveByHand();
     void cutsLieOnTheirPlanes();
     void cohenSutherlandByHand();
+    void cutCornersHaveOneName();
     void twoPointAgreesWithPlanes();
     void flatLightByHand();
     void painterByHand();
@@ -378,26 +381,26 @@ void TestDerivations::cohenSutherlandByHand()
     const Derivation d = derived(DerivationTopic::CohenSutherland, scene, plainSettings(size), {});
     QCOMPARE(valueOf(d, "code_A"), 0.0);
     QCOMPARE(valueOf(d, "code_B"), 2.0);
-    QCOMPARE(valueOf(d, "t_P1"), 0.5);
-    QCOMPARE(valueOf(d, "x_P1"), 8.0);
-    QCOMPARE(valueOf(d, "y_P1"), 2.0);
-    QCOMPARE(valueOf(d, "y_P2"), 4.0);
-    QCOMPARE(valueOf(d, "code_P2"), 0.0);
+    QCOMPARE(valueOf(d, "t_I1"), 0.5);
+    QCOMPARE(valueOf(d, "x_I1"), 8.0);
+    QCOMPARE(valueOf(d, "y_I1"), 2.0);
+    QCOMPARE(valueOf(d, "y_I2"), 4.0);
+    QCOMPARE(valueOf(d, "code_I2"), 0.0);
     QCOMPARE(valueOf(d, "ends"), 4.0);
     QCOMPARE(valueOf(d, "corners"), 4.0);
     // With 0.001 pixels added to what is cut, the new ends are drawn at x = 7.999.
     Settings nudging = plainSettings(size);
     nudging.mistakes = {QStringLiteral("nudged-cut")};
     const Derivation nudged = derived(DerivationTopic::CohenSutherland, scene, nudging, {});
-    QCOMPARE(valueOf(nudged, "x_P1"), 8.0);
-    QCOMPARE(valueOf(nudged, "x_drawn_P1"), 8 - 0.001);
-    QCOMPARE(valueOf(nudged, "x_drawn_P2"), 8 - 0.001);
+    QCOMPARE(valueOf(nudged, "x_I1"), 8.0);
+    QCOMPARE(valueOf(nudged, "x_drawn_I1"), 8 - 0.001);
+    QCOMPARE(valueOf(nudged, "x_drawn_I2"), 8 - 0.001);
     // The example: U = (-2, 2), V = (4, -8). At x = 0 a third of the way is done, y = 2 - 10 / 3 = -4/3: above, 1000.
     QCOMPARE(valueOf(d, "code_U"), 1.0);
     QCOMPARE(valueOf(d, "code_V"), 8.0);
-    QVERIFY(isRational(d, "t_P3", Rational(1, 3)));
-    QVERIFY(isRational(d, "y_P3", Rational(-4, 3)));
-    QCOMPARE(valueOf(d, "code_P3"), 8.0);
+    QVERIFY(isRational(d, "t_J1", Rational(1, 3)));
+    QVERIFY(isRational(d, "y_J1", Rational(-4, 3)));
+    QCOMPARE(valueOf(d, "code_J1"), 8.0);
     QVERIFY(!d.lines.back().holds()); // 1000 AND 1000 = 0 does not hold: a null line
     // A face around the whole screen: no edge is left, and all four corners of the screen are.
     const Scene around = soup({atPixel(-40, 40, 0.5, size), atPixel(40, 40, 0.5, size), atPixel(4, -40, 0.5, size)});
@@ -405,6 +408,34 @@ void TestDerivations::cohenSutherlandByHand()
     QCOMPARE(valueOf(corners, "ends"), 0.0);
     QCOMPARE(valueOf(corners, "screen_corners"), 4.0);
     QCOMPARE(valueOf(corners, "corners"), 4.0);
+}
+
+/// A corner that the sides of the screen have made has the name that the canvas gives it, and stands where it does.
+void TestDerivations::cutCornersHaveOneName()
+{
+    int compared = 0;
+    for (const char* name : {"cut-on-centres", "overhang", "covering", "tunnel"}) {
+        const Scene scene = builtin(name);
+        Settings settings = scene.defaults;
+        settings.clipping = Clipping::CohenSutherland;
+        const FaceRecord record(scene, settings, {}, {});
+        const auto events = record.log().eventsOf(StepKind::CohenSutherland);
+        if (events.empty())
+            continue;
+        const Derivation d = derived(DerivationTopic::CohenSutherland, scene, settings, {});
+        const FaceMoment moment = *faceMomentAt(record.log(), events.front() + 1);
+        for (const MomentCorner& corner : moment.corners) {
+            const std::string id = corner.name.toStdString();
+            if (d.find(("x_" + id).c_str()) == nullptr)
+                continue; // a corner of the screen
+            const glm::dvec2 place = record.pixels(*corner.onScreen(record.rules()));
+            QVERIFY(isNear(valueOf(d, ("x_" + id).c_str()), place.x, 1e-6 * settings.size.width()));
+            QVERIFY(isNear(valueOf(d, ("y_" + id).c_str()), place.y, 1e-6 * settings.size.width()));
+            compared += corner.name.startsWith(QLatin1Char('I')) ? 1 : 0;
+        }
+    }
+    qInfo("%d corners", compared);
+    QVERIFY(compared >= 3);
 }
 
 void TestDerivations::twoPointAgreesWithPlanes()

@@ -270,7 +270,7 @@ private Q_SLOTS:
             return run.exitCode == 2 && run.err.contains(QLatin1String(why));
         };
         const QStringList gif{QStringLiteral("r.gif")};
-        QVERIFY(refused(gif, "--steps FIRST-LAST is expected"));
+        QVERIFY(refused(gif, "--steps FIRST-LAST or --motion ID:FIRST-LAST is expected"));
         QVERIFY(refused(QStringList{QStringLiteral("r.png")} + option("--steps", "1-2"), "gif"));
         QVERIFY(refused(gif + option("--steps", "9-3"), "no run of steps"));
         QVERIFY(refused(gif + option("--steps", "3-999"), "the record has the steps 0 to 341"));
@@ -278,7 +278,20 @@ private Q_SLOTS:
         QVERIFY(refused(gif + option("--steps", "3-9") + option("--step", "3"), "cannot be combined"));
         QVERIFY(refused(gif + option("--steps", "3-9") + option("--frame-time", "5"), "--frame-time"));
         QVERIFY(refused(QStringList{QStringLiteral("r.png")} + option("--frame-time", "50"), "needs --steps"));
+        QVERIFY(refused(gif + option("--motion", "jitter:9-3"), "not a motion"));
+        QVERIFY(refused(gif + option("--motion", "turntable:0-9"), "clip space"));
+        QVERIFY(refused(gif + option("--motion", "jitter:0-5000"), "at most 5000 pictures"));
+        QVERIFY(refused(gif + option("--motion", "jitter:0-9") + option("--steps", "3-9"), "cannot be combined"));
+        QVERIFY(refused(QStringList{QStringLiteral("r.png")} + option("--motion", "jitter:0-9"), "gif"));
         QVERIFY(!QFile::exists(path("r.gif")) && !QFile::exists(path("r.png")));
+        // Frames of a motion: that of the jitter is the picture of its caption, alone and in a run.
+        const Run moved = made(QStringList{QStringLiteral("m.gif")} + option("--motion", "jitter:127-130"));
+        QVERIFY2(moved.exitCode == 0, qPrintable(moved.err));
+        const std::vector<QImage> jitter = framesOf(path("m.gif"));
+        QCOMPARE(jitter.size(), std::size_t(4));
+        QCOMPARE(made(QStringList{QStringLiteral("one.png")} + option("--motion", "jitter:129")).exitCode, 0);
+        const QImage one = asRgb(QImage(path("one.png")));
+        QVERIFY(error(jitter[2].copy(one.rect()), one) <= kPaletteError);
     }
 
     void commandLineWritesFigures()

@@ -56,6 +56,7 @@ private Q_SLOTS:
     void scopeLimitsTheRecord();
     void cellsReachBeyondTheWindow();
     void geometryShowsThePolygonOfTheMoment();
+    void theSentenceLeavesCornersInSight();
     void theStripMarksTheStageOfTheStep();
     void mistakesFitSmallWindows_data();
     void mistakesFitSmallWindows();
@@ -565,6 +566,19 @@ void TestLens::geometryShowsThePolygonOfTheMoment()
         QVERIFY(corner.snapped);
     QCOMPARE(namesAt(fate + 2), QString()); // coverage begins
     QVERIFY(mode().lens().model());
+}
+
+/// The sentence of the moment stands in the corner of the canvas where it hides the least of corners and names.
+void TestLens::theSentenceLeavesCornersInSight()
+{
+    const QRectF canvas(0, 0, 800, 600);
+    const QSizeF size(200, 40);
+    const QRectF upperLeft(5, 5, 20, 20);
+    const QRectF upperRight(780, 10, 10, 20);
+    const QRectF lowerLeft(30, 560, 20, 20);
+    QCOMPARE(freeCorner(canvas, size, {upperLeft}), QPointF(588, 12));
+    QCOMPARE(freeCorner(canvas, size, {upperLeft, upperRight}), QPointF(12, 548));
+    QCOMPARE(freeCorner(canvas, size, {upperLeft, upperRight, lowerLeft}), QPointF(588, 548));
 }
 
 void TestLens::theStripMarksTheStageOfTheStep()

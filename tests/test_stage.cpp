@@ -15,6 +15,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QToolButton>
 
 using namespace rasterlens;
@@ -38,6 +39,8 @@ private Q_SLOTS:
     void rOffersASmallPicture();
     void theFirstStartOpensTheFirstLesson();
     void aComparisonDoesNotWidenTheWindow();
+    void theCountersAreInSight_data();
+    void theCountersAreInSight();
 
 private:
     QLabel* caption() { return m_window->findChild<QLabel*>(QStringLiteral("caption")); }
@@ -310,6 +313,37 @@ void TestStage::aComparisonDoesNotWidenTheWindow()
             QVERIFY(complete());
         }
     }
+}
+
+void TestStage::theCountersAreInSight_data()
+{
+    QTest::addColumn<QSize>("size");
+    QTest::newRow("1024x768") << QSize(1024, 768);
+    QTest::newRow("1280x800") << QSize(1280, 800);
+}
+
+/// Frames a second, clipped and culled faces, whole, in both languages; the panel is out of sight.
+void TestStage::theCountersAreInSight()
+{
+    QFETCH(const QSize, size);
+    QVERIFY(open(QStringLiteral("builtin:cube")));
+    QVERIFY(openStage(size));
+    auto* counters = m_window->findChild<QLabel*>(QStringLiteral("counters"));
+    for (const auto& [language, words] :
+         {std::pair(LanguageKind::English, QStringList{"FPS", "clipped", "culled"}),
+          std::pair(LanguageKind::Chinese, QStringList{"FPS", QStringLiteral("\u88c1\u526a")})}) {
+        m_window->setLanguage(language);
+        QVERIFY(complete());
+        QTest::qWait(50);
+        QVERIFY(counters->isVisible());
+        for (const QString& word : words)
+            QVERIFY2(counters->text().contains(word), qPrintable(counters->text()));
+        QVERIFY(counters->width() >= counters->sizeHint().width());
+        const QRect place(counters->mapTo(m_window.get(), QPoint(0, 0)), counters->size());
+        QVERIFY(m_window->rect().contains(place));
+    }
+    m_window->setPresentation(false);
+    QVERIFY(m_window->statusBar()->isAncestorOf(counters));
 }
 
 QTEST_MAIN(TestStage)

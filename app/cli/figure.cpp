@@ -10,6 +10,7 @@
 #include "core/io/picture_file.h"
 #include "core/lessons/moment.h"
 #include "core/lessons/step_run.h"
+#include "core/render/motion.h"
 #include "core/render/steps.h"
 
 #include <algorithm>
@@ -44,8 +45,13 @@ Usage usage()
                QStringLiteral("Shows a step of the drawing with the signs of the edges: %1.").arg(stepPlaceHelp())),
          value("--steps", "FIRST-LAST",
                QStringLiteral("The figures of these steps, one after the other, as an animated GIF.")),
+         value("--motion", "MOTION",
+               QStringLiteral("A frame of a picture that moves, or a run of frames as an animated GIF; each tells how "
+                              "many pixels it changes: %1.")
+                   .arg(motionRunHelp())),
          value("--frame-time", "MS",
-               QStringLiteral("With --steps: how long each of them is shown, %1 to %2 milliseconds; default 250.")
+               QStringLiteral(
+                   "With --steps and --motion: how long each picture is shown, %1 to %2 milliseconds; default 250.")
                    .arg(GifWriter::kLeastMilliseconds)
                    .arg(GifWriter::kMostMilliseconds)),
          value("--pixel", "X,Y", QStringLiteral("Selects a pixel, counted from the top left.")),
@@ -70,7 +76,8 @@ Usage usage()
         QStringLiteral("figure"),
         QStringLiteral("rasterlens-cli figure SCENE [--step WHERE] [--pixel x,y] [--overlay ids] -o F.png|svg|pdf "
                        "[options]\n"
-                       "       rasterlens-cli figure SCENE --steps FIRST-LAST [--frame-time MS] -o F.gif [options]"),
+                       "       rasterlens-cli figure SCENE --steps FIRST-LAST|--motion ID:FIRST-LAST "
+                       "[--frame-time MS] -o F.gif [options]"),
         QStringLiteral("Writes what the canvas of the window shows as a figure: the picture, its pixels enlarged, "
                        "with a margin, a caption, the formula of the step and a legend. The program rasterlens draws "
                        "it, without a display.\n\n") +
@@ -81,15 +88,42 @@ Usage usage()
                        "cannot be read, or output that cannot be written.")};
 }
 
+std::optional<MotionRun> motionOption(const Arguments& arguments)
+{
+    const auto text = arguments.value(QStringLiteral("--motion"));
+    if (!text)
+        return std::nullopt;
+    const auto run = motionRunFromText(*text);
+    if (!run)
+        failArguments(QStringLiteral("--motion: \"%1\" is not a motion; expected: %2").arg(*text, motionRunHelp()));
+    return run;
+}
+
+bool isAnimated(const MotionRun& run) { return run.frames.first < run.frames.second; }
+
+/// Refuses a run that is too long for an animation.
+void checkLength(const char* option, const QString& text, const std::pair<std::size_t, std::size_t>& run)
+{
+    if (run.second - run.first >= GifWriter::kMostPictures)
+        failArguments(QStringLiteral("%1: an animation has at most %2 pictures; %3 are %4")
+                          .arg(QLatin1String(option))
+                          .arg(GifWriter::kMostPictures)
+                          .arg(text)
+                          .arg(run.second - run.first + 1));
+}
+
 QString outputPath(const Arguments& arguments)
 {
     const auto path = arguments.value(QStringLiteral("-o"));
     if (!path)
         failArguments(QStringLiteral("rasterlens-cli figure: -o FILE is missing"));
     const QString gif = QStringLiteral("gif");
-    const bool isRun = arguments.has(QStringLiteral("--steps"));
+    const auto motion = motionOption(arguments);
+    const bool isRun = arguments.has(QStringLiteral("--steps")) || (motion && isAnimated(*motion));
     if (!isRun && formatOf(*path) == gif)
-        failArguments(QStringLiteral("%1: a GIF is an animation; --steps FIRST-LAST is expected beside it").arg(*path));
+        failArguments(QStringLiteral("%1: a GIF is an animation; --steps FIRST-LAST or --motion ID:FIRST-LAST is "
+                                     "expected beside it")
+                          .arg(*path));
     if (const auto problem =
             whyNotFormat(*path, isRun ? QStringList{gif}
                                       : pictureSuffixes() + QStringList{QStringLiteral("svg"), QStringLiteral("pdf")}))
@@ -120,36 +154,52 @@ std::size_t stepOption(const QString& text, const Input& input)
     return *position;
 }
 
-/// What the program with the window is told of an animation.
+/// What the program with the window is told of the steps of an animation.
 QStringList runWords(const Arguments& arguments, const Input& input)
 {
-    const auto milliseconds = wholeOption(arguments, QStringLiteral("--frame-time"), GifWriter::kLeastMilliseconds,
-                                          GifWriter::kMostMilliseconds);
     const auto text = arguments.value(QStringLiteral("--steps"));
-    if (!text) {
-        if (milliseconds)
-            failArguments(QStringLiteral("--frame-time: needs --steps beside it"));
+    if (!text)
         return {};
-    }
-    for (const char* other : {"--step", "--before-after"})
+    for (const char* other : {"--step", "--before-after", "--motion"})
         if (arguments.has(QLatin1String(other)))
             failArguments(QStringLiteral("--steps: cannot be combined with %1").arg(QLatin1String(other)));
     const auto run = stepRunFromText(*text);
     if (!run)
         failArguments(QStringLiteral("--steps: \"%1\" is no run of steps; expected: FIRST-LAST, as 10-60").arg(*text));
-    if (run->second - run->first >= GifWriter::kMostPictures)
-        failArguments(QStringLiteral("--steps: an animation has at most %1 pictures; %2 are %3")
-                          .arg(GifWriter::kMostPictures)
-                          .arg(*text)
-                          .arg(run->second - run->first + 1));
+    checkLength("--steps", *text, *run);
     const std::shared_ptr<const Scene> scene(std::shared_ptr<const Scene>(), &input.scene); // lent
     const std::size_t size = recordSteps(scene, input.settings)->size();
     if (run->second > size)
         failArguments(QStringLiteral("--steps: with these settings the record has the steps 0 to %1").arg(size));
-    QStringList words{QStringLiteral("--step"), QString::number(run->first), QStringLiteral("--figure-steps"), *text};
-    if (milliseconds)
-        words << QStringLiteral("--frame-time") << QString::number(*milliseconds);
-    return words;
+    return {QStringLiteral("--step"), QString::number(run->first), QStringLiteral("--figure-steps"), *text};
+}
+
+/// What it is told of a motion.
+QStringList motionWords(const Arguments& arguments, const Input& input)
+{
+    const auto run = motionOption(arguments);
+    if (!run)
+        return {};
+    for (const char* other : {"--step", "--before-after"})
+        if (arguments.has(QLatin1String(other)))
+            failArguments(QStringLiteral("--motion: cannot be combined with %1").arg(QLatin1String(other)));
+    if (const auto why = whyNotMoved(input.scene, run->motion))
+        failArguments(QStringLiteral("--motion: %1").arg(textOf(*why)));
+    const QString text = *arguments.value(QStringLiteral("--motion"));
+    checkLength("--motion", text, run->frames);
+    return {QStringLiteral("--motion"), text};
+}
+
+QStringList frameTimeWords(const Arguments& arguments)
+{
+    const auto milliseconds = wholeOption(arguments, QStringLiteral("--frame-time"), GifWriter::kLeastMilliseconds,
+                                          GifWriter::kMostMilliseconds);
+    if (!milliseconds)
+        return {};
+    const auto motion = motionOption(arguments);
+    if (!arguments.has(QStringLiteral("--steps")) && !(motion && isAnimated(*motion)))
+        failArguments(QStringLiteral("--frame-time: needs --steps or a run of --motion beside it"));
+    return {QStringLiteral("--frame-time"), QString::number(*milliseconds)};
 }
 
 /// The value of `--region`, or the whole picture.
@@ -187,7 +237,7 @@ QStringList windowWords(const Arguments& arguments, const Input& input, const QS
           << QString::number(scale ? int(*scale) : scaleFor(region.size()));
     if (const auto text = arguments.value(QStringLiteral("--step")))
         words << QStringLiteral("--step") << QString::number(stepOption(*text, input));
-    words << runWords(arguments, input);
+    words << runWords(arguments, input) << motionWords(arguments, input) << frameTimeWords(arguments);
     if (const auto pixel = pixelOption(arguments, input.settings.size))
         words << QStringLiteral("--pixel") << QStringLiteral("%1,%2").arg(pixel->x()).arg(pixel->y());
     if (const auto text = arguments.value(QStringLiteral("--overlay")))

@@ -1,5 +1,6 @@
 #include "core/derive/topic_list.h"
 
+#include "core/observe/face_moment.h"
 #include "core/pipeline/unsnapped.h"
 
 #include <QCoreApplication>
@@ -57,6 +58,9 @@ public:
         m_writer.given(QStringLiteral("border_RIGHT"), m_size.x);
         m_writer.given(QStringLiteral("border_ABOVE"), 0);
         m_writer.given(QStringLiteral("border_BELOW"), m_size.y);
+        const auto events = m_record.log().eventsOf(StepKind::CohenSutherland);
+        if (!events.empty())
+            m_moment = faceMomentAt(m_record.log(), events.front() + 1);
     }
 
     Derivation write()
@@ -82,11 +86,9 @@ private:
     [[nodiscard]] std::vector<EdgeEnd> outline() const
     {
         std::vector<EdgeEnd> polygon;
-        if (const auto* step = m_record.first<CohenSutherlandStep>()) {
-            const bool isWhole = m_record.log().eventsOf(StepKind::ClipPlane).empty();
-            for (std::size_t i = 0; i < step->before.size(); ++i)
-                polygon.push_back(
-                    endAt(isWhole ? cornerLetter(i) : QStringLiteral("Q%1").arg(i + 1), step->before[i].positionClip));
+        if (m_moment) {
+            for (const MomentCorner& corner : m_moment->before)
+                polygon.push_back(endAt(corner.name, corner.positionClip));
             return polygon;
         }
         requireBeforeEye(m_record);
@@ -151,6 +153,20 @@ private:
                 {begin.name, end.name}};
     }
 
+    /// The name of a new end: that of the corner of the canvas that it becomes. One that is moved on, or cut away in
+    /// the end, is no corner: it is a J.
+    [[nodiscard]] QString nameOfCut(const glm::dvec2& position)
+    {
+        if (m_moment) {
+            const double slack = 1e-6 * std::max(m_size.x, m_size.y) + 2 * m_record.rules().clipInset;
+            for (const MomentCorner& corner : m_moment->corners)
+                if (const auto place = corner.onScreen(m_record.rules());
+                    place && glm::distance(m_record.pixels(*place), position) <= slack)
+                    return corner.name;
+        }
+        return QStringLiteral("J%1").arg(++m_passing);
+    }
+
     /// Moves an end that is outside to a side it is beyond.
     EdgeEnd cutEnd(const EdgeEnd& moved, const EdgeEnd& other, const CanvasPart& mark)
     {
@@ -160,12 +176,13 @@ private:
         const QString along = QLatin1String(side.axis == 0 ? "x" : "y");
         const QString across = QLatin1String(side.axis == 0 ? "y" : "x");
         m_writer.compare(formula("{code_%1} & {%2} > 0", moved.name, sideId), side.words, {partOf(moved)});
-        EdgeEnd cut{QStringLiteral("P%1").arg(++m_cuts), {}, 0, {}};
+        EdgeEnd cut{{}, {}, 0, {}};
         const double border = m_writer.valueOf(QStringLiteral("border_") + sideId);
         const double t = (border - moved.position[side.axis]) / (other.position[side.axis] - moved.position[side.axis]);
         cut.position = moved.position + t * (other.position - moved.position);
         cut.position[side.axis] = border;
         cut.region = regionOf(cut.position);
+        cut.name = nameOfCut(cut.position);
         m_writer.show(QStringLiteral("x_") + cut.name, partOf(cut));
         m_writer.show(QStringLiteral("y_") + cut.name, partOf(cut));
         m_writer.line(
@@ -243,20 +260,28 @@ private:
         m_writer.given(QStringLiteral("screen_corners"), screenCornersInside(polygon));
         if (const auto* step = m_record.first<CohenSutherlandStep>())
             m_writer.given(QStringLiteral("corners"), double(step->after.size()));
-        QStringList names;
+        QStringList ends;
         for (const QString& name : left)
-            names << name;
+            ends << name;
+        QStringList screenCorners;
+        for (const MomentCorner& corner : m_moment ? m_moment->corners : std::vector<MomentCorner>())
+            if (!ends.contains(corner.name))
+                screenCorners << corner.name;
+        const auto listed = [](const QStringList& names) {
+            return names.isEmpty() ? QStringLiteral("\u2013") : names.join(QStringLiteral(", "));
+        };
         m_writer.line(
             formula("{corners}"), formula("{ends} + {screen_corners}"),
             {QT_TRANSLATE_NOOP("Derive", "The outline put together again: the ends that are left (%1), and the corners "
-                                         "of the screen that lie inside the face. Edges alone lose those."),
-             {names.join(QStringLiteral(", "))}},
+                                         "of the screen that lie inside the face (%2). Edges alone lose those."),
+             {listed(ends), listed(screenCorners)}},
             {});
     }
 
     /// An edge that both its ends' codes let pass, and that is out all the same.
     void writeExample()
     {
+        m_moment.reset(); // no corner of the face
         const glm::dvec2 from(-m_size.x / 4, m_size.y / 4);
         const glm::dvec2 to(m_size.x / 2, -m_size.y);
         const EdgeEnd begin{QStringLiteral("U"), from, regionOf(from), {}};
@@ -276,7 +301,8 @@ private:
     const FaceRecord& m_record;
     glm::dvec2 m_size; ///< of the screen, pixels
     DerivationWriter m_writer;
-    int m_cuts = 0; ///< new ends so far
+    std::optional<FaceMoment> m_moment; ///< of the step; nothing where nothing is cut at the sides of the screen
+    int m_passing = 0;                  ///< new ends so far that are no corners
 };
 
 } // namespace

@@ -44,7 +44,8 @@ public:
         case StepKind::Crossing: return m_rules.extraEdgeHeight != 0 || m_rules.wholeRows;
         case StepKind::Span: return differs(event, m_log.payload<SpanStep>(event));
         case StepKind::Sample: return covers(event, event.x, event.y) != event.has(StepEvent::kCovered);
-        case StepKind::Fragment: return differs(event, m_log.payload<FragmentStep>(event));
+        case StepKind::Fragment:
+            return differs(event, m_log.payload<FragmentStep>(event)) || (m_rules.depthInLockstep && losesRace(i));
         case StepKind::Shade:
             return m_rules.cornerData != CornerData::Own || shadeDiffers(event) || isShadedElsewhere(event);
         case StepKind::Write: return (m_rules.strideIsRows && event.y > 0) || m_rules.resolvedByFace;
@@ -277,6 +278,21 @@ private:
         const bool unlike = m_rules.perspectiveCorrect != m_right.perspectiveCorrect && m_rules.varyingCount > 0 &&
                             step.shaded && interpolation.perspective(step.screen) != step.weights;
         return moved || unlike;
+    }
+
+    /// Whether the other face of a pair in lockstep has written a depth that would have decided otherwise.
+    [[nodiscard]] bool losesRace(std::size_t i) const
+    {
+        const StepEvent& event = m_log.event(i);
+        const float depth = m_log.payload<FragmentStep>(event).depth;
+        for (std::size_t k = i; event.face % 2 == 1 && k-- > 0 && m_log.event(k).face + 1 >= event.face;) {
+            const StepEvent& other = m_log.event(k);
+            if (other.kind == StepKind::Fragment && other.face + 1 == event.face && other.x == event.x &&
+                other.y == event.y && other.sample == event.sample && other.has(StepEvent::kPassed))
+                return event.has(StepEvent::kPassed) != depthPasses(depth, m_log.payload<FragmentStep>(other).depth,
+                                                                    depthCompareOf(m_right, event.face));
+        }
+        return false;
     }
 
     /// Whether a depth lies at an end of the depth range, where those that are clamped come to lie.

@@ -7,7 +7,9 @@
 #include "core/pipeline/resolve.h"
 #include "core/pipeline/triangle_setup.h"
 #include "core/scene/scene.h"
+#include "core/settings/sample_pattern.h"
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <span>
@@ -41,6 +43,14 @@ template <class T>
             out.edges[i].side = edge.a > 0 ? EdgeSide::Left : EdgeSide::Top;
     }
     return out;
+}
+
+/// The least rectangle that holds two.
+[[nodiscard]] inline PixelRect united(const PixelRect& a, const PixelRect& b)
+{
+    const int left = std::min(a.x, b.x);
+    const int top = std::min(a.y, b.y);
+    return {left, top, std::max(a.x + a.width, b.x + b.width) - left, std::max(a.y + a.height, b.y + b.height) - top};
 }
 
 /// What of a frame a recorder stores, and where the drawing begins.
@@ -110,7 +120,7 @@ public:
         if (!isFaceWanted())
             return;
         if (setup && !m_log->m_triangles.empty())
-            keepSetup(stepSetup(*setup));
+            keepSetup(stepSetup(*setup), boundsOfAllSamples<T>(setup->bounds));
         storeFaceEvent(StepKind::Setup);
     }
     void onOutline();
@@ -178,7 +188,21 @@ private:
     [[nodiscard]] StepEvent sampleEvent(StepKind kind, int x, int y, std::uint8_t flags = 0) const;
     [[nodiscard]] StepEvent faceEvent(StepKind kind, std::uint8_t flags = 0) const;
 
-    void keepSetup(StepSetup setup);
+    void keepSetup(StepSetup setup, const PixelRect& bounds);
+    /// Where any sample of the pattern may be covered, whichever of them is at work; without a pattern the bounds
+    /// given.
+    template <class T>
+    [[nodiscard]] PixelRect boundsOfAllSamples(PixelRect bounds) const
+    {
+        for (int sample = 0; m_rules.multiSampled() && sample < m_rules.patternSamples; ++sample) {
+            ScreenTriangle moved = m_log->m_triangles.back().screen;
+            for (ScreenVertex& vertex : moved.vertices)
+                vertex.position -= testedOffset(m_rules, sample).pixels();
+            if (const auto other = setupTriangle<T>(moved, m_rules))
+                bounds = united(bounds, other->bounds);
+        }
+        return bounds;
+    }
     void addEffect(const StepEffect& effect);
     void writePixel(int x, int y, Pixel before, const StepEffect::State& after);
     void shareDepth(int x, int y);

@@ -3,7 +3,6 @@
 
 #include "core/pipeline/shading.h"
 #include "core/pipeline/unsnapped.h"
-#include "core/settings/sample_pattern.h"
 
 #include <algorithm>
 #include <cmath>
@@ -169,23 +168,14 @@ void StepRecorder::onTriangle(const ScreenTriangle& triangle)
     storeFaceEvent(StepKind::Triangle);
 }
 
-/// The set-up of the triangle, as it lies on the screen; with a pattern it was moved, and each sample has bounds of its
-/// own.
-void StepRecorder::keepSetup(StepSetup setup)
+/// The set-up of the triangle, as it lies on the screen: with a pattern it was moved for each sample.
+void StepRecorder::keepSetup(StepSetup setup, const PixelRect& bounds)
 {
-    StepTriangle& triangle = m_log->m_triangles.back();
     if (m_rules.multiSampled())
         setup.move(testedOffset(m_rules, m_sample).pixels());
-    if (triangle.hasSetup) {
-        const PixelRect& a = triangle.setup.bounds;
-        const PixelRect& b = setup.bounds;
-        const int left = std::min(a.x, b.x);
-        const int top = std::min(a.y, b.y);
-        setup.bounds = {left, top, std::max(a.x + a.width, b.x + b.width) - left,
-                        std::max(a.y + a.height, b.y + b.height) - top};
-    }
-    triangle.hasSetup = true;
-    triangle.setup = setup;
+    setup.bounds = bounds;
+    m_log->m_triangles.back().hasSetup = true;
+    m_log->m_triangles.back().setup = setup;
 }
 
 void StepRecorder::onWalk(const WalkedTriangle& walk)
@@ -389,6 +379,7 @@ void StepRecorder::onWrite(int x, int y, Pixel before, Pixel after)
 /// A pixel in which nothing was drawn has a step only where the filter asks for it.
 void StepRecorder::onResolve(const ResolvedPixel& pixel)
 {
+    endTriangle(); // the last one
     leaveFaces();
     m_sample = -1;
     const auto isCleared = [&](const Pixel& sample) { return sample == m_log->m_clear; };

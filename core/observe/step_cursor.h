@@ -61,7 +61,8 @@ public:
     [[nodiscard]] Statistics counters() const { return m_log->countersAt(positionInLog()); }
 
 private:
-    [[nodiscard]] std::uint32_t meanAt(int x, int y) const;
+    /// Makes pixels [left, right] of a row the means of their samples.
+    void writeMeans(int y, int left, int right);
     /// Gives pixels the colours of the finished picture, or takes them away.
     void resolveUpTo(std::size_t pixels);
     [[nodiscard]] const QImage& finishedImage() const

@@ -74,6 +74,18 @@ void StepIndex::addPoint(const ResumePoint& point, std::uint64_t work, const Fra
     }
 }
 
+void StepIndex::seal()
+{
+    m_rows.shrink_to_fit();
+    m_stages.shrink_to_fit();
+    m_faces.shrink_to_fit();
+    m_faceOf.shrink_to_fit();
+    m_stretches.shrink_to_fit();
+    m_doubleHits.shrink_to_fit();
+    m_points.shrink_to_fit();
+    m_history.seal();
+}
+
 std::size_t StepIndex::pointBefore(std::size_t position) const
 {
     const auto after = std::ranges::lower_bound(m_points, position, {}, &ResumePoint::position);

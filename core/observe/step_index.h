@@ -56,6 +56,9 @@ public:
     /// Keeps a resume point. Where there are too many for the memory, every second one is forgotten, down to two.
     void addPoint(const ResumePoint& point, std::uint64_t work, const FramePlanes& planes);
 
+    /// All events and points are there.
+    void seal();
+
     [[nodiscard]] const RecordMemory& memory() const { return m_memory; }
     [[nodiscard]] std::size_t size() const { return m_size; }
     [[nodiscard]] const PipCounts& pips() const { return m_pips; }

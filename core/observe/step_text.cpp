@@ -389,10 +389,11 @@ QString walkedEdgeName(const StepSetup& setup, const WalkedTriangle& walk, std::
 const WalkedTriangle* walkOf(const StepLog& log, const StepEvent& event)
 {
     const auto walks = log.eventsOf(StepKind::Walk);
-    const auto at =
-        std::ranges::lower_bound(walks, event.triangle, {}, [&](std::uint32_t i) { return log.event(i).triangle; });
-    const bool isThere = at != walks.end() && log.event(*at).triangle == event.triangle;
-    return isThere ? &log.payload<WalkStep>(log.event(*at)).walk : nullptr;
+    // With a pattern a triangle is walked once for each sample.
+    const auto ofTriangle =
+        std::ranges::equal_range(walks, event.triangle, {}, [&](std::uint32_t i) { return log.event(i).triangle; });
+    const auto at = std::ranges::find(ofTriangle, event.sample, [&](std::uint32_t i) { return log.event(i).sample; });
+    return at != ofTriangle.end() ? &log.payload<WalkStep>(log.event(*at)).walk : nullptr;
 }
 
 namespace

@@ -1,5 +1,6 @@
 #include "core/render/steps.h"
 
+#include "core/base/give_back.h"
 #include "core/observe/recorder.h"
 #include "core/render/counted_stage.h"
 #include "core/render/draw.h"
@@ -29,6 +30,7 @@ public:
         const std::stop_callback stopToo(stop, [&] { ending.request_stop(); });
         StepRecorder recorder(*m_scene, m_resolved, m_filter, cleared, ending, m_index);
         draw({}, cleared, recorder, ending.get_token());
+        m_index.seal();
         m_stopped = stop.stop_requested();
         m_truncated = recorder.isFull();
         m_emptyWindow = recorder.finish(m_stopped);
@@ -190,8 +192,10 @@ std::shared_ptr<const StepRecord> recordSteps(std::shared_ptr<const Scene> scene
 {
     Resolved resolved = resolve(recordedAs(settings), *scene);
     FramePlanes planes = clearedPlanes(resolved.rules, clearedPixel(*scene, resolved.rules), true, stop);
-    return std::make_shared<DrawnRecord>(std::move(scene), std::move(resolved), filter, std::move(planes), memory,
-                                         stop);
+    auto record =
+        std::make_shared<DrawnRecord>(std::move(scene), std::move(resolved), filter, std::move(planes), memory, stop);
+    giveBackFreedMemory(); // the planes, and what was kept on the way
+    return record;
 }
 
 } // namespace rasterlens

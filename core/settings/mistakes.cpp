@@ -108,7 +108,7 @@ constexpr MistakeRow kRows[] = {
          r.extraEdgeHeight = 1;
      }},
     {"whole-rows", "M12",
-     QT_TRANSLATE_NOOP("Mistake", "Rows and their ends in whole numbers, both ends filled"),
+     QT_TRANSLATE_NOOP("Mistake", "Whole rows, both ends filled"),
      QT_TRANSLATE_NOOP("Mistake", "Each triangle has a row and a column more than it should: pixels on a shared edge are drawn twice."),
      QT_TRANSLATE_NOOP("Mistake", "y = row;  for (x = (int)xa; x <= (int)xb; ++x)"),
      QT_TRANSLATE_NOOP("Mistake", "From the first to the last: both belong to the triangle."),

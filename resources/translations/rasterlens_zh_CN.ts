@@ -822,10 +822,6 @@
         <translation>新端点的 w。</translation>
     </message>
     <message>
-        <source>The outline put together again: the ends that are left (%1), and the corners of the screen that lie inside the face. Edges alone lose those.</source>
-        <translation>重新拼成轮廓：留下的端点（%1），以及落在面内的屏幕角点。只裁边会丢掉这些角点。</translation>
-    </message>
-    <message>
         <source>A worked example, not of this face: from U left of the screen to V above it. The codes have no bit in common, yet the edge passes the corner of the screen by.</source>
         <translation>一个算例，与此面无关：从屏幕左侧的 U 到屏幕上方的 V。两个区域码没有相同的位，可这条边仍从屏幕角外经过。</translation>
     </message>
@@ -1628,6 +1624,10 @@
     <message>
         <source>a mistake crosses the rows at whole heights, not at the centres that are interpolated to</source>
         <translation>一个错误在整数高度而不是在插值所用的中心处与各行相交</translation>
+    </message>
+    <message>
+        <source>The outline put together again: the ends that are left (%1), and the corners of the screen that lie inside the face (%2). Edges alone lose those.</source>
+        <translation>重新拼成轮廓：留下的端点（%1），以及落在面内的屏幕角点（%2）。只裁边会丢掉这些角点。</translation>
     </message>
 </context>
 <context>
@@ -6410,10 +6410,6 @@
         <translation>一行代码看起来就是一步。</translation>
     </message>
     <message>
-        <source>Rows and their ends in whole numbers, both ends filled</source>
-        <translation>行和行的两端都取整数，两端都填充</translation>
-    </message>
-    <message>
         <source>Each triangle has a row and a column more than it should: pixels on a shared edge are drawn twice.</source>
         <translation>每个三角形多出一行一列：公共边上的像素被画两次。</translation>
     </message>
@@ -6424,6 +6420,10 @@
     <message>
         <source>From the first to the last: both belong to the triangle.</source>
         <translation>从第一个到最后一个：两个都属于三角形。</translation>
+    </message>
+    <message>
+        <source>Whole rows, both ends filled</source>
+        <translation>整行，两端都填充</translation>
     </message>
 </context>
 <context>
@@ -7995,6 +7995,10 @@
     <message>
         <source>algorithm tiled with samples msaa2 to msaa16 needs attribute-at centre: it shades what is left when all triangles are drawn, and knows their masks no more</source>
         <translation>分块算法使用 msaa2 到 msaa16 时需要 attribute-at centre：它在所有三角形画完之后才给剩下的部分着色，那时已不知道各三角形的覆盖掩码</translation>
+    </message>
+    <message>
+        <source>a turntable turns the camera; this scene is given in clip space and has none</source>
+        <translation>转台让相机旋转；此场景由裁剪空间坐标给出，没有相机</translation>
     </message>
 </context>
 <context>
@@ -11513,6 +11517,40 @@
     <message>
         <source>Export</source>
         <translation>导出</translation>
+    </message>
+</context>
+<context>
+    <name>Motion</name>
+    <message>
+        <source>Turntable</source>
+        <translation>转台</translation>
+    </message>
+    <message>
+        <source>Jitter by 1/256 pixel</source>
+        <translation>按 1/256 像素抖动</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::MotionMode</name>
+    <message>
+        <source>The motion ended: %1.</source>
+        <translation>运动已停止：%1。</translation>
+    </message>
+    <message>
+        <source>Turntable, frame %1: turned by %2°</source>
+        <translation>转台，第 %1 帧：转过 %2°</translation>
+    </message>
+    <message>
+        <source>Jitter, frame %1: %2/256 pixel to the right</source>
+        <translation>抖动，第 %1 帧：向右 %2/256 像素</translation>
+    </message>
+    <message>
+        <source>pixels changed since the last frame: %1, to another face: %2</source>
+        <translation>与上一帧不同的像素：%1，其中换了面：%2</translation>
+    </message>
+    <message>
+        <source>%1 a frame on average</source>
+        <translation>平均每帧 %1</translation>
     </message>
 </context>
 </TS>

@@ -50,7 +50,10 @@ ClipStory clipStory(const Scene& scene, const Settings& settings, std::uint32_t 
                    kindBit(StepKind::Clipped) | kindBit(StepKind::Fate);
     const auto log = renderSteps(sceneOfFace(scene, face), settings, filter, stop);
     story.rules = log->rules();
-    for (const StepEvent& event : log->events()) {
+    for (std::size_t i = 0; i < log->size(); ++i) {
+        const StepEvent& event = log->event(i);
+        if (const auto moment = faceMomentAt(*log, i + 1))
+            story.named.insert(story.named.end(), moment->corners.begin(), moment->corners.end());
         switch (event.kind) {
         case StepKind::Vertex: {
             const auto& vertex = log->payload<VertexStep>(event);

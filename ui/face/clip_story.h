@@ -1,4 +1,5 @@
 #pragma once
+#include "core/observe/face_moment.h"
 #include "core/observe/step_log.h"
 #include "core/scene/scene.h"
 
@@ -16,8 +17,9 @@ struct ClipStory {
     std::uint32_t outsideOf = 0;     ///< planes a corner is outside of, one bit a ClipPlane
     std::vector<ClipStep> steps;     ///< a plane each that the face was cut by, in order
     std::optional<CohenSutherlandStep> regions;
-    std::vector<ClipVertex> result; ///< the polygon that is left
-    int pieces = 0;                 ///< triangles of its fan
+    std::vector<MomentCorner> named; ///< all corners there were, with the names that the canvas gives them
+    std::vector<ClipVertex> result;  ///< the polygon that is left
+    int pieces = 0;                  ///< triangles of its fan
     FaceFate fate = FaceFate::Rejected;
 
     [[nodiscard]] const ClipStep* stepOf(ClipPlane plane) const;

@@ -32,23 +32,11 @@ QString brief(double value)
     return QString::number(value, 'g', kDigits).replace(QLatin1Char('-'), QChar(0x2212));
 }
 
-/// Corners of the face keep their letters A, B, C; new ones are I1, I2.. in the order of their making, as on the
-/// canvas.
+/// The name the canvas gives it; a corner whose place is not a number has its index.
 QString cornerName(const ClipVertex& corner, const ClipStory& story, std::size_t index)
 {
-    for (std::size_t i = 0; i < story.corners.size(); ++i)
-        if (story.corners[i].positionClip == corner.positionClip)
-            return QString(QLatin1Char(static_cast<char>('A' + static_cast<char>(i))));
-    int made = 0;
-    for (const ClipStep& step : story.steps)
-        for (const ClipCut& cut : step.cuts) {
-            if (cut.corner < 0)
-                continue;
-            ++made;
-            if (step.after[static_cast<std::size_t>(cut.corner)].positionClip == corner.positionClip)
-                return QStringLiteral("I%1").arg(made);
-        }
-    return QString::number(index);
+    const auto named = std::ranges::find(story.named, corner.positionClip, &MomentCorner::positionClip);
+    return named == story.named.end() ? QString::number(index) : named->name;
 }
 
 } // namespace
@@ -457,8 +445,11 @@ QStringList ClipTheatre::cuts() const
         QString line = QStringLiteral("%1 \u2192 %2  t = %3")
                            .arg(name(cut.inside), name(cut.outside), QString::number(cut.t, 'f', 4));
         if (cut.corner >= 0) {
-            const glm::dvec4& p = step.after[static_cast<std::size_t>(cut.corner)].positionClip;
-            line += QStringLiteral("\n    (%1, %2, %3, %4)").arg(brief(p.x), brief(p.y), brief(p.z), brief(p.w));
+            const auto index = static_cast<std::size_t>(cut.corner);
+            const glm::dvec4& p = step.after[index].positionClip;
+            line += QStringLiteral("\n    %1 (%2, %3, %4, %5)")
+                        .arg(cornerName(step.after[index], *m_story, index), brief(p.x), brief(p.y), brief(p.z),
+                             brief(p.w));
         }
         lines << line;
     }

@@ -50,7 +50,7 @@ QColor withAlpha(QColor color, int alpha)
     return color;
 }
 
-QRectF paintPlate(QPainter& painter, const QRectF& within, QPointF at, const QStringList& lines, const QFont& font)
+QRectF textPlate(const QRectF& within, QPointF at, const QStringList& lines, const QFont& font)
 {
     const QFontMetricsF metrics(font);
     double width = 0;
@@ -62,6 +62,13 @@ QRectF paintPlate(QPainter& painter, const QRectF& within, QPointF at, const QSt
     if (plate.bottom() > within.bottom() - 4)
         plate.moveBottom(within.bottom() - 4);
     plate.moveTopLeft({std::max(plate.left(), within.left() + 4), std::max(plate.top(), within.top() + 4)});
+    return plate;
+}
+
+QRectF paintPlate(QPainter& painter, const QRectF& within, QPointF at, const QStringList& lines, const QFont& font)
+{
+    const QFontMetricsF metrics(font);
+    const QRectF plate = textPlate(within, at, lines, font);
     const Paper p = paper();
     painter.setPen(QPen(QGuiApplication::palette().color(QPalette::Mid), 1));
     painter.setBrush(withAlpha(p.fill, 240));
@@ -71,6 +78,20 @@ QRectF paintPlate(QPainter& painter, const QRectF& within, QPointF at, const QSt
     for (int i = 0; i < lines.size(); ++i)
         painter.drawText(plate.topLeft() + QPointF(8, 5 + metrics.ascent() + i * metrics.lineSpacing()), lines[i]);
     return plate;
+}
+
+QPointF freeCorner(const QRectF& canvas, QSizeF size, const std::vector<QRectF>& marked)
+{
+    constexpr double kMargin = 12;
+    const QRectF room = canvas.adjusted(kMargin, kMargin, -kMargin - size.width(), -kMargin - size.height());
+    std::vector<std::pair<std::ptrdiff_t, QPointF>> places;
+    for (const QPointF& at : {room.topLeft(), QPointF(room.right(), room.top()), QPointF(room.left(), room.bottom()),
+                              QPointF(room.right(), room.bottom())}) {
+        const QRectF plate(at, size);
+        places.emplace_back(std::ranges::count_if(marked, [&](const QRectF& part) { return part.intersects(plate); }),
+                            at);
+    }
+    return std::ranges::min_element(places, {}, &std::pair<std::ptrdiff_t, QPointF>::first)->second;
 }
 
 QRect LensView::visible(const PixelRect& of) const
@@ -96,12 +117,12 @@ void LensView::line(glm::dvec2 from, glm::dvec2 to, QColor color, double width, 
     painter.drawLine(*shown);
 }
 
-void LensView::cornerNames(const std::vector<NamedPlace>& corners, QPointF middle) const
+std::vector<LensView::NamePlate> LensView::namePlates(const std::vector<NamedPlace>& corners, QPointF middle) const
 {
     constexpr double kMargin = 4;
     const QFontMetricsF metrics(painter.font());
     const double height = metrics.height();
-    const Paper p = paper();
+    std::vector<NamePlate> plates;
     for (const NamedPlace& corner : joinedPlaces(corners, height / 2)) {
         const QLineF outward(middle, corner.at);
         const QPointF way =
@@ -112,12 +133,20 @@ void LensView::cornerNames(const std::vector<NamedPlace>& corners, QPointF middl
         QPointF centre = corner.at + way * height;
         centre = {std::clamp(centre.x(), room.left(), std::max(room.left(), room.right())),
                   std::clamp(centre.y(), room.top(), std::max(room.top(), room.bottom()))};
-        const QRectF plate(centre - QPointF(size.width(), size.height()) / 2, size);
+        plates.push_back({QRectF(centre - QPointF(size.width(), size.height()) / 2, size), corner.name});
+    }
+    return plates;
+}
+
+void LensView::paintNames(const std::vector<NamePlate>& plates) const
+{
+    const Paper p = paper();
+    for (const auto& [plate, name] : plates) {
         painter.setPen(Qt::NoPen);
         painter.setBrush(withAlpha(p.fill, 225));
         painter.drawRoundedRect(plate, 4, 4);
         painter.setPen(p.ink);
-        painter.drawText(plate, Qt::AlignCenter, corner.name);
+        painter.drawText(plate, Qt::AlignCenter, name);
     }
 }
 

@@ -30,6 +30,12 @@ struct Paper {
 ///
 /// in  where its upper left corner is wanted; it is moved into `within`
 QRectF paintPlate(QPainter& painter, const QRectF& within, QPointF at, const QStringList& lines, const QFont& font);
+/// The plate that paintPlate() paints.
+[[nodiscard]] QRectF textPlate(const QRectF& within, QPointF at, const QStringList& lines, const QFont& font);
+
+/// Where a plate of this size hides the least of what is marked: in a corner of the canvas, the upper left one if it
+/// can be; its own upper left corner.
+[[nodiscard]] QPointF freeCorner(const QRectF& canvas, QSizeF size, const std::vector<QRectF>& marked);
 
 /// What one paint of the lens works with.
 struct LensView {
@@ -48,9 +54,18 @@ struct LensView {
     [[nodiscard]] QRect visible(const PixelRect& of) const;
     /// A line with a light rim, cut to the canvas.
     void line(glm::dvec2 from, glm::dvec2 to, QColor color, double width, Qt::PenStyle style) const;
-    /// The names of corners on plates, each beside its corner, away from a point in their middle, and within the
-    /// canvas. Corners at one place share a plate.
-    void cornerNames(const std::vector<NamedPlace>& corners, QPointF middle) const;
+    /// The plates of the names of corners, in the painter's font, each beside its corner, away from a point in their
+    /// middle, and within the canvas. Corners at one place share a plate.
+    struct NamePlate {
+        QRectF plate;
+        QString name;
+    };
+    [[nodiscard]] std::vector<NamePlate> namePlates(const std::vector<NamedPlace>& corners, QPointF middle) const;
+    void paintNames(const std::vector<NamePlate>& plates) const;
+    void cornerNames(const std::vector<NamedPlace>& corners, QPointF middle) const
+    {
+        paintNames(namePlates(corners, middle));
+    }
 };
 
 } // namespace rasterlens

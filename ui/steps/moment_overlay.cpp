@@ -109,9 +109,11 @@ void MomentOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTr
     paintArea(view);
     paintOutline(view, m_moment->before, QColor(kCanvasMinus), kOutlineBefore, Qt::DashLine);
     paintOutline(view, m_moment->corners, QColor(kCanvasPlus), kOutline, Qt::SolidLine);
-    paintCorners(view);
-    paintPlate(painter, canvas, QPointF(canvas.topLeft()) + QPointF(12, 12), momentLines(*m_moment, m_rules),
-               textFont(options.thickLines ? 2 : 0));
+    const std::vector<QRectF> taken = paintCorners(view);
+    const QStringList lines = momentLines(*m_moment, m_rules);
+    const QFont font = textFont(options.thickLines ? 2 : 0);
+    const QSizeF size = textPlate(canvas, canvas.topLeft(), lines, font).size();
+    paintPlate(painter, canvas, freeCorner(canvas, size, taken), lines, font);
     painter.restore();
 }
 
@@ -141,8 +143,9 @@ void MomentOverlay::paintArea(LensView& view) const
     view.painter.drawPolygon(area);
 }
 
-/// A dot for each corner, filled once it stands on the screen, and its name beside it, away from the others.
-void MomentOverlay::paintCorners(LensView& view) const
+/// A dot for each corner, filled once it stands on the screen, and its name beside it, away from the others; what they
+/// take up.
+std::vector<QRectF> MomentOverlay::paintCorners(LensView& view) const
 {
     QPolygonF places;
     for (const MomentCorner& corner : m_moment->corners)
@@ -163,7 +166,14 @@ void MomentOverlay::paintCorners(LensView& view) const
         view.painter.drawEllipse(names.back().at, radius, radius);
     }
     view.painter.setFont(textFont(view.options.thickLines ? 2 : 1, true));
-    view.cornerNames(names, middle);
+    const std::vector<LensView::NamePlate> plates = view.namePlates(names, middle);
+    view.paintNames(plates);
+    std::vector<QRectF> taken;
+    for (const LensView::NamePlate& plate : plates)
+        taken.push_back(plate.plate);
+    for (const NamedPlace& name : names)
+        taken.emplace_back(name.at - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius));
+    return taken;
 }
 
 } // namespace rasterlens

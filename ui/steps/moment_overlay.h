@@ -30,7 +30,7 @@ private:
     void paintOutline(LensView& view, const std::vector<MomentCorner>& corners, const QColor& color, double width,
                       Qt::PenStyle style) const;
     void paintArea(LensView& view) const;
-    void paintCorners(LensView& view) const;
+    std::vector<QRectF> paintCorners(LensView& view) const;
 
     std::optional<FaceMoment> m_moment;
     Rules m_rules;

@@ -227,9 +227,8 @@ int lineOf(const StepLog& log, std::size_t i)
     const bool beginsLines = event.kind == StepKind::Triangle && !isFilled;
     const bool isLine = event.kind == StepKind::LineDecision || event.kind == StepKind::LinePosition;
     const auto causes = isLine ? becauseOf(log, i) : std::vector<const Mistake*>();
-    const bool leadsToNoSample = !causes.empty() && std::ranges::none_of(causes, [&](const Mistake* mistake) {
-        return (stepsOf(*mistake) & kindBit(event.kind)) != 0;
-    });
+    const bool leadsToNoSample = std::ranges::any_of(
+        causes, [&](const Mistake* mistake) { return (stepsOf(*mistake) & kindBit(event.kind)) == 0; });
     // Nothing has been added to the first position of a line.
     const bool isStart =
         event.kind == StepKind::LinePosition && log.payload<LinePositionStep>(event).position.step == 0;

@@ -10,6 +10,7 @@
 #include <QMainWindow>
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 namespace rasterlens
@@ -17,15 +18,27 @@ namespace rasterlens
 namespace
 {
 
+template <class T, class Step>
+void copyEvery(const T* from, Step step, int count, T* to)
+{
+    for (int i = 0; i < count; ++i)
+        to[i] = from[i * step];
+}
+
 /// Writes what the pixels of a row have in a plane of the samples: that of the sample nearest their centres.
 template <class T>
 void copyRow(const StepCursor& cursor, std::span<const T> samples, int y, StepCursor::RowRange pixels, T* to)
 {
     const int grid = cursor.log().grid();
-    const T* from = samples.data() + std::size_t(y * grid + grid / 2) * std::size_t(cursor.log().columns());
+    const T* from = samples.data() + std::size_t(y * grid + grid / 2) * std::size_t(cursor.log().columns()) + grid / 2;
     T* row = to + std::size_t(y) * std::size_t(cursor.image().width());
-    for (int x = pixels.left; x <= pixels.right; ++x)
-        row[x] = from[x * grid + grid / 2];
+    const int count = pixels.right - pixels.left + 1;
+    if (grid == 1)
+        std::copy_n(from + pixels.left, count, row + pixels.left);
+    else if (grid == 2) // known to the compiler, which then takes several at once
+        copyEvery(from + 2 * pixels.left, std::integral_constant<int, 2>(), count, row + pixels.left);
+    else
+        copyEvery(from + grid * pixels.left, grid, count, row + pixels.left);
 }
 
 /// Brings the picture, depths and owners of a frame up to the cursor, where these have changed since `turn`.

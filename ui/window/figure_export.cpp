@@ -4,6 +4,7 @@
 #include "core/truth/mistake_proof.h"
 #include "ui/base/image_export.h"
 #include "ui/canvas/viewport_widget.h"
+#include "ui/steps/motion_mode.h"
 #include "ui/steps/step_formula.h"
 #include "ui/steps/step_mode.h"
 
@@ -60,8 +61,8 @@ LegendEntry dotEntry(const QString& text)
 } // namespace
 
 FigureExport::FigureExport(const Document& document, const ViewportWidget& viewport, StepMode& steps,
-                           std::function<QString()> words)
-    : m_document(document), m_viewport(viewport), m_steps(steps), m_words(std::move(words)),
+                           MotionMode& motion, std::function<QString()> words)
+    : m_document(document), m_viewport(viewport), m_steps(steps), m_motion(motion), m_words(std::move(words)),
       m_right(
           [this](const FramePtr& right) {
               Q_EMIT finished(m_path, save(beforeAfter(right), m_path).value_or(QString()));
@@ -119,6 +120,8 @@ FigureTexts FigureExport::texts() const
         texts.caption = m_words();
         if (isStep)
             texts.caption += QLatin1Char('\n') + tr("Step %1 of %2").arg(session.position()).arg(session.size());
+        for (const QString& line : m_motion.words())
+            texts.caption += QLatin1Char('\n') + line;
     }
     if (!isStep || session.positionInLog() == 0)
         return texts;
@@ -216,9 +219,29 @@ std::optional<QString> FigureExport::exportTo(const QString& path) const
 
 void FigureExport::exportRun(const QString& path, const RunAnimation::Run& run, QWidget* window)
 {
+    StepSession& session = m_steps.session();
+    animate(path, run,
+            {[&session](std::size_t position) { session.moveTo(position); },
+             [&session, before = session.position()] { session.moveTo(before); }},
+            window);
+}
+
+void FigureExport::exportMotion(const QString& path, Motion motion, const RunAnimation::Run& run, QWidget* window)
+{
+    m_motion.setPlate(!m_texts); // the caption says it
+    const auto goBack = [this] {
+        m_motion.stop();
+        m_motion.setPlate(true);
+    };
+    animate(path, run, {[this, motion](std::size_t frame) { m_motion.showFrame(motion, frame); }, goBack}, window);
+}
+
+void FigureExport::animate(const QString& path, const RunAnimation::Run& run, RunAnimation::Moments moments,
+                           QWidget* window)
+{
     m_part = m_texts ? partOfSheet() : partWithoutTexts();
     const RunAnimation::Figure figure{[this] { return size(); }, [this](QSize sheet) { return imageOn(sheet); }};
-    auto* animation = new RunAnimation(figure, m_steps.session(), run, {path, m_document.inputFiles()}, window);
+    auto* animation = new RunAnimation(figure, std::move(moments), run, {path, m_document.inputFiles()}, window);
     connect(animation, &RunAnimation::finished, this, [this, path](const QString& error, bool stopped) {
         m_part.reset();
         if (!stopped)

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/render/motion.h"
 #include "ui/base/latest_result.h"
 #include "ui/canvas/figure_sheet.h"
 #include "ui/canvas/viewport_widget.h"
@@ -15,6 +16,7 @@
 namespace rasterlens
 {
 
+class MotionMode;
 class StepMode;
 
 /// Makes figures for pages and slides of what the canvas shows: the part in sight, at a chosen size of its pixels, with
@@ -25,7 +27,7 @@ class FigureExport : public QObject
 
 public:
     /// in  `words`: what the window says of the scene and its settings
-    FigureExport(const Document& document, const ViewportWidget& viewport, StepMode& steps,
+    FigureExport(const Document& document, const ViewportWidget& viewport, StepMode& steps, MotionMode& motion,
                  std::function<QString()> words);
 
     /// in  1..kLargestZoom; nothing: as on the screen
@@ -57,6 +59,10 @@ public:
     ///
     /// in  the steps are recorded; run: as RunAnimation takes it
     void exportRun(const QString& path, const RunAnimation::Run& run, QWidget* window);
+    /// Writes the figures of the frames of a motion as exportRun() does those of steps.
+    ///
+    /// in  a scene for which whyNotMoved() is empty
+    void exportMotion(const QString& path, Motion motion, const RunAnimation::Run& run, QWidget* window);
     [[nodiscard]] bool isBusy() const { return m_right.isBusy(); }
 
 Q_SIGNALS:
@@ -64,6 +70,7 @@ Q_SIGNALS:
     void finished(const QString& path, const QString& error);
 
 private:
+    void animate(const QString& path, const RunAnimation::Run& run, RunAnimation::Moments moments, QWidget* window);
     [[nodiscard]] std::optional<ViewportWidget::FigurePart> partOfSheet() const;
     [[nodiscard]] std::optional<ViewportWidget::FigurePart> partWithoutTexts() const;
     [[nodiscard]] QImage imageWithoutTexts() const;
@@ -76,6 +83,7 @@ private:
     const Document& m_document;
     const ViewportWidget& m_viewport;
     StepMode& m_steps;
+    MotionMode& m_motion;
     std::function<QString()> m_words;
     std::optional<int> m_zoom;
     std::optional<QRect> m_region;

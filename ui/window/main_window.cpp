@@ -21,6 +21,7 @@
 #include "ui/pipeline/stage_strip.h"
 #include "ui/pipeline/statistics_panel.h"
 #include "ui/pipeline/views_bar.h"
+#include "ui/steps/motion_mode.h"
 #include "ui/steps/step_listing.h"
 #include "ui/steps/step_mode.h"
 #include "ui/steps/transport_dock.h"
@@ -181,10 +182,11 @@ QWidget* MainWindow::buildCanvas()
     m_picture->addWidget(m_viewport, 1);
     column->addLayout(m_picture, 1);
     m_stepMode = std::make_unique<StepMode>(m_document, *m_viewport, *this, m_actions);
+    m_motion = std::make_unique<MotionMode>(m_document, *m_viewport);
     m_truth = std::make_unique<TruthMode>(m_document, *m_viewport, *this, *bars, m_actions);
     m_lifeCycle =
         std::make_unique<LifeCycle>(m_document, *m_stepMode, LifeCycle::Bars{m_recoveryOffer, m_filesOffer}, *this);
-    m_figures = std::make_unique<FigureExport>(m_document, *m_viewport, *m_stepMode, [this] {
+    m_figures = std::make_unique<FigureExport>(m_document, *m_viewport, *m_stepMode, *m_motion, [this] {
         return QStringLiteral("%1: %2").arg(sceneTitle(*m_document.scene()), sceneWords());
     });
     m_lessons = std::make_unique<LessonMode>(*m_viewport, *this, m_actions);
@@ -261,6 +263,7 @@ void MainWindow::connectParts()
     connect(m_lessons.get(), &LessonMode::failed, m_message, says(MessageKind::Error));
     connect(m_views.get(), &CanvasViews::message, m_message, says(MessageKind::Info));
     connect(m_views.get(), &CanvasViews::failed, m_message, says(MessageKind::Error));
+    connect(m_motion.get(), &MotionMode::refused, m_message, says(MessageKind::Info));
     connect(m_stepMode.get(), &StepMode::message, m_message, says(MessageKind::Info));
     connect(m_lifeCycle.get(), &LifeCycle::warned, m_message, says(MessageKind::Warning));
     connect(m_truth.get(), &TruthMode::failed, m_message, says(MessageKind::Error));
@@ -365,6 +368,7 @@ void MainWindow::connectModes()
     connect(&m_stepMode->session(), &StepSession::recordingChanged, this, &MainWindow::tellIfSettled);
     connect(m_truth.get(), &TruthMode::faceWanted, m_stepMode.get(), &StepMode::showFace);
     connect(m_truth.get(), &TruthMode::stepWanted, m_stepMode.get(), &StepMode::showStep);
+    connectMotion();
     connect(&m_truth->comparison(), &Comparison::changed, this, [this] {
         m_views->setCompared(m_truth->comparison().view() != CompareView::Off);
         syncSoon(Words::OfPixel);
@@ -392,15 +396,6 @@ void MainWindow::openDefaultScene()
 {
     if (!builtinScenes().empty())
         m_document.open(QStringLiteral("builtin:") + QLatin1String(builtinScenes().front().name));
-}
-
-void MainWindow::moveCamera(const View& view)
-{
-    if (m_document.scene()->space != SceneSpace::Object)
-        return;
-    Settings next = m_document.settings();
-    next.view = view;
-    m_document.setSettings(next, Document::Edit::Camera);
 }
 
 void MainWindow::stepField(const SettingsField& field)
@@ -468,14 +463,15 @@ void MainWindow::tellIfSettled()
         Q_EMIT settled();
 }
 
-/// The picture of the present step, or else the finished one.
+/// The picture that moves, or that of the present step, or else the finished one.
 void MainWindow::showFrame()
 {
-    const FramePtr step = m_stepMode->frame();
-    const FramePtr& frame = step ? step : m_lastFrame;
+    const FramePtr moved = m_motion->frame();
+    const FramePtr step = moved ? nullptr : m_stepMode->frame();
+    const FramePtr& frame = moved ? moved : step ? step : m_lastFrame;
     if (!frame)
         return;
-    m_truth->showOnCanvas(frame, step != nullptr);
+    m_truth->showOnCanvas(frame, moved || step);
     m_views->setFrame(frame);
     m_stageStrip->setFrame(frame);
     const StepEvent* event = step ? m_stepMode->session().event() : nullptr;

@@ -35,6 +35,7 @@ class LifeCycle;
 class MessageBar;
 class MistakeBadge;
 class MistakesMenu;
+class MotionMode;
 class PipelinePanel;
 class FigureExport;
 class FocusOrder;
@@ -75,6 +76,7 @@ public:
     [[nodiscard]] CanvasViews& canvasViews() { return *m_views; }
     [[nodiscard]] ViewsBar& viewsBar() { return *m_viewsBar; }
     [[nodiscard]] StepMode& stepMode() { return *m_stepMode; }
+    [[nodiscard]] MotionMode& motion() { return *m_motion; }
     [[nodiscard]] TruthMode& truthMode() { return *m_truth; }
     [[nodiscard]] LessonMode& lessons() { return *m_lessons; }
     /// What the window shows, as one value.
@@ -140,6 +142,8 @@ private:
     void connectWorker();
     void connectPanels();
     void connectModes();
+    void connectMotion();
+    void syncMotion();
     void connectLessons();
     void connectCanvas();
     void buildMenus();
@@ -152,6 +156,7 @@ private:
     void buildEditMenu();
     void buildViewMenu();
     void buildCamera(ActionMenu menu);
+    void buildMotion(ActionMenu menu);
     void buildDrawing(ActionMenu menu);
     void buildAppearance(ActionMenu menu);
     void buildLanguages(ActionMenu language);
@@ -216,6 +221,7 @@ private:
     ViewportWidget* m_viewport = nullptr;
     std::unique_ptr<CanvasViews> m_views;
     std::unique_ptr<StepMode> m_stepMode;
+    std::unique_ptr<MotionMode> m_motion;
     std::unique_ptr<TruthMode> m_truth;
     std::unique_ptr<LifeCycle> m_lifeCycle;
     std::unique_ptr<FigureExport> m_figures;
@@ -276,6 +282,7 @@ private:
     QAction* m_chinese = nullptr;
     QAction* m_english = nullptr;
     std::vector<QAction*> m_cameraActions;
+    std::vector<QAction*> m_motionActions; ///< by Motion
 
     FramePtr m_lastFrame;
     bool m_refused = false;

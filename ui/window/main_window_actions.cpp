@@ -10,6 +10,7 @@
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/pipeline_panel.h"
 #include "ui/pipeline/views_bar.h"
+#include "ui/steps/motion_mode.h"
 #include "ui/steps/step_mode.h"
 #include "ui/steps/transport_dock.h"
 #include "ui/truth/truth_mode.h"
@@ -235,12 +236,22 @@ void MainWindow::buildViewMenu()
         view.add("view.go-to-pixel", QT_TR_NOOP("&Go to pixel"), {Qt::CTRL | Qt::Key_G}, [this] { toggleGoToPixel(); });
     view.addSeparator();
     buildCamera(view.in(ActionSection::Camera));
+    buildMotion(view.in(ActionSection::Camera));
     view.addSeparator();
     m_views->buildMenu(view);
     view.addSeparator();
     buildDrawing(view.in(ActionSection::Window));
     view.addSeparator();
     buildAppearance(view.in(ActionSection::Window));
+}
+
+void MainWindow::moveCamera(const View& view)
+{
+    if (m_document.scene()->space != SceneSpace::Object)
+        return;
+    Settings next = m_document.settings();
+    next.view = view;
+    m_document.setSettings(next, Document::Edit::Camera);
 }
 
 void MainWindow::buildCamera(ActionMenu menu)
@@ -261,6 +272,44 @@ void MainWindow::buildCamera(ActionMenu menu)
     QAction* above = addCamera("camera.above", QT_TR_NOOP("From above"), Qt::Key_7, axis(AxisView::Top));
     m_actions.listTogether(menu.words(QT_TR_NOOP("From the front, the right, above")), {front, right, above});
     addCamera("camera.reset", QT_TR_NOOP("Reset camera"), Qt::Key_Home, [this] { return m_document.defaults().view; });
+}
+
+/// What moves by itself.
+void MainWindow::buildMotion(ActionMenu menu)
+{
+    const auto addMotion = [&](const char* id, Motion motion, const QKeySequence& keys) {
+        QAction* action = menu.add(id, ActionWords{"Motion", infoOf(motion).title}, {keys}, [this, motion](bool on) {
+            on ? m_motion->start(motion) : m_motion->stop();
+            syncMotion();
+        });
+        action->setCheckable(true);
+        m_motionActions.push_back(action);
+    };
+    addMotion("camera.turntable", Motion::Turntable, Qt::CTRL | Qt::Key_T);
+    addMotion("camera.jitter", Motion::Jitter, Qt::CTRL | Qt::Key_J);
+}
+
+/// What moves is neither stepped through nor judged.
+void MainWindow::connectMotion()
+{
+    connect(m_motion.get(), &MotionMode::frameChanged, this, &MainWindow::showFrame);
+    connect(m_motion.get(), &MotionMode::motionChanged, this, [this] {
+        if (m_motion->motion()) {
+            m_stepMode->session().close();
+            m_truth->referee().setOn(false);
+        }
+        syncMotion();
+    });
+    connect(&m_stepMode->session(), &StepSession::openChanged, m_motion.get(), [this](bool open) {
+        if (open)
+            m_motion->stop();
+    });
+}
+
+void MainWindow::syncMotion()
+{
+    for (const MotionInfo& info : motions())
+        m_motionActions[static_cast<std::size_t>(info.motion)]->setChecked(m_motion->motion() == info.motion);
 }
 
 /// When the worker draws.

@@ -6,6 +6,7 @@
 #include "ui/face/cards.h"
 #include "ui/lessons/lesson_mode.h"
 #include "ui/pipeline/stage_strip.h"
+#include "ui/steps/motion_mode.h"
 #include "ui/steps/step_mode.h"
 #include "ui/steps/transport_dock.h"
 #include "ui/truth/truth_mode.h"
@@ -37,7 +38,8 @@ void MainWindow::buildFocus()
 
 bool MainWindow::focusNextPrevChild(bool next) { return m_focusOrder->move(next); }
 
-/// One press leaves one thing: what has the keys, the help, the presentation, the steps, the comparison, the pixel.
+/// One press leaves one thing: what has the keys, the help, the presentation, the motion, the steps, the comparison,
+/// the pixel.
 void MainWindow::leaveInnermost()
 {
     QWidget* focused = focusWidget();
@@ -47,6 +49,8 @@ void MainWindow::leaveInnermost()
         toggleHelp();
     else if (m_look.presentation)
         setPresentation(false);
+    else if (m_motion->motion())
+        m_motion->stop();
     else if (m_stepMode->session().isOpen())
         m_stepMode->session().close();
     else if (m_truth->comparison().view() != CompareView::Off)

@@ -47,6 +47,10 @@ void MainWindow::setPresentation(bool on)
         link->setVisible(!on);
     m_stageMenu->setVisible(on);
     statusBar()->setVisible(!on);
+    if (on) // the status bar is out of sight, and so is the panel
+        m_canvasHeader->layout()->addWidget(m_counters);
+    else
+        statusBar()->addPermanentWidget(m_counters);
     Look look = m_look;
     look.presentation = on;
     setLook(look);
@@ -126,8 +130,12 @@ void MainWindow::resetLayout()
 void MainWindow::syncCounters()
 {
     m_counters->setVisible(!m_panels->isInSight(m_statisticsDock));
-    if (!m_counters->isHidden())
-        m_counters->setText(m_statisticsPanel->brief());
+    if (m_counters->isHidden())
+        return;
+    m_counters->setText(m_statisticsPanel->brief());
+    // On the stage it shares a row with the views, which are not to move with every digit.
+    m_counters->setMinimumWidth(
+        m_look.presentation ? std::max(m_counters->minimumWidth(), m_counters->sizeHint().width()) : 0);
 }
 
 } // namespace rasterlens

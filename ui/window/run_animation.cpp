@@ -1,7 +1,5 @@
 #include "ui/window/run_animation.h"
 
-#include "ui/steps/step_session.h"
-
 #include <QProgressDialog>
 
 #include <utility>
@@ -9,9 +7,9 @@
 namespace rasterlens
 {
 
-RunAnimation::RunAnimation(Figure figure, StepSession& session, Run run, ExportTarget target, QWidget* window)
-    : QObject(window), m_figure(std::move(figure)), m_session(session), m_run(run), m_target(std::move(target)),
-      m_next(run.first), m_positionBefore(session.position()),
+RunAnimation::RunAnimation(Figure figure, Moments moments, Run run, ExportTarget target, QWidget* window)
+    : QObject(window), m_figure(std::move(figure)), m_moments(std::move(moments)), m_run(run),
+      m_target(std::move(target)), m_next(run.first),
       m_progress(new QProgressDialog(tr("Drawing the steps\u2026"), tr("Stop"), 0, int(2 * (run.last - run.first + 1)),
                                      window))
 {
@@ -28,7 +26,7 @@ RunAnimation::RunAnimation(Figure figure, StepSession& session, Run run, ExportT
 /// Once through the run to find the size, and once more to draw.
 void RunAnimation::next()
 {
-    m_session.moveTo(m_next);
+    m_moments.goTo(m_next);
     m_gif ? draw() : measure();
 }
 
@@ -67,7 +65,7 @@ void RunAnimation::finish(const QString& error, bool stopped)
     m_timer.stop();
     m_progress->disconnect(this);
     m_progress->deleteLater();
-    m_session.moveTo(m_positionBefore);
+    m_moments.goBack();
     Q_EMIT finished(error, stopped);
     deleteLater();
 }

@@ -16,11 +16,9 @@ class QWidget;
 namespace rasterlens
 {
 
-class StepSession;
-
-/// Writes a run of steps as one animated GIF: the figure of each step, all on a sheet that the largest of them needs.
-/// It makes one a turn of the event loop: the window stays alive, shows how far it is and lets the user stop it. The
-/// position is put back at the end.
+/// Writes a run of moments as one animated GIF, of steps or of the frames of a motion: the figure of each, all on a
+/// sheet that the largest of them needs. It makes one a turn of the event loop: the window stays alive, shows how far
+/// it is and lets the user stop it.
 class RunAnimation : public QObject
 {
     Q_OBJECT
@@ -34,14 +32,20 @@ public:
         int milliseconds = kUsualMilliseconds;
     };
 
-    /// The figure of the present step.
+    /// Goes to a moment; and back to what was shown before.
+    struct Moments {
+        std::function<void(std::size_t)> goTo;
+        std::function<void()> goBack;
+    };
+
+    /// The figure of the present moment.
     struct Figure {
         std::function<QSize()> size;
         std::function<QImage(QSize)> on; ///< in the upper left corner of a white sheet of that size
     };
 
-    /// in  a session with a log; first <= last <= its size
-    RunAnimation(Figure figure, StepSession& session, Run run, ExportTarget target, QWidget* window);
+    /// in  first <= last, and all between them are moments
+    RunAnimation(Figure figure, Moments moments, Run run, ExportTarget target, QWidget* window);
 
 Q_SIGNALS:
     /// The file is written, the user stopped, or it could not be made: there is no file then. The animation deletes
@@ -58,11 +62,10 @@ private:
     void finish(const QString& error, bool stopped = false);
 
     Figure m_figure;
-    StepSession& m_session;
+    Moments m_moments;
     Run m_run;
     ExportTarget m_target;
     std::size_t m_next;
-    std::size_t m_positionBefore;
     QSize m_size;                     ///< the least that holds all figures measured so far
     std::unique_ptr<GifWriter> m_gif; ///< null while figures are measured
     QTimer m_timer;
