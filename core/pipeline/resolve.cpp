@@ -32,9 +32,12 @@ float clearValueFor(DepthTest test, bool reversedZ)
     return nearIsLarger != reversedZ ? 0.0F : 1.0F;
 }
 
-Rules::TieThresholds thresholdsFor(TieRule rule)
+Rules::TieThresholds thresholdsFor(const Settings& settings)
 {
-    switch (rule) {
+    // Squares are closed: what only touches one touches it, and what reaches its border holds it.
+    if (settings.coverageRule != CoverageRule::Centre)
+        return {0, 0};
+    switch (settings.tieRule) {
     case TieRule::Inclusive: return {0, 0};
     case TieRule::Exclusive: return {1, 1};
     case TieRule::TopLeft: break;
@@ -116,9 +119,7 @@ Rules rightRules(const Settings& settings, const Scene& scene, const Matrices& m
     rules.lineRule = settings.lineRule;
     rules.lineTiesByDirection = settings.lineTies == LineTies::ByDirection;
     rules.coverageRule = settings.coverageRule;
-    // Squares are closed: what only touches one touches it, and what reaches its border holds it.
-    rules.tie =
-        settings.coverageRule == CoverageRule::Centre ? thresholdsFor(settings.tieRule) : Rules::TieThresholds{0, 0};
+    rules.tie = thresholdsFor(settings);
 
     rules.painter = settings.visibility == Visibility::Painter;
     rules.firstPassFaces = std::min(scene.secondPassFrom, static_cast<std::uint32_t>(scene.mesh.faceCount()));
