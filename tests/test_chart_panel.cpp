@@ -61,12 +61,14 @@ private Q_SLOTS:
         const QString english = panel().note();
         QVERIFY(english.contains(QLatin1String("faces in the view volume")));
         m_window->setLanguage(LanguageKind::Chinese);
+        QCoreApplication::sendPostedEvents();
         const auto isHan = [](QChar c) { return c.script() == QChar::Script_Han; };
         for (const QString& line : panel().note().split(QLatin1Char('\n')))
             QVERIFY2(std::ranges::any_of(line, isHan), qPrintable(line));
         for (int i = 0; i < panel().box()->count(); ++i)
             QVERIFY(std::ranges::any_of(panel().box()->itemText(i), isHan));
         m_window->setLanguage(LanguageKind::English);
+        QCoreApplication::sendPostedEvents();
         QCOMPARE(panel().note(), english);
         Settings settings = document().settings();
         settings.view.yaw += 20;

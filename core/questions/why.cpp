@@ -194,7 +194,8 @@ private:
     /// Whether a face concerns the pixel only where its bounds hold the sample that the rows are about.
     [[nodiscard]] bool goesByCentre(std::uint32_t face) const
     {
-        return passRules(m_rules, face).coversByCentres() && !m_rules.multiSampled();
+        return passRules(m_rules, face).coversByCentres() && !m_rules.multiSampled() &&
+               m_rules.coverageRule == CoverageRule::Centre;
     }
 
     void draw()
@@ -285,6 +286,10 @@ private:
         judgeHoles();
         if (m_rules.multiSampled())
             judgeMasks();
+        if (m_rules.coverageRule !=
+            CoverageRule::Centre) // faces that are near, but whose bounds do not touch the pixel
+            std::erase_if(m_report.faces,
+                          [](const WhyFace& row) { return row.verdict == WhyVerdict::OutsideEdge && !row.hasEdges; });
         measureAreas();
     }
 

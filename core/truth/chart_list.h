@@ -1,5 +1,9 @@
 #pragma once
-#include "core/truth/charts.h"
+#include "core/scene/scene.h"
+#include "core/settings/settings.h"
+#include "core/truth/chart.h"
+
+#include <stop_token>
 
 // What makes the charts of charts.cpp. A part of it, which alone includes this header.
 

@@ -2,6 +2,7 @@
 #include "core/base/reason.h"
 #include "core/scene/scene.h"
 #include "core/settings/settings.h"
+#include "core/truth/chart.h"
 
 #include <QByteArray>
 #include <QString>
@@ -9,23 +10,9 @@
 #include <optional>
 #include <span>
 #include <stop_token>
-#include <vector>
 
 namespace rasterlens
 {
-
-/// One line of a chart: a value for each x; NaN: none there.
-struct ChartSeries {
-    const char* name;
-    std::vector<double> y;
-    bool measured = true; ///< false: a formula, to compare with
-};
-
-struct Chart {
-    std::vector<double> x;
-    std::vector<ChartSeries> series;
-    std::vector<Reason> notes; ///< what was drawn, and what to see
-};
 
 /// A chart that `bench --chart` and the panel of charts can make.
 struct ChartInfo {
