@@ -112,7 +112,7 @@ constexpr MistakeRow kRows[] = {
      QT_TRANSLATE_NOOP("Mistake", "Each triangle has a row and a column more than it should: pixels on a shared edge are drawn twice."),
      QT_TRANSLATE_NOOP("Mistake", "y = row;  for (x = (int)xa; x <= (int)xb; ++x)"),
      QT_TRANSLATE_NOOP("Mistake", "From the first to the last: both belong to the triangle."),
-     "triangle-600",
+     "two-windings",
      Proof::WrongPixels, Change::Rises, at(Crossing, Span),
      [](Rules& r) {
          r.algorithm = Algorithm::EdgeWalking;

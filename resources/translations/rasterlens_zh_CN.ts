@@ -7982,7 +7982,7 @@
     </message>
     <message>
         <source>coverage-rule conservative and inner need number-type fixed and corners that snap: rounding may not touch a square</source>
-        <translation>coverage-rule 为 conservative 或 inner 时需要 number-type fixed 且顶点对齐到子像素网格：舍入不得触及方格</translation>
+        <translation>coverage-rule 为 conservative 或 inner 时需要 number-type fixed 且顶点对齐到亚像素网格：舍入不得触及方格</translation>
     </message>
     <message>
         <source>coverage-rule conservative and inner are about whole pixels: they need samples 1</source>
@@ -11217,15 +11217,15 @@
     <name>Chart</name>
     <message>
         <source>What snapping does to faces</source>
-        <translation>吸附对面的影响</translation>
+        <translation>对齐对面的影响</translation>
     </message>
     <message>
         <source>Corners snap to 1/2^bits of a pixel: a corner may pass to the other side of the opposite edge, and its face then looks the other way.</source>
-        <translation>顶点吸附到 1/2^bits 像素：顶点可能越过对边，面于是翻转朝向。</translation>
+        <translation>顶点对齐到 1/2^bits 像素：顶点可能越过对边，面于是翻转朝向。</translation>
     </message>
     <message>
         <source>subpixel bits</source>
-        <translation>子像素位数</translation>
+        <translation>亚像素位数</translation>
     </message>
     <message>
         <source>% of the faces</source>

@@ -55,9 +55,12 @@ std::array<QString, 4> geometryCode()
 
 std::array<QString, 4> equationCode(const Rules& rules)
 {
+    const QString place = rules.coverageRule == CoverageRule::Centre         ? QStringLiteral("x, y")
+                          : rules.coverageRule == CoverageRule::Conservative ? QStringLiteral("deepest(x, y)")
+                                                                             : QStringLiteral("outermost(x, y)");
     return {addsUpEdgeValues(rules)
                 ? QStringLiteral("for (x = x0; x < x1; ++x, E_AB += a_AB, E_BC += a_BC, E_CA += a_CA)")
-                : QStringLiteral("for (x = x0; x < x1; ++x, E_AB = edge(A, B, x, y), E_BC = .., E_CA = ..)"),
+                : QStringLiteral("for (x = x0; x < x1; ++x, E_AB = edge(A, B, %1), E_BC = .., E_CA = ..)").arg(place),
             QStringLiteral("  if (E_AB >= t_AB && E_BC >= t_BC && E_CA >= t_CA) {"), weightedDepth(rules),
             shadeLine(rules)};
 }
