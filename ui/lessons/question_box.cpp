@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -15,11 +16,11 @@ namespace rasterlens
 namespace
 {
 
-/// A button whose text is broken into lines where it has no room.
+/// A button with the key that presses it, whose text is broken into lines where it has no room.
 class WrappingButton : public QPushButton
 {
 public:
-    explicit WrappingButton(const QString& text) : m_label(new QLabel(text))
+    WrappingButton(int key, const QString& text) : m_label(new QLabel(text))
     {
         setObjectName(QStringLiteral("choice"));
         setAccessibleName(text);
@@ -27,9 +28,14 @@ public:
         m_label->setWordWrap(true);
         m_label->setTextFormat(Qt::PlainText);
         m_label->setAttribute(Qt::WA_TransparentForMouseEvents);
+        auto* number = new QLabel(QString::number(key));
+        number->setObjectName(QStringLiteral("keyHint"));
+        number->setAttribute(Qt::WA_TransparentForMouseEvents);
         auto* row = new QHBoxLayout(this);
         row->setContentsMargins(9, 5, 9, 5);
-        row->addWidget(m_label);
+        row->setSpacing(8);
+        row->addWidget(number);
+        row->addWidget(m_label, 1);
         QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
         policy.setHeightForWidth(true);
         setSizePolicy(policy);
@@ -82,7 +88,28 @@ QuestionBox::QuestionBox(QWidget* parent) : QWidget(parent)
         sync();
         Q_EMIT markedChanged();
     });
+    qApp->installEventFilter(this);
     retranslate();
+}
+
+/// Digits choose, wherever the keyboard is in the window, but for what is typed into.
+bool QuestionBox::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress)
+        return QWidget::eventFilter(watched, event);
+    const auto* key = static_cast<const QKeyEvent*>(event);
+    const QWidget* focused = QApplication::focusWidget();
+    const auto choice = static_cast<std::size_t>(key->key() - Qt::Key_1);
+    const bool isMeant = key->key() >= Qt::Key_1 && choice < m_choiceButtons.size() && isVisible() &&
+                         (key->modifiers() & ~Qt::KeypadModifier) == 0 && focused != nullptr &&
+                         focused->window() == window() && !focused->testAttribute(Qt::WA_InputMethodEnabled);
+    if (!isMeant)
+        return QWidget::eventFilter(watched, event);
+    if (event->type() == QEvent::ShortcutOverride)
+        event->accept(); // no camera turns
+    else
+        m_choiceButtons[choice]->click();
+    return true;
 }
 
 void QuestionBox::setWide(bool wide)
@@ -168,7 +195,7 @@ void QuestionBox::retranslate()
     }
     m_choiceButtons.clear();
     for (std::size_t i = 0; m_question && i < m_question->choices.size(); ++i) {
-        auto* button = new WrappingButton(choiceText(m_question->choices[i]));
+        auto* button = new WrappingButton(static_cast<int>(i) + 1, choiceText(m_question->choices[i]));
         connect(button, &QPushButton::clicked, this, [this, i] { Q_EMIT given(i); });
         m_choices->addWidget(button);
         m_choiceButtons.push_back(button);

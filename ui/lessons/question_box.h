@@ -13,8 +13,8 @@ class QPushButton;
 namespace rasterlens
 {
 
-/// Takes the answer to a question: buttons for choices, a field for what is typed, or the pixels that are clicked on
-/// the canvas.
+/// Takes the answer to a question: buttons for choices, which digits press as well, a field for what is typed, or the
+/// pixels that are clicked on the canvas.
 class QuestionBox : public QWidget
 {
     Q_OBJECT
@@ -40,6 +40,8 @@ public:
     [[nodiscard]] QLineEdit& field() const { return *m_field; }
     [[nodiscard]] const std::vector<QPushButton*>& choiceButtons() const { return m_choiceButtons; }
     void retranslate();
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 Q_SIGNALS:
     void markedChanged();
