@@ -66,7 +66,7 @@ QString readWhy(const WhyReport& report)
 {
     Reader reader;
     static const QRegularExpression outside(
-        QStringLiteral("outside edge (\\w\\w) \\((\\S+?)(?: < t_(\\w\\w) = (\\S+))?\\)$"));
+        QStringLiteral("outside edge (\\w\\w) \\((\\S+?)(?: < t_(\\w\\w) = (\\S+))?\\)(?:;|$)"));
     static const QRegularExpression seen(QStringLiteral("; seen(;|$)"));
     for (const WhyFace& face : report.faces) {
         const QString text = whyText(report, face);
