@@ -327,7 +327,7 @@ private Q_SLOTS:
             for (const QKeySequence& sequence : action->shortcuts())
                 users[sequence.toString()] << action->text();
         const auto& panels = m_window->panels().actions();
-        QCOMPARE(panels.size(), std::size_t(12));
+        QCOMPARE(panels.size(), std::size_t(13));
         for (const auto& [action, dock] : panels) {
             QVERIFY(!action->shortcut().isEmpty());
             QCOMPARE(users[action->shortcut().toString()].size(), 1);
