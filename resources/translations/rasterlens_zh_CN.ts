@@ -7226,12 +7226,20 @@
         <translation>采样点，每像素 %1 个</translation>
     </message>
     <message>
-        <source>a pixel: shaded · covered</source>
-        <translation>每像素：着色 · 覆盖</translation>
+        <source>shaded a pixel</source>
+        <translation>每像素着色</translation>
     </message>
     <message>
-        <source>Both counts over the pixels of the picture. Super-sampling shades every sample that is seen, multi-sampling a face once a pixel, however many samples it covers.</source>
-        <translation>两个计数除以图像的像素数。超采样给每个看得见的采样点着色；多重采样中一个面在每个像素只着色一次，不管它覆盖几个采样点。</translation>
+        <source>covered a pixel</source>
+        <translation>每像素覆盖</translation>
+    </message>
+    <message>
+        <source>What is shaded, over the pixels of the picture. Super-sampling shades every sample that is seen, multi-sampling a face once a pixel, however many samples it covers.</source>
+        <translation>着色总数除以画面的像素数。超采样给每个看得见的采样点着色；多重采样中一个面在每个像素只着色一次，不管它覆盖几个采样点。</translation>
+    </message>
+    <message>
+        <source>What is covered, over the pixels of the picture.</source>
+        <translation>覆盖总数除以画面的像素数。</translation>
     </message>
 </context>
 <context>

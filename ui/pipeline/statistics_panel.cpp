@@ -114,11 +114,14 @@ std::vector<StatisticsPanel::Row> StatisticsPanel::pixelRows()
                            "Hit by both faces at the edge they share: 0 under the top-left rule. With multi-sampling "
                            "samples count: at 0 the masks of the two faces complement each other in every pixel."),
          {COUNTER("covered_twice", pixels.coveredTwice)}},
-        {QT_TRANSLATE_NOOP("StatisticsPanel", "a pixel: shaded · covered"),
+        {QT_TRANSLATE_NOOP("StatisticsPanel", "shaded a pixel"),
          QT_TRANSLATE_NOOP("StatisticsPanel",
-                           "Both counts over the pixels of the picture. Super-sampling shades every sample that is "
+                           "What is shaded, over the pixels of the picture. Super-sampling shades every sample that is "
                            "seen, multi-sampling a face once a pixel, however many samples it covers."),
-         {MEAN("shaded_a_pixel", pixels.shaded), MEAN("covered_a_pixel", pixels.covered)}},
+         {MEAN("shaded_a_pixel", pixels.shaded)}},
+        {QT_TRANSLATE_NOOP("StatisticsPanel", "covered a pixel"),
+         QT_TRANSLATE_NOOP("StatisticsPanel", "What is covered, over the pixels of the picture."),
+         {MEAN("covered_a_pixel", pixels.covered)}},
     };
 }
 
