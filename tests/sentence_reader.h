@@ -72,7 +72,7 @@ public:
             expect(holds(number(match.captured(1)), match.captured(2), number(match.captured(3))) ==
                        (match.captured(4) == QStringLiteral("passed")),
                    text, "depth test");
-        static const QRegularExpression denial(QStringLiteral("not (\\S+) (<=?|>=?) (\\S+)"));
+        static const QRegularExpression denial(QStringLiteral("not (\\S+) (<=?|>=?) ([^\\s;]+)"));
         for (const auto& match : denial.globalMatch(text))
             expect(!holds(number(match.captured(1)), match.captured(2), number(match.captured(3))), text,
                    "failed depth test");

@@ -166,7 +166,8 @@ void TestCliFar::refusals_data()
     QTest::addColumn<QString>("words");
     QTest::addColumn<QString>("phrase");
     QTest::newRow("chart") << "bench near.obj --chart speed"
-                           << "--chart: \"speed\" is not a value of chart, which takes: distance, msaa";
+                           << "--chart: \"speed\" is not a value of chart, which takes: snapping, "
+                              "depth-step, edge-functions, lines, attributes, msaa, distance";
     QTest::newRow("clip space") << "bench builtin:square-diagonal --chart distance"
                                 << "a scene in object space is expected";
     QTest::newRow("two scenes") << "bench near.obj far.obj --chart distance"

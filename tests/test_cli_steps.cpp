@@ -166,7 +166,8 @@ void TestCliSteps::whyNamesTheEdge()
                                  "face 0: written #8f8f00 over #000000, depth 0.5 over 1; seen\n"
                                  "face 1: outside edge AB (-8)\n"));
     QVERIFY(call(QStringLiteral("why builtin:square-diagonal --pixel 3,4"))
-                .out.contains("face 0: lost the tie on edge BC (0): neither a left nor a top edge, so not ours\n"));
+                .out.contains("face 0: lost the tie on edge BC (0): neither a left nor a top edge, so not ours; "
+                              "50.0 % of the pixel's area\n"));
 }
 
 void TestCliSteps::whyAsJson()

@@ -223,7 +223,9 @@ void TestCulling::countersAreConserved()
             QCOMPARE(p.covered, p.depthPassed + p.depthFailed);
             const bool oncePerSample = settings.algorithm == Algorithm::Tiled; // what is hidden later is not shaded
             QVERIFY(oncePerSample ? p.written <= p.depthPassed : p.written == p.depthPassed);
-            QCOMPARE(p.shaded, p.written);
+            // Multi-sampling shades a face once a pixel and writes to the samples that it covers.
+            const bool sharesShading = patternSamples(settings.samples) > 1;
+            QVERIFY(sharesShading ? p.shaded <= p.written : p.shaded == p.written);
             QVERIFY(p.tested >= p.covered);
             // Clipping none and its like may fold a face over its neighbour; then an edge has both on one side.
             if (settings.algorithm != Algorithm::ColumnFill) // has no rule for ties

@@ -19,6 +19,8 @@ Settings randomSettings(Random& random, Settings settings)
     for (const SettingsField& field : settingsFields())
         field.set(settings, integer(random, field.minimum, field.maximum));
     settings.threads = integer(random, 0, 4);
+    if (integer(random, 0, 3) > 0) // the other rules need one algorithm, one number type and one sample a pixel
+        settings.coverageRule = CoverageRule::Centre;
     settings.size = {integer(random, 1, 60), integer(random, 1, 60)};
     return settings;
 }

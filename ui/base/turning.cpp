@@ -14,6 +14,12 @@ Turning::Turning(QWidget* panel, int widthBeside, std::function<void(bool)> turn
     panel->installEventFilter(this);
 }
 
+void Turning::setWidthBeside(int width)
+{
+    m_widthBeside = width;
+    judge();
+}
+
 void Turning::judge()
 {
     const QWidget* holder = m_panel->parentWidget();

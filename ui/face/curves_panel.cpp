@@ -10,6 +10,7 @@
 #include "ui/face/curve_plot.h"
 
 #include <QEvent>
+#include <QFontInfo>
 #include <QLabel>
 #include <QPainter>
 #include <QSignalBlocker>
@@ -43,7 +44,12 @@ QString fixed(double value)
     return text.replace(QLatin1Char('-'), QChar(0x2212));
 }
 
-constexpr int kWidthOfOneRow = 900; ///< of two plots and the board beside each other, also in the letters of the stage
+/// From this width on two plots and the board have room beside each other: more in the large letters of the stage.
+int widthOfOneRow(const QFont& font)
+{
+    constexpr int kLetters = 48;
+    return kLetters * QFontInfo(font).pixelSize();
+}
 
 } // namespace
 
@@ -92,7 +98,7 @@ CurvesPanel::CurvesPanel(FaceSelection& selection, QWidget* parent)
     m_figures->addWidget(m_squeeze, kShareOfPlot);
     m_figures->addWidget(m_board, 100 - 2 * kShareOfPlot);
     column->addLayout(m_figures, 1);
-    new Turning(this, kWidthOfOneRow, [this](bool inARow) {
+    m_turning = new Turning(this, widthOfOneRow(font()), [this](bool inARow) {
         m_inARow = inARow;
         arrange();
     });
@@ -274,8 +280,10 @@ void CurvesPanel::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange)
         retranslate();
-    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
+        m_turning->setWidthBeside(widthOfOneRow(font()));
         arrange();
+    }
     QWidget::changeEvent(event);
 }
 

@@ -18,6 +18,7 @@ namespace rasterlens
 {
 
 class CurvePlot;
+class Turning;
 
 /// What the curves are about: the distances of an edge's ends and the near and far planes.
 struct CurveInput {
@@ -75,6 +76,7 @@ private:
     CurvePlot* m_correction;
     CurvePlot* m_squeeze;
     QWidget* m_board;
+    Turning* m_turning;
     QBoxLayout* m_figures; ///< both plots and the board
     bool m_inARow = true;
     bool m_edgeIsChosen = false; ///< by hand; until then the edge with the most to correct is shown

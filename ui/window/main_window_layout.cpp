@@ -47,6 +47,7 @@ void MainWindow::setPresentation(bool on)
         link->setVisible(!on);
     m_stageMenu->setVisible(on);
     statusBar()->setVisible(!on);
+    m_counters->setMinimumWidth(0);
     if (on) // the status bar is out of sight, and so is the panel
         m_canvasHeader->layout()->addWidget(m_counters);
     else
@@ -129,7 +130,9 @@ void MainWindow::resetLayout()
 
 void MainWindow::syncCounters()
 {
-    m_counters->setVisible(!m_panels->isInSight(m_statisticsDock));
+    constexpr int kRoomForBoth = 1000; // on the stage the views stand in the same row
+    const bool hasRoom = !m_look.presentation || width() >= kRoomForBoth;
+    m_counters->setVisible(hasRoom && !m_panels->isInSight(m_statisticsDock));
     if (m_counters->isHidden())
         return;
     m_counters->setText(m_statisticsPanel->brief());
