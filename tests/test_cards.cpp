@@ -448,17 +448,21 @@ void TestCards::textsOfMarksStayInThePlots()
             for (const CurvePlot* plot : {&curves.correctionPlot(), &curves.squeezePlot()}) {
                 const QRectF text = plot->markTextBox();
                 QVERIFY(text.width() > 20 && text.height() > 8);
-                QVERIFY2(plot->area().contains(text),
-                         qPrintable(QStringLiteral("m = %1, text %2 x %3 at (%4, %5), area %6 x %7 at (%8, %9)")
-                                        .arg(place / 1000.0)
-                                        .arg(text.width())
-                                        .arg(text.height())
-                                        .arg(text.x())
-                                        .arg(text.y())
-                                        .arg(plot->area().width())
-                                        .arg(plot->area().height())
-                                        .arg(plot->area().x())
-                                        .arg(plot->area().y())));
+                QVERIFY2(
+                    plot->area().contains(text),
+                    qPrintable(QStringLiteral(
+                                   "stage %10, panel %11, m = %1, text %2 x %3 at (%4, %5), area %6 x %7 at (%8, %9)")
+                                   .arg(place / 1000.0)
+                                   .arg(text.width())
+                                   .arg(text.height())
+                                   .arg(text.x())
+                                   .arg(text.y())
+                                   .arg(plot->area().width())
+                                   .arg(plot->area().height())
+                                   .arg(plot->area().x())
+                                   .arg(plot->area().y())
+                                   .arg(presentation)
+                                   .arg(curves.width())));
             }
         }
     }

@@ -47,7 +47,7 @@ QString fixed(double value)
 /// From this width on two plots and the board have room beside each other: more in the large letters of the stage.
 int widthOfOneRow(const QFont& font)
 {
-    constexpr int kLetters = 48;
+    constexpr int kLetters = 52;
     return kLetters * QFontInfo(font).pixelSize();
 }
 

@@ -208,6 +208,7 @@ void MainWindow::buildStatusBar()
     m_activity->setObjectName(QStringLiteral("muted"));
     m_counters = new QLabel;
     m_counters->setObjectName(QStringLiteral("counters"));
+    m_counters->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     statusBar()->addWidget(m_readout, 1);
     statusBar()->addPermanentWidget(m_activity);
     statusBar()->addPermanentWidget(m_counters);

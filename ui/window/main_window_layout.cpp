@@ -47,7 +47,8 @@ void MainWindow::setPresentation(bool on)
         link->setVisible(!on);
     m_stageMenu->setVisible(on);
     statusBar()->setVisible(!on);
-    m_counters->setMinimumWidth(0);
+    // In the row of the views it takes what they leave: no panel beside the canvas gets narrower for it.
+    m_counters->setSizePolicy(on ? QSizePolicy::Ignored : QSizePolicy::Preferred, QSizePolicy::Preferred);
     if (on) // the status bar is out of sight, and so is the panel
         m_canvasHeader->layout()->addWidget(m_counters);
     else
@@ -130,15 +131,10 @@ void MainWindow::resetLayout()
 
 void MainWindow::syncCounters()
 {
-    constexpr int kRoomForBoth = 1000; // on the stage the views stand in the same row
-    const bool hasRoom = !m_look.presentation || width() >= kRoomForBoth;
-    m_counters->setVisible(hasRoom && !m_panels->isInSight(m_statisticsDock));
-    if (m_counters->isHidden())
-        return;
     m_counters->setText(m_statisticsPanel->brief());
-    // On the stage it shares a row with the views, which are not to move with every digit.
-    m_counters->setMinimumWidth(
-        m_look.presentation ? std::max(m_counters->minimumWidth(), m_counters->sizeHint().width()) : 0);
+    const int room = m_canvasHeader->width() - m_canvasHeader->layout()->minimumSize().width();
+    const bool hasRoom = !m_look.presentation || room >= m_counters->sizeHint().width();
+    m_counters->setVisible(hasRoom && !m_panels->isInSight(m_statisticsDock));
 }
 
 } // namespace rasterlens
