@@ -270,7 +270,8 @@ void TestUnchanged::fieldsWithoutEffectHaveNone()
             }
         }
     }
-    QVERIFY(fields > 5 || scene.secondPassFrom > 0);
+    const bool asksLess = scene.secondPassFrom > 0 || patternSamples(scene.defaults.samples) > 1;
+    QVERIFY(fields > 5 || asksLess);
 }
 
 QTEST_GUILESS_MAIN(TestUnchanged)

@@ -32,6 +32,9 @@ void MainWindow::setPresentation(bool on)
     if (on == m_look.presentation)
         return;
     constexpr int kGap = 7;
+    m_counters->setMinimumWidth(0);
+    m_counters->hide();
+    m_counters->setEnabled(false); // until it is known whether there is room
     if (on) {
         m_stateBeforePresentation = saveState(kLayoutVersion);
         m_panels->quietly([this] {
@@ -47,8 +50,6 @@ void MainWindow::setPresentation(bool on)
         link->setVisible(!on);
     m_stageMenu->setVisible(on);
     statusBar()->setVisible(!on);
-    // In the row of the views it takes what they leave: no panel beside the canvas gets narrower for it.
-    m_counters->setSizePolicy(on ? QSizePolicy::Ignored : QSizePolicy::Preferred, QSizePolicy::Preferred);
     if (on) // the status bar is out of sight, and so is the panel
         m_canvasHeader->layout()->addWidget(m_counters);
     else
@@ -71,6 +72,7 @@ void MainWindow::setPresentation(bool on)
         if (!m_fullScreen->isChecked())
             m_placement->setFullScreen(false);
     }
+    m_counters->setEnabled(true);
     syncCounters();
 }
 
@@ -129,12 +131,25 @@ void MainWindow::resetLayout()
     m_viewport->fit(m_document.scene()->window);
 }
 
+/// On the stage the counters stand in the row of the views, where no panel beside the canvas is to get narrower for
+/// them.
 void MainWindow::syncCounters()
 {
+    if (!m_counters->isEnabled()) // the stage is being set up, or left
+        return;
     m_counters->setText(m_statisticsPanel->brief());
-    const int room = m_canvasHeader->width() - m_canvasHeader->layout()->minimumSize().width();
-    const bool hasRoom = !m_look.presentation || room >= m_counters->sizeHint().width();
-    m_counters->setVisible(hasRoom && !m_panels->isInSight(m_statisticsDock));
+    const int wanted = m_counters->sizeHint().width();
+    bool isInSight = !m_panels->isInSight(m_statisticsDock);
+    if (m_look.presentation) {
+        const int others = m_canvasHeader->layout()->minimumSize().width() - m_counters->minimumWidth();
+        isInSight = isInSight && m_canvasHeader->width() >= others + wanted &&
+                    std::ranges::none_of(m_panels->actions(),
+                                         [this](const auto& panel) { return m_panels->isInSight(panel.second); });
+    }
+    m_counters->setVisible(isInSight);
+    // The views are not to move with every digit.
+    const bool keepsWidth = m_look.presentation && isInSight;
+    m_counters->setMinimumWidth(keepsWidth ? std::max(m_counters->minimumWidth(), wanted) : 0);
 }
 
 } // namespace rasterlens
