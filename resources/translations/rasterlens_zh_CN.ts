@@ -204,7 +204,7 @@
     </message>
     <message>
         <source>An open surface: where the leaf turns its back, back-face culling tears a hole into it. Turn culling off.</source>
-        <translation>开放曲面：叶片背对我们的地方会被背面剔除挖出空洞。请关闭剔除。</translation>
+        <translation>开放曲面：叶片背对我们的地方会被背面剔除撕开一个洞。请关闭剔除。</translation>
     </message>
     <message>
         <source>Fan</source>
@@ -344,7 +344,7 @@
     </message>
     <message>
         <source>Tiles smaller than a pixel</source>
-        <translation>比像素还小的方砖</translation>
+        <translation>比像素还小的瓷砖</translation>
     </message>
     <message>
         <source>From half a pixel on the left to several on the right. However small they are, together they cover every pixel once.</source>
@@ -356,7 +356,7 @@
     </message>
     <message>
         <source>2 x 2 samples a pixel. The orange triangle is nearer and sent first; the white square is cut by its diagonal, of which nothing may be seen.</source>
-        <translation>每像素 2 × 2 个样本。橙色三角形更近且先提交；白色正方形被对角线切开，而对角线不应被看见。</translation>
+        <translation>每像素 2 × 2 个采样点。橙色三角形更近且先提交；白色正方形被对角线切开，而对角线不应被看见。</translation>
     </message>
     <message>
         <source>Triangles without area</source>
@@ -548,7 +548,7 @@
     </message>
     <message>
         <source>Two passes: a board, then tiles at the same depth, drawn where depths are equal. Each has another w, so that z/w is off by a rounding, which 16 bits must round away.</source>
-        <translation>两遍：先画一块板，再画同一深度的小块，只画在深度相等处。每块的 w 不同，z/w 会差一次舍入，16 位深度应当把它舍掉。</translation>
+        <translation>两遍：先画一块板，再画同一深度的瓷砖，只画在深度相等处。每块瓷砖的 w 不同，z/w 会差一次舍入，16 位深度应当把它舍掉。</translation>
     </message>
     <message>
         <source>A beam up to the eye</source>
@@ -564,7 +564,7 @@
     </message>
     <message>
         <source>Of each pair the warm triangle is nearer and is sent first. Two threads without a lock draw the two at the same time.</source>
-        <translation>每一对里暖色的三角形更近，先发送。两个没有加锁的线程同时画这两个。</translation>
+        <translation>每一对里暖色的三角形更近，先提交。两个没有加锁的线程同时画这两个。</translation>
     </message>
     <message>
         <source>Diagonals drawn both ways</source>
@@ -1415,7 +1415,7 @@
     </message>
     <message>
         <source>Form 1, strict: the sample is inside if the least of the three edge values is positive. A centre on a shared edge is in neither triangle: holes.</source>
-        <translation>形式 1，严格：三个边值中最小的为正，样本就在内部。共享边上的中心不属于任何一个三角形：出现空洞。</translation>
+        <translation>形式 1，严格：三个边值中最小的为正，样本就在内部。公共边上的中心不属于任何一个三角形：出现洞。</translation>
     </message>
     <message>
         <source>Form 2, inclusive: 0 counts as inside. A centre on a shared edge is in both triangles: drawn twice.</source>
@@ -2565,7 +2565,7 @@
     <name>Experiment</name>
     <message>
         <source>wrong pixels: missing, extra or hit twice</source>
-        <translation>错误像素：缺失、多余或重复覆盖</translation>
+        <translation>错误像素：缺失、多余或重复命中</translation>
     </message>
     <message>
         <source>largest depth error, range 0 to 1</source>
@@ -2600,7 +2600,7 @@
     </message>
     <message>
         <source>%1 holes</source>
-        <translation>空洞 %1 个</translation>
+        <translation>洞 %1 个</translation>
     </message>
     <message>
         <source>%1 pixels are covered by two faces or more</source>
@@ -2780,7 +2780,7 @@
     </message>
     <message>
         <source>A 24-gon as a fan from one of its corners: covered pixels once, no hole.</source>
-        <translation>从一个角出发的扇形组成的正二十四边形：覆盖的像素各一次，没有空洞。</translation>
+        <translation>从一个角出发的扇形组成的正二十四边形：覆盖的像素各一次，没有洞。</translation>
     </message>
     <message>
         <source>A sliver 1/256 px wide just right of a column of centres covers nothing.</source>
@@ -4796,7 +4796,7 @@
     </message>
     <message>
         <source>The edge x = 3.5 runs through column 3: its 8 pixels are hit twice, and no tie rule is asked.</source>
-        <translation>边 x = 3.5 穿过第 3 列：这 8 个像素都被命中两次，不问平局规则。</translation>
+        <translation>边 x = 3.5 穿过第 3 列：这 8 个像素都被命中两次，不问边界归属规则。</translation>
     </message>
     <message>
         <source>samples edge on msaa2</source>
@@ -5311,7 +5311,7 @@
     </message>
     <message>
         <source>Tiles and lines break at the diagonal of the square and swim when the camera moves.</source>
-        <translation>方砖和线条在正方形对角线处折断，相机移动时漂移。</translation>
+        <translation>瓷砖和线条在正方形对角线处折断，相机移动时漂移。</translation>
     </message>
     <message>
         <source>uv = α * A.uv + β * B.uv + γ * C.uv</source>
@@ -5471,7 +5471,7 @@
     </message>
     <message>
         <source>Everything after the first rejected face is missing.</source>
-        <translation>第一个被拒绝的面之后全都不见了。</translation>
+        <translation>第一个被丢弃的面之后全都不见了。</translation>
     </message>
     <message>
         <source>if (outside) return;</source>
@@ -5723,7 +5723,7 @@
     </message>
     <message>
         <source>The bounding box is off by one</source>
-        <translation>包围盒差一</translation>
+        <translation>包围盒边界差一个像素</translation>
     </message>
     <message>
         <source>The last column and the last row of each triangle are missing.</source>
@@ -5751,7 +5751,7 @@
     </message>
     <message>
         <source>Triangles without area are not rejected</source>
-        <translation>不拒绝没有面积的三角形</translation>
+        <translation>不丢弃没有面积的三角形</translation>
     </message>
     <message>
         <source>Black lines: the weights are 0/0, which no comparison holds back.</source>
@@ -7123,7 +7123,7 @@
     </message>
     <message>
         <source>rejected</source>
-        <translation>整体丢弃</translation>
+        <translation>丢弃</translation>
     </message>
     <message>
         <source>Wholly outside the view volume.</source>
@@ -7191,7 +7191,7 @@
     </message>
     <message>
         <source>hit twice</source>
-        <translation>重复覆盖</translation>
+        <translation>重复命中</translation>
     </message>
     <message>
         <source>clipped · into pieces</source>
@@ -7302,7 +7302,7 @@
     </message>
     <message>
         <source>span</source>
-        <translation>跨度</translation>
+        <translation>扫描段</translation>
     </message>
     <message>
         <source>column</source>
@@ -7568,7 +7568,7 @@
     </message>
     <message>
         <source>rejected</source>
-        <translation>拒绝</translation>
+        <translation>丢弃</translation>
     </message>
     <message>
         <source>culled-back</source>
@@ -8298,7 +8298,7 @@
     </message>
     <message>
         <source>rejected whole: no plane had to cut</source>
-        <translation>整体拒绝：无需切割</translation>
+        <translation>整体丢弃：无需切割</translation>
     </message>
     <message>
         <source>wholly inside: no plane cuts</source>
@@ -9496,7 +9496,7 @@
     </message>
     <message>
         <source>rejected</source>
-        <translation>拒绝</translation>
+        <translation>丢弃</translation>
     </message>
     <message>
         <source>culled, back</source>
@@ -9797,7 +9797,7 @@
     </message>
     <message>
         <source>rejected by %1</source>
-        <translation>被 %1 平面拒绝</translation>
+        <translation>被 %1 平面丢弃</translation>
     </message>
     <message>
         <source>culled: back face</source>
