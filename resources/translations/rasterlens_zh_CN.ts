@@ -827,7 +827,7 @@
     </message>
     <message>
         <source>What is left is drawn as a fan: each triangle takes one corner more.</source>
-        <translation>剩下的部分画成三角扇：每多一个角就多一个三角形。</translation>
+        <translation>剩下的部分画成三角扇：每多一个顶点就多一个三角形。</translation>
     </message>
     <message>
         <source>Plane %1: both ends are equally far from it, so the edge never meets it.</source>
@@ -5643,7 +5643,7 @@
     </message>
     <message>
         <source>Coverage times colour in place of stored samples</source>
-        <translation>用覆盖率乘颜色代替存储样本</translation>
+        <translation>用覆盖率乘颜色代替存储采样点</translation>
     </message>
     <message>
         <source>Dark lines along edges, also where two triangles of one colour meet.</source>
@@ -5659,7 +5659,7 @@
     </message>
     <message>
         <source>One depth for all samples of a pixel</source>
-        <translation>像素的所有样本共用一个深度</translation>
+        <translation>像素的所有采样点共用一个深度</translation>
     </message>
     <message>
         <source>A fringe of background round what was drawn first: what lies behind fails its test there.</source>
@@ -5675,7 +5675,7 @@
     </message>
     <message>
         <source>inside(int, int) truncates the samples</source>
-        <translation>inside(int, int) 截断了样本位置</translation>
+        <translation>inside(int, int) 截断了采样点位置</translation>
     </message>
     <message>
         <source>Edges are as jagged as with one sample, at four times the cost.</source>
@@ -5691,7 +5691,7 @@
     </message>
     <message>
         <source>Rows of samples at the wrong stride</source>
-        <translation>样本行距弄错</translation>
+        <translation>采样点行距弄错</translation>
     </message>
     <message>
         <source>The picture is sheared into stripes; in a square window it is right.</source>
@@ -6434,11 +6434,11 @@
     </message>
     <message>
         <source>%1 corners are left</source>
-        <translation>剩下 %1 个角</translation>
+        <translation>剩下 %1 个顶点</translation>
     </message>
     <message>
         <source>corner %1 comes from the mesh</source>
-        <translation>从网格取角 %1</translation>
+        <translation>从网格取顶点 %1</translation>
     </message>
     <message>
         <source>cut by the plane %1: %2</source>
@@ -6450,7 +6450,7 @@
     </message>
     <message>
         <source>corner %1 goes to pixel position (%2, %3)</source>
-        <translation>角 %1 变换到像素坐标 (%2, %3)</translation>
+        <translation>顶点 %1 变换到像素坐标 (%2, %3)</translation>
     </message>
     <message>
         <source>verdict: %1</source>
@@ -7652,7 +7652,7 @@
     </message>
     <message>
         <source>corner %1</source>
-        <translation>角 %1</translation>
+        <translation>顶点 %1</translation>
     </message>
     <message>
         <source>%1 -&gt; %2, depth %3, %4</source>
