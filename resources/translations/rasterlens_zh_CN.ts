@@ -6484,7 +6484,7 @@
     <name>Settings</name>
     <message>
         <source>Edge equation</source>
-        <translation>边函数</translation>
+        <translation>边方程</translation>
     </message>
     <message>
         <source>Edge walking</source>
@@ -7922,7 +7922,7 @@
     </message>
     <message>
         <source>algorithm tiled makes no mistakes; edge-equation and edge-walking do</source>
-        <translation>分块算法不演示错误；边函数和边步进算法可以</translation>
+        <translation>分块算法不演示错误；边方程和边步进算法可以</translation>
     </message>
     <message>
         <source>this machine does not have simd %1</source>
@@ -8670,7 +8670,7 @@
     </message>
     <message>
         <source>%1 · edge equation takes %2 times as long as edge walking here, 1.36 times in [002]</source>
-        <translation>%1 · 这里边函数用时是边步进的 %2 倍，[002] 中为 1.36 倍</translation>
+        <translation>%1 · 这里边方程用时是边步进的 %2 倍，[002] 中为 1.36 倍</translation>
     </message>
     <message>
         <source>Loaded: %1</source>
@@ -10030,7 +10030,7 @@
     </message>
     <message>
         <source>Edge equation</source>
-        <translation>边函数</translation>
+        <translation>边方程</translation>
     </message>
     <message>
         <source>samples tested</source>
