@@ -795,7 +795,7 @@
     </message>
     <message>
         <source>Edge %1%2: both codes are 0000. It lies inside, and is kept.</source>
-        <translation>边 %1%2：两个区域码都是 0000。它在内部，保留。</translation>
+        <translation>边 %1%2：两个区域编码都是 0000。它在内部，保留。</translation>
     </message>
     <message>
         <source>Edge %1%2: no side has both ends beyond it, so a part may be seen.</source>
@@ -811,7 +811,7 @@
     </message>
     <message>
         <source>Its new code is %1. On the border it counts as inside; a program that takes it for outside has to move it in by a little (0.001), or the loop never ends.</source>
-        <translation>它的新区域码是 %1。在边界上算作内部；若程序把它当作外部，就必须向内移一点（0.001），否则循环永不结束。</translation>
+        <translation>它的新区域编码是 %1。在边界上算作内部；若程序把它当作外部，就必须向内移一点（0.001），否则循环永不结束。</translation>
     </message>
     <message>
         <source>The edge was cut on the screen, so attributes need the part of the way in space.</source>
@@ -823,7 +823,7 @@
     </message>
     <message>
         <source>A worked example, not of this face: from U left of the screen to V above it. The codes have no bit in common, yet the edge passes the corner of the screen by.</source>
-        <translation>一个算例，与此面无关：从屏幕左侧的 U 到屏幕上方的 V。两个区域码没有相同的位，可这条边仍从屏幕角外经过。</translation>
+        <translation>一个算例，与此面无关：从屏幕左侧的 U 到屏幕上方的 V。两个区域编码没有相同的位，可这条边仍从屏幕角外经过。</translation>
     </message>
     <message>
         <source>What is left is drawn as a fan: each triangle takes one corner more.</source>
@@ -7648,7 +7648,7 @@
     </message>
     <message>
         <source>outcodes %1</source>
-        <translation>区域码 %1</translation>
+        <translation>区域编码 %1</translation>
     </message>
     <message>
         <source>corner %1</source>
@@ -8318,7 +8318,7 @@
     </message>
     <message>
         <source>%1  outcode %2</source>
-        <translation>%1  区域码 %2</translation>
+        <translation>%1  区域编码 %2</translation>
     </message>
     <message>
         <source>all corners are inside: nothing to cut here</source>
@@ -10961,7 +10961,7 @@
     </message>
     <message>
         <source>outcode</source>
-        <translation>区域码</translation>
+        <translation>区域编码</translation>
     </message>
     <message>
         <source>One bit each: above, below, right, left of the screen</source>
