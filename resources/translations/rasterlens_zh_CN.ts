@@ -204,7 +204,7 @@
     </message>
     <message>
         <source>An open surface: where the leaf turns its back, back-face culling tears a hole into it. Turn culling off.</source>
-        <translation>开放曲面：叶片背对我们的地方会被背面剔除挖出空洞。请关闭剔除。</translation>
+        <translation>开放曲面：叶片背对我们的地方会被背面剔除撕开一个洞。请关闭剔除。</translation>
     </message>
     <message>
         <source>Fan</source>
@@ -344,7 +344,7 @@
     </message>
     <message>
         <source>Tiles smaller than a pixel</source>
-        <translation>比像素还小的方砖</translation>
+        <translation>比像素还小的瓷砖</translation>
     </message>
     <message>
         <source>From half a pixel on the left to several on the right. However small they are, together they cover every pixel once.</source>
@@ -356,7 +356,7 @@
     </message>
     <message>
         <source>2 x 2 samples a pixel. The orange triangle is nearer and sent first; the white square is cut by its diagonal, of which nothing may be seen.</source>
-        <translation>每像素 2 × 2 个样本。橙色三角形更近且先提交；白色正方形被对角线切开，而对角线不应被看见。</translation>
+        <translation>每像素 2 × 2 个采样点。橙色三角形更近且先提交；白色正方形被对角线切开，而对角线不应被看见。</translation>
     </message>
     <message>
         <source>Triangles without area</source>
@@ -548,7 +548,7 @@
     </message>
     <message>
         <source>Two passes: a board, then tiles at the same depth, drawn where depths are equal. Each has another w, so that z/w is off by a rounding, which 16 bits must round away.</source>
-        <translation>两遍：先画一块板，再画同一深度的小块，只画在深度相等处。每块的 w 不同，z/w 会差一次舍入，16 位深度应当把它舍掉。</translation>
+        <translation>两遍：先画一块板，再画同一深度的瓷砖，只画在深度相等处。每块瓷砖的 w 不同，z/w 会差一次舍入，16 位深度应当把它舍掉。</translation>
     </message>
     <message>
         <source>A beam up to the eye</source>
@@ -564,7 +564,7 @@
     </message>
     <message>
         <source>Of each pair the warm triangle is nearer and is sent first. Two threads without a lock draw the two at the same time.</source>
-        <translation>每一对里暖色的三角形更近，先发送。两个没有加锁的线程同时画这两个。</translation>
+        <translation>每一对里暖色的三角形更近，先提交。两个没有加锁的线程同时画这两个。</translation>
     </message>
     <message>
         <source>Diagonals drawn both ways</source>
@@ -795,7 +795,7 @@
     </message>
     <message>
         <source>Edge %1%2: both codes are 0000. It lies inside, and is kept.</source>
-        <translation>边 %1%2：两个区域码都是 0000。它在内部，保留。</translation>
+        <translation>边 %1%2：两个区域编码都是 0000。它在内部，保留。</translation>
     </message>
     <message>
         <source>Edge %1%2: no side has both ends beyond it, so a part may be seen.</source>
@@ -811,7 +811,7 @@
     </message>
     <message>
         <source>Its new code is %1. On the border it counts as inside; a program that takes it for outside has to move it in by a little (0.001), or the loop never ends.</source>
-        <translation>它的新区域码是 %1。在边界上算作内部；若程序把它当作外部，就必须向内移一点（0.001），否则循环永不结束。</translation>
+        <translation>它的新区域编码是 %1。在边界上算作内部；若程序把它当作外部，就必须向内移一点（0.001），否则循环永不结束。</translation>
     </message>
     <message>
         <source>The edge was cut on the screen, so attributes need the part of the way in space.</source>
@@ -823,11 +823,11 @@
     </message>
     <message>
         <source>A worked example, not of this face: from U left of the screen to V above it. The codes have no bit in common, yet the edge passes the corner of the screen by.</source>
-        <translation>一个算例，与此面无关：从屏幕左侧的 U 到屏幕上方的 V。两个区域码没有相同的位，可这条边仍从屏幕角外经过。</translation>
+        <translation>一个算例，与此面无关：从屏幕左侧的 U 到屏幕上方的 V。两个区域编码没有相同的位，可这条边仍从屏幕角外经过。</translation>
     </message>
     <message>
         <source>What is left is drawn as a fan: each triangle takes one corner more.</source>
-        <translation>剩下的部分画成三角扇：每多一个角就多一个三角形。</translation>
+        <translation>剩下的部分画成三角扇：每多一个顶点就多一个三角形。</translation>
     </message>
     <message>
         <source>Plane %1: both ends are equally far from it, so the edge never meets it.</source>
@@ -1415,7 +1415,7 @@
     </message>
     <message>
         <source>Form 1, strict: the sample is inside if the least of the three edge values is positive. A centre on a shared edge is in neither triangle: holes.</source>
-        <translation>形式 1，严格：三个边值中最小的为正，样本就在内部。共享边上的中心不属于任何一个三角形：出现空洞。</translation>
+        <translation>形式 1，严格：三个边值中最小的为正，样本就在内部。公共边上的中心不属于任何一个三角形：出现洞。</translation>
     </message>
     <message>
         <source>Form 2, inclusive: 0 counts as inside. A centre on a shared edge is in both triangles: drawn twice.</source>
@@ -2565,7 +2565,7 @@
     <name>Experiment</name>
     <message>
         <source>wrong pixels: missing, extra or hit twice</source>
-        <translation>错误像素：缺失、多余或重复覆盖</translation>
+        <translation>错误像素：缺失、多余或重复命中</translation>
     </message>
     <message>
         <source>largest depth error, range 0 to 1</source>
@@ -2600,7 +2600,7 @@
     </message>
     <message>
         <source>%1 holes</source>
-        <translation>空洞 %1 个</translation>
+        <translation>洞 %1 个</translation>
     </message>
     <message>
         <source>%1 pixels are covered by two faces or more</source>
@@ -2780,7 +2780,7 @@
     </message>
     <message>
         <source>A 24-gon as a fan from one of its corners: covered pixels once, no hole.</source>
-        <translation>从一个角出发的扇形组成的正二十四边形：覆盖的像素各一次，没有空洞。</translation>
+        <translation>从一个角出发的扇形组成的正二十四边形：覆盖的像素各一次，没有洞。</translation>
     </message>
     <message>
         <source>A sliver 1/256 px wide just right of a column of centres covers nothing.</source>
@@ -4796,7 +4796,7 @@
     </message>
     <message>
         <source>The edge x = 3.5 runs through column 3: its 8 pixels are hit twice, and no tie rule is asked.</source>
-        <translation>边 x = 3.5 穿过第 3 列：这 8 个像素都被命中两次，不问平局规则。</translation>
+        <translation>边 x = 3.5 穿过第 3 列：这 8 个像素都被命中两次，不问边界归属规则。</translation>
     </message>
     <message>
         <source>samples edge on msaa2</source>
@@ -5311,7 +5311,7 @@
     </message>
     <message>
         <source>Tiles and lines break at the diagonal of the square and swim when the camera moves.</source>
-        <translation>方砖和线条在正方形对角线处折断，相机移动时漂移。</translation>
+        <translation>瓷砖和线条在正方形对角线处折断，相机移动时漂移。</translation>
     </message>
     <message>
         <source>uv = α * A.uv + β * B.uv + γ * C.uv</source>
@@ -5471,7 +5471,7 @@
     </message>
     <message>
         <source>Everything after the first rejected face is missing.</source>
-        <translation>第一个被拒绝的面之后全都不见了。</translation>
+        <translation>第一个被丢弃的面之后全都不见了。</translation>
     </message>
     <message>
         <source>if (outside) return;</source>
@@ -5643,7 +5643,7 @@
     </message>
     <message>
         <source>Coverage times colour in place of stored samples</source>
-        <translation>用覆盖率乘颜色代替存储样本</translation>
+        <translation>用覆盖率乘颜色代替存储采样点</translation>
     </message>
     <message>
         <source>Dark lines along edges, also where two triangles of one colour meet.</source>
@@ -5659,7 +5659,7 @@
     </message>
     <message>
         <source>One depth for all samples of a pixel</source>
-        <translation>像素的所有样本共用一个深度</translation>
+        <translation>像素的所有采样点共用一个深度</translation>
     </message>
     <message>
         <source>A fringe of background round what was drawn first: what lies behind fails its test there.</source>
@@ -5675,7 +5675,7 @@
     </message>
     <message>
         <source>inside(int, int) truncates the samples</source>
-        <translation>inside(int, int) 截断了样本位置</translation>
+        <translation>inside(int, int) 截断了采样点位置</translation>
     </message>
     <message>
         <source>Edges are as jagged as with one sample, at four times the cost.</source>
@@ -5691,7 +5691,7 @@
     </message>
     <message>
         <source>Rows of samples at the wrong stride</source>
-        <translation>样本行距弄错</translation>
+        <translation>采样点行距弄错</translation>
     </message>
     <message>
         <source>The picture is sheared into stripes; in a square window it is right.</source>
@@ -5723,7 +5723,7 @@
     </message>
     <message>
         <source>The bounding box is off by one</source>
-        <translation>包围盒差一</translation>
+        <translation>包围盒边界差一个像素</translation>
     </message>
     <message>
         <source>The last column and the last row of each triangle are missing.</source>
@@ -5751,7 +5751,7 @@
     </message>
     <message>
         <source>Triangles without area are not rejected</source>
-        <translation>不拒绝没有面积的三角形</translation>
+        <translation>不丢弃没有面积的三角形</translation>
     </message>
     <message>
         <source>Black lines: the weights are 0/0, which no comparison holds back.</source>
@@ -6434,11 +6434,11 @@
     </message>
     <message>
         <source>%1 corners are left</source>
-        <translation>剩下 %1 个角</translation>
+        <translation>剩下 %1 个顶点</translation>
     </message>
     <message>
         <source>corner %1 comes from the mesh</source>
-        <translation>从网格取角 %1</translation>
+        <translation>从网格取顶点 %1</translation>
     </message>
     <message>
         <source>cut by the plane %1: %2</source>
@@ -6450,7 +6450,7 @@
     </message>
     <message>
         <source>corner %1 goes to pixel position (%2, %3)</source>
-        <translation>角 %1 变换到像素坐标 (%2, %3)</translation>
+        <translation>顶点 %1 变换到像素坐标 (%2, %3)</translation>
     </message>
     <message>
         <source>verdict: %1</source>
@@ -6484,7 +6484,7 @@
     <name>Settings</name>
     <message>
         <source>Edge equation</source>
-        <translation>边函数</translation>
+        <translation>边方程</translation>
     </message>
     <message>
         <source>Edge walking</source>
@@ -7123,7 +7123,7 @@
     </message>
     <message>
         <source>rejected</source>
-        <translation>整体丢弃</translation>
+        <translation>丢弃</translation>
     </message>
     <message>
         <source>Wholly outside the view volume.</source>
@@ -7191,7 +7191,7 @@
     </message>
     <message>
         <source>hit twice</source>
-        <translation>重复覆盖</translation>
+        <translation>重复命中</translation>
     </message>
     <message>
         <source>clipped · into pieces</source>
@@ -7310,7 +7310,7 @@
     </message>
     <message>
         <source>span</source>
-        <translation>跨度</translation>
+        <translation>扫描段</translation>
     </message>
     <message>
         <source>column</source>
@@ -7576,7 +7576,7 @@
     </message>
     <message>
         <source>rejected</source>
-        <translation>拒绝</translation>
+        <translation>丢弃</translation>
     </message>
     <message>
         <source>culled-back</source>
@@ -7656,11 +7656,11 @@
     </message>
     <message>
         <source>outcodes %1</source>
-        <translation>区域码 %1</translation>
+        <translation>区域编码 %1</translation>
     </message>
     <message>
         <source>corner %1</source>
-        <translation>角 %1</translation>
+        <translation>顶点 %1</translation>
     </message>
     <message>
         <source>%1 -&gt; %2, depth %3, %4</source>
@@ -7930,7 +7930,7 @@
     </message>
     <message>
         <source>algorithm tiled makes no mistakes; edge-equation and edge-walking do</source>
-        <translation>分块算法不演示错误；边函数和边步进算法可以</translation>
+        <translation>分块算法不演示错误；边方程和边步进算法可以</translation>
     </message>
     <message>
         <source>this machine does not have simd %1</source>
@@ -8306,7 +8306,7 @@
     </message>
     <message>
         <source>rejected whole: no plane had to cut</source>
-        <translation>整体拒绝：无需切割</translation>
+        <translation>整体丢弃：无需切割</translation>
     </message>
     <message>
         <source>wholly inside: no plane cuts</source>
@@ -8326,7 +8326,7 @@
     </message>
     <message>
         <source>%1  outcode %2</source>
-        <translation>%1  区域码 %2</translation>
+        <translation>%1  区域编码 %2</translation>
     </message>
     <message>
         <source>all corners are inside: nothing to cut here</source>
@@ -8678,7 +8678,7 @@
     </message>
     <message>
         <source>%1 · edge equation takes %2 times as long as edge walking here, 1.36 times in [002]</source>
-        <translation>%1 · 这里边函数用时是边步进的 %2 倍，[002] 中为 1.36 倍</translation>
+        <translation>%1 · 这里边方程用时是边步进的 %2 倍，[002] 中为 1.36 倍</translation>
     </message>
     <message>
         <source>Loaded: %1</source>
@@ -9504,7 +9504,7 @@
     </message>
     <message>
         <source>rejected</source>
-        <translation>拒绝</translation>
+        <translation>丢弃</translation>
     </message>
     <message>
         <source>culled, back</source>
@@ -9805,7 +9805,7 @@
     </message>
     <message>
         <source>rejected by %1</source>
-        <translation>被 %1 平面拒绝</translation>
+        <translation>被 %1 平面丢弃</translation>
     </message>
     <message>
         <source>culled: back face</source>
@@ -10038,7 +10038,7 @@
     </message>
     <message>
         <source>Edge equation</source>
-        <translation>边函数</translation>
+        <translation>边方程</translation>
     </message>
     <message>
         <source>samples tested</source>
@@ -10969,7 +10969,7 @@
     </message>
     <message>
         <source>outcode</source>
-        <translation>区域码</translation>
+        <translation>区域编码</translation>
     </message>
     <message>
         <source>One bit each: above, below, right, left of the screen</source>
