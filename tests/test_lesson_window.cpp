@@ -152,7 +152,7 @@ void TestLessonWindow::momentsAreReadAsTheyAreShown()
 {
     QVERIFY(openAt(QStringLiteral("incremental"), 8, LessonPlayer::Entry::Skips));
     const Moment first = m_window->moment().present();
-    QCOMPARE(*first.zoom, 16.0);
+    QCOMPARE(*first.zoom, 48.0);
     QVERIFY(openAt(QStringLiteral("top-left"), 2, LessonPlayer::Entry::Skips));
     viewport().selectPixel(QPoint(2, 3));
     viewport().showAround({3.5, 4.25}, 64); // larger than all of the picture: a slide does not fall short of that
