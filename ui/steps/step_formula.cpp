@@ -374,6 +374,17 @@ QString lineFormula(const StepLog& log, const StepEvent& event)
         .arg(change, minus(QString::number(next)));
 }
 
+/// `1012`, `0.534759`: as many digits whatever the size, so that sums can be added up again.
+QString sixDecimals(double value)
+{
+    QString text = QString::number(value, 'f', 6);
+    while (text.endsWith(QLatin1Char('0')))
+        text.chop(1);
+    if (text.endsWith(QLatin1Char('.')))
+        text.chop(1);
+    return text == QLatin1String("-0") ? QStringLiteral("0") : text;
+}
+
 /// `y_4 = 3.9 + 0.3 = 4.2   x_4 = 7`, `round(y_4) = 4   error = 4.2 − 4 = 0.2`
 QString positionFormula(const StepLog& log, const StepEvent& event)
 {
@@ -381,12 +392,12 @@ QString positionFormula(const StepLog& log, const StepEvent& event)
     const auto axis = [&](const char* name, double at, double perStep) {
         const QString added =
             QStringLiteral("%1 %2 %3 = ")
-                .arg(minus(shortNumber(at - perStep)), perStep < 0 ? QStringLiteral("\u2212") : QStringLiteral("+"),
-                     shortNumber(std::abs(perStep)));
+                .arg(minus(sixDecimals(at - perStep)), perStep < 0 ? QStringLiteral("\u2212") : QStringLiteral("+"),
+                     sixDecimals(std::abs(perStep)));
         return QStringLiteral("%1_%2 = %3%4")
             .arg(QLatin1String(name))
             .arg(p.step)
-            .arg(p.step > 0 ? added : QString(), minus(shortNumber(at)));
+            .arg(p.step > 0 ? added : QString(), minus(sixDecimals(at)));
     };
     const QString x = axis("x", p.x, p.perStepX);
     const QString y = axis("y", p.y, p.perStepY);
@@ -395,9 +406,9 @@ QString positionFormula(const StepLog& log, const StepEvent& event)
     return QStringLiteral("%1   %2\nround(%3_%4) = %5   error = %6 \u2212 %7 = %8")
         .arg(p.steep() ? x : y, p.steep() ? y : x, p.steep() ? QStringLiteral("x") : QStringLiteral("y"))
         .arg(p.step)
-        .arg(minus(QString::number(rounded)), minus(shortNumber(at)),
+        .arg(minus(QString::number(rounded)), minus(sixDecimals(at)),
              rounded < 0 ? QStringLiteral("(%1)").arg(minus(QString::number(rounded))) : QString::number(rounded),
-             minus(shortNumber(p.error())));
+             minus(sixDecimals(p.error())));
 }
 
 /// The sum of each channel: two in the first line, one in the second with what counts as black.
