@@ -190,6 +190,7 @@ private Q_SLOTS:
     void stopsWhereTheLogStops();
     void wholeScenes_data();
     void wholeScenes();
+    void beginningIsTheBeginningOfTheWhole();
     void historyKeepsToItsMemory();
     void stoppedRecordSaysSo();
 };
@@ -334,6 +335,40 @@ void TestStepRecord::wholeScenes()
     std::ranges::nth_element(jumps, jumps.begin() + 7);
     qInfo("%-20s %9zu events, ready in %lld ms, index %zu MB, jump %.1f ms", qPrintable(name), record->size(),
           static_cast<long long>(readyMs), record->index().bytes() >> 20, jumps[7]);
+}
+
+void TestStepRecord::beginningIsTheBeginningOfTheWhole()
+{
+    const unsigned seed = test::seedOfRun();
+    Draws draws(seed);
+    const auto scenes = builtinScenes();
+    int cutOff = 0;
+    for (int i = 0; i < test::casesOfBuild(100); ++i) {
+        const auto scene = builtin(scenes[std::size_t(i) % scenes.size()].name);
+        if (scene->mesh.faceCount() > 3000)
+            continue;
+        const Settings settings = draws.settings(*scene);
+        StepFilter filter = draws.filter(*scene, settings.size);
+        const auto whole = recordSteps(scene, settings, filter, {}, kLittle);
+        filter.cap = 1 + draws.below(2 * whole->size());
+        const auto beginning = recordBeginning(scene, settings, filter);
+        const QByteArray what = QStringLiteral("%1 of seed %2, %3").arg(i).arg(seed).arg(scene->id).toUtf8();
+        QVERIFY2(beginning->truncated() == (filter.cap < whole->size() - 1),
+                 what.constData()); // End is stored beside it
+        QVERIFY2(beginning->size() >= std::min(filter.cap, whole->size()), what.constData());
+        QVERIFY2(beginning->size() <= whole->size(), what.constData());
+        cutOff += beginning->truncated() ? 1 : 0;
+        StepCursor a(beginning);
+        StepCursor b(whole);
+        for (int k = 0; k < 8; ++k) {
+            const std::size_t to = k == 7 ? beginning->size() : draws.below(beginning->size() + 1);
+            a.moveTo(to);
+            b.moveTo(to);
+            const char* wrong = difference(a, b);
+            QVERIFY2(wrong == nullptr, (what + " at " + QByteArray::number(qulonglong(to)) + ": " + wrong).constData());
+        }
+    }
+    QVERIFY(cutOff > test::casesOfBuild(10));
 }
 
 void TestStepRecord::historyKeepsToItsMemory()

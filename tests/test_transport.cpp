@@ -39,6 +39,7 @@ private Q_SLOTS:
     void largeSceneIsSteppedToItsEnd();
     void playsByEachLength();
     void recordingNeverBlocks();
+    void theBeginningIsSteppedWhileTheRestIsRecorded();
     void exportsDrawingsAndRuns();
 };
 
@@ -114,7 +115,9 @@ void TestTransport::runUntilEachStop()
     const auto expect = [this](const StepStop& stop) {
         session().moveTo(0);
         const auto at = log().findStop(0, StepDirection::Forward, stop);
-        QCOMPARE(session().runUntil(stop), at.has_value());
+        QSignalSpy missed(&session(), &StepSession::stopMissed);
+        session().runUntil(stop);
+        QCOMPARE(missed.isEmpty(), at.has_value());
         QCOMPARE(session().position(), at ? *at + 1 : log().size());
     };
     expect({StepStop::Kind::Pixel, 3, 4});
@@ -123,8 +126,9 @@ void TestTransport::runUntilEachStop()
     expect({StepStop::Kind::Tie});
     QVERIFY(session().event()->has(StepEvent::kTie));
     const std::size_t first = session().position();
-    QVERIFY(session().runUntil({StepStop::Kind::Tie}));
+    session().runUntil({StepStop::Kind::Tie});
     QVERIFY(session().position() > first);
+    QVERIFY(session().event()->has(StepEvent::kTie));
     expect({StepStop::Kind::SignChange});
     QVERIFY(session().event()->has(StepEvent::kSignChange));
     expect({StepStop::Kind::DepthFail});
@@ -266,6 +270,68 @@ void TestTransport::recordingNeverBlocks()
     QVERIFY(!session().isRecording());
     QTest::qWait(100);
     QVERIFY(!session().log());
+}
+
+void TestTransport::theBeginningIsSteppedWhileTheRestIsRecorded()
+{
+    Settings settings = document().settings();
+    settings.size = {1024, 1024};
+    document().setSettings(settings);
+    QVERIFY(waitFor([this] { return m_window->isSettled(); }));
+    const auto reopen = [this](const std::function<void()>& inTheBeginning) {
+        session().close();
+        session().open();
+        bool wasBeginning = false;
+        const auto connection = connect(&session(), &StepSession::logChanged, this, [&] {
+            if (!session().isBeginning())
+                return;
+            wasBeginning = true;
+            QVERIFY(session().isRecording());
+            inTheBeginning();
+        });
+        const bool isWhole = waitFor([this] { return !session().isRecording(); });
+        disconnect(connection);
+        return isWhole && wasBeginning && !session().isBeginning();
+    };
+    std::size_t begun = 0;
+    QVERIFY(reopen([&] {
+        begun = session().size();
+        session().moveTo(begun / 2);
+        session().step(StepLevel::Event, StepDirection::Forward);
+        QCOMPARE(session().position(), begun / 2 + 1);
+        QVERIFY(mode().moment());
+        QVERIFY(mode().transport().stepText().contains(QStringLiteral("more than")));
+    }));
+    QCOMPARE(session().position(), begun / 2 + 1); // the rest came, the moment stayed
+    const std::size_t all = session().size();
+    QVERIFY(begun > 0 && all > 2 * begun);
+
+    // What asks for more than there is, waits for it.
+    QVERIFY(reopen([&] {
+        key(Qt::Key_End, Qt::ControlModifier);
+        QCOMPARE(session().position(), std::size_t(0));
+        QVERIFY(session().isPutOff());
+    }));
+    QCOMPARE(session().position(), all);
+    session().moveTo(all - 1);
+    const StepStop lastPixel{StepStop::Kind::Pixel, session().event()->x, session().event()->y};
+    session().moveTo(0);
+    session().runUntil(lastPixel);
+    const std::size_t there = session().position();
+    QVERIFY(there > begun && there < all);
+    QSignalSpy missed(&session(), &StepSession::stopMissed);
+    QVERIFY(reopen([&] { session().runUntil(lastPixel); }));
+    QCOMPARE(session().position(), there);
+    QVERIFY(reopen([&] { session().runUntil({StepStop::Kind::DepthFail}); }));
+    QCOMPARE(session().position(), all);
+    QCOMPARE(missed.size(), 1);
+
+    // What is asked for later takes its place.
+    QVERIFY(reopen([&] {
+        session().moveToEnd();
+        session().moveTo(7);
+    }));
+    QCOMPARE(session().position(), std::size_t(7));
 }
 
 void TestTransport::exportsDrawingsAndRuns()

@@ -8,8 +8,6 @@ namespace rasterlens
 namespace
 {
 
-/// Positions are counted in 32 bits.
-constexpr std::size_t kMostPositions = 4'000'000'000;
 /// 320 MB: a log whose events lie far apart holds what happened in between.
 constexpr std::size_t kMaxEffects = std::size_t(1) << 24;
 
@@ -56,11 +54,11 @@ StepRecorder::StepRecorder(const Scene& scene, const Resolved& resolved, const S
 }
 
 StepRecorder::StepRecorder(const Scene& scene, const Resolved& resolved, const StepFilter& filter, FramePlanes& planes,
-                           std::stop_source full, StepIndex& index)
+                           std::stop_source full, std::size_t mostEvents, StepIndex& index)
     : StepRecorder(scene, resolved, filter, planes, std::move(full))
 {
     m_index = &index;
-    m_part.last = kMostPositions;
+    m_part.last = mostEvents;
 }
 
 StepRecorder::Mark StepRecorder::mark() const
@@ -378,7 +376,7 @@ std::shared_ptr<const StepLog> StepRecorder::finish(bool stopped, const QImage& 
         log.m_effects.resize(gapBegin());
     } else {
         m_filter = {};
-        m_part.last = kMostPositions + 1;
+        m_part.last = StepIndex::kMostPositions + 1;
         m_face = m_triangle = StepEvent::kNone;
         storeFaceEvent(StepKind::End);
     }

@@ -80,9 +80,9 @@ public:
     /// A window of a record. The frame is drawn into the planes, which are those at part.from.
     StepRecorder(const Scene& scene, const Resolved& resolved, const StepFilter& filter, FramePlanes& planes,
                  std::stop_source full, const RecordedPart& part);
-    /// The index of a record. The frame is drawn into the planes.
+    /// The index of a record of so many events at most. The frame is drawn into the planes.
     StepRecorder(const Scene& scene, const Resolved& resolved, const StepFilter& filter, FramePlanes& planes,
-                 std::stop_source full, StepIndex& index);
+                 std::stop_source full, std::size_t mostEvents, StepIndex& index);
 
     // DrawnRecord, which draws for windows and indices, calls these beside the stages.
 

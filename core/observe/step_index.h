@@ -84,7 +84,8 @@ public:
     /// The memory of everything.
     [[nodiscard]] std::size_t bytes() const;
 
-    static constexpr std::size_t kStretch = 4096; ///< events that stretchWith() looks at as one
+    static constexpr std::size_t kMostPositions = 4'000'000'000; ///< they are counted in 32 bits
+    static constexpr std::size_t kStretch = 4096;                ///< events that stretchWith() looks at as one
 
 private:
     /// What there is in kStretch events.

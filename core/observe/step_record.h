@@ -21,7 +21,7 @@ public:
     virtual ~StepRecord() = default;
 
     [[nodiscard]] std::size_t size() const { return m_index.size(); }
-    /// More events than positions can be counted: the record ends there.
+    /// More events than were asked for, or than positions can be counted: the record ends there.
     [[nodiscard]] bool truncated() const { return m_truncated; }
     /// The drawing was stopped from outside.
     [[nodiscard]] bool stopped() const { return m_stopped; }

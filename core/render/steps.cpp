@@ -22,19 +22,19 @@ class DrawnRecord final : public StepRecord
 {
 public:
     DrawnRecord(std::shared_ptr<const Scene> scene, Resolved resolved, const StepFilter& filter, FramePlanes cleared,
-                const RecordMemory& memory, const std::stop_token& stop)
+                std::size_t mostEvents, const RecordMemory& memory, const std::stop_token& stop)
         : StepRecord(cleared, memory), m_scene(std::move(scene)), m_resolved(std::move(resolved)), m_filter(filter),
           m_geometry(*m_scene, m_resolved.matrices, m_resolved.rules), m_order(m_geometry.order())
     {
         std::stop_source ending;
         const std::stop_callback stopToo(stop, [&] { ending.request_stop(); });
-        StepRecorder recorder(*m_scene, m_resolved, m_filter, cleared, ending, m_index);
+        StepRecorder recorder(*m_scene, m_resolved, m_filter, cleared, ending, mostEvents, m_index);
         draw({}, cleared, recorder, ending.get_token());
         m_index.seal();
         m_stopped = stop.stop_requested();
         m_truncated = recorder.isFull();
         m_emptyWindow = recorder.finish(m_stopped);
-        if (m_resolved.rules.resolve != Resolve::AllSamples && !m_stopped)
+        if (m_resolved.rules.resolve != Resolve::AllSamples && !m_stopped && !m_truncated)
             m_finished = finishedPicture(stop);
     }
 
@@ -186,16 +186,34 @@ std::shared_ptr<const StepLog> renderSteps(const Scene& scene, const Settings& s
     return recorder.finish(stop.stop_requested(), frame.image);
 }
 
+namespace
+{
+
+std::shared_ptr<const StepRecord> recordUpTo(std::size_t mostEvents, std::shared_ptr<const Scene> scene,
+                                             const Settings& settings, const StepFilter& filter,
+                                             const std::stop_token& stop, const RecordMemory& memory)
+{
+    Resolved resolved = resolve(recordedAs(settings), *scene);
+    FramePlanes planes = clearedPlanes(resolved.rules, clearedPixel(*scene, resolved.rules), true, stop);
+    auto record = std::make_shared<DrawnRecord>(std::move(scene), std::move(resolved), filter, std::move(planes),
+                                                mostEvents, memory, stop);
+    giveBackFreedMemory(); // the planes, and what was kept on the way
+    return record;
+}
+
+} // namespace
+
 std::shared_ptr<const StepRecord> recordSteps(std::shared_ptr<const Scene> scene, const Settings& settings,
                                               const StepFilter& filter, std::stop_token stop,
                                               const RecordMemory& memory)
 {
-    Resolved resolved = resolve(recordedAs(settings), *scene);
-    FramePlanes planes = clearedPlanes(resolved.rules, clearedPixel(*scene, resolved.rules), true, stop);
-    auto record =
-        std::make_shared<DrawnRecord>(std::move(scene), std::move(resolved), filter, std::move(planes), memory, stop);
-    giveBackFreedMemory(); // the planes, and what was kept on the way
-    return record;
+    return recordUpTo(StepIndex::kMostPositions, std::move(scene), settings, filter, stop, memory);
+}
+
+std::shared_ptr<const StepRecord> recordBeginning(std::shared_ptr<const Scene> scene, const Settings& settings,
+                                                  const StepFilter& filter, std::stop_token stop)
+{
+    return recordUpTo(filter.cap, std::move(scene), settings, filter, stop, {});
 }
 
 } // namespace rasterlens

@@ -34,4 +34,10 @@ namespace rasterlens
                                                             const Settings& settings, const StepFilter& filter = {},
                                                             std::stop_token stop = {}, const RecordMemory& memory = {});
 
+/// recordSteps() of as many events of the frame as filter.cap. The record is truncated() if there are more; its
+/// positions are those of the whole record.
+[[nodiscard]] std::shared_ptr<const StepRecord> recordBeginning(std::shared_ptr<const Scene> scene,
+                                                                const Settings& settings, const StepFilter& filter,
+                                                                std::stop_token stop = {});
+
 } // namespace rasterlens

@@ -10771,6 +10771,14 @@
         <source>one pixel</source>
         <translation>一个像素</translation>
     </message>
+    <message>
+        <source>more than %1</source>
+        <translation>%1 以上</translation>
+    </message>
+    <message>
+        <source>recording the rest, then on …</source>
+        <translation>录完其余部分后继续 …</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::TruthMode</name>

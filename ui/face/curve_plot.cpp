@@ -100,7 +100,8 @@ void CurvePlot::setFigure(const CurveFigure& figure)
     m_plot->replot(QCustomPlot::rpQueuedRefresh); // at once: a picture of the window may be taken before the next event
 }
 
-/// Right of the mark and a little below it or, where the plot ends before, left of it.
+/// Right of the mark and a little below it or, where the plot ends before, left of it; in two lines where the plot is
+/// narrower than the text.
 void CurvePlot::placeMarkText()
 {
     constexpr double kAside = 6;
@@ -108,8 +109,11 @@ void CurvePlot::placeMarkText()
     if (mark.isEmpty())
         return;
     const QPointF at = m_mark->coordsToPixels(mark.constBegin()->key, mark.constBegin()->value);
-    const QSizeF size = markTextBox().size();
     const QRectF room = area();
+    if (const auto gap = m_markText->text().lastIndexOf(QLatin1Char(' '));
+        markTextBox().width() > room.width() && gap > 0)
+        m_markText->setText(m_markText->text().replace(gap, 1, QLatin1Char('\n')));
+    const QSizeF size = markTextBox().size();
     const bool fits = at.x() + kAside + size.width() <= room.right();
     const double left = fits ? at.x() + kAside : at.x() - kAside - size.width();
     const double top = std::min(at.y() + kMarkSize / 2, room.bottom() - size.height());

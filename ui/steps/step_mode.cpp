@@ -107,7 +107,7 @@ StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& wi
         const QRect seen = m_viewport.transform().pixelsIn(m_viewport.pane(), m_viewport.frame()->frame.image.size());
         m_session.setRectangle(PixelRect{seen.x(), seen.y(), seen.width(), seen.height()});
     });
-    connect(m_transport, &TransportDock::stopMissed, this,
+    connect(&m_session, &StepSession::stopMissed, this,
             [this] { Q_EMIT message(tr("The record ends without another such event.")); });
 }
 
@@ -122,16 +122,16 @@ StepMode::~StepMode()
 /// reads the log, and the sample lens the cursor: they must not outlive them.
 void StepMode::syncLens()
 {
-    m_sampleLens.setCursor(m_session.log() && !m_session.isRecording() ? m_session.cursor() : nullptr);
+    m_sampleLens.setCursor(m_session.isReady() ? m_session.cursor() : nullptr);
     std::unique_ptr<const LensModel> model;
     std::optional<FaceMoment> moment;
     const std::shared_ptr<const StepLog> log = m_session.log();
-    if (log && !m_session.isRecording())
+    if (m_session.isReady() && log)
         moment = faceMomentAt(*log, m_session.positionInLog());
     if (moment && m_session.face() != moment->face)
         moment.reset(); // another face is selected
     const StepSession::LookedAt& lookedAt = m_session.lookedAt();
-    if (lookedAt.log && !moment && !m_session.isRecording())
+    if (lookedAt.log && !moment && m_session.isReady())
         model = std::make_unique<LensModel>(*lookedAt.log, *lookedAt.begin, lookedAt.position, m_session.event());
     m_lens.setModel(std::move(model));
     m_geometry.setMoment(std::move(moment), log ? log->rules() : Rules());
@@ -151,7 +151,7 @@ void StepMode::followStep()
 FramePtr StepMode::frame()
 {
     const StepCursor* cursor = m_session.cursor();
-    if (!cursor || m_session.isRecording())
+    if (!cursor || !m_session.isReady())
         return nullptr;
     // The picture before the last is not shown any more, and little of it is out of date.
     std::swap(m_shown, m_formerShown);
@@ -170,7 +170,8 @@ FramePtr StepMode::frame()
 
 std::optional<std::size_t> StepMode::moment() const
 {
-    const bool isShown = m_session.log() && !m_session.isRecording() && m_session.position() < m_session.size();
+    const bool isFinished = m_session.position() == m_session.size() && !m_session.isBeginning();
+    const bool isShown = m_session.isReady() && m_session.log() && !isFinished;
     return isShown ? std::optional(m_session.position()) : std::nullopt;
 }
 

@@ -13,13 +13,14 @@ namespace
 {
 
 constexpr int kTickMs = 16;
+/// So many events are recorded in a tenth of a second.
+constexpr std::size_t kBeginning = std::size_t(1) << 20;
 
 } // namespace
 
 StepSession::StepSession(Document& document, QObject* parent)
     : QObject(parent), m_document(document),
-      m_result([this](std::shared_ptr<const StepRecord> record) { take(std::move(record)); },
-               [this](Lack lack) { giveUp(lack); })
+      m_result([this](Recorded recorded) { take(std::move(recorded)); }, [this](Lack lack) { giveUp(lack); })
 {
     m_clock.setInterval(kTickMs);
     m_clock.setTimerType(Qt::PreciseTimer);
@@ -45,6 +46,7 @@ void StepSession::close()
     if (!m_open)
         return;
     m_open = false;
+    m_putOff = {};
     m_result.drop();
     drop();
     syncRecording();
@@ -56,6 +58,7 @@ StepFilter StepSession::filter() const
     constexpr StepKinds kGeometry = kindBit(StepKind::Triangle) - 1; // all kinds before
     constexpr StepKinds kCoverage = (kindBit(StepKind::Fragment) - 1) & ~kGeometry;
     StepFilter filter;
+    filter.cap = kBeginning;
     switch (m_scope) {
     case StepScope::Frame: break;
     case StepScope::Geometry: filter.kinds = kGeometry; break;
@@ -74,15 +77,23 @@ void StepSession::recordAnew()
 {
     if (!m_open)
         return;
+    m_isBeginning = false;
+    m_putOff = {};
     if (unsupported(*m_document.scene(), m_document.settings())) {
         m_result.drop();
         drop();
         syncRecording();
         return;
     }
-    m_result.ask([scene = m_document.scene(), settings = m_document.settings(),
-                  filter = filter()](const auto& turn) { return recordSteps(scene, settings, filter, turn.stop()); },
-                 LatestJob::Running::Interrupt);
+    const auto record = [scene = m_document.scene(), settings = m_document.settings(),
+                         filter = filter()](const auto& turn) -> Recorded {
+        auto beginning = recordBeginning(scene, settings, filter, turn.stop());
+        if (!beginning->truncated())
+            return {std::move(beginning)};
+        turn.deliver({std::move(beginning), true});
+        return {recordSteps(scene, settings, filter, turn.stop())};
+    };
+    m_result.ask(record, LatestJob::Running::Interrupt);
     syncRecording();
 }
 
@@ -94,7 +105,7 @@ void StepSession::giveUp(Lack lack)
                                        : tr("This frame was not recorded: %1.").arg(lackText(lack)));
 }
 
-void StepSession::take(std::shared_ptr<const StepRecord> record)
+void StepSession::take(Recorded recorded)
 {
     const std::size_t position = this->position();
     m_scene = m_document.scene();
@@ -103,7 +114,8 @@ void StepSession::take(std::shared_ptr<const StepRecord> record)
     m_coverage.reset();
     m_finder.reset();
     m_cursor.reset();
-    m_record = std::move(record);
+    m_record = std::move(recorded.record);
+    m_isBeginning = recorded.isBeginning;
     ++m_recordNumber;
     try {
         m_cursor = std::make_unique<StepCursor>(m_record);
@@ -117,11 +129,15 @@ void StepSession::take(std::shared_ptr<const StepRecord> record)
     syncRecording();
     Q_EMIT logChanged();
     Q_EMIT positionChanged();
+    if (m_putOff && !m_isBeginning)
+        std::exchange(m_putOff, {})();
 }
 
 void StepSession::drop()
 {
     setPlaying(false);
+    m_isBeginning = false;
+    m_putOff = {};
     m_scene.reset();
     if (!m_record)
         return;
@@ -142,6 +158,7 @@ void StepSession::syncRecording()
 
 void StepSession::moveTo(std::size_t position)
 {
+    m_putOff = {};
     position = std::min(position, size());
     if (!m_cursor || position == m_cursor->position())
         return;
@@ -158,18 +175,44 @@ void StepSession::moveTo(std::size_t position)
 void StepSession::step(StepLevel level, StepDirection direction)
 {
     setPlaying(false);
-    if (m_finder)
-        moveTo(m_finder->step(position(), level, direction));
+    if (!m_finder)
+        return;
+    const std::size_t to = m_finder->step(position(), level, direction);
+    if (m_isBeginning && direction == StepDirection::Forward && to == size())
+        whenWhole([this, level, direction] { step(level, direction); });
+    else
+        moveTo(to);
 }
 
-bool StepSession::runUntil(const StepStop& stop)
+void StepSession::moveToEnd()
+{
+    setPlaying(false);
+    whenWhole([this] { moveTo(size()); });
+}
+
+void StepSession::whenWhole(std::function<void()> request)
+{
+    if (!m_isBeginning) {
+        request();
+        return;
+    }
+    m_putOff = std::move(request);
+    Q_EMIT playbackChanged();
+}
+
+void StepSession::runUntil(const StepStop& stop)
 {
     setPlaying(false);
     if (!m_finder)
-        return false;
+        return;
     const auto at = m_finder->findStop(position(), StepDirection::Forward, stop);
+    if (!at && m_isBeginning) {
+        whenWhole([this, stop] { runUntil(stop); });
+        return;
+    }
     moveTo(at ? *at + 1 : size());
-    return at.has_value();
+    if (!at)
+        Q_EMIT stopMissed();
 }
 
 std::optional<std::size_t> StepSession::firstEventOf(std::uint32_t face, QPoint pixel)
@@ -202,7 +245,7 @@ void StepSession::setPlaying(bool on)
     if (on == isPlaying())
         return;
     if (on) {
-        if (position() == size())
+        if (position() == size() && !m_isBeginning)
             moveTo(0);
         m_owedSteps = 0;
         m_sinceTick.start();
@@ -263,6 +306,8 @@ std::size_t StepSession::playedTo(std::size_t steps)
 void StepSession::advance()
 {
     const double seconds = double(m_sinceTick.restart()) / 1000;
+    if (m_isBeginning && (m_playBy == PlayBy::Seconds || position() == size()))
+        return; // how much there is, is not known yet
     m_owedSteps +=
         m_playBy == PlayBy::Seconds ? seconds * double(size()) / m_seconds : seconds * kStepsPerSecond * m_speed;
     const auto steps = static_cast<std::size_t>(m_owedSteps);
@@ -273,7 +318,7 @@ void StepSession::advance()
         moveTo(0); // only a loop plays on at the end
     else
         moveTo(playedTo(steps));
-    if (position() == size() && !m_looping)
+    if (position() == size() && !m_looping && !m_isBeginning)
         setPlaying(false);
 }
 

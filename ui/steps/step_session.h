@@ -9,6 +9,7 @@
 #include <QTimer>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -28,7 +29,9 @@ constexpr double kFastestSteps = 64;
 /// The step mode: records the document's frame on a background thread, and holds the position in the record.
 ///
 /// Off until open(). While it is open, a change of the document records anew; the latest wins, and the former record
-/// stays until the new one is there unless the scene is another. Panels hold no copy: they listen and ask.
+/// stays until the new one is there unless the scene is another. Of a frame of many events its beginning can be stepped
+/// while the rest is recorded; what asks for more than the beginning is done once all is there. Panels hold no copy:
+/// they listen and ask.
 class StepSession : public QObject
 {
     Q_OBJECT
@@ -42,6 +45,12 @@ public:
     void close();
     [[nodiscard]] bool isOpen() const { return m_open; }
     [[nodiscard]] bool isRecording() const { return m_result.isBusy(); }
+    /// Whether the record is one of the document as it is now: all of it, or its beginning.
+    [[nodiscard]] bool isReady() const { return m_record && (m_isBeginning || !isRecording()); }
+    /// Whether the record is a beginning: size() will grow.
+    [[nodiscard]] bool isBeginning() const { return m_isBeginning; }
+    /// Whether something that was asked for is done once all of the record is there.
+    [[nodiscard]] bool isPutOff() const { return m_putOff != nullptr; }
 
     [[nodiscard]] const Document& document() const { return m_document; }
     /// What the record shows.
@@ -74,11 +83,13 @@ public:
     [[nodiscard]] const LookedAt& lookedAt() const { return m_lookedAt; }
 
     void moveTo(std::size_t position);
+    void moveToEnd();
+    /// Does something as soon as the record is more than a beginning, which may be now. What is asked for before then
+    /// takes its place.
+    void whenWhole(std::function<void()> request);
     void step(StepLevel level, StepDirection direction);
-    /// Goes to just after the next event that stops the run; to the end if there is none.
-    ///
-    /// out  whether there is one
-    bool runUntil(const StepStop& stop);
+    /// Goes to just after the next event that stops the run; to the end if there is none, which stopMissed() tells.
+    void runUntil(const StepStop& stop);
     /// The first event of a face at a pixel, or of the face at all if it has none there; nothing: the record has none.
     [[nodiscard]] std::optional<std::size_t> firstEventOf(std::uint32_t face, QPoint pixel);
     /// StepRecord::coverage(); what was asked for last is kept.
@@ -120,12 +131,19 @@ Q_SIGNALS:
     void positionChanged();  ///< of the cursor: pixels, counters, event, triangle
     void playbackChanged();  ///< playing, what by, speed, looping
     void selectionChanged(); ///< selected pixel or face
+    void stopMissed();       ///< runUntil() came to the end
     void failed(const QString& message);
 
 private:
+    /// What recording brings: all of the record, or its beginning and then all of it.
+    struct Recorded {
+        std::shared_ptr<const StepRecord> record;
+        bool isBeginning = false;
+    };
+
     void recordAnew();
     void drop();
-    void take(std::shared_ptr<const StepRecord> record);
+    void take(Recorded recorded);
     void giveUp(Lack lack);
     void syncRecording();
     void advance();
@@ -139,6 +157,8 @@ private:
     Settings m_settings;                  ///< of the record
     bool m_open = false;
     std::shared_ptr<const StepRecord> m_record;
+    bool m_isBeginning = false;     ///< see isBeginning()
+    std::function<void()> m_putOff; ///< what waits for all of the record; may be empty
     std::uint64_t m_recordNumber = 0;
     std::unique_ptr<StepCursor> m_cursor;
     std::unique_ptr<StepFinder> m_finder;
@@ -163,7 +183,7 @@ private:
     PlayBy m_playBy = PlayBy::Event;
     double m_seconds = 10;
     bool m_looping = false;
-    LatestResult<std::shared_ptr<const StepRecord>> m_result; ///< last: its thread uses the members above
+    LatestResult<Recorded> m_result; ///< last: its thread uses the members above
 };
 
 } // namespace rasterlens

@@ -144,13 +144,12 @@ void TransportDock::buildSteps(ActionMenu& menu)
         menu.table().listTogether(menu.words(step.both), {back, next});
         m_stepActions << back << next;
     }
-    const auto jump = [this](std::size_t position) {
+    m_start = menu.add("step.start", QT_TR_NOOP("To the st&art"), {Qt::CTRL | Qt::Key_Home}, [this] {
         m_session.setPlaying(false);
-        m_session.moveTo(position);
-    };
-    m_start = menu.add("step.start", QT_TR_NOOP("To the st&art"), {Qt::CTRL | Qt::Key_Home}, [jump] { jump(0); });
-    m_end = menu.add("step.end", QT_TR_NOOP("To the &end"), {Qt::CTRL | Qt::Key_End},
-                     [this, jump] { jump(m_session.size()); });
+        m_session.moveTo(0);
+    });
+    m_end =
+        menu.add("step.end", QT_TR_NOOP("To the &end"), {Qt::CTRL | Qt::Key_End}, [this] { m_session.moveToEnd(); });
     menu.table().listTogether(menu.words(QT_TR_NOOP("To the start, the end")), {m_start, m_end});
     m_onlyOpen = m_stepActions;
     m_onlyOpen << m_start << m_end;
@@ -161,8 +160,10 @@ void TransportDock::buildScopeMenu(ActionMenu menu)
     m_scopeMenu = menu.menu();
     const auto addScope = [&](const char* id, const char* text, StepScope scope) {
         m_scopeActions << menu.addToggle(id, text, {}, false, [this, scope] {
-            if (scope == StepScope::SelectedFace)
-                selectFaceHere();
+            if (scope == StepScope::SelectedFace) {
+                m_session.whenWhole([this] { recordFaceHere(); });
+                return;
+            }
             if (scope == StepScope::Rectangle)
                 Q_EMIT rectangleWanted();
             m_session.setScope(scope);
@@ -248,18 +249,16 @@ void TransportDock::runUntil(StepStop::Kind kind)
         stop.x = m_session.selectedPixel()->x();
         stop.y = m_session.selectedPixel()->y();
     }
-    if (!m_session.runUntil(stop))
-        Q_EMIT stopMissed();
+    m_session.runUntil(stop);
 }
 
-/// The face that was last at work at the selected pixel, else the present one.
-void TransportDock::selectFaceHere()
+/// Records the face that was last at work at the selected pixel, else the present one.
+void TransportDock::recordFaceHere()
 {
-    if (!m_session.record())
-        return;
     const auto pixel = m_session.selectedPixel();
     const auto last = pixel ? m_session.lastFaceAt(*pixel) : std::nullopt;
     m_session.selectFace(last ? last : m_session.face());
+    m_session.setScope(StepScope::SelectedFace);
 }
 
 QToolButton* TransportDock::addButton(QAction* action, TransportSign sign, bool backward)
@@ -420,13 +419,15 @@ void TransportDock::syncLog()
 
 QString TransportDock::stepText() const
 {
-    return tr("step %1 of %2").arg(grouped(m_session.position()), grouped(m_session.size()));
+    const QString all =
+        m_session.isBeginning() ? tr("more than %1").arg(grouped(m_session.size())) : grouped(m_session.size());
+    return tr("step %1 of %2").arg(grouped(m_session.position()), all);
 }
 
 QString TransportDock::noticeText() const
 {
     if (m_session.isRecording())
-        return tr("recording \u2026");
+        return m_session.isPutOff() ? tr("recording the rest, then on \u2026") : tr("recording \u2026");
     const auto& record = m_session.record();
     if (record && record->truncated())
         return tr("truncated at %1 events: record less").arg(grouped(record->size()));

@@ -38,7 +38,6 @@ public:
 
 Q_SIGNALS:
     void rectangleWanted(); ///< the scope is to be what the canvas shows
-    void stopMissed();      ///< "run until" came to the end
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -64,7 +63,7 @@ private:
     void syncLinks();
     [[nodiscard]] QString playText() const;
     void runUntil(StepStop::Kind kind);
-    void selectFaceHere();
+    void recordFaceHere();
 
     StepSession& m_session;
     QMenu* m_menu = nullptr;

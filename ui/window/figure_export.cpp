@@ -115,7 +115,7 @@ FigureTexts FigureExport::texts() const
         return {};
     FigureTexts texts{m_caption.value_or(QString()), {}, legend()};
     const StepSession& session = m_steps.session();
-    const bool isStep = session.log() != nullptr && !session.isRecording();
+    const bool isStep = session.log() != nullptr && session.isReady();
     if (!m_caption) {
         texts.caption = m_words();
         if (isStep)
