@@ -137,7 +137,8 @@ Jumps jumps(MainWindow& window, int count)
 
 /// What recording makes the user wait for, in ms.
 struct Recording {
-    double ready = 0;          ///< from R until the first step can be taken
+    double first = 0;          ///< from R until the first step can be taken
+    double ready = 0;          ///< until all of the frame is recorded
     double processorReady = 0; ///< of all threads
     double longestPause = 0;   ///< between two turns of the event loop in the meantime
     double residentMb = 0;     ///< by which the process has grown
@@ -158,8 +159,12 @@ Recording recordFrame(MainWindow& window)
         ms.longestPause = std::max(ms.longestPause, msOf(turn));
         turn.start();
         QCoreApplication::processEvents();
+        if (ms.first == 0 && session.isReady())
+            ms.first = msOf(whole);
     } while (session.isRecording());
     ms.ready = msOf(whole);
+    if (ms.first == 0) // there was no beginning
+        ms.first = ms.ready;
     ms.processorReady = processorMs() - processorBefore;
     ms.residentMb = residentMb() - residentBefore;
     ms.longestPause = std::max(ms.longestPause, msOf(turn));
@@ -179,19 +184,20 @@ void openScene(MainWindow& window, const QString& scene, QSize size)
 /// A row for each scene: how long its record takes, what it weighs, and jumps in it.
 void measureRecords(MainWindow& window, const QStringList& scenes, QSize size)
 {
-    std::printf("%-22s %10s %7s %7s %6s %6s %8s %8s %8s %8s %8s\n", "record, 1920x1080", "events", "ready", "cpu",
-                "index", "grown", "jump", "min", "cpu", "move", "paint");
+    std::printf("%-22s %10s %7s %7s %7s %6s %6s %8s %8s %8s %8s %8s\n", "record, 1920x1080", "events", "first", "whole",
+                "cpu", "index", "grown", "jump", "min", "cpu", "move", "paint");
     for (const QString& scene : scenes) {
         openScene(window, scene, size);
         StepSession& session = window.stepMode().session();
         const Recording recording = recordFrame(window);
         constexpr int kJumps = 30;
         const Jumps there = jumps(window, kJumps);
-        std::printf("%-22s %10zu %7.0f %7.0f %6zu %6.0f %8.2f %8.2f %8.2f %8.2f %8.2f\n",
-                    scene.section(QLatin1Char('/'), -1).toUtf8().constData(), session.size(), recording.ready,
-                    recording.processorReady, session.record() ? session.record()->index().bytes() >> 20 : 0,
-                    recording.residentMb, median(there.ms), std::ranges::min(there.ms), median(there.processorMs),
-                    median(there.moveMs), median(there.paintMs));
+        std::printf("%-22s %10zu %7.0f %7.0f %7.0f %6zu %6.0f %8.2f %8.2f %8.2f %8.2f %8.2f\n",
+                    scene.section(QLatin1Char('/'), -1).toUtf8().constData(), session.size(), recording.first,
+                    recording.ready, recording.processorReady,
+                    session.record() ? session.record()->index().bytes() >> 20 : 0, recording.residentMb,
+                    median(there.ms), std::ranges::min(there.ms), median(there.processorMs), median(there.moveMs),
+                    median(there.paintMs));
         std::fflush(stdout);
         session.close();
     }
