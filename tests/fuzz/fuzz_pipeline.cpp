@@ -125,7 +125,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
     render(scene, settings, frame, outputs);
     Frame again;
     const Statistics statistics = renderCounted(scene, settings, again, outputs);
-    fuzz::requireLaws(statistics, scene);
+    fuzz::requireLaws(statistics, scene, settings);
     fuzz::require(again.image == frame.image && again.ids == frame.ids, "counting changes nothing");
     if (settings.algorithm == Algorithm::EdgeEquation && settings.mistakes.isEmpty())
         requireTiledAgrees(scene, settings, frame);

@@ -62,10 +62,14 @@ struct KeyLine {
     QString keys;
     QString what;
     QString state; ///< may be empty
+
+    friend bool operator==(const KeyLine&, const KeyLine&) = default;
 };
 struct KeySection {
     QString title;
     std::vector<KeyLine> lines;
+
+    friend bool operator==(const KeySection&, const KeySection&) = default;
 };
 
 /// Everything that the window can do: each part registers its actions here, under ids that never change. Menus, keys,

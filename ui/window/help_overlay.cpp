@@ -56,8 +56,11 @@ HelpOverlay::HelpOverlay(QWidget* parent) : QFrame(parent)
 
 void HelpOverlay::setSections(std::vector<KeySection> sections)
 {
+    if (sections == m_sections)
+        return;
     m_sections = std::move(sections);
-    place();
+    if (m_usedColumns == 0 || !fits(m_usedColumns)) // mostly a state has changed, and the type is as good as it was
+        place();
 }
 
 /// Spreads the sections over so many columns of about equal height, in their order.
@@ -80,29 +83,47 @@ void HelpOverlay::fill(std::size_t columns)
     }
 }
 
+/// Whether the sections have room in so many columns.
+bool HelpOverlay::fits(std::size_t columns)
+{
+    m_usedColumns = columns;
+    fill(columns);
+    layout()->activate();
+    adjustSize();
+    return width() <= parentWidget()->width() && height() <= parentWidget()->height();
+}
+
 void HelpOverlay::place()
 {
     // As large as everything else where there is room, smaller where there is not.
-    const QSize room = parentWidget()->size();
     constexpr qreal kSmallest = 7;
-    const auto fits = [&](qreal points, std::size_t columns) {
+    for (qreal points = QApplication::font().pointSizeF(); points >= kSmallest; points -= 0.5) {
         QFont font = QApplication::font();
         font.setPointSizeF(points);
-        fill(columns);
         for (QLabel* column : m_columns)
             column->setFont(font);
-        layout()->activate();
-        adjustSize();
-        return width() <= room.width() && height() <= room.height();
-    };
-    for (qreal points = QApplication::font().pointSizeF(); points >= kSmallest; points -= 0.5)
-        if (fits(points, 2) || fits(points, kMostColumns))
+        if (fits(2) || fits(kMostColumns))
             break;
+    }
+    const QSize room = parentWidget()->size();
     move(std::max(0, (room.width() - width()) / 2), std::max(0, (room.height() - height()) / 2));
     raise();
 }
 
 void HelpOverlay::mousePressEvent(QMouseEvent*) { hide(); }
+
+void HelpOverlay::showEvent(QShowEvent* event)
+{
+    place();
+    QFrame::showEvent(event);
+}
+
+void HelpOverlay::changeEvent(QEvent* event)
+{
+    QFrame::changeEvent(event);
+    if (isVisible() && (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange))
+        place(); // colours and type are in its texts
+}
 
 bool HelpOverlay::eventFilter(QObject* watched, QEvent* event)
 {

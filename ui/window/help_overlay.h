@@ -24,13 +24,17 @@ public:
 
 protected:
     void mousePressEvent(QMouseEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void changeEvent(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void fill(std::size_t columns);
+    [[nodiscard]] bool fits(std::size_t columns);
 
     std::vector<KeySection> m_sections;
     std::vector<QLabel*> m_columns;
+    std::size_t m_usedColumns = 0; ///< 0: the card was never laid out
 };
 
 } // namespace rasterlens
