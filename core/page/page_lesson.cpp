@@ -41,12 +41,12 @@ QImage pictureOf(const Scene& scene, const Settings& settings)
 
 std::shared_ptr<const Scene> lent(const Scene& scene) { return {std::shared_ptr<const Scene>(), &scene}; }
 
-QJsonObject answerJson(const Question& question, const Answer& answer)
+QJsonObject answerJson(const Answer& answer, TextTable& texts)
 {
-    QJsonObject object{{"words", textOf(question, answer)}};
-    if (answer.choice) {
-        object.insert(QStringLiteral("choice"), static_cast<qint64>(*answer.choice));
-    } else if (const auto* pixels = std::get_if<std::vector<QPoint>>(&answer.value)) {
+    if (answer.choice)
+        return {{"choice", static_cast<qint64>(*answer.choice)}};
+    QJsonObject object{{"words", texts.add(factInWords(answer.value))}};
+    if (const auto* pixels = std::get_if<std::vector<QPoint>>(&answer.value)) {
         QJsonArray places;
         for (const QPoint pixel : *pixels)
             places << QJsonArray{pixel.x(), pixel.y()};
@@ -71,7 +71,7 @@ QJsonObject questionJson(const Slide& slide, const Answer& answer, PageWords& wo
     return {{"kind", QLatin1String(questionKindId(question.kind))},
             {"text", texts.add(textWithNumbers(question.text, slide))},
             {"choices", choices},
-            {"answer", answerJson(question, answer)}};
+            {"answer", answerJson(answer, texts)}};
 }
 
 /// One slide; what is wrong with it goes into the diagnostics.

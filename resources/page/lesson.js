@@ -109,7 +109,7 @@ function hasTooFewDigits(text, value) {
 }
 
 function rightAnswer(question) {
-  return question.answer.choice === undefined ? question.answer.words : textOf(question.choices[question.answer.choice]);
+  return question.answer.choice === undefined ? textOf(question.answer.words) : textOf(question.choices[question.answer.choice]);
 }
 
 function button(text, run) {

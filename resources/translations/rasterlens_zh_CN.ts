@@ -8360,6 +8360,14 @@
         <source>The coordinate that is drawn against w</source>
         <translation>与 w 对画的坐标</translation>
     </message>
+    <message>
+        <source>%1 corners</source>
+        <translation>%1 个顶点</translation>
+    </message>
+    <message>
+        <source>Plane %1: its turn comes later; a click shows it</source>
+        <translation>平面 %1：还没轮到；点击即可查看</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::CompareBar</name>
@@ -10149,10 +10157,6 @@
     <message>
         <source>none wrong of %1 pixels, judged by their middle samples</source>
         <translation>%1 个像素全部正确（按中间的样本判定）</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>，</translation>
     </message>
     <message>
         <source>%1 of %2 samples</source>

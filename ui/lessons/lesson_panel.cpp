@@ -1,5 +1,6 @@
 #include "ui/lessons/lesson_panel.h"
 
+#include "ui/base/language.h"
 #include "ui/base/parts.h"
 #include "ui/base/style_sheet.h"
 #include "ui/lessons/question_box.h"
@@ -297,7 +298,7 @@ void LessonPanel::syncLeftOut()
     for (const std::size_t slide : m_player.leftOut())
         numbers << QString::number(slide + 1);
     m_leftOut->setVisible(!numbers.isEmpty());
-    m_leftOut->setText(tr("Second look: %1").arg(numbers.join(QStringLiteral(", "))));
+    m_leftOut->setText(tr("Second look: %1").arg(listed(numbers)));
     m_leftOut->setToolTip(tr("A first course leaves these slides out. A click shows them, here and in all lessons; the "
                              "menu Lessons leaves them out again."));
 }
@@ -336,7 +337,7 @@ QString LessonPanel::verdictText() const
         return answered->given ? tr("This question has no answer here.") : QString();
     const Question& question = *m_player.slide().question;
     const QString right = answered->right->choice ? choiceText(question.choices[*answered->right->choice])
-                                                  : textOf(answered->right->value);
+                                                  : textInUse(factInWords(answered->right->value));
     if (!answered->given)
         return tr("The answer: %1").arg(right);
     if (answered->isRight)

@@ -56,6 +56,11 @@ void LessonPlayer::begin(const Place& place)
     Q_EMIT changed();
 }
 
+std::optional<QPoint> LessonPlayer::askedPixel() const
+{
+    return isAsking() && slide().question->answer ? slide().question->answer->fact.pixel : std::nullopt;
+}
+
 const Moment& LessonPlayer::moment() const { return isAsking() ? *slide().before : slide().moment; }
 
 void LessonPlayer::show(std::size_t slide, Phase phase)

@@ -48,6 +48,8 @@ public:
     /// What the window is to show: the slide's moment, or while its question is open what stands before it.
     [[nodiscard]] const Moment& moment() const;
     [[nodiscard]] bool isAsking() const { return m_place.phase == Phase::Asking; }
+    /// The pixel that the open question is about, where it is about one.
+    [[nodiscard]] std::optional<QPoint> askedPixel() const;
 
     /// in  slide: counted from 0
     void goTo(std::size_t slide, Entry entry = Entry::Asks);

@@ -61,7 +61,7 @@ void MainWindow::syncReadout()
 {
     syncCanvasHeader();
     const auto at = m_viewport->hoveredPixel() ? m_viewport->hoveredPixel() : m_viewport->selectedPixel();
-    if (at && m_viewport->isAnswering()) {
+    if (at && (m_viewport->isAnswering() || at == m_lessons->player().askedPixel())) {
         m_readout->showPlace(*at);
         return;
     }
