@@ -10,6 +10,7 @@
 #include "ui/lessons/question_box.h"
 #include "ui/pipeline/canvas_views.h"
 #include "ui/pipeline/mistake_badge.h"
+#include "ui/steps/step_listing.h"
 #include "ui/truth/truth_mode.h"
 #include "ui/window/panel_places.h"
 #include "ui/window/readout_bar.h"
@@ -216,7 +217,12 @@ void TestLessonWindow::pixelsAreClicked()
 
 void TestLessonWindow::answersAreTypedAndChosen()
 {
+    const auto formula = [this] { return m_window->stepMode().listing().formulaRows().join(QLatin1Char('\n')); };
+    QVERIFY(openAt(QStringLiteral("bresenham"), 2, LessonPlayer::Entry::Skips));
+    QVERIFY2(formula().contains(QStringLiteral("p_0 = ")) && !formula().contains(QStringLiteral("p_1 = ")),
+             qPrintable(formula())); // which the next slide asks for
     QVERIFY(openAt(QStringLiteral("bresenham"), 3, LessonPlayer::Entry::Asks));
+    QVERIFY(!formula().contains(QStringLiteral("p_1 = ")));
     QVERIFY(question().field().isVisible());
     QTest::keyClicks(&question().field(), QStringLiteral("8"));
     QTest::keyClick(&question().field(), Qt::Key_Return);

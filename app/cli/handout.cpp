@@ -102,9 +102,9 @@ void writeMarkdown(const QString& title, const std::vector<Page>& pages, const Q
 void keepSlidesTogether(QTextDocument& document, QPdfWriter& writer)
 {
     const std::unique_ptr<QTextDocument> measured(document.clone()); // laid out as QTextDocument::print() does it
-    constexpr double kMarginInches = 2 / 2.54;
+    constexpr int kMargin = int(2 / 2.54 * 96); // 2 cm, in pixels of the document
     QTextFrameFormat frame = measured->rootFrame()->frameFormat();
-    frame.setMargin(int(kMarginInches * writer.logicalDpiY()));
+    frame.setMargin(kMargin);
     measured->rootFrame()->setFrameFormat(frame);
     measured->documentLayout()->setPaintDevice(&writer);
     const QSizeF page = writer.pageLayout().paintRectPixels(writer.resolution()).size();

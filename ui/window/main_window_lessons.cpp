@@ -115,9 +115,9 @@ void MainWindow::connectLessons()
 void MainWindow::keepAnswersSecret()
 {
     const LessonPlayer& player = m_lessons->player();
-    const auto asksFor = [&](QuestionKind kind) { return player.isAsking() && player.slide().question->kind == kind; };
-    m_mistakeBadge->setConcealed(asksFor(QuestionKind::Mistake));
-    m_stepMode->listing().setConcealed(asksFor(QuestionKind::NextP));
+    m_mistakeBadge->setConcealed(player.isAsking() && player.slide().question->kind == QuestionKind::Mistake);
+    const Question* coming = player.openOrNextQuestion();
+    m_stepMode->listing().setNextPConcealed(coming && coming->kind == QuestionKind::NextP);
     const std::optional<QPoint> asked = player.askedPixel();
     LensSecret secret;
     if (asked)

@@ -4,6 +4,7 @@
 #include "core/settings/numbers_field.h"
 #include "ui/base/applicability.h"
 #include "ui/base/step_words.h"
+#include "ui/lessons/lesson_mode.h"
 #include "ui/pipeline/scene_words.h"
 #include "ui/steps/step_mode.h"
 #include "ui/steps/step_sentence.h"
