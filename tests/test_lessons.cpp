@@ -175,6 +175,8 @@ void TestLessons::placesStayOnOneLine()
     const TwoTexts pixels = factInWords(std::vector<QPoint>{{7, 0}, {6, 1}});
     QCOMPARE(pixels.en, QStringLiteral("(7,\u00a00), (6,\u00a01)"));
     QCOMPARE(pixels.zh, QStringLiteral("(7,\u00a00)\u3001(6,\u00a01)"));
+    QCOMPARE(factInWords(0.303880728).en, QStringLiteral("0.3039"));
+    QCOMPARE(factInWords(11948.0).en, QStringLiteral("11,948"));
     QCOMPARE(factInWords(QString("rejected")).zh, QStringLiteral("丢弃"));
     const Lesson lesson = *loadLesson(QStringLiteral("top-left")).lesson;
     const Slide& slide = lesson.slides[2];

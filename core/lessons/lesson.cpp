@@ -13,6 +13,7 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <cmath>
 
 namespace rasterlens
 {
@@ -396,7 +397,11 @@ TwoTexts textWithNumbers(const TwoTexts& text, const Slide& slide)
 
 TwoTexts factInWords(const FactValue& value)
 {
-    const QString fact = unbroken(textOf(value));
+    constexpr int kDigits = 4; // as captions have them
+    const auto* number = std::get_if<double>(&value);
+    const QString fact = number && *number != std::round(*number) && std::abs(*number) < std::pow(10, kDigits)
+                             ? factText(QString::number(*number, 'g', kDigits).toDouble())
+                             : unbroken(textOf(value));
     return {fact, inChinese(fact)};
 }
 

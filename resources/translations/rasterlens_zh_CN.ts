@@ -8969,6 +8969,10 @@
         <source>▶ opens the next lesson: %1</source>
         <translation>▶ 打开下一课：%1</translation>
     </message>
+    <message>
+        <source>✓ Right: all %1 pixels</source>
+        <translation>✓ 对：%1 个像素全部找到</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::LessonPlayer</name>

@@ -340,6 +340,8 @@ QString LessonPanel::verdictText() const
                                                   : textInUse(factInWords(answered->right->value));
     if (!answered->given)
         return tr("The answer: %1").arg(right);
+    if (const auto* all = std::get_if<std::vector<QPoint>>(&answered->right->value); all && answered->isRight)
+        return tr("\u2713 Right: all %1 pixels").arg(all->size()); // which the canvas marks
     if (answered->isRight)
         return tr("\u2713 Right: %1").arg(right);
     if (const auto* pixels = std::get_if<std::vector<QPoint>>(&*answered->given))
