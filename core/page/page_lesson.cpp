@@ -68,10 +68,13 @@ QJsonObject questionJson(const Slide& slide, const Answer& answer, PageWords& wo
         choices << texts.add(mistake != nullptr ? textInBoth(words, [&] { return words.mistake(*mistake); })
                                                 : choice.text);
     }
-    return {{"kind", QLatin1String(questionKindId(question.kind))},
-            {"text", texts.add(textWithNumbers(question.text, slide))},
-            {"choices", choices},
-            {"answer", answerJson(answer, texts)}};
+    QJsonObject object{{"kind", QLatin1String(questionKindId(question.kind))},
+                       {"text", texts.add(textWithNumbers(question.text, slide))},
+                       {"choices", choices},
+                       {"answer", answerJson(answer, texts)}};
+    if (const std::optional<QPoint> pixel = question.answer->fact.pixel)
+        object.insert(QStringLiteral("pixel"), QJsonArray{pixel->x(), pixel->y()});
+    return object;
 }
 
 /// One slide; what is wrong with it goes into the diagnostics.

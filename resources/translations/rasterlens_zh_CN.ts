@@ -9478,6 +9478,14 @@
         <source>towards the light: %1</source>
         <translation>指向光源：%1</translation>
     </message>
+    <message>
+        <source>Nothing is copied: the picture is empty or too large.</source>
+        <translation>没有复制：画面是空的，或者太大。</translation>
+    </message>
+    <message>
+        <source>On the clipboard: a picture of %1 x %2 pixels.</source>
+        <translation>已复制到剪贴板：%1 x %2 像素的图像。</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::MessageBar</name>

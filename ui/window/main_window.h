@@ -146,6 +146,7 @@ private:
     void syncMotion();
     void connectLessons();
     void keepAnswersSecret();
+    void copyPicture(const QImage& picture);
     void connectCanvas();
     void buildMenus();
     void addHint(const char* id, ActionSection section, const char* keys, const char* what);
