@@ -102,7 +102,7 @@ void writeMarkdown(const QString& title, const std::vector<Page>& pages, const Q
 void keepSlidesTogether(QTextDocument& document, QPdfWriter& writer)
 {
     const std::unique_ptr<QTextDocument> measured(document.clone()); // laid out as QTextDocument::print() does it
-    constexpr int kMargin = int(2 / 2.54 * 96); // 2 cm, in pixels of the document
+    constexpr int kMargin = int(2 / 2.54 * 96);                      // 2 cm, in pixels of the document
     QTextFrameFormat frame = measured->rootFrame()->frameFormat();
     frame.setMargin(kMargin);
     measured->rootFrame()->setFrameFormat(frame);

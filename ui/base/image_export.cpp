@@ -83,28 +83,32 @@ double widthOf(const QString& text, const QString& family, double pixels, bool b
     return isWhole ? width : width * pixels / kPixels;
 }
 
-/// The drawing with all families of each font, and with the width of each text. Qt names the first family alone, and a
-/// viewer draws Chinese texts with what it finds then; another font, or another rounding of it, would run beyond the
-/// border of the drawing.
-QByteArray withMeasuredTexts(QByteArray svg)
+/// The drawing with all families of each font. Qt names the first alone, and a viewer draws Chinese texts with what it
+/// finds then.
+QByteArray withFamilies(QByteArray svg)
 {
+    const QByteArray name("font-family=\"");
     QByteArray others;
     for (const QString& family : textFont(0).families().mid(1))
         others += ", " + family.toUtf8();
+    for (qsizetype at = svg.indexOf(name); at >= 0; at = svg.indexOf(name, at + 1))
+        svg.insert(svg.indexOf('"', at + name.size()), others);
+    return svg;
+}
+
+/// The drawing with the width of each text: another font of a viewer, or another rounding, would run over its border.
+QByteArray withMeasuredTexts(QByteArray svg)
+{
     constexpr int kReadable = 4; // letters; shorter texts need no width
-    const QByteArray name("font-family=\"");
     for (qsizetype tag = svg.indexOf("<text "); tag >= 0; tag = svg.indexOf("<text ", tag + 1)) {
         const qsizetype end = svg.indexOf('>', tag);
         const QString text = unescaped(QString::fromUtf8(svg.mid(end + 1, svg.indexOf('<', end) - end - 1)));
         const double pixels = attributeOf(svg, tag, end, "font-size").toDouble();
-        if (pixels > 0 && text.size() >= kReadable) {
-            const bool bold = attributeOf(svg, tag, end, "font-weight").toInt() >= QFont::DemiBold;
-            const double width = widthOf(text, attributeOf(svg, tag, end, "font-family"), pixels, bold);
-            svg.insert(end,
-                       " textLength=\"" + QByteArray::number(width, 'f', 1) + "\" lengthAdjust=\"spacingAndGlyphs\"");
-        }
-        if (const qsizetype family = svg.indexOf(name, tag); family >= 0 && family < end)
-            svg.insert(svg.indexOf('"', family + name.size()), others);
+        if (pixels <= 0 || text.size() < kReadable)
+            continue;
+        const bool bold = attributeOf(svg, tag, end, "font-weight").toInt() >= QFont::DemiBold;
+        const double width = widthOf(text, attributeOf(svg, tag, end, "font-family"), pixels, bold);
+        svg.insert(end, " textLength=\"" + QByteArray::number(width, 'f', 1) + "\" lengthAdjust=\"spacingAndGlyphs\"");
     }
     return svg;
 }
@@ -151,7 +155,7 @@ std::optional<QString> saveSvg(QSize size, const ExportTarget& target, const std
         paint(painter);
     if (!begun || !painter.end())
         return notWritten(target.path, QT_TRANSLATE_NOOP("Diagnostic", "the picture is empty or too large"));
-    return saveBytes(withMeasuredTexts(inPixels(std::move(bytes), size)), target);
+    return saveBytes(withFamilies(withMeasuredTexts(inPixels(std::move(bytes), size))), target);
 }
 
 std::optional<QString> savePdf(QSize size, const ExportTarget& target, const std::function<void(QPainter&)>& paint)
