@@ -11,6 +11,7 @@
 #include <QClipboard>
 #include <QImageReader>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QSvgRenderer>
 
@@ -305,7 +306,17 @@ private Q_SLOTS:
             QVERIFY2(made.exitCode == 0, qPrintable(made.err));
             QVERIFY(QFile::exists(path(name)));
         }
-        QVERIFY(QImage(path("c.png")).width() >= 8 * 48 + 2 * kMargin);
+        const int width = QImage(path("c.png")).width();
+        QVERIFY(width >= 8 * 48 + 2 * kMargin);
+        // A viewer's own font must not run over the border.
+        static const QRegularExpression text(
+            QStringLiteral("<text [^>]*\\bx=\"([0-9.]+)\"[^>]*textLength=\"([0-9.]+)\""));
+        int texts = 0;
+        for (auto it = text.globalMatch(QString::fromUtf8(readFile(path("c.svg")))); it.hasNext(); ++texts) {
+            const QRegularExpressionMatch match = it.next();
+            QVERIFY(match.captured(1).toDouble() + match.captured(2).toDouble() <= width);
+        }
+        QVERIFY(texts > 5);
 
         QVERIFY(openSquare() && change([](Settings& s) { s.mistakes = {QStringLiteral("all-exclusive")}; }));
         const Run wrong = figure({scene, QStringLiteral("--mistake"), QStringLiteral("all-exclusive"),

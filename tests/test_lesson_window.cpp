@@ -2,11 +2,15 @@
 // whole slides, and what is wrong with a file is told with its line.
 #include "core/lessons/lesson.h"
 #include "core/observe/step_log.h"
+#include "ui/face/cards.h"
+#include "ui/face/clip_theatre.h"
+#include "ui/face/pixel_card.h"
 #include "ui/lessons/lesson_mode.h"
 #include "ui/lessons/lesson_panel.h"
 #include "ui/lessons/question_box.h"
 #include "ui/pipeline/canvas_views.h"
 #include "ui/pipeline/mistake_badge.h"
+#include "ui/steps/step_listing.h"
 #include "ui/truth/truth_mode.h"
 #include "ui/window/panel_places.h"
 #include "ui/window/readout_bar.h"
@@ -35,6 +39,11 @@ private Q_SLOTS:
     void answersAreTypedAndChosen();
     void nothingIsToldOfThePixelsThatAreAsked();
     void theMistakeThatIsAskedIsNotNamed();
+    void theLensKeepsWhatIsAsked();
+    void theCardKeepsWhatIsAsked();
+    void theTheatreTellsNoLaterPlane();
+    void countedPixelsAreNotWipedAway();
+    void emptyPicturesOfSlidesNeedNoRemark();
     void digitsAreAskedFor();
     void theButtonsStayWhereTheyAre_data();
     void theButtonsStayWhereTheyAre();
@@ -208,7 +217,12 @@ void TestLessonWindow::pixelsAreClicked()
 
 void TestLessonWindow::answersAreTypedAndChosen()
 {
+    const auto formula = [this] { return m_window->stepMode().listing().formulaRows().join(QLatin1Char('\n')); };
+    QVERIFY(openAt(QStringLiteral("bresenham"), 2, LessonPlayer::Entry::Skips));
+    QVERIFY2(formula().contains(QStringLiteral("p_0 = ")) && !formula().contains(QStringLiteral("p_1 = ")),
+             qPrintable(formula())); // which the next slide asks for
     QVERIFY(openAt(QStringLiteral("bresenham"), 3, LessonPlayer::Entry::Asks));
+    QVERIFY(!formula().contains(QStringLiteral("p_1 = ")));
     QVERIFY(question().field().isVisible());
     QTest::keyClicks(&question().field(), QStringLiteral("8"));
     QTest::keyClick(&question().field(), Qt::Key_Return);
@@ -271,6 +285,74 @@ void TestLessonWindow::theMistakeThatIsAskedIsNotNamed()
     QVERIFY(complete());
     QVERIFY(player().answered(9)->isRight);
     QVERIFY(!badge->isHidden());
+}
+
+/// Signs and numbers of samples that had their turn stay, but for the pixel that the question is about.
+void TestLessonWindow::theLensKeepsWhatIsAsked()
+{
+    const auto cell = [this](int x, int y) { return m_window->stepMode().lens().model()->cell(x, y); };
+    QVERIFY(openAt(QStringLiteral("edge-equation"), 4, LessonPlayer::Entry::Asks)); // of (3, 3), which is tested
+    QCOMPARE(player().askedPixel(), std::optional(QPoint(3, 3)));
+    QVERIFY(!cell(3, 3).hasValues);
+    QVERIFY(cell(3, 3).state == LensCell::State::Waiting);
+    QVERIFY(cell(4, 3).hasValues);
+    QVERIFY(!cell(9, 8).hasValues); // is yet to come
+    press(Qt::Key_PageDown);
+    QVERIFY(cell(3, 3).hasValues && cell(9, 8).hasValues);
+    QCOMPARE(cell(3, 3).values[2], -19.0 * m_window->stepMode().lens().model()->triangle().setup.unitsPerArea);
+
+    QVERIFY(openAt(QStringLiteral("incremental"), 3, LessonPlayer::Entry::Asks)); // of the third sample
+    QVERIFY(cell(3, 1).hasValues && !cell(4, 1).hasValues);
+    QVERIFY(lensHoverLines(*m_window->stepMode().lens().model(), 4, 1).isEmpty());
+    press(Qt::Key_PageDown);
+    QVERIFY(cell(4, 1).hasValues);
+}
+
+void TestLessonWindow::theCardKeepsWhatIsAsked()
+{
+    QVERIFY(openAt(QStringLiteral("first-minute"), 3, LessonPlayer::Entry::Asks));
+    QVERIFY(m_window->cards().show(QStringLiteral("why")));
+    QVERIFY(complete());
+    QCOMPARE(viewport().selectedPixel(), std::optional(QPoint(4, 5)));
+    QVERIFY(!m_window->cards().pixelCard().report());
+    QCOMPARE(m_window->findChild<ReadoutBar*>()->text(), QStringLiteral("pixel (4, 5)"));
+    press(Qt::Key_PageDown);
+    QVERIFY(m_window->cards().pixelCard().report());
+}
+
+void TestLessonWindow::theTheatreTellsNoLaterPlane()
+{
+    QVERIFY(openAt(QStringLiteral("sutherland-hodgman"), 2, LessonPlayer::Entry::Skips));
+    ClipTheatre& theatre = m_window->cards().clipTheatre();
+    QCOMPARE(theatre.summary(), QStringLiteral("3 \u2192 4 \u2192 \u2026 corners"));
+    const auto tells = [&](ClipPlane plane) { return theatre.planeButton(plane)->text().back().isDigit(); };
+    QVERIFY(tells(ClipPlane::Right) && !tells(ClipPlane::Left));
+    theatre.planeButton(ClipPlane::Left)->click(); // who wants to know finds it
+    QCOMPARE(theatre.summary(), QStringLiteral("3 \u2192 4 \u2192 5 \u2192 \u2026 corners"));
+    QVERIFY(tells(ClipPlane::Left));
+    player().goTo(5, LessonPlayer::Entry::Skips); // the end of the record
+    QVERIFY(complete());
+    QVERIFY2(theatre.summary().endsWith(QStringLiteral("6 corners, a fan of 4")), qPrintable(theatre.summary()));
+}
+
+/// Where single pixels are seen the whole picture is that with the mistake.
+void TestLessonWindow::countedPixelsAreNotWipedAway()
+{
+    QVERIFY(openAt(QStringLiteral("top-left"), 6, LessonPlayer::Entry::Skips));
+    QCOMPARE(viewport().overlays().wipe->at, 0.0);
+    QVERIFY(openAt(QStringLiteral("perspective"), 2, LessonPlayer::Entry::Skips));
+    QCOMPARE(viewport().overlays().wipe->at, 0.1);
+}
+
+void TestLessonWindow::emptyPicturesOfSlidesNeedNoRemark()
+{
+    QVERIFY(openAt(QStringLiteral("z-buffer"), 6, LessonPlayer::Entry::Skips)); // nothing passes the depth test
+    QCOMPARE(m_window->message(), QString());
+    QVERIFY(change([](Settings& s) { s.shading = Shading::Flat; })); // is no slide any more
+    QVERIFY2(m_window->message().contains(QStringLiteral("all 23,193 fragments")), qPrintable(m_window->message()));
+    player().comeBack();
+    QVERIFY(complete());
+    QCOMPARE(m_window->message(), QString());
 }
 
 void TestLessonWindow::digitsAreAskedFor()

@@ -60,6 +60,7 @@ private Q_SLOTS:
     void stepPlacesAreFound();
     void momentsAreWrittenAsTheyAreRead();
     void factsAreComparedAsDocumented();
+    void placesStayOnOneLine();
     void brokenFilesAreRefused_data();
     void brokenFilesAreRefused();
     void thereAreEnoughLessons();
@@ -165,6 +166,21 @@ void TestLessons::factsAreComparedAsDocumented()
     QVERIFY(agrees(pixels, QJsonArray{QJsonArray{2, 5}, QJsonArray{3, 4}}));
     QVERIFY(!agrees(pixels, QJsonArray{QJsonArray{3, 4}}));
     QCOMPARE(factText(1327244), QStringLiteral("1,327,244"));
+}
+
+void TestLessons::placesStayOnOneLine()
+{
+    QCOMPARE(unbroken(QStringLiteral("at (3, 4), (\u22121.5, {x A 0}) and (one, two)")),
+             QStringLiteral("at (3,\u00a04), (\u22121.5,\u00a0{x A 0}) and (one, two)"));
+    const TwoTexts pixels = factInWords(std::vector<QPoint>{{7, 0}, {6, 1}});
+    QCOMPARE(pixels.en, QStringLiteral("(7,\u00a00), (6,\u00a01)"));
+    QCOMPARE(pixels.zh, QStringLiteral("(7,\u00a00)\u3001(6,\u00a01)"));
+    QCOMPARE(factInWords(0.303880728).en, QStringLiteral("0.3039"));
+    QCOMPARE(factInWords(11948.0).en, QStringLiteral("11,948"));
+    QCOMPARE(factInWords(QString("rejected")).zh, QStringLiteral("丢弃"));
+    const Lesson lesson = *loadLesson(QStringLiteral("top-left")).lesson;
+    const Slide& slide = lesson.slides[2];
+    QVERIFY(textWithNumbers(slide.moment.caption, slide).zh.contains(pixels.zh));
 }
 
 void TestLessons::brokenFilesAreRefused_data()

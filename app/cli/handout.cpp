@@ -4,6 +4,7 @@
 #include "app/cli/window_program.h"
 #include "core/io/picture_file.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QDir>
 #include <QFile>
@@ -13,17 +14,23 @@
 #include <QPageSize>
 #include <QPdfWriter>
 #include <QTemporaryDir>
+#include <QTextBlock>
+#include <QTextCursor>
 #include <QTextDocument>
+#include <QTextFrame>
 #include <QUrl>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace rasterlens::cli
 {
 namespace
 {
+
+constexpr int kSlideHeading = 3; ///< the level of the headings of slides in a PDF
 
 /// A slide as it is printed.
 struct Page {
@@ -89,6 +96,40 @@ void writeMarkdown(const QString& title, const std::vector<Page>& pages, const Q
     files.write();
 }
 
+/// A slide that has room on one page begins a new one rather than go on there: no heading stands alone.
+///
+/// in  blocks as pdfOf() makes them
+void keepSlidesTogether(QTextDocument& document, QPdfWriter& writer)
+{
+    const std::unique_ptr<QTextDocument> measured(document.clone()); // laid out as QTextDocument::print() does it
+    constexpr int kMargin = int(2 / 2.54 * 96);                      // 2 cm, in pixels of the document
+    QTextFrameFormat frame = measured->rootFrame()->frameFormat();
+    frame.setMargin(kMargin);
+    measured->rootFrame()->setFrameFormat(frame);
+    measured->documentLayout()->setPaintDevice(&writer);
+    const QSizeF page = writer.pageLayout().paintRectPixels(writer.resolution()).size();
+    measured->setPageSize(page);
+    const auto isHeading = [](const QTextBlock& block) { return block.blockFormat().headingLevel() == kSlideHeading; };
+    const auto boxOf = [&](const QTextBlock& block) { return measured->documentLayout()->blockBoundingRect(block); };
+    for (QTextBlock first = measured->begin(); first.isValid(); first = first.next()) {
+        if (!isHeading(first))
+            continue;
+        QTextBlock last = first;
+        while (last.next().isValid() && !isHeading(last.next()))
+            last = last.next();
+        const double top = boxOf(first).top();
+        const double bottom = boxOf(last).bottom();
+        if (int(top / page.height()) == int((bottom - 1) / page.height()))
+            continue;
+        for (QTextDocument* one : {measured.get(), &document}) {
+            QTextCursor cursor(one->findBlockByNumber(first.blockNumber()));
+            QTextBlockFormat format = cursor.blockFormat();
+            format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
+            cursor.setBlockFormat(format);
+        }
+    }
+}
+
 QByteArray pdfOf(const QString& title, const std::vector<Page>& pages)
 {
     // Fonts need an application; this one asks for no display.
@@ -108,7 +149,7 @@ QByteArray pdfOf(const QString& title, const std::vector<Page>& pages)
         const QImage image = QImage::fromData(pages[i].figure, "png");
         document.addResource(QTextDocument::ImageResource, address, image);
         const double scale = std::min({1.0, double(kWidth) / image.width(), double(kHeight) / image.height()});
-        html += QStringLiteral("<h3>%1</h3>").arg(i + 1);
+        html += QStringLiteral("<h%1>%2</h%1>").arg(kSlideHeading).arg(i + 1);
         if (!pages[i].question.isEmpty())
             html += QStringLiteral("<p><i>%1</i></p>").arg(pages[i].question.toHtmlEscaped());
         html += QStringLiteral("<p><img src=\"%1\" width=\"%2\" height=\"%3\"/></p><p>%4</p>")
@@ -124,6 +165,7 @@ QByteArray pdfOf(const QString& title, const std::vector<Page>& pages)
     QPdfWriter writer(&buffer);
     writer.setTitle(title);
     writer.setPageSize(QPageSize(QPageSize::A4));
+    keepSlidesTogether(document, writer);
     document.print(&writer);
     return bytes;
 }

@@ -1,12 +1,12 @@
 #include "core/lessons/facts.h"
 
+#include "core/base/grouped.h"
 #include "core/base/typed_numbers.h"
 #include "core/observe/step_cursor.h"
 #include "core/render/steps.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
-#include <QLocale>
 #include <QRect>
 
 #include <algorithm>
@@ -201,9 +201,8 @@ QString factText(const QJsonValue& said)
     const double number = said.toDouble();
     constexpr double kGrouped = 1'000; // from here on in groups of three digits
     if (number == std::round(number) && std::abs(number) >= kGrouped) {
-        QLocale grouped = QLocale::c();
-        grouped.setNumberOptions(QLocale::DefaultNumberOptions);
-        return grouped.toString(static_cast<qlonglong>(number)).replace(QLatin1Char('-'), QChar(0x2212)); // 1,327,244
+        const QString digits = grouped(static_cast<std::uint64_t>(std::abs(number)));
+        return number < 0 ? QChar(0x2212) + digits : digits;
     }
     constexpr int kDigits = 9;
     return QString::number(number, 'g', kDigits).replace(QLatin1Char('-'), QChar(0x2212));

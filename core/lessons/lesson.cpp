@@ -13,6 +13,7 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <cmath>
 
 namespace rasterlens
 {
@@ -279,23 +280,25 @@ constexpr std::pair<const char*, const char*> kWordsInChinese[] = {
     {"bottom", "下"},
     {"top", "上"},
     {"rasterized", "已光栅化"},
-    {"rejected", "整体丢弃"},
+    {"rejected", "丢弃"},
     {"culled-back", "作为背面剔除"},
     {"culled-front", "作为正面剔除"},
     {"degenerate", "没有面积"},
 };
 
+/// Ids in Chinese, and lists with the comma that Chinese lists have.
 QString inChinese(const QString& fact)
 {
     const auto found =
         std::ranges::find_if(kWordsInChinese, [&](const auto& pair) { return fact == QLatin1String(pair.first); });
-    return found == std::end(kWordsInChinese) ? fact : QString::fromUtf8(found->second);
+    return found == std::end(kWordsInChinese) ? QString(fact).replace(QLatin1String("), ("), QStringLiteral(")\u3001("))
+                                              : QString::fromUtf8(found->second);
 }
 
 QString withNumbers(QString text, const Slide& slide, QString (*word)(const QString&))
 {
     for (const Expected& expected : slide.expected)
-        text.replace(QLatin1Char('{') + expected.text + QLatin1Char('}'), word(factText(expected.is)));
+        text.replace(QLatin1Char('{') + expected.text + QLatin1Char('}'), word(unbroken(factText(expected.is))));
     return text;
 }
 
@@ -390,6 +393,16 @@ TwoTexts textWithNumbers(const TwoTexts& text, const Slide& slide)
 {
     return {withNumbers(text.en, slide, [](const QString& fact) { return fact; }),
             withNumbers(text.zh, slide, inChinese)};
+}
+
+TwoTexts factInWords(const FactValue& value)
+{
+    constexpr int kDigits = 4; // as captions have them
+    const auto* number = std::get_if<double>(&value);
+    const QString fact = number && *number != std::round(*number) && std::abs(*number) < std::pow(10, kDigits)
+                             ? factText(QString::number(*number, 'g', kDigits).toDouble())
+                             : unbroken(textOf(value));
+    return {fact, inChinese(fact)};
 }
 
 const char* questionKindId(QuestionKind kind) { return kQuestionKinds[static_cast<std::size_t>(kind)].id; }

@@ -94,6 +94,10 @@ struct LessonTitle {
 /// A caption or a question with the numbers that the slide expects in place of their names: `{hit-twice}`.
 [[nodiscard]] TwoTexts textWithNumbers(const TwoTexts& text, const Slide& slide);
 
+/// A fact as a sentence has it, with four digits; in Chinese ids are words, and pixels have the comma of lists between
+/// them.
+[[nodiscard]] TwoTexts factInWords(const FactValue& value);
+
 /// The answer in words, and the index of the right choice where there are choices; computed from the slide's moment.
 struct Answer {
     FactValue value;

@@ -10,6 +10,7 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QJsonArray>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <array>
@@ -300,14 +301,22 @@ Moment readMoment(const JsonFields& fields, const QDir& folder, const Moment* be
     return Reader(fields, folder, before, caption).read();
 }
 
+QString unbroken(QString text)
+{
+    // Each is a number, or the name in braces that stands for one.
+    static const QRegularExpression pair(QStringLiteral("(\\((?:[\u2212-]?[0-9.]+|\\{[^{}]*\\}),) "
+                                                        "((?:[\u2212-]?[0-9.]+|\\{[^{}]*\\})\\))"));
+    return text.replace(pair, QStringLiteral("\\1\u00a0\\2"));
+}
+
 TwoTexts readTexts(const JsonFields& fields, const QString& key, JsonFields::Need need)
 {
     const auto texts = fields.fields(key, need);
     if (!texts)
         return {};
     texts->allow({QStringLiteral("en"), QStringLiteral("zh")});
-    return {texts->text(QStringLiteral("en"), Need::Required).value_or(QString()),
-            texts->text(QStringLiteral("zh"), Need::Required).value_or(QString())};
+    return {unbroken(texts->text(QStringLiteral("en"), Need::Required).value_or(QString())),
+            unbroken(texts->text(QStringLiteral("zh"), Need::Required).value_or(QString()))};
 }
 
 QJsonObject toJson(const Moment& moment, const QDir& folder)

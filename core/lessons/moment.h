@@ -75,7 +75,10 @@ struct Moment {
 [[nodiscard]] Moment readMoment(const JsonFields& fields, const QDir& folder, const Moment* before = nullptr,
                                 JsonFields::Need caption = JsonFields::Need::Required);
 
-/// Reads `{"en": .., "zh": ..}`, both of which are required.
+/// A text in which the two numbers of a place, `(3, 4)`, stay on one line: with a no-break space between them.
+[[nodiscard]] QString unbroken(QString text);
+
+/// Reads `{"en": .., "zh": ..}`, both of which are required, as unbroken() has them.
 [[nodiscard]] TwoTexts readTexts(const JsonFields& fields, const QString& key, JsonFields::Need need);
 
 /// What readMoment() reads; keys with nothing to say are left out.

@@ -41,12 +41,12 @@ QImage pictureOf(const Scene& scene, const Settings& settings)
 
 std::shared_ptr<const Scene> lent(const Scene& scene) { return {std::shared_ptr<const Scene>(), &scene}; }
 
-QJsonObject answerJson(const Question& question, const Answer& answer)
+QJsonObject answerJson(const Answer& answer, TextTable& texts)
 {
-    QJsonObject object{{"words", textOf(question, answer)}};
-    if (answer.choice) {
-        object.insert(QStringLiteral("choice"), static_cast<qint64>(*answer.choice));
-    } else if (const auto* pixels = std::get_if<std::vector<QPoint>>(&answer.value)) {
+    if (answer.choice)
+        return {{"choice", static_cast<qint64>(*answer.choice)}};
+    QJsonObject object{{"words", texts.add(factInWords(answer.value))}};
+    if (const auto* pixels = std::get_if<std::vector<QPoint>>(&answer.value)) {
         QJsonArray places;
         for (const QPoint pixel : *pixels)
             places << QJsonArray{pixel.x(), pixel.y()};
@@ -68,10 +68,13 @@ QJsonObject questionJson(const Slide& slide, const Answer& answer, PageWords& wo
         choices << texts.add(mistake != nullptr ? textInBoth(words, [&] { return words.mistake(*mistake); })
                                                 : choice.text);
     }
-    return {{"kind", QLatin1String(questionKindId(question.kind))},
-            {"text", texts.add(textWithNumbers(question.text, slide))},
-            {"choices", choices},
-            {"answer", answerJson(question, answer)}};
+    QJsonObject object{{"kind", QLatin1String(questionKindId(question.kind))},
+                       {"text", texts.add(textWithNumbers(question.text, slide))},
+                       {"choices", choices},
+                       {"answer", answerJson(answer, texts)}};
+    if (const std::optional<QPoint> pixel = question.answer->fact.pixel)
+        object.insert(QStringLiteral("pixel"), QJsonArray{pixel->x(), pixel->y()});
+    return object;
 }
 
 /// One slide; what is wrong with it goes into the diagnostics.

@@ -1,5 +1,6 @@
 #include "core/questions/empty_picture.h"
 
+#include "core/base/grouped.h"
 #include "core/render/render.h"
 
 #include <algorithm>
@@ -63,7 +64,7 @@ EmptyPicture mainFate(const Statistics::Faces& faces)
          QT_TRANSLATE_NOOP("Diagnostic", "the scene has to be mended")},
     }};
     const Row& most = *std::ranges::max_element(rows, {}, &Row::count);
-    return {{most.why, {most.count, faces.submitted}}, most.option, most.action};
+    return {{most.why, {grouped(most.count), grouped(faces.submitted)}}, most.option, most.action};
 }
 
 } // namespace
@@ -82,13 +83,13 @@ std::optional<EmptyPicture> whyEmpty(const Statistics& statistics)
     if (statistics.pixels.covered == 0)
         return EmptyPicture{
             {QT_TRANSLATE_NOOP("Diagnostic", "%1 faces reach the screen, but each lies between the centres of pixels"),
-             {faces.rasterized}},
+             {grouped(faces.rasterized)}},
             QT_TRANSLATE_NOOP("Diagnostic", "more --samples or a larger --size shows them"),
             QT_TRANSLATE_NOOP("Diagnostic", "more samples a pixel or a larger picture shows them")};
-    return EmptyPicture{
-        {QT_TRANSLATE_NOOP("Diagnostic", "all %1 fragments failed the depth test"), {statistics.pixels.covered}},
-        QT_TRANSLATE_NOOP("Diagnostic", "--depth-test less is the usual one"),
-        QT_TRANSLATE_NOOP("Diagnostic", "T changes the depth test")};
+    return EmptyPicture{{QT_TRANSLATE_NOOP("Diagnostic", "all %1 fragments failed the depth test"),
+                         {grouped(statistics.pixels.covered)}},
+                        QT_TRANSLATE_NOOP("Diagnostic", "--depth-test less is the usual one"),
+                        QT_TRANSLATE_NOOP("Diagnostic", "T changes the depth test")};
 }
 
 std::optional<EmptyPicture> whyEmpty(const Scene& scene, const Settings& settings)

@@ -1,3 +1,4 @@
+#include "core/base/grouped.h"
 #include "core/truth/chart_list.h"
 #include "core/truth/coverage_chart.h"
 #include "core/truth/distance_chart.h"
@@ -28,7 +29,7 @@ Chart samplesChart(const Scene& scene, const Settings& settings, const std::stop
         chart.series[patternSamples(row.samples) > 1 ? 1 : 0].y.back() = row.rms;
     }
     if (!rows.empty())
-        chart.notes = {{QT_TRANSLATE_NOOP("Chart", "%1 pixels are covered in part."), {rows.front().pixels}}};
+        chart.notes = {{QT_TRANSLATE_NOOP("Chart", "%1 pixels are covered in part."), {grouped(rows.front().pixels)}}};
     return chart;
 }
 

@@ -1,5 +1,6 @@
 #include "core/truth/chart_list.h"
 
+#include "core/base/grouped.h"
 #include "core/pipeline/clipping.h"
 #include "core/truth/exact_geometry.h"
 #include "core/truth/exact_reference.h"
@@ -104,7 +105,7 @@ Chart snappingChart(const Scene& scene, const Settings& settings, const std::sto
         chart.series[2].y.push_back(share(counts.folded, counts.cut));
     }
     chart.notes = {{QT_TRANSLATE_NOOP("Chart", "%1 faces in the view volume, %2 of them cut by its planes."),
-                    {counts.faces, counts.cut}}};
+                    {grouped(counts.faces), grouped(counts.cut)}}};
     return chart;
 }
 

@@ -13,6 +13,11 @@ const lesson = {
   get asks() { return this.phase === "asking"; },
   get marksPixels() { return this.asks && this.now.question.kind === "pixels"; },
   get asksForMistake() { return this.asks && this.now.question.kind === "mistake"; },
+  // Whether an open question is about this pixel: what is known of it would be the answer.
+  isSecret(x, y) {
+    const pixel = this.asks && this.now.question.pixel;
+    return Boolean(pixel) && pixel[0] === x && pixel[1] === y;
+  },
   // The moment that is shown: while a question is open, that before the answer.
   get moment() { return this.asks ? this.now.before : this.now; },
 
@@ -109,7 +114,7 @@ function hasTooFewDigits(text, value) {
 }
 
 function rightAnswer(question) {
-  return question.answer.choice === undefined ? question.answer.words : textOf(question.choices[question.answer.choice]);
+  return question.answer.choice === undefined ? textOf(question.answer.words) : textOf(question.choices[question.answer.choice]);
 }
 
 function button(text, run) {

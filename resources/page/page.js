@@ -134,7 +134,8 @@ function swatch(color) {
 function showCard() {
   const rows = byId("card-rows");
   rows.replaceChildren();
-  const pixel = lesson.marksPixels ? null : shown.pixel; // the card would answer the question
+  const isSecret = lesson.marksPixels || (shown.pixel && lesson.isSecret(...shown.pixel));
+  const pixel = isSecret ? null : shown.pixel; // the card would answer the question
   byId("card-title").textContent = pixel ? say("cardTitle", ...pixel) : say("cardEmpty");
   byId("card-hint").textContent = pixel ? "" : say("cardHint");
   byId("card").className = pixel ? "chosen" : "";

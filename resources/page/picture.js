@@ -151,6 +151,8 @@ function drawSamples(pen, run, side) {
     if (event.event !== "sample" || tested.has(event.y * run.columns + event.x))
       continue;
     tested.add(event.y * run.columns + event.x);
+    if (lesson.isSecret(Math.floor(event.x / run.grid), Math.floor(event.y / run.grid)))
+      continue;
     if (sampleSide >= kGlyphsFrom)
       drawSigns(pen, event.x * sampleSide, event.y * sampleSide, sampleSide, event.values);
     else

@@ -8360,6 +8360,14 @@
         <source>The coordinate that is drawn against w</source>
         <translation>与 w 对画的坐标</translation>
     </message>
+    <message>
+        <source>%1 corners</source>
+        <translation>%1 个顶点</translation>
+    </message>
+    <message>
+        <source>Plane %1: its turn comes later; a click shows it</source>
+        <translation>平面 %1：还没轮到；点击即可查看</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::CompareBar</name>
@@ -8961,6 +8969,10 @@
         <source>▶ opens the next lesson: %1</source>
         <translation>▶ 打开下一课：%1</translation>
     </message>
+    <message>
+        <source>✓ Right: all %1 pixels</source>
+        <translation>✓ 对：%1 个像素全部找到</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::LessonPlayer</name>
@@ -9465,6 +9477,14 @@
     <message>
         <source>towards the light: %1</source>
         <translation>指向光源：%1</translation>
+    </message>
+    <message>
+        <source>Nothing is copied: the picture is empty or too large.</source>
+        <translation>没有复制：画面是空的，或者太大。</translation>
+    </message>
+    <message>
+        <source>On the clipboard: a picture of %1 x %2 pixels.</source>
+        <translation>已复制到剪贴板：%1 x %2 像素的图像。</translation>
     </message>
 </context>
 <context>
@@ -10149,10 +10169,6 @@
     <message>
         <source>none wrong of %1 pixels, judged by their middle samples</source>
         <translation>%1 个像素全部正确（按中间的样本判定）</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>，</translation>
     </message>
     <message>
         <source>%1 of %2 samples</source>

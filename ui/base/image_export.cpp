@@ -8,11 +8,13 @@
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QFontMetricsF>
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
 #include <QSvgGenerator>
 
+#include <cmath>
 #include <cstring>
 #include <utility>
 
@@ -49,6 +51,38 @@ QByteArray inPixels(QByteArray svg, QSize size)
     return svg;
 }
 
+/// The value of an attribute of a tag that begins at `from` and ends at `to`.
+QString attributeOf(const QByteArray& svg, qsizetype from, qsizetype to, const char* name)
+{
+    const QByteArray key = QByteArray(" ") + name + "=\"";
+    const qsizetype at = svg.indexOf(key, from);
+    if (at < 0 || at > to)
+        return {};
+    const qsizetype value = at + key.size();
+    return QString::fromUtf8(svg.mid(value, svg.indexOf('"', value) - value));
+}
+
+/// What QString::toHtmlEscaped() was given.
+QString unescaped(QString text)
+{
+    return text.replace(QLatin1String("&lt;"), QLatin1String("<"))
+        .replace(QLatin1String("&gt;"), QLatin1String(">"))
+        .replace(QLatin1String("&quot;"), QLatin1String("\""))
+        .replace(QLatin1String("&amp;"), QLatin1String("&"));
+}
+
+/// How wide a text is that Qt has written with one family.
+double widthOf(const QString& text, const QString& family, double pixels, bool bold)
+{
+    constexpr int kPixels = 100; // for sizes that a font cannot have
+    const bool isWhole = pixels == std::floor(pixels);
+    QFont font(QStringList{family} + textFont(0).families().mid(1));
+    font.setPixelSize(isWhole ? int(pixels) : kPixels);
+    font.setBold(bold);
+    const double width = QFontMetricsF(font).horizontalAdvance(text);
+    return isWhole ? width : width * pixels / kPixels;
+}
+
 /// The drawing with all families of each font. Qt names the first alone, and a viewer draws Chinese texts with what it
 /// finds then.
 QByteArray withFamilies(QByteArray svg)
@@ -59,6 +93,23 @@ QByteArray withFamilies(QByteArray svg)
         others += ", " + family.toUtf8();
     for (qsizetype at = svg.indexOf(name); at >= 0; at = svg.indexOf(name, at + 1))
         svg.insert(svg.indexOf('"', at + name.size()), others);
+    return svg;
+}
+
+/// The drawing with the width of each text: another font of a viewer, or another rounding, would run over its border.
+QByteArray withMeasuredTexts(QByteArray svg)
+{
+    constexpr int kReadable = 4; // letters; shorter texts need no width
+    for (qsizetype tag = svg.indexOf("<text "); tag >= 0; tag = svg.indexOf("<text ", tag + 1)) {
+        const qsizetype end = svg.indexOf('>', tag);
+        const QString text = unescaped(QString::fromUtf8(svg.mid(end + 1, svg.indexOf('<', end) - end - 1)));
+        const double pixels = attributeOf(svg, tag, end, "font-size").toDouble();
+        if (pixels <= 0 || text.size() < kReadable)
+            continue;
+        const bool bold = attributeOf(svg, tag, end, "font-weight").toInt() >= QFont::DemiBold;
+        const double width = widthOf(text, attributeOf(svg, tag, end, "font-family"), pixels, bold);
+        svg.insert(end, " textLength=\"" + QByteArray::number(width, 'f', 1) + "\" lengthAdjust=\"spacingAndGlyphs\"");
+    }
     return svg;
 }
 
@@ -104,7 +155,7 @@ std::optional<QString> saveSvg(QSize size, const ExportTarget& target, const std
         paint(painter);
     if (!begun || !painter.end())
         return notWritten(target.path, QT_TRANSLATE_NOOP("Diagnostic", "the picture is empty or too large"));
-    return saveBytes(withFamilies(inPixels(std::move(bytes), size)), target);
+    return saveBytes(withFamilies(withMeasuredTexts(inPixels(std::move(bytes), size))), target);
 }
 
 std::optional<QString> savePdf(QSize size, const ExportTarget& target, const std::function<void(QPainter&)>& paint)

@@ -35,4 +35,15 @@ LanguageKind Language::ofSystem()
     return QLocale::system().language() == QLocale::Chinese ? LanguageKind::Chinese : LanguageKind::English;
 }
 
+QString listed(const QStringList& items)
+{
+    return items.join(Language::inUse() == LanguageKind::Chinese ? QStringLiteral("\u3001") : QStringLiteral(", "));
+}
+
+QString labelled(const QString& label, const QString& text)
+{
+    return label + (Language::inUse() == LanguageKind::Chinese ? QStringLiteral("\uff1a") : QStringLiteral(": ")) +
+           text;
+}
+
 } // namespace rasterlens

@@ -1,5 +1,6 @@
 #pragma once
 #include <QString>
+#include <QStringList>
 #include <QTranslator>
 
 namespace rasterlens
@@ -32,5 +33,11 @@ private:
     LanguageKind m_kind = LanguageKind::English;
     static inline LanguageKind s_inUse = LanguageKind::English;
 };
+
+/// A list in a sentence, in the language in use: `1, 3` and `1、3`.
+[[nodiscard]] QString listed(const QStringList& items);
+
+/// What comes before what it stands for, in the language in use: `M1: All edges` and `M1：所有边`.
+[[nodiscard]] QString labelled(const QString& label, const QString& text);
 
 } // namespace rasterlens

@@ -1,15 +1,9 @@
 #include "ui/base/numbers.h"
 
-#include <QLocale>
 #include <QRegularExpression>
 
 namespace rasterlens
 {
-
-QString grouped(std::uint64_t value)
-{
-    return QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(value));
-}
 
 QString shortened(std::uint64_t value)
 {

@@ -239,7 +239,7 @@ void paintCanvas(QPainter& painter, const QRect& canvas, const CanvasTransform& 
         layer->paint(painter, canvas, transform, options);
     paintPixelFrames(painter, transform, image.size(), options);
     if (wiped)
-        paintWipe(painter, canvas, column, options.thickLines);
+        paintWipe(painter, canvas, transform.toCanvas(QRectF(image.rect())), column, options.thickLines);
     if (!options.tag.isEmpty())
         paintTag(painter, canvas, options.tag);
     painter.restore();

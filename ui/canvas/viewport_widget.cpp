@@ -378,6 +378,8 @@ void ViewportWidget::paintFigure(QPainter& painter, const FigurePart& part, cons
 {
     OverlayOptions options = m_options;
     options.hoveredPixel.reset();
+    if (options.wipe && options.wipe->at <= 0)
+        options.wipe.reset(); // nothing of A is seen, and a line on paper cannot be dragged
     if (instead) {
         options.layers.clear();
         options.wipe.reset();

@@ -36,7 +36,7 @@ double wipeColumn(const Wipe& wipe, const QRect& canvas, const CanvasTransform& 
     return low < high ? std::round(std::clamp(column, low, high)) : column;
 }
 
-void paintWipe(QPainter& painter, const QRect& canvas, double column, bool thick)
+void paintWipe(QPainter& painter, const QRect& canvas, const QRectF& picture, double column, bool thick)
 {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
@@ -59,8 +59,12 @@ void paintWipe(QPainter& painter, const QRect& canvas, double column, bool thick
     const QFontMetricsF metrics(painter.font());
     const double side = metrics.height() + 4;
     const double y = canvas.bottom() - side - 8;
-    paintPill(painter, {column - side - 8, y}, QStringLiteral("A"));
-    paintPill(painter, {column + 8, y}, QStringLiteral("B"));
+    // Where there is room they stand beside the picture and hide no pixel.
+    constexpr double kGap = 8;
+    const bool hasLeft = picture.left() - side - kGap >= canvas.left() + kGap;
+    const bool hasRight = picture.right() + side + kGap <= canvas.right() - kGap;
+    paintPill(painter, {(hasLeft ? std::min(picture.left(), column) : column) - side - kGap, y}, QStringLiteral("A"));
+    paintPill(painter, {(hasRight ? std::max(picture.right(), column) : column) + kGap, y}, QStringLiteral("B"));
     painter.restore();
 }
 

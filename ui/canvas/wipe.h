@@ -18,7 +18,7 @@ struct Wipe {
                                 int imageWidth);
 
 /// The dividing line with its grip and the names A and B on either side.
-void paintWipe(QPainter& painter, const QRect& canvas, double column, bool thick);
+void paintWipe(QPainter& painter, const QRect& canvas, const QRectF& picture, double column, bool thick);
 
 /// The name of the picture that is shown, in the lower left corner.
 void paintTag(QPainter& painter, const QRect& canvas, const QString& text);

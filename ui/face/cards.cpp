@@ -188,6 +188,12 @@ void Cards::followStep(const StepLog* log, const StepEvent* event)
 
 void Cards::setSaysMoment(bool on) { m_pixelCard->setSaysMoment(on); }
 
+void Cards::setSecret(std::optional<QPoint> pixel)
+{
+    if (std::exchange(m_secret, pixel) != pixel)
+        refresh();
+}
+
 void Cards::frameCounted()
 {
     if (m_followPending)
@@ -215,7 +221,8 @@ void Cards::refresh()
 void Cards::askWhy()
 {
     const QRect picture(QPoint(0, 0), m_document.settings().size);
-    const bool asked = dock(Panel::PixelCard).isInSight() && m_pixel && picture.contains(*m_pixel) && canDraw();
+    const bool asked =
+        dock(Panel::PixelCard).isInSight() && m_pixel && m_pixel != m_secret && picture.contains(*m_pixel) && canDraw();
     if (!asked) {
         m_why.drop();
         if (m_pixelCard->report())

@@ -62,6 +62,8 @@ public:
 
     /// While another picture than the finished one is on the canvas the pixel card says that it speaks of that.
     void setSaysMoment(bool on);
+    /// The pixel card does not speak of this pixel, which an open question is about; nothing: no question is.
+    void setSecret(std::optional<QPoint> pixel);
     /// A counted frame is shown: it knows the faces seen at the pixels.
     void frameCounted();
     /// The panels show this face.
@@ -111,6 +113,7 @@ private:
     QToolButton* m_copy;
 
     std::optional<QPoint> m_pixel;
+    std::optional<QPoint> m_secret;
     bool m_followPending = false; ///< the pixel was chosen before its frame was counted
     QTimer m_soon;
     LatestResult<std::shared_ptr<const WhyReport>> m_why;

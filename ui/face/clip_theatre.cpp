@@ -345,6 +345,8 @@ void ClipTheatre::followStep(std::optional<StepKind> kind, std::optional<ClipPla
     m_followedPlane = plane;
     if (m_story && kind)
         setStage(usualStage());
+    else
+        sync();
 }
 
 /// That of the step which is followed, or else of the last plane that did something.
@@ -409,8 +411,14 @@ QString ClipTheatre::summary() const
     }
     QStringList counts;
     for (const int count : m_story->counts())
-        counts << QString::number(count);
+        if (isTold(static_cast<std::size_t>(counts.size())))
+            counts << QString::number(count);
+    const bool isWhole = counts.size() == std::ssize(m_story->counts());
+    if (!isWhole)
+        counts << QStringLiteral("\u2026");
     const QString path = counts.join(QStringLiteral(" \u2192 "));
+    if (!isWhole)
+        return tr("%1 corners").arg(path);
     return m_story->fate == FaceFate::Rejected ? tr("%1 corners: nothing is left").arg(path)
                                                : tr("%1 corners, a fan of %2").arg(path).arg(m_story->pieces);
 }
@@ -465,18 +473,20 @@ void ClipTheatre::sync()
         const auto plane = static_cast<ClipPlane>(i);
         QToolButton* tool = m_planes[static_cast<std::size_t>(i)];
         const ClipStep* step = m_story ? m_story->stepOf(plane) : nullptr;
+        const bool isKnown = step && isTold(static_cast<std::size_t>(step - m_story->steps.data()) + 1);
         tool->setEnabled(step != nullptr);
-        tool->setText(step ? QStringLiteral("%1  %2").arg(QString::fromUtf8(infoOf(plane).sign)).arg(step->after.size())
-                           : QString::fromUtf8(infoOf(plane).sign));
+        const QString sign = QString::fromUtf8(infoOf(plane).sign);
+        tool->setText(isKnown ? QStringLiteral("%1  %2").arg(sign).arg(step->after.size()) : sign);
         const bool shown =
             m_stage > 0 && m_stage <= m_story->steps.size() && m_story->steps[m_stage - 1].plane == plane;
         tool->setChecked(shown);
         const QString formula = QString::fromUtf8(clipPlaneFormula(plane, m_story ? m_story->rules.clipZ : ClipZ::Gl));
-        tool->setToolTip(step ? tr("Plane %1: %2 corners before, %3 after")
-                                    .arg(formula)
-                                    .arg(step->before.size())
-                                    .arg(step->after.size())
-                              : tr("Plane %1 does not cut this face").arg(formula));
+        tool->setToolTip(isKnown ? tr("Plane %1: %2 corners before, %3 after")
+                                       .arg(formula)
+                                       .arg(step->before.size())
+                                       .arg(step->after.size())
+                         : step ? tr("Plane %1: its turn comes later; a click shows it").arg(formula)
+                                : tr("Plane %1 does not cut this face").arg(formula));
     }
     m_sides->setVisible(m_story && m_story->rules.clipping == Clipping::CohenSutherland);
     m_sides->setEnabled(m_story && m_story->regions);

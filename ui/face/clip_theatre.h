@@ -34,7 +34,7 @@ public:
     void setStage(std::size_t stage);
     [[nodiscard]] std::size_t stage() const { return m_stage; }
     [[nodiscard]] QToolButton* planeButton(ClipPlane plane) const { return m_planes[static_cast<std::size_t>(plane)]; }
-    /// `3 -> 4 -> 5 corners, a fan of 3`
+    /// `3 -> 4 -> 5 corners, a fan of 3`; while a step is followed only as far as the shown stage: `3 -> 4 -> ...`
     [[nodiscard]] QString summary() const;
     /// The cuts of the shown stage, one a line: from, to, t.
     [[nodiscard]] QStringList cuts() const;
@@ -51,6 +51,8 @@ private:
     [[nodiscard]] const std::vector<ClipVertex>& before() const;
     [[nodiscard]] const std::vector<ClipVertex>& after() const;
     [[nodiscard]] std::size_t usualStage() const;
+    /// Whether a plane's outcome is told: while a step is followed, what comes after the shown stage is not.
+    [[nodiscard]] bool isTold(std::size_t stage) const { return !m_followed || stage <= m_stage; }
     void showAxisOfStage();
     void sync();
     void retranslate();

@@ -3,6 +3,7 @@
 #include "core/observe/step_text.h"
 #include "core/settings/depth_rules.h"
 #include "ui/base/inks.h"
+#include "ui/base/language.h"
 #include "ui/base/numbers.h"
 #include "ui/base/parts.h"
 #include "ui/base/step_words.h"
@@ -236,7 +237,7 @@ QString maskLine(const WhyReport& report, const WhyFace& face)
                              : PixelCard::tr("covers %1 of %2 samples: %3")
                                    .arg(numbers.size())
                                    .arg(report.rules.patternSamples)
-                                   .arg(numbers.join(QStringLiteral(", ")));
+                                   .arg(listed(numbers));
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "ui/lessons/lesson_panel.h"
 
+#include "ui/base/language.h"
 #include "ui/base/parts.h"
 #include "ui/base/style_sheet.h"
 #include "ui/lessons/question_box.h"
@@ -297,7 +298,7 @@ void LessonPanel::syncLeftOut()
     for (const std::size_t slide : m_player.leftOut())
         numbers << QString::number(slide + 1);
     m_leftOut->setVisible(!numbers.isEmpty());
-    m_leftOut->setText(tr("Second look: %1").arg(numbers.join(QStringLiteral(", "))));
+    m_leftOut->setText(tr("Second look: %1").arg(listed(numbers)));
     m_leftOut->setToolTip(tr("A first course leaves these slides out. A click shows them, here and in all lessons; the "
                              "menu Lessons leaves them out again."));
 }
@@ -336,9 +337,11 @@ QString LessonPanel::verdictText() const
         return answered->given ? tr("This question has no answer here.") : QString();
     const Question& question = *m_player.slide().question;
     const QString right = answered->right->choice ? choiceText(question.choices[*answered->right->choice])
-                                                  : textOf(answered->right->value);
+                                                  : textInUse(factInWords(answered->right->value));
     if (!answered->given)
         return tr("The answer: %1").arg(right);
+    if (const auto* all = std::get_if<std::vector<QPoint>>(&answered->right->value); all && answered->isRight)
+        return tr("\u2713 Right: all %1 pixels").arg(all->size()); // which the canvas marks
     if (answered->isRight)
         return tr("\u2713 Right: %1").arg(right);
     if (const auto* pixels = std::get_if<std::vector<QPoint>>(&*answered->given))

@@ -56,6 +56,11 @@ void LessonPlayer::begin(const Place& place)
     Q_EMIT changed();
 }
 
+std::optional<QPoint> LessonPlayer::askedPixel() const
+{
+    return isAsking() && slide().question->answer ? slide().question->answer->fact.pixel : std::nullopt;
+}
+
 const Moment& LessonPlayer::moment() const { return isAsking() ? *slide().before : slide().moment; }
 
 void LessonPlayer::show(std::size_t slide, Phase phase)
@@ -80,13 +85,29 @@ void LessonPlayer::next()
         show(m_place.slide, Phase::Shown);
         return;
     }
-    for (std::size_t next = m_place.slide + 1; next < lesson().slides.size(); ++next)
-        if (isOfLevel(next)) {
-            goTo(next);
-            return;
-        }
+    if (const std::size_t next = slideAfter(); next < lesson().slides.size()) {
+        goTo(next);
+        return;
+    }
     m_place.phase = Phase::Ended;
     Q_EMIT changed();
+}
+
+std::size_t LessonPlayer::slideAfter() const
+{
+    std::size_t next = m_place.slide + 1;
+    while (next < lesson().slides.size() && !isOfLevel(next))
+        ++next;
+    return next;
+}
+
+const Question* LessonPlayer::openOrNextQuestion() const
+{
+    if (!isOpen() || m_place.phase == Phase::Ended)
+        return nullptr;
+    const std::size_t at = isAsking() ? m_place.slide : slideAfter();
+    const bool isThere = at < lesson().slides.size() && lesson().slides[at].question && !answered(at);
+    return isThere ? &*lesson().slides[at].question : nullptr;
 }
 
 std::vector<std::size_t> LessonPlayer::leftOut() const

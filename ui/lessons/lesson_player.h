@@ -48,6 +48,11 @@ public:
     /// What the window is to show: the slide's moment, or while its question is open what stands before it.
     [[nodiscard]] const Moment& moment() const;
     [[nodiscard]] bool isAsking() const { return m_place.phase == Phase::Asking; }
+    /// The pixel that the open question is about, where it is about one.
+    [[nodiscard]] std::optional<QPoint> askedPixel() const;
+    /// The question that is open, or else that of the slide after the present one where it was not answered yet; null:
+    /// neither.
+    [[nodiscard]] const Question* openOrNextQuestion() const;
 
     /// in  slide: counted from 0
     void goTo(std::size_t slide, Entry entry = Entry::Asks);
@@ -106,6 +111,8 @@ private:
     void judge();
     void noteRow(const std::optional<GivenAnswer>& given, bool isRight);
     [[nodiscard]] bool isOfLevel(std::size_t slide) const;
+    /// The slide after the present one; as many as there are: none.
+    [[nodiscard]] std::size_t slideAfter() const;
 
     Place m_place;
     int m_level = 1;

@@ -19,8 +19,7 @@ QString choiceText(const QuestionChoice& choice)
     const Mistake* mistake = findMistake(choice.mistake);
     if (!mistake)
         return textInUse(choice.text);
-    return QLatin1String(mistake->number) + QStringLiteral(": ") +
-           QCoreApplication::translate("Mistake", mistake->title);
+    return labelled(QLatin1String(mistake->number), QCoreApplication::translate("Mistake", mistake->title));
 }
 
 std::optional<LessonTitle> lessonAfter(const QString& id)

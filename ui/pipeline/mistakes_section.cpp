@@ -1,5 +1,6 @@
 #include "ui/pipeline/mistakes_section.h"
 
+#include "ui/base/language.h"
 #include "ui/base/parts.h"
 
 #include <QAction>
@@ -166,8 +167,7 @@ void MistakesSection::sync()
         if (const Mistake* mistake = findMistake(id))
             numbers << QLatin1String(mistake->number);
     constexpr qsizetype kNamed = 4;
-    const QString named =
-        numbers.size() > kNamed ? QString::number(numbers.size()) : numbers.join(QStringLiteral(", "));
+    const QString named = numbers.size() > kNamed ? QString::number(numbers.size()) : listed(numbers);
     m_heading->setText(numbers.isEmpty() ? tr("Mistakes: none") : tr("Mistakes: %1").arg(named));
     m_clear->setVisible(!numbers.isEmpty());
     for (const Row& row : m_rows) {

@@ -170,7 +170,19 @@ LensCell LensModel::cell(int x, int y) const
         readSpan(cell, x, y);
     else
         readSample(cell, x, y);
+    if (isSecret(cell, x, y)) {
+        cell = {};
+        cell.state = LensCell::State::Waiting;
+    }
     return cell;
+}
+
+bool LensModel::isSecret(const LensCell& cell, int x, int y) const
+{
+    if (!m_secret)
+        return false;
+    const int grid = m_log->grid();
+    return cell.state == LensCell::State::Waiting || m_secret->pixel == glm::ivec2(x / grid, y / grid);
 }
 
 const WalkedTriangle* LensModel::walk() const

@@ -30,6 +30,14 @@ struct LensCell {
     std::array<bool, 3> ours{}; ///< the value counts as inside
 };
 
+/// What the lens keeps to itself while a question is open, for it would be the answer: what samples are before their
+/// turn, and the pixel that is asked about.
+struct LensSecret {
+    std::optional<glm::ivec2> pixel; ///< nothing: the question is not about one
+
+    friend bool operator==(const LensSecret&, const LensSecret&) = default;
+};
+
 /// The samples of one triangle at one position of a log, as the lens shows them.
 class LensModel
 {
@@ -44,6 +52,9 @@ public:
     /// in  the coverage of the triangle (StepRecord::coverage) in the pixels that are in sight
     void setFar(std::shared_ptr<const StepLog> coverage) const { m_far = std::move(coverage); }
     [[nodiscard]] bool wantsFar() const;
+
+    /// in  nothing: everything is told
+    void setSecret(const std::optional<LensSecret>& secret) { m_secret = secret; }
 
     /// in    a sample
     /// cost  logarithmic in the events of the triangle
@@ -88,6 +99,7 @@ private:
     [[nodiscard]] const StepEvent* farEvent(StepKind kind, int x, int y) const;
     void readSample(LensCell& cell, int x, int y) const;
     void readSpan(LensCell& cell, int x, int y) const;
+    [[nodiscard]] bool isSecret(const LensCell& cell, int x, int y) const;
 
     const StepLog* m_log;
     const StepTriangle* m_triangle;
@@ -101,6 +113,7 @@ private:
     bool m_walks = false;
     std::span<const std::uint32_t> m_samples; ///< event numbers
     std::span<const std::uint32_t> m_spans;
+    std::optional<LensSecret> m_secret;
 };
 
 /// `-3.5`, `+8`; `tie: left, ours` where the deciding value is 0. In the language in use.

@@ -2,6 +2,7 @@
 
 #include "core/observe/names.h"
 #include "ui/base/inks.h"
+#include "ui/base/language.h"
 #include "ui/base/step_words.h"
 #include "ui/base/theme.h"
 
@@ -91,8 +92,7 @@ QStringList momentLines(const FaceMoment& moment, const Rules& rules)
         if (!corner.onScreen(rules))
             behind << corner.name;
     if (!behind.isEmpty())
-        lines << translated(QT_TRANSLATE_NOOP("Moment", "not in front of the eye: %1"))
-                     .arg(behind.join(QStringLiteral(", ")));
+        lines << translated(QT_TRANSLATE_NOOP("Moment", "not in front of the eye: %1")).arg(listed(behind));
     return lines;
 }
 

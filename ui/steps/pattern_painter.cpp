@@ -2,6 +2,7 @@
 
 #include "core/observe/step_text.h"
 #include "ui/base/inks.h"
+#include "ui/base/language.h"
 #include "ui/base/theme.h"
 
 #include <QCoreApplication>
@@ -72,7 +73,7 @@ QString numbersOf(SampleMask samples)
     QStringList numbers;
     for (SampleMask left = samples; left != 0; left &= static_cast<SampleMask>(left - 1))
         numbers << QString::number(std::countr_zero(left) + 1);
-    return numbers.join(QStringLiteral(", "));
+    return listed(numbers);
 }
 
 QString placeWords(const LensModel& model, const PatternPixel& pixel)

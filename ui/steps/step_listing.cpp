@@ -110,9 +110,9 @@ void StepListing::setPlace(Place place)
     sync();
 }
 
-void StepListing::setConcealed(bool on)
+void StepListing::setNextPConcealed(bool on)
 {
-    if (std::exchange(m_isConcealed, on) != on)
+    if (std::exchange(m_isNextPConcealed, on) != on)
         sync();
 }
 
@@ -121,8 +121,9 @@ void StepListing::sync()
     m_explanation = {};
     if (m_session.isOpen() && m_session.log() && m_session.position() > 0)
         m_explanation = explainStep(*m_session.log(), m_session.positionInLog() - 1);
-    if (m_isConcealed)
-        m_explanation.formula.clear();
+    const StepEvent* event = m_session.event();
+    if (m_isNextPConcealed && event && event->kind == StepKind::LineDecision)
+        m_explanation.formula = m_explanation.formula.section(QLatin1Char('\n'), 0, -2);
     const bool isCompact = m_place == Place::Below && parentWidget()->height() < kCompactBelow;
     double scale = 1;
     if (m_place == Place::Beside)

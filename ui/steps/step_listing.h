@@ -27,8 +27,8 @@ public:
         Beside, ///< all of the code, and a longer formula, beside the canvas
     };
     void setPlace(Place place);
-    /// Leaves the formula's room empty: its numbers are asked for.
-    void setConcealed(bool on);
+    /// Leaves out the next p of a line, which the formula of a decision ends with: a question asks for it.
+    void setNextPConcealed(bool on);
 
     [[nodiscard]] const StepExplanation& explanation() const { return m_explanation; }
     [[nodiscard]] const std::vector<CodeLine*>& lines() const { return m_lines; }
@@ -52,7 +52,7 @@ private:
     const StepSession& m_session;
     StepExplanation m_explanation;
     Place m_place = Place::Below;
-    bool m_isConcealed = false;
+    bool m_isNextPConcealed = false;
     std::vector<CodeLine*> m_lines;
     QLabel* m_formula = nullptr;
 };

@@ -123,7 +123,7 @@ StepMode::~StepMode()
 void StepMode::syncLens()
 {
     m_sampleLens.setCursor(m_session.isReady() ? m_session.cursor() : nullptr);
-    std::unique_ptr<const LensModel> model;
+    std::unique_ptr<LensModel> model;
     std::optional<FaceMoment> moment;
     const std::shared_ptr<const StepLog> log = m_session.log();
     if (m_session.isReady() && log)
@@ -133,9 +133,17 @@ void StepMode::syncLens()
     const StepSession::LookedAt& lookedAt = m_session.lookedAt();
     if (lookedAt.log && !moment && m_session.isReady())
         model = std::make_unique<LensModel>(*lookedAt.log, *lookedAt.begin, lookedAt.position, m_session.event());
+    if (model)
+        model->setSecret(m_secret);
     m_lens.setModel(std::move(model));
     m_geometry.setMoment(std::move(moment), log ? log->rules() : Rules());
     m_viewport.update();
+}
+
+void StepMode::setSecret(const std::optional<LensSecret>& secret)
+{
+    if (std::exchange(m_secret, secret) != secret)
+        syncLens();
 }
 
 void StepMode::syncSelection() { m_viewport.selectPixel(m_session.selectedPixel()); }

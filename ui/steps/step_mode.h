@@ -58,6 +58,8 @@ public:
     [[nodiscard]] static bool isPlace(const QString& where);
     /// Nothing is being recorded.
     [[nodiscard]] bool isSettled() const { return !m_session.isRecording(); }
+    /// What the lens does not tell while a question is open; nothing: no question is.
+    void setSecret(const std::optional<LensSecret>& secret);
 
     /// Starts to write one numbered PNG a position, at a whole zoom or as on the screen.
     ///
@@ -100,6 +102,7 @@ private:
     std::optional<StepPlace> m_wanted; ///< where to go when the record is there
     /// The face and pixel to go to when the record is there.
     std::optional<std::pair<quint32, QPoint>> m_wantedFace;
+    std::optional<LensSecret> m_secret;
 };
 
 } // namespace rasterlens

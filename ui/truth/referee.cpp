@@ -1,5 +1,6 @@
 #include "ui/truth/referee.h"
 
+#include "ui/base/language.h"
 #include "ui/base/numbers.h"
 
 #include <QElapsedTimer>
@@ -112,7 +113,7 @@ QString Referee::text() const
     if (counts.isEmpty())
         return one ? tr("none wrong of %1 samples").arg(all)
                    : tr("none wrong of %1 pixels, judged by their middle samples").arg(all);
-    const QString list = counts.join(tr(", "));
+    const QString list = listed(counts);
     return one ? tr("%1 of %2 samples").arg(list, all)
                : tr("%1 of %2 pixels, judged by their middle samples").arg(list, all);
 }

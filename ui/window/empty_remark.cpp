@@ -7,9 +7,9 @@
 namespace rasterlens
 {
 
-void EmptyRemark::update(const RenderedFrame& frame, MessageBar& bar)
+void EmptyRemark::update(const RenderedFrame& frame, Wanted wanted, MessageBar& bar)
 {
-    const auto empty = whyEmpty(frame.statistics);
+    const auto empty = wanted == Wanted::Yes ? whyEmpty(frame.statistics) : std::nullopt;
     if (empty && !m_shown && !bar.isHidden())
         return; // what the bar says already comes first
     if (empty)

@@ -10,8 +10,12 @@ class MessageBar;
 class EmptyRemark
 {
 public:
+    enum class Wanted {
+        Yes,
+        No, ///< the picture is that of a lesson's slide, whose caption speaks of it
+    };
     /// in   a counted frame
-    void update(const RenderedFrame& frame, MessageBar& bar);
+    void update(const RenderedFrame& frame, Wanted wanted, MessageBar& bar);
 
 private:
     bool m_shown = false;

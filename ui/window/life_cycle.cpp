@@ -1,6 +1,7 @@
 #include "ui/window/life_cycle.h"
 
 #include "core/io/session.h"
+#include "ui/base/language.h"
 #include "ui/base/message_bar.h"
 #include "ui/document/document.h"
 #include "ui/document/file_watch.h"
@@ -234,12 +235,10 @@ void LifeCycle::offerReload()
     const QStringList changed = namesOf(m_watch->changed());
     const QStringList missing = namesOf(m_watch->missing());
     if (!changed.isEmpty())
-        m_bars.files->offer(tr("Changed on the disk: %1").arg(changed.join(QStringLiteral(", "))),
+        m_bars.files->offer(tr("Changed on the disk: %1").arg(listed(changed)),
                             {{"reload", tr("Reload (F5)"), [this] { reload(); }}});
     else if (!missing.isEmpty())
-        m_bars.files->offer(
-            tr("No longer on the disk: %1. The scene stays as it was read.").arg(missing.join(QStringLiteral(", "))),
-            {});
+        m_bars.files->offer(tr("No longer on the disk: %1. The scene stays as it was read.").arg(listed(missing)), {});
     else
         m_bars.files->hide();
 }

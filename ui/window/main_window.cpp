@@ -452,7 +452,8 @@ void MainWindow::takeFrame(const FramePtr& frame)
     if (frame->counted) {
         m_cards->frameCounted();
         m_mistakeBadge->showFor(frame);
-        m_emptyRemark.update(*frame, *m_message);
+        const bool isSlide = m_lessons->player().isOpen() && !m_moment->isChanged();
+        m_emptyRemark.update(*frame, isSlide ? EmptyRemark::Wanted::No : EmptyRemark::Wanted::Yes, *m_message);
     }
     syncSoon(Words::OfPixel);
     tellIfSettled();

@@ -145,6 +145,8 @@ private:
     void connectMotion();
     void syncMotion();
     void connectLessons();
+    void keepAnswersSecret();
+    void copyPicture(const QImage& picture);
     void connectCanvas();
     void buildMenus();
     void addHint(const char* id, ActionSection section, const char* keys, const char* what);

@@ -188,11 +188,23 @@ void MainWindow::buildExports(ActionMenu& file)
                            [this](const QString& path) { exportWindow(path); });
     });
     file.add("file.copy", QT_TR_NOOP("&Copy figure"), {Qt::CTRL | Qt::Key_C},
-             [this] { QGuiApplication::clipboard()->setImage(m_figures->image()); });
+             [this] { copyPicture(m_figures->image()); });
     file.add("file.copy-framebuffer", QT_TR_NOOP("Copy framebuffer 1:1"), {Qt::CTRL | Qt::SHIFT | Qt::Key_C}, [this] {
         if (m_lastFrame)
-            QGuiApplication::clipboard()->setImage(m_lastFrame->frame.image.copy());
+            copyPicture(m_lastFrame->frame.image.copy());
     });
+}
+
+/// A clipboard is not seen: that something lies on it is said.
+void MainWindow::copyPicture(const QImage& picture)
+{
+    if (picture.isNull()) {
+        m_message->show(MessageKind::Error, tr("Nothing is copied: the picture is empty or too large."));
+        return;
+    }
+    QGuiApplication::clipboard()->setImage(picture);
+    m_message->show(MessageKind::Info,
+                    tr("On the clipboard: a picture of %1 x %2 pixels.").arg(picture.width()).arg(picture.height()));
 }
 
 void MainWindow::buildFigureScale(ActionMenu scale)

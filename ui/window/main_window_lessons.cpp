@@ -2,6 +2,7 @@
 #include "core/lessons/lesson.h"
 #include "ui/base/dock.h"
 #include "ui/base/message_bar.h"
+#include "ui/face/cards.h"
 #include "ui/lessons/lesson_mode.h"
 #include "ui/pipeline/mistake_badge.h"
 #include "ui/steps/step_listing.h"
@@ -75,13 +76,7 @@ void MainWindow::connectLessons()
             m_message->show(diagnostics);
     });
     connect(m_lessons.get(), &LessonMode::tryWanted, m_panels, &PanelPlaces::showScene);
-    connect(&player, &LessonPlayer::changed, this, [this, &player] { // what would answer the question
-        const auto asksFor = [&](QuestionKind kind) {
-            return player.isAsking() && player.slide().question->kind == kind;
-        };
-        m_mistakeBadge->setConcealed(asksFor(QuestionKind::Mistake));
-        m_stepMode->listing().setConcealed(asksFor(QuestionKind::NextP));
-    });
+    connect(&player, &LessonPlayer::changed, this, &MainWindow::keepAnswersSecret);
     connect(this, &MainWindow::settled, m_moment, &WindowMoment::finish);
     connect(m_moment, &WindowMoment::shown, this, [this, &player] {
         m_shownPlace = player.place();
@@ -114,6 +109,22 @@ void MainWindow::connectLessons()
             m_shownPlace = place;
         };
     });
+}
+
+/// While a question is open, what would answer it is not shown.
+void MainWindow::keepAnswersSecret()
+{
+    const LessonPlayer& player = m_lessons->player();
+    m_mistakeBadge->setConcealed(player.isAsking() && player.slide().question->kind == QuestionKind::Mistake);
+    const Question* coming = player.openOrNextQuestion();
+    m_stepMode->listing().setNextPConcealed(coming && coming->kind == QuestionKind::NextP);
+    const std::optional<QPoint> asked = player.askedPixel();
+    LensSecret secret;
+    if (asked)
+        secret.pixel.emplace(asked->x(), asked->y());
+    m_stepMode->setSecret(player.isAsking() ? std::optional(secret) : std::nullopt);
+    m_cards->setSecret(asked);
+    syncSoon(Words::OfPixel);
 }
 
 void MainWindow::open(const QString& name)

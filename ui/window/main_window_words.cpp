@@ -4,6 +4,7 @@
 #include "core/settings/numbers_field.h"
 #include "ui/base/applicability.h"
 #include "ui/base/step_words.h"
+#include "ui/lessons/lesson_mode.h"
 #include "ui/pipeline/scene_words.h"
 #include "ui/steps/step_mode.h"
 #include "ui/steps/step_sentence.h"
@@ -61,7 +62,7 @@ void MainWindow::syncReadout()
 {
     syncCanvasHeader();
     const auto at = m_viewport->hoveredPixel() ? m_viewport->hoveredPixel() : m_viewport->selectedPixel();
-    if (at && m_viewport->isAnswering()) {
+    if (at && (m_viewport->isAnswering() || at == m_lessons->player().askedPixel())) {
         m_readout->showPlace(*at);
         return;
     }

@@ -19,8 +19,13 @@ namespace rasterlens
 namespace
 {
 
-/// Nearly all of the picture is that with the mistake, which the moment speaks of; the line can be dragged.
-constexpr double kWipeOfMoments = 0.1;
+/// Nearly all of the picture is that with the mistake, which the moment speaks of; the line can be dragged. Where
+/// single pixels are seen all of it is: what a caption counts can be counted.
+double wipeFor(QSize size)
+{
+    constexpr int kCounted = 64; // pixels, the width of pictures in which each is seen
+    return size.width() <= kCounted ? 0 : 0.1;
+}
 
 const QString kMistakes = QStringLiteral("mistakes");
 const QString kReferee = QStringLiteral("referee");
@@ -102,7 +107,7 @@ void WindowMoment::begin(const Moment& moment)
     m_isOpen = true;
     if (moment.compare.view == MomentCompare::View::Off)
         m_parts.truth.comparison().setView(CompareView::Off);
-    m_parts.viewport.setWipeAt(kWipeOfMoments);
+    m_parts.viewport.setWipeAt(wipeFor(m_parts.document.settings().size));
     showOverlays(moment);
     showPanels(moment);
     if (moment.step)

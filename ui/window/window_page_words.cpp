@@ -1,5 +1,6 @@
 #include "ui/window/window_page_words.h"
 
+#include "ui/base/language.h"
 #include "ui/face/pixel_card.h"
 #include "ui/face/sample_rows.h"
 #include "ui/pipeline/scene_words.h"
@@ -34,7 +35,7 @@ QString WindowPageWords::sceneNote(const Scene& scene) const { return rasterlens
 
 QString WindowPageWords::mistake(const Mistake& mistake) const
 {
-    return QLatin1String(mistake.number) + QStringLiteral(": ") + QCoreApplication::translate("Mistake", mistake.title);
+    return labelled(QLatin1String(mistake.number), QCoreApplication::translate("Mistake", mistake.title));
 }
 
 QString WindowPageWords::remark(const Reason& reason) const
