@@ -50,7 +50,7 @@ LightVectors lightVectors(const FaceRecord& record)
     const glm::dvec2 from = seen(middle);
     const glm::dvec2 ofNormal = seen(middle + step * normal) - from;
     const glm::dvec2 ofLight = seen(middle + step * light) - from;
-    constexpr double kLongest = 0.12; // of the picture
+    constexpr double kLongest = 0.2; // of the picture
     const QSize size = record.settings().size;
     const double scale = kLongest * std::min(size.width(), size.height()) /
                          std::max({glm::length(ofNormal), glm::length(ofLight), 1e-12});
@@ -126,8 +126,8 @@ void writeLight(DerivationWriter& writer, const FaceRecord& record, const LightV
                                      "Whether the light falls on the front. A program that draws faces only where it "
                                      "holds takes the light for the eye."),
                    both);
-    writer.given(QStringLiteral("ambient"), kAmbient);
-    writer.given(QStringLiteral("diffuse"), kDiffuse);
+    writer.given(QStringLiteral("ambient"), inFewestDigits(kAmbient));
+    writer.given(QStringLiteral("diffuse"), inFewestDigits(kDiffuse));
     writer.line(formula("{brightness}"), formula("{ambient} + {diffuse} * max({n.l}, 0)"),
                 QT_TRANSLATE_NOOP("Derive",
                                   "Some light is everywhere; the rest grows with the cosine, and never takes light "
@@ -137,7 +137,7 @@ void writeLight(DerivationWriter& writer, const FaceRecord& record, const LightV
     constexpr const char* kChannels[] = {"r", "g", "b"};
     for (int i = 0; i < 3; ++i) {
         const QString channel = QLatin1String(kChannels[i]);
-        writer.given(QStringLiteral("c_") + channel, first.color[i]);
+        writer.given(QStringLiteral("c_") + channel, inFewestDigits(first.color[i]));
         writer.given(channel, color >> (16 - 8 * i) & 255U);
     }
     writer.line(

@@ -221,8 +221,13 @@ void ViewportWidget::applyFit()
     };
     const CanvasTransform whole = fitted(pane());
     const bool isCovered = whole.toCanvas(shown).toAlignedRect().intersects(m_covered);
-    // Its margin belongs to the picture as well, and so do the names of corners at its border.
-    const CanvasTransform below = fitted(pane().adjusted(0, m_covered.bottom() + 1 + kNameRoom, 0, 0));
+    // Its margin belongs to the picture as well, and so do the names of corners at its border, unless the numbers in
+    // the pixels would have to go.
+    const int top = m_covered.bottom() + 1;
+    const CanvasTransform close = fitted(pane().adjusted(0, top - kFitMargin / 2, 0, 0));
+    const CanvasTransform apart = fitted(pane().adjusted(0, top + kNameRoom, 0, 0));
+    const bool losesNumbers = close.zoom >= kNumbersFromZoom && apart.zoom < kNumbersFromZoom;
+    const CanvasTransform& below = losesNumbers ? close : apart;
     constexpr double kWorth = 0.8; // of the size
     setTransform(isCovered && below.zoom >= kWorth * whole.zoom ? below : whole);
 }

@@ -72,10 +72,7 @@ PipelinePanel::PipelinePanel(Document& document, const Language& language, QWidg
     connect(m_notes, &UnchangedNotes::failed, this, &PipelinePanel::failed);
     connect(m_notes, &UnchangedNotes::shown, this, &PipelinePanel::keepInSight);
 
-    connect(&document, &Document::sceneChanged, this, [this] {
-        m_inSight = nullptr;
-        syncScene();
-    });
+    connect(&document, &Document::sceneChanged, this, &PipelinePanel::syncScene);
     connect(&document, &Document::settingsChanged, this, &PipelinePanel::syncSettings);
     connect(&document, &Document::loadingChanged, this, [this](bool loading) {
         if (!loading)
@@ -381,6 +378,7 @@ void PipelinePanel::showNote()
 
 void PipelinePanel::syncSettings()
 {
+    m_inSight = nullptr;
     const Settings& settings = m_document.settings();
     const Settings& defaults = m_document.defaults();
     const bool refused = unsupported(*m_document.scene(), settings).has_value();
@@ -420,10 +418,11 @@ void PipelinePanel::keepInSight()
 {
     QTimer::singleShot(0, this, [this] {
         constexpr int kMargin = 8;
-        if (m_inSight != nullptr)
-            m_scroll->ensureWidgetVisible(m_inSight, 0, kMargin);
-        if (!m_notes->isBusy())
-            m_inSight = nullptr; // the user may scroll on
+        if (m_inSight == nullptr)
+            return;
+        QCoreApplication::sendPostedEvents(m_scroll, QEvent::LayoutRequest);
+        QCoreApplication::sendPostedEvents(m_scroll->widget(), QEvent::LayoutRequest);
+        m_scroll->ensureWidgetVisible(m_inSight, 0, kMargin);
     });
 }
 

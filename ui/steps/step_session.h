@@ -29,7 +29,7 @@ constexpr double kFastestSteps = 64;
 /// The step mode: records the document's frame on a background thread, and holds the position in the record.
 ///
 /// Off until open(). While it is open, a change of the document records anew; the latest wins, and the former record
-/// stays until the new one is there unless the scene is another. Of a frame of many events its beginning can be stepped
+/// stays until the new one is there unless the scene is another. The beginning of a frame of many events can be stepped
 /// while the rest is recorded; what asks for more than the beginning is done once all is there. Panels hold no copy:
 /// they listen and ask.
 class StepSession : public QObject
