@@ -142,12 +142,12 @@ inline void readSpan(const SpanStep& span, const QString& formula, Reader& reade
     reader.expect(filled.hasMatch() == (span.xBegin < span.xEnd), formula, "samples of a span");
 }
 
-/// `p_0 = 3 > 0 .. p_1 = 3 + 2*1 - 2*5 = -5`; a cause stands before the second line
+/// `p_0 = 3 > 0 .. p_1 = 3 + 2*1 - 2*5 = -5`; a cause stands behind it
 inline void readLine(const QString& formula, Reader& reader)
 {
     static const QRegularExpression decision(
-        QStringLiteral("^p_(\\d+) = (-?\\d+) (>|<=) 0   d_lower = (\\S+)   d_upper = (\\S+)\n(?:because of [^\n]*   "
-                       ")?p_(\\d+) = (-?\\d+) \\+ "
+        QStringLiteral("^p_(\\d+) = (-?\\d+) (>|<=) 0   d_lower = (\\S+)   d_upper = (\\S+)\n"
+                       "p_(\\d+) = (-?\\d+) \\+ "
                        "2\\*(\\d+)(?: - 2\\*(\\d+))? = (-?\\d+)"));
     const auto match = decision.match(formula);
     reader.expect(match.hasMatch(), formula, "line decision");
@@ -162,7 +162,7 @@ inline void readPosition(const QString& formula, Reader& reader)
 {
     static const QRegularExpression position(QStringLiteral(
         "^([xy])_(\\d+) = (?:(\\S+) ([+-]) (\\S+) = )?(\\S+)   ([xy])_\\2 = (?:\\S+ [+-] \\S+ = )?(-?\\d+)"
-        "\n(?:because of [^\n]*   )?round\\(\\1_\\2\\) = (-?\\d+)   error = (\\S+) - \\(?(-?\\d+)\\)? = (\\S+)$"));
+        "\nround\\(\\1_\\2\\) = (-?\\d+)   error = (\\S+) - \\(?(-?\\d+)\\)? = (\\S+)(?:\nbecause of [^\n]*)?$"));
     const auto match = position.match(formula);
     reader.expect(match.hasMatch(), formula, "line position");
     const auto n = [&](int i) { return number(match.captured(i)); };
@@ -223,14 +223,20 @@ inline void readClip(const ClipStep& step, const QString& text, Reader& reader)
     reader.expect(match.captured(1).toULongLong() == step.before.size() &&
                       match.captured(2).toULongLong() == step.after.size(),
                   text, "vertices of the polygon");
-    static const QRegularExpression cut(QStringLiteral("(\\d+)->(\\d+) t=(\\S+?)(?:,|$)"));
+    static const QRegularExpression cut(QStringLiteral("([ABC]|I\\d+)->([ABC]|I\\d+) t=(\\S+?)(?:,|$)"));
+    std::size_t told = 0;
     for (const auto& one : cut.globalMatch(text)) {
-        const double inside = step.distances[one.captured(1).toULongLong()];
-        const double outside = step.distances[one.captured(2).toULongLong()];
+        reader.expect(one.captured(1) != one.captured(2), text, "ends of a cut edge");
+        if (++told > step.cuts.size())
+            break;
+        const ClipCut& made = step.cuts[told - 1];
+        const double inside = step.distances[std::size_t(made.inside)];
+        const double outside = step.distances[std::size_t(made.outside)];
         reader.expect(inside >= 0 && !(outside >= 0) &&
                           isNear(number(one.captured(3)), inside / (inside - outside), 1e-5),
                       text, "cut");
     }
+    reader.expect(told == step.cuts.size(), text, "every cut");
 }
 
 /// The least and the greatest row of a column are those of its list.
@@ -278,8 +284,10 @@ inline void readCrossing(const RowCrossings& row, const QString& formula, Reader
 {
     const QStringList lines = formula.split(QLatin1Char('\n'));
     reader.expect(lines.size() >= 2, formula, "crossings");
-    readCrossingLine(lines.first(), row.alpha, row.xa, reader);
-    readCrossingLine(lines.last(), row.beta, row.xb, reader);
+    if (lines.size() < 2)
+        return;
+    readCrossingLine(lines[0], row.alpha, row.xa, reader);
+    readCrossingLine(lines[1], row.beta, row.xb, reader);
 }
 
 /// `R = (240 + 164 + 0 + 1) / 4 = 101.25 -> 101`

@@ -6,6 +6,7 @@
 #include "core/scenes/builtin_scenes.h"
 #include "core/settings/mistakes.h"
 #include "tests/window_fixture.h"
+#include "ui/base/theme.h"
 #include "ui/face/cards.h"
 #include "ui/face/clip_theatre.h"
 #include "ui/face/curve_plot.h"
@@ -22,6 +23,8 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QFontMetricsF>
+#include <QIcon>
 #include <QMenu>
 #include <QSignalSpy>
 #include <QSlider>
@@ -72,6 +75,8 @@ private Q_SLOTS:
     void keyUnfoldsTheMistakes();
     void vertexModelIsSound();
     void vertexCellsEqualTheTable();
+    void longValuesDoNotWidenTheCard();
+    void badgeLeavesRoomForNames();
     void vertexEditsAreUndone();
     void largeScenesAreNotEdited();
     void handlesSnapToTheSubpixelGrid();
@@ -280,7 +285,38 @@ void TestCards::vertexCellsEqualTheTable()
         QVERIFY(cell(VertexTableModel::ViewSpace, i).startsWith(shortNumber(corner.view.x)));
         QVERIFY(cell(VertexTableModel::SnappedSpace, i).startsWith(fullNumber(corner.snapped.x)));
         QCOMPARE(cell(VertexTableModel::DepthValue, i), shortNumber(corner.depth));
+        const auto patch = model.index(VertexTableModel::VertexColor, i).data(Qt::DecorationRole).value<QIcon>();
+        QCOMPARE(patch.pixmap(8, 8, QIcon::Selected).toImage(), patch.pixmap(8, 8).toImage()); // not tinted
     }
+}
+
+/// Values of many digits are rounded where they would widen the card; the list of edges has all digits.
+void TestCards::longValuesDoNotWidenTheCard()
+{
+    QVERIFY(open(QStringLiteral("builtin:games101")));
+    QVERIFY(show("why"));
+    QVERIFY(select({350, 350}));
+    const PixelCard& card = cards().pixelCard();
+    const QString text = plain(card.asText()).replace(QChar(0xa0), QLatin1Char(' '));
+    QVERIFY2(text.contains(QStringLiteral("E_CA \u2248 -5482.26")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("E_CA = -5482.2636566162109375")), qPrintable(text));
+}
+
+/// The picture is fitted below the badge, with room for the name of a corner at its border.
+void TestCards::badgeLeavesRoomForNames()
+{
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    QVERIFY(change([](Settings& s) {
+        s.algorithm = Algorithm::EdgeWalking;
+        s.mistakes = QStringList{QStringLiteral("whole-rows")};
+    }));
+    m_window->stepMode().showStep(QStringLiteral("span #3"));
+    QVERIFY(complete());
+    const QWidget& badge = m_window->mistakeBadge();
+    QVERIFY(badge.isVisible());
+    const int bottom = badge.mapTo(&viewport(), QPoint(0, badge.height())).y();
+    const double name = 1.2 * QFontMetricsF(textFont(1, true)).height(); // above the corner it stands beside
+    QVERIFY2(viewport().transform().toCanvas(QPointF(0, 0)).y() - name >= bottom, qPrintable(QString::number(bottom)));
 }
 
 void TestCards::vertexEditsAreUndone()

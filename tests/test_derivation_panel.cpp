@@ -1,4 +1,5 @@
 // The panel of derivations: lines, symbols and figures, and what of them is lit over the picture.
+#include "core/observe/names.h"
 #include "core/scenes/builtin_scenes.h"
 #include "tests/window_fixture.h"
 #include "ui/face/cards.h"
@@ -32,6 +33,10 @@ private Q_SLOTS:
     void symbolsAreFoundInThePicture();
     void figuresFollowTheSliders();
     void firstEdgeIsTheMostUnequal();
+    void namesStandBesideTheirPoints();
+    void pointsAreNamedOverThePicture();
+    void everyLineHasAFigure();
+    void theStepIsFollowed();
 };
 
 /// Every topic, at the selected pixel: the text of the panel holds what core derives, or says why there is nothing.
@@ -182,6 +187,130 @@ void TestDerivationPanel::firstEdgeIsTheMostUnequal()
     QCOMPARE(fresh.edge(), std::optional<int>());
     fresh.edgeBox()->setCurrentIndex(0);
     QCOMPARE(fresh.edge(), std::optional(0));
+}
+
+/// The names in a figure: none over another, and none nearer to another point than to its own.
+void TestDerivationPanel::namesStandBesideTheirPoints()
+{
+    const auto away = [](const QRectF& box, QPointF point) {
+        const QPointF nearest(std::clamp(point.x(), box.left(), box.right()),
+                              std::clamp(point.y(), box.top(), box.bottom()));
+        return QLineF(point, nearest).length();
+    };
+    QVERIFY(open(QStringLiteral("builtin:tile-square")));
+    QVERIFY(show("derive"));
+    DerivationPanel& panel = cards().derivationPanel();
+    for (const DerivationTopic topic : {DerivationTopic::Perspective, DerivationTopic::DepthCurve}) {
+        panel.setTopic(topic);
+        QVERIFY(complete());
+        for (std::size_t k = 0; k < panel.derived()->derivation->figures.size(); ++k) {
+            const FigureView& view = *panel.figures()[k];
+            const DerivationFigure& figure = panel.derived()->derivation->figures[k];
+            const std::vector<FigureName> names = view.names();
+            QVERIFY(names.size() >= 4);
+            for (const FigureName& name : names) {
+                QVERIFY2(view.rect().toRectF().contains(name.box), qPrintable(name.name));
+                for (const FigureName& other : names)
+                    QVERIFY2(&other == &name || !other.box.intersects(name.box), qPrintable(name.name));
+                const bool isOfPoint = std::ranges::any_of(figure.points, [&](const FigurePoint& point) {
+                    return point.name == name.name && view.toWidget(point.at) == name.at;
+                });
+                if (!isOfPoint)
+                    continue;                     // a stroke is long: its name is near the ends of others
+                constexpr double kAlmostOne = 12; // points so near to one another share their names' place
+                for (const FigurePoint& point : figure.points)
+                    QVERIFY2(QLineF(view.toWidget(point.at), name.at).length() < kAlmostOne ||
+                                 away(name.box, view.toWidget(point.at)) >= away(name.box, name.at),
+                             qPrintable(name.name + QLatin1Char(' ') + point.name));
+            }
+        }
+    }
+}
+
+/// The ends of a vector have their names over the picture. While steps name the corners the derivation does not.
+void TestDerivationPanel::pointsAreNamedOverThePicture()
+{
+    QVERIFY(open(QStringLiteral("builtin:triangle-600")));
+    QVERIFY(select({250, 350}));
+    QVERIFY(show("derive"));
+    DerivationPanel& panel = cards().derivationPanel();
+    panel.setTopic(DerivationTopic::EdgeFunction);
+    QVERIFY(complete());
+    const auto named = [&] {
+        QStringList names;
+        for (const NamedPlace& place : panel.layer().names())
+            names << QStringLiteral("%1 (%2, %3)").arg(place.name).arg(place.at.x()).arg(place.at.y());
+        names.sort();
+        return names.join(QStringLiteral(", "));
+    };
+    QCOMPARE(named(), QStringLiteral("A (100, 400), B (300, 200)"));
+    panel.setLine(1);
+    QCOMPARE(named(), QStringLiteral("B (300, 200), P (250.5, 350.5)"));
+    m_window->stepMode().showStep(QStringLiteral("setup"));
+    QVERIFY(complete());
+    QCOMPARE(named(), QStringLiteral("P (250.5, 350.5)"));
+}
+
+/// A line without marks of its own shows what its symbols are in the picture; the light has its vectors.
+void TestDerivationPanel::everyLineHasAFigure()
+{
+    QVERIFY(open(QStringLiteral("builtin:triangle-600")));
+    QVERIFY(show("derive"));
+    DerivationPanel& panel = cards().derivationPanel();
+    panel.setTopic(DerivationTopic::Bounds);
+    QVERIFY(complete());
+    QVERIFY(panel.derived()->derivation->lines.front().marks.empty());
+    QVERIFY(!panel.layer().marks().empty());
+    QVERIFY(open(QStringLiteral("builtin:cube")));
+    panel.setTopic(DerivationTopic::FlatLight);
+    QVERIFY(complete());
+    const auto& lines = panel.derived()->derivation->lines;
+    const auto both = std::ranges::find_if(lines, [](const DerivationLine& line) { return line.marks.size() == 2; });
+    QVERIFY(both != lines.end());
+    const CanvasPart& normal = both->marks[0];
+    const CanvasPart& light = both->marks[1];
+    QVERIFY(normal.kind == CanvasKind::Vector && light.kind == CanvasKind::Vector);
+    QVERIFY(normal.points.front() == light.points.front());
+    const double longest =
+        std::max(glm::distance(normal.points[0], normal.points[1]), glm::distance(light.points[0], light.points[1]));
+    QVERIFY(std::abs(longest - 0.2 * settings().size.height()) < 0.01);
+}
+
+/// Without a selected pixel the numbers are those of the step: of its pixel, its edge, its plane.
+void TestDerivationPanel::theStepIsFollowed()
+{
+    QVERIFY(open(QStringLiteral("builtin:lines")));
+    QVERIFY(show("derive"));
+    DerivationPanel& panel = cards().derivationPanel();
+    panel.setTopic(DerivationTopic::Bresenham);
+    QVERIFY(complete());
+    QCOMPARE(panel.derived()->edge, std::optional(0));
+    StepMode& steps = m_window->stepMode();
+    steps.showStep(QStringLiteral("line-decision #50"));
+    QVERIFY(complete());
+    const StepEvent event = *steps.session().event();
+    QCOMPARE(event.kind, StepKind::LineDecision);
+    QCOMPARE(panel.derived()->edge, std::optional(2));
+    const Derived there =
+        derive(DerivationTopic::Bresenham, *document().scene(), settings(), {0, QPoint(event.x, event.y), 2, 0.5, {}});
+    QVERIFY(there.derivation);
+    QCOMPARE(textOf(*panel.derived()->derivation), textOf(*there.derivation));
+    panel.edgeBox()->setCurrentIndex(1); // the user's choice holds until a step of another edge
+    QVERIFY(complete());
+    QCOMPARE(panel.derived()->edge, std::optional(1));
+    steps.showStep(QStringLiteral("line-decision #2"));
+    QVERIFY(complete());
+    QCOMPARE(panel.derived()->edge, std::optional(0));
+
+    QVERIFY(openSmall(QStringLiteral("builtin:behind-camera")));
+    panel.setTopic(DerivationTopic::Cut);
+    steps.showStep(QStringLiteral("clip-plane"));
+    QVERIFY(complete());
+    const StepEvent cut = *steps.session().event();
+    QCOMPARE(cut.kind, StepKind::ClipPlane);
+    const QString sign = QLatin1String(infoOf(steps.session().log()->payload<ClipStep>(cut).plane).sign);
+    const DerivationLine& line = panel.derived()->derivation->lines[panel.line()];
+    QCOMPARE(textOf(line.left), QString(QStringLiteral("t_") + sign).replace(QLatin1Char('-'), QChar(0x2212)));
 }
 
 QTEST_MAIN(TestDerivationPanel)

@@ -2,6 +2,7 @@
 #include "core/derive/derive.h"
 #include "core/derive/face_record.h"
 #include "core/observe/face_moment.h"
+#include "core/observe/names.h"
 #include "core/scenes/builtin_scenes.h"
 #include "tests/derivation_fixture.h"
 #include "tests/derived_numbers.h"
@@ -81,6 +82,7 @@ private Q_SLOTS:
     void cutCornersHaveOneName();
     void twoPointAgreesWithPlanes();
     void flatLightByHand();
+    void numbersAreWrittenOut();
     void painterByHand();
     void attributesByHand();
 };
@@ -477,6 +479,19 @@ void TestDerivations::flatLightByHand()
     QCOMPARE(valueOf(d, "b"), 0.0);
     QCOMPARE(valueOf(d, "n.l_head"), 1.0);
     QCOMPARE(valueOf(d, "grey"), 255.0);
+}
+
+void TestDerivations::numbersAreWrittenOut()
+{
+    QCOMPARE(derivedNumber(-100000), QStringLiteral("-100000"));
+    QCOMPARE(fullNumber(2e14), QStringLiteral("200000000000000"));
+    QCOMPARE(fullNumber(1e300), QStringLiteral("1e+300"));
+    QCOMPARE(fullNumber(0.0000125), QStringLiteral("1.25e-05"));
+    // A pixel of the 600 x 600 triangle: 0.37375 of red, as a float
+    const Derivation d = derived(DerivationTopic::Attribute, builtin("triangle-600"), plainSettings({600, 600}),
+                                 {0, QPoint(250, 350), {}, 0.5, {}});
+    QCOMPARE(derivedNumber(valueOf(d, "r")), QStringLiteral("0.37375"));
+    QCOMPARE(derivedNumber(valueOf(d, "b")), QStringLiteral("0.2525"));
 }
 
 void TestDerivations::painterByHand()

@@ -301,7 +301,15 @@ void TestExperiment::frontierIsPerScene()
     QVERIFY(!walkingAdvantage(rows));
     rows[0].variant = QStringLiteral("edge-walking");
     rows[1].variant = QStringLiteral("edge-equation");
-    QCOMPARE(walkingAdvantage(rows), std::optional(2.0));
+    rows[0].ms.p10 = 0.5;
+    rows[0].ms.p90 = 4;
+    rows[1].ms.p10 = 1.5;
+    rows[1].ms.p90 = 3;
+    const auto ratio = walkingAdvantage(rows);
+    QVERIFY(ratio);
+    QCOMPARE(ratio->median, 2.0);
+    QCOMPARE(ratio->low, 0.375); // 1.5 / 4
+    QCOMPARE(ratio->high, 6.0);  // 3 / 0.5
 }
 
 void TestExperiment::exportsSayTheSame()

@@ -329,6 +329,23 @@ private Q_SLOTS:
         QVERIFY(m_window->pipelinePanel().light().note().isEmpty());
     }
 
+    /// A switch that is turned by its key comes in sight in the panel, and with it why it changes nothing.
+    void whatAKeyChangesComesInSight()
+    {
+        QVERIFY(openSmall(QStringLiteral("builtin:games101")));
+        const QList<FieldRow*> rows = m_window->pipelinePanel().findChildren<FieldRow*>();
+        const auto row = std::ranges::find_if(
+            rows, [](const FieldRow* row) { return QLatin1String(row->field().id) == QLatin1String("interpolation"); });
+        QVERIFY(row != rows.end());
+        const auto isInSight = [&] { return (*row)->visibleRegion().boundingRect().height() == (*row)->height(); };
+        QVERIFY(!isInSight());
+        key(Qt::Key_P);
+        QVERIFY(complete());
+        QTRY_VERIFY((*row)->note().startsWith(
+            QStringLiteral("changes nothing here: the three w of each face are equal: 7 and 10")));
+        QTRY_VERIFY(isInSight());
+    }
+
     /// Every letter that is typed into a number appears; what is refused says why and stays until it is mended.
     void refusedNumbersStayInTheirBox()
     {

@@ -2,6 +2,7 @@
 #include "core/render/render.h"
 #include "tests/step_fixture.h"
 #include "ui/steps/scrubber.h"
+#include "ui/steps/step_listing.h"
 #include "ui/steps/transport_dock.h"
 
 #include <QElapsedTimer>
@@ -40,6 +41,7 @@ private Q_SLOTS:
     void playsByEachLength();
     void recordingNeverBlocks();
     void theBeginningIsSteppedWhileTheRestIsRecorded();
+    void formulasHaveRoomInASmallWindow();
     void exportsDrawingsAndRuns();
 };
 
@@ -360,6 +362,22 @@ void TestTransport::exportsDrawingsAndRuns()
     QCOMPARE(session().position(), before);
     for (const int zoom : {1, 8, 32})
         QCOMPARE(viewport().figure(zoom).width(), 8 * zoom + (zoom >= 8 ? 1 : 0));
+}
+
+/// In the window of a small projector too: in every kind of step of edge walking no formula ends in dots.
+void TestTransport::formulasHaveRoomInASmallWindow()
+{
+    QVERIFY(open(QStringLiteral("builtin:triangle-600")));
+    QVERIFY(change([](Settings& s) { s.algorithm = Algorithm::EdgeWalking; }));
+    m_window->resize(1024, 768);
+    for (const char* step :
+         {"vertex", "viewport", "walk", "sides", "halves", "crossing #120", "span #120", "fragment"}) {
+        mode().showStep(QLatin1String(step));
+        QVERIFY(complete());
+        const StepListing& listing = mode().listing();
+        const QString rows = listing.formulaRows().join(QLatin1Char(' ')).simplified();
+        QCOMPARE(rows, listing.explanation().formula.simplified());
+    }
 }
 
 QTEST_MAIN(TestTransport)

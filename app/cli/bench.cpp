@@ -378,8 +378,10 @@ QString tableOf(std::span<const ExperimentRow> rows, const Input& input, ErrorMe
                     ? QStringLiteral("judged from object space: the vertex stage's float32 counts as well\n")
                     : QStringLiteral("judged from clip space: what the vertex stage made is taken as given\n");
     if (const auto advantage = walkingAdvantage(rows))
-        text += QStringLiteral("edge equation / edge walking: %1 (the blog post [002]: at least %2)\n")
-                    .arg(*advantage, 0, 'f', 2)
+        text += QStringLiteral("edge equation / edge walking: %1, %2 to %3 (the blog post [002]: at least %4)\n")
+                    .arg(advantage->median, 0, 'f', 2)
+                    .arg(advantage->low, 0, 'f', 2)
+                    .arg(advantage->high, 0, 'f', 2)
                     .arg(kPublishedWalkingAdvantage);
     return text + QLatin1Char('\n');
 }

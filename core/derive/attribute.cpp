@@ -77,7 +77,7 @@ void writeAttribute(DerivationWriter& writer, const FaceRecord& record, const Sa
             writer.given(name + QLatin1Char('_') + cornerLetter(i), corner.varyings[k],
                          {CanvasKind::Corner, cornerLetter(i), {record.pixels(corner.position)}});
         }
-        writer.given(name, fragment.numbers.varyings[k], point);
+        writer.given(name, inFewestDigits(fragment.numbers.varyings[k]), point);
         writer.line(formula("{%1}", name), formula("{alpha_p} * {%1_A} + {beta_p} * {%1_B} + {gamma_p} * {%1_C}", name),
                     {attribute.words, {name}}, {point});
         writer.line(formula("{%1_affine}", name),

@@ -49,7 +49,7 @@ public:
             for (const Layer& layer : m_layers)
                 m_writer.given(formula("%1_F%2", kNames[i], layer.number),
                                double(layer.color >> (16 - 8 * i) & 255U) / kWhole, m_mark);
-            m_writer.given(formula("%1_back", kNames[i]), m_background[i]);
+            m_writer.given(formula("%1_back", kNames[i]), inFewestDigits(float(m_background[i])));
         }
         for (const Layer& layer : m_layers)
             m_writer.given(QStringLiteral("z_F") + layer.number, layer.depth, m_mark);

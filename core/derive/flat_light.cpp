@@ -1,8 +1,12 @@
 #include "core/derive/topic_list.h"
 
 #include "core/pipeline/shading.h"
+#include "core/pipeline/unsnapped.h"
 
 #include <QCoreApplication>
+
+#include <algorithm>
+#include <vector>
 
 namespace rasterlens
 {
@@ -16,7 +20,45 @@ void giveVector(DerivationWriter& writer, const QString& name, const glm::dvec3&
         writer.given(name + QLatin1String(kAxes[i]), v[i], canvas);
 }
 
-void writeNormal(DerivationWriter& writer, const FaceRecord& record)
+/// The normal and the way to the light as vectors from the middle of a face, as the camera sees them: foreshortened,
+/// and both in one scale.
+struct LightVectors {
+    CanvasPart normal;
+    CanvasPart light;
+};
+
+LightVectors lightVectors(const FaceRecord& record)
+{
+    const auto& corners = record.corners();
+    glm::dvec3 middle(0);
+    glm::dvec3 normal = glm::cross(glm::dvec3(corners[1].object - corners[0].object),
+                                   glm::dvec3(corners[2].object - corners[0].object));
+    for (const VertexRow& corner : corners)
+        middle += glm::dvec3(corner.object) / 3.0;
+    normal = glm::normalize(normal);
+    const glm::dvec3 light(record.rules().light);
+    const glm::dmat4 clipFromObject = record.matrices().clipFromObjectDouble;
+    const auto clip = [&](const glm::dvec3& point) { return clipFromObject * glm::dvec4(point, 1); };
+    const auto seen = [&](const glm::dvec3& point) {
+        return record.pixels(unsnappedPosition(clip(point), record.rules()));
+    };
+    const double distance = clip(middle).w;
+    if (!(distance > 0)) // behind the eye
+        return {{CanvasKind::Vector, QStringLiteral("n"), {}}, {CanvasKind::Vector, QStringLiteral("l"), {}}};
+    constexpr double kShort = 1e-4; // of the distance: what is seen of it is as good as straight
+    const double step = kShort * distance;
+    const glm::dvec2 from = seen(middle);
+    const glm::dvec2 ofNormal = seen(middle + step * normal) - from;
+    const glm::dvec2 ofLight = seen(middle + step * light) - from;
+    constexpr double kLongest = 0.2; // of the picture
+    const QSize size = record.settings().size;
+    const double scale = kLongest * std::min(size.width(), size.height()) /
+                         std::max({glm::length(ofNormal), glm::length(ofLight), 1e-12});
+    return {vectorPart(QStringLiteral("n"), from, from + scale * ofNormal),
+            vectorPart(QStringLiteral("l"), from, from + scale * ofLight)};
+}
+
+void writeNormal(DerivationWriter& writer, const FaceRecord& record, const CanvasPart& normal)
 {
     const auto corner = [&](std::size_t i) {
         return CanvasPart{CanvasKind::Corner, cornerLetter(i), {record.corners()[i].screen}};
@@ -33,14 +75,16 @@ void writeNormal(DerivationWriter& writer, const FaceRecord& record)
                     formula("({%1_x} - {A_x}, {%1_y} - {A_y}, {%1_z} - {A_z})", end),
                     {QT_TRANSLATE_NOOP("Derive", "From A to %1, in the space of the mesh."), {end}}, {part});
     }
+    for (const char* name : {"N_x", "N_y", "N_z", "n_x", "n_y", "n_z"})
+        writer.show(QLatin1String(name), normal);
     writer.line(formula("({N_x}, {N_y}, {N_z})"),
                 formula("({AB_y} * {AC_z} - {AB_z} * {AC_y}, {AB_z} * {AC_x} - {AB_x} * {AC_z}, "
                         "{AB_x} * {AC_y} - {AB_y} * {AC_x})"),
-                QT_TRANSLATE_NOOP("Derive", "AB x AC stands at right angles to the face."));
+                QT_TRANSLATE_NOOP("Derive", "AB x AC stands at right angles to the face."), {normal});
     writer.line(formula("{length}"), formula("sqrt({N_x} * {N_x} + {N_y} * {N_y} + {N_z} * {N_z})"),
-                QT_TRANSLATE_NOOP("Derive", "Its length is twice the area."));
+                QT_TRANSLATE_NOOP("Derive", "Its length is twice the area."), {normal});
     writer.line(formula("({n_x}, {n_y}, {n_z})"), formula("({N_x} / {length}, {N_y} / {length}, {N_z} / {length})"),
-                QT_TRANSLATE_NOOP("Derive", "The normal, of length 1."));
+                QT_TRANSLATE_NOOP("Derive", "The normal, of length 1."), {normal});
 }
 
 /// The light of a text that shines along the gaze, on a normal that its order of the corners has turned round.
@@ -67,21 +111,23 @@ Reason aboutLight(const Light& light)
                                        "between the two.");
 }
 
-void writeLight(DerivationWriter& writer, const FaceRecord& record)
+void writeLight(DerivationWriter& writer, const FaceRecord& record, const LightVectors& vectors)
 {
     const Scene& scene = record.scene();
     const std::uint32_t face = record.place().face;
     Rules rules = record.rules();
     rules.shading = Shading::Flat;
-    giveVector(writer, QStringLiteral("l"), glm::dvec3(rules.light), {});
+    giveVector(writer, QStringLiteral("l"), glm::dvec3(rules.light), vectors.light);
+    const std::vector<CanvasPart> both{vectors.normal, vectors.light};
     writer.line(formula("{n.l}"), formula("{n_x} * {l_x} + {n_y} * {l_y} + {n_z} * {l_z}"),
-                aboutLight(record.settings().light));
+                aboutLight(record.settings().light), both);
     writer.compare(formula("{n.l} > 0"),
                    QT_TRANSLATE_NOOP("Derive",
                                      "Whether the light falls on the front. A program that draws faces only where it "
-                                     "holds takes the light for the eye."));
-    writer.given(QStringLiteral("ambient"), kAmbient);
-    writer.given(QStringLiteral("diffuse"), kDiffuse);
+                                     "holds takes the light for the eye."),
+                   both);
+    writer.given(QStringLiteral("ambient"), inFewestDigits(kAmbient));
+    writer.given(QStringLiteral("diffuse"), inFewestDigits(kDiffuse));
     writer.line(formula("{brightness}"), formula("{ambient} + {diffuse} * max({n.l}, 0)"),
                 QT_TRANSLATE_NOOP("Derive",
                                   "Some light is everywhere; the rest grows with the cosine, and never takes light "
@@ -91,7 +137,7 @@ void writeLight(DerivationWriter& writer, const FaceRecord& record)
     constexpr const char* kChannels[] = {"r", "g", "b"};
     for (int i = 0; i < 3; ++i) {
         const QString channel = QLatin1String(kChannels[i]);
-        writer.given(QStringLiteral("c_") + channel, first.color[i]);
+        writer.given(QStringLiteral("c_") + channel, inFewestDigits(first.color[i]));
         writer.given(channel, color >> (16 - 8 * i) & 255U);
     }
     writer.line(
@@ -119,8 +165,9 @@ Derivation deriveFlatLight(const Scene& scene, const Settings& settings, const D
     const glm::dvec3 a(corners[0].object);
     if (glm::cross(glm::dvec3(corners[1].object) - a, glm::dvec3(corners[2].object) - a) == glm::dvec3(0))
         throw NoDerivation{Reason(QT_TRANSLATE_NOOP("Derive", "face %1 has no area, and so no normal"), {place.face})};
-    writeNormal(writer, record);
-    writeLight(writer, record);
+    const LightVectors vectors = lightVectors(record);
+    writeNormal(writer, record, vectors.normal);
+    writeLight(writer, record, vectors);
     return writer.take();
 }
 

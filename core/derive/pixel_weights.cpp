@@ -2,8 +2,19 @@
 
 #include "core/derive/face_record.h"
 
+#include <cmath>
+
 namespace rasterlens
 {
+
+bool PixelWeights::isCorrected() const
+{
+    constexpr double kRounding = 1e-9;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (!(std::abs(used[i] - screen[i]) <= kRounding))
+            return true;
+    return false;
+}
 
 std::optional<PixelWeights> pixelWeights(const Scene& scene, const Settings& settings, std::uint32_t face, QPoint pixel,
                                          const std::stop_token& stop)

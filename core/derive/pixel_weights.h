@@ -23,7 +23,8 @@ struct PixelWeights {
     Weights screen{};                  ///< of A, B, C on the screen
     Weights used{};                    ///< those that attributes are weighted with; as `screen` if nothing is shaded
 
-    [[nodiscard]] bool isCorrected() const { return used != screen; }
+    /// Whether perspective changes the weights by more than rounding does.
+    [[nodiscard]] bool isCorrected() const;
 };
 
 /// The weights of a face at the sample nearest the centre of a pixel.

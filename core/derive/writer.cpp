@@ -4,6 +4,8 @@
 
 #include <QRegularExpression>
 
+#include <array>
+#include <charconv>
 #include <stdexcept>
 
 namespace rasterlens
@@ -75,6 +77,15 @@ QString resultText(const std::vector<const DerivationSymbol*>& symbols)
 }
 
 } // namespace
+
+double inFewestDigits(float value)
+{
+    std::array<char, 32> text{};
+    const char* const end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    double number = double(value);
+    std::from_chars(text.data(), end, number);
+    return number;
+}
 
 QString filled(const char* pattern, std::initializer_list<QString> names)
 {

@@ -53,6 +53,9 @@ private:
     std::map<QString, CanvasPart> m_canvas;
 };
 
+/// A float in the fewest digits that name it, 0.37375 and not 0.373750001: what a float holds is no more exact.
+[[nodiscard]] double inFewestDigits(float value);
+
 /// A pattern with the names of symbols in place of %1, %2 ..
 ///
 /// in  every place has a name; a name may have no place

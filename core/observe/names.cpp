@@ -8,6 +8,7 @@
 #include <QStringList>
 
 #include <array>
+#include <cmath>
 
 namespace rasterlens
 {
@@ -134,7 +135,12 @@ QString cornerLetter(std::size_t vertex) { return QString(QLatin1Char(char('A' +
 
 QString shortNumber(double value) { return QString::number(value, 'g', 6); }
 
-QString fullNumber(double value) { return QString::number(value, 'g', QLocale::FloatingPointShortest); }
+QString fullNumber(double value)
+{
+    constexpr double kMostInFull = 1e15; // 100000 and not 1e+05
+    const bool isWhole = std::abs(value) < kMostInFull && value == std::trunc(value);
+    return isWhole ? QString::number(value, 'f', 0) : QString::number(value, 'g', QLocale::FloatingPointShortest);
+}
 
 QString depthNumber(float depth) { return QString::number(static_cast<double>(depth), 'g', 9); }
 

@@ -1,5 +1,6 @@
 #include "core/observe/step_text.h"
 
+#include "core/observe/face_moment.h"
 #include "core/observe/step_payload.h"
 #include "core/pipeline/framebuffer.h"
 #include "core/scene/origin.h"
@@ -71,12 +72,21 @@ StepParts parts(const StepLog&, const StepEvent&, const VertexStep& step)
                          {worldText(step.positionObject, step.origin), object, clip, outside}}};
 }
 
-StepParts parts(const StepLog&, const StepEvent&, const ClipStep& step)
+/// The name of a corner of the polygon that a step cuts, as the canvas has it.
+QString cornerName(const std::vector<MomentCorner>& corners, std::size_t i)
+{
+    return i < corners.size() ? corners[i].name : QString::number(i);
+}
+
+StepParts clipParts(const StepLog& log, const ClipStep& step, const FaceMoment& moment)
 {
     QStringList cuts;
     for (const ClipCut& cut : step.cuts)
-        cuts << QStringLiteral("%1->%2 t=%3").arg(cut.inside).arg(cut.outside).arg(shortNumber(cut.t));
-    const Reason plane = clipPlaneId(step.plane);
+        cuts << QStringLiteral("%1->%2 t=%3")
+                    .arg(cornerName(moment.before, std::size_t(cut.inside)),
+                         cornerName(moment.before, std::size_t(cut.outside)), shortNumber(cut.t));
+    const QString holds = QLatin1String(clipPlaneFormula(step.plane, log.rules().clipZ));
+    const Reason plane{"%1, %2", {clipPlaneId(step.plane), holds}};
     const Reason before = step.before.size();
     const Reason after = step.after.size();
     if (cuts.isEmpty())
@@ -86,25 +96,42 @@ StepParts parts(const StepLog&, const StepEvent&, const ClipStep& step)
         {QT_TRANSLATE_NOOP("Steps", "%1 -> %2 vertices, cuts %3"), {before, after, cuts.join(QStringLiteral(", "))}}};
 }
 
-StepParts parts(const StepLog&, const StepEvent&, const CohenSutherlandStep& step)
+StepParts regionParts(const CohenSutherlandStep& step, const FaceMoment& moment)
 {
     QStringList codes;
-    for (const unsigned region : step.regions)
-        codes << regionText(region);
-    return {{QT_TRANSLATE_NOOP("Steps", "outcodes %1"), {codes.join(QLatin1Char(' '))}},
+    for (std::size_t i = 0; i < step.regions.size(); ++i)
+        codes << cornerName(moment.before, i) + QLatin1Char(' ') + regionText(step.regions[i]);
+    return {{QT_TRANSLATE_NOOP("Steps", "outcodes %1"), {codes.join(QStringLiteral(", "))}},
             {QT_TRANSLATE_NOOP("Steps", "%1 -> %2 vertices"), {step.before.size(), step.after.size()}}};
 }
 
-StepParts parts(const StepLog& log, const StepEvent&, const ViewportStep& step)
+StepParts viewportParts(const StepLog& log, const ViewportStep& step, const FaceMoment& moment)
 {
     const glm::dvec2& p = step.screen.position;
     Rules rules = log.rules(); // clipping is done: every corner has its own w
     rules.clipUpdatesW = true;
     rules.cornerData = CornerData::Own;
-    return {{QT_TRANSLATE_NOOP("Steps", "corner %1"), {step.corner}},
+    return {{QT_TRANSLATE_NOOP("Steps", "corner %1"), {cornerName(moment.corners, std::size_t(step.corner))}},
             {QT_TRANSLATE_NOOP("Steps", "%1 -> %2, depth %3, %4"),
              {pointText(step.unsnapped), QStringLiteral("(%1, %2)").arg(fullNumber(p.x), fullNumber(p.y)),
               shortNumber(step.screen.depth), inverseWText(step.screen.invW, rules)}}};
+}
+
+/// The steps that speak of corners by their names: see stepParts().
+StepParts parts(const StepLog&, const StepEvent&, const ClipStep&) { return {kNothing, kNothing}; }
+StepParts parts(const StepLog&, const StepEvent&, const CohenSutherlandStep&) { return {kNothing, kNothing}; }
+StepParts parts(const StepLog&, const StepEvent&, const ViewportStep&) { return {kNothing, kNothing}; }
+
+/// What a cut or the way to the screen does to the polygon of that moment.
+StepParts polygonParts(const StepLog& log, std::size_t i)
+{
+    const StepEvent& event = log.event(i);
+    const FaceMoment moment = faceMomentAt(log, i + 1).value_or(FaceMoment{});
+    switch (event.kind) {
+    case StepKind::ClipPlane: return clipParts(log, log.payload<ClipStep>(event), moment);
+    case StepKind::CohenSutherland: return regionParts(log.payload<CohenSutherlandStep>(event), moment);
+    default: return viewportParts(log, log.payload<ViewportStep>(event), moment);
+    }
 }
 
 StepParts parts(const StepLog&, const StepEvent&, const FacingStep& step)
@@ -457,17 +484,43 @@ QString thresholdText(double threshold, double unitsPerArea)
                                                    : fullNumber(threshold / unitsPerArea);
 }
 
+namespace
+{
+
+/// How far a line that has one sample a column has come since the sample before; nothing at its first sample.
+Reason columnStep(const StepLog& log, std::size_t i)
+{
+    const StepEvent& event = log.event(i);
+    for (std::size_t k = i; k-- > 0 && log.event(k).triangle == event.triangle;) {
+        const StepEvent& before = log.event(k);
+        if (before.kind != StepKind::LineSample)
+            continue;
+        if (std::abs(event.x - before.x) != 1)
+            break; // of another line
+        return {QT_TRANSLATE_NOOP("Steps", "x %1 -> %2, y %3 -> %4 in one column"),
+                {before.x, event.x, before.y, event.y}};
+    }
+    return kNothing;
+}
+
+} // namespace
+
 StepParts stepParts(const StepLog& log, std::size_t i)
 {
     const StepEvent& event = log.event(i);
     StepParts said{kNothing, kNothing};
     visitPayload(log, event, [&](const auto& payload) { said = parts(log, event, payload); });
+    if (event.kind == StepKind::ClipPlane || event.kind == StepKind::CohenSutherland ||
+        event.kind == StepKind::Viewport)
+        said = polygonParts(log, i);
     if (event.kind == StepKind::Triangle)
         said.numbers = triangleText(*log.triangle(event));
     if (event.kind == StepKind::Setup)
         said = setupParts(*log.triangle(event));
     if (event.kind == StepKind::Outline)
         said.numbers = outlineText(log.triangle(event)->setup);
+    if (event.kind == StepKind::LineSample && log.rules().lineAdvance == LineAdvance::OneRow)
+        said.what = columnStep(log, i);
     if (event.kind == StepKind::LineSample && !event.has(StepEvent::kCovered))
         said.numbers = QT_TRANSLATE_NOOP("Steps", "off the target");
     return said;

@@ -236,17 +236,19 @@ void markFrontier(std::span<ExperimentRow> rows, ErrorMeasure measure)
             std::none_of(rows.begin(), rows.end(), [&](const ExperimentRow& other) { return beats(other, row); });
 }
 
-std::optional<double> walkingAdvantage(std::span<const ExperimentRow> rows)
+std::optional<TimeRatio> walkingAdvantage(std::span<const ExperimentRow> rows)
 {
-    const auto msOf = [&](const char* id) {
+    const auto timesOf = [&](const char* id) -> const FrameTimes* {
         const auto row = std::find_if(rows.begin(), rows.end(), [&](const ExperimentRow& r) {
             return r.variant == QLatin1String(id) && r.ms.frames > 0;
         });
-        return row == rows.end() ? 0 : row->ms.median;
+        return row == rows.end() || !(row->ms.p10 > 0) ? nullptr : &row->ms;
     };
-    const double equation = msOf("edge-equation");
-    const double walking = msOf("edge-walking");
-    return equation > 0 && walking > 0 ? std::optional(equation / walking) : std::nullopt;
+    const FrameTimes* equation = timesOf("edge-equation");
+    const FrameTimes* walking = timesOf("edge-walking");
+    if (equation == nullptr || walking == nullptr)
+        return std::nullopt;
+    return TimeRatio{equation->median / walking->median, equation->p10 / walking->p90, equation->p90 / walking->p10};
 }
 
 } // namespace rasterlens

@@ -112,8 +112,15 @@ constexpr int kErrorMeasures = 3;
 /// is faster with the same error. Rows without that error or without times are not on it.
 void markFrontier(std::span<ExperimentRow> rows, ErrorMeasure measure);
 
+/// How many times as long one variant takes as another.
+struct TimeRatio {
+    double median; ///< of the medians
+    double low;    ///< its fast frames (p10) by the other's slow ones (p90)
+    double high;   ///< its slow frames (p90) by the other's fast ones (p10)
+};
+
 /// How many times as long edge equation takes as edge walking in these rows, if they hold both.
-[[nodiscard]] std::optional<double> walkingAdvantage(std::span<const ExperimentRow> rows);
+[[nodiscard]] std::optional<TimeRatio> walkingAdvantage(std::span<const ExperimentRow> rows);
 
 /// walkingAdvantage() by the blog post [002]: 72 frames in 8 s with edge equation, 71 frames in 5.8 s with edge
 /// walking.

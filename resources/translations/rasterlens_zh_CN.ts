@@ -7870,6 +7870,10 @@
         <source>rounded to (%1, %2), error %3</source>
         <translation>取整到 (%1, %2)，误差 %3</translation>
     </message>
+    <message>
+        <source>x %1 -&gt; %2, y %3 -&gt; %4 in one column</source>
+        <translation>x %1 -&gt; %2，y %3 -&gt; %4，只走一列</translation>
+    </message>
 </context>
 <context>
     <name>StressScene</name>
@@ -8685,8 +8689,8 @@
         <translation>在当前场景上测量管线的每个变体：有多快，离精确画面有多远。</translation>
     </message>
     <message>
-        <source>%1 · edge equation takes %2 times as long as edge walking here, 1.36 times in [002]</source>
-        <translation>%1 · 这里边方程用时是边步进的 %2 倍，[002] 中为 1.36 倍</translation>
+        <source>%1 · edge equation takes %2 times as long as edge walking here (%3 to %4), 1.36 times in [002]</source>
+        <translation>%1 · 这里边方程用时是边步进的 %2 倍（%3 至 %4），[002] 中为 1.36 倍</translation>
     </message>
     <message>
         <source>Loaded: %1</source>
@@ -10431,8 +10435,8 @@
         <translation>从移动到画面显示：%1 毫秒（%2 次的中位数）。</translation>
     </message>
     <message>
-        <source>%1 FPS · clipped %2 · culled %3 · %4</source>
-        <translation>%1 FPS · 裁剪 %2 · 剔除 %3 · %4</translation>
+        <source>%1 FPS · clipped %2 · culled: back %3, front %4</source>
+        <translation>%1 FPS · 裁剪 %2 · 剔除：背面 %3，正面 %4</translation>
     </message>
 </context>
 <context>

@@ -17,6 +17,7 @@ namespace
 {
 
 constexpr int kFitMargin = 18;
+constexpr int kNameRoom = 12;    ///< beside the margin, for the name of a corner below the badge
 constexpr int kNarrowMargin = 2; ///< where it makes a small picture larger
 constexpr int kPaneGap = 2;      ///< between the picture and the depth buffer beside it
 constexpr int kKeptVisible = 40; ///< canvas pixels of the image that panning leaves in sight
@@ -220,8 +221,13 @@ void ViewportWidget::applyFit()
     };
     const CanvasTransform whole = fitted(pane());
     const bool isCovered = whole.toCanvas(shown).toAlignedRect().intersects(m_covered);
-    // Its margin belongs to the picture as well.
-    const CanvasTransform below = fitted(pane().adjusted(0, m_covered.bottom() + 1 - kFitMargin / 2, 0, 0));
+    // Its margin belongs to the picture as well, and so do the names of corners at its border, unless the numbers in
+    // the pixels would have to go.
+    const int top = m_covered.bottom() + 1;
+    const CanvasTransform close = fitted(pane().adjusted(0, top - kFitMargin / 2, 0, 0));
+    const CanvasTransform apart = fitted(pane().adjusted(0, top + kNameRoom, 0, 0));
+    const bool losesNumbers = close.zoom >= kNumbersFromZoom && apart.zoom < kNumbersFromZoom;
+    const CanvasTransform& below = losesNumbers ? close : apart;
     constexpr double kWorth = 0.8; // of the size
     setTransform(isCovered && below.zoom >= kWorth * whole.zoom ? below : whole);
 }

@@ -2,11 +2,14 @@
 
 #include "core/base/closed_list.h"
 #include "core/derive/derive.h"
+#include "core/observe/line_ends.h"
+#include "core/observe/names.h"
 #include "core/observe/step_log.h"
 #include "core/questions/race.h"
 #include "core/questions/why.h"
 #include "core/render/render.h"
 #include "core/scene/camera.h"
+#include "core/settings/depth_rules.h"
 #include "ui/base/bring_to_front.h"
 #include "ui/base/dock.h"
 #include "ui/face/clip_theatre.h"
@@ -177,13 +180,44 @@ void Cards::followPixel()
     m_followPending = readout && !readout->face;
 }
 
-void Cards::followStep(const StepLog* log, const StepEvent* event)
+/// The pixel and, where a line is drawn, the edge of an event.
+///
+/// in  the number of the event
+Cards::StepPlace Cards::placeOf(const StepLog& log, std::size_t i)
 {
+    const StepEvent& event = log.event(i);
+    StepPlace place;
+    if (event.x >= 0 && event.y >= 0)
+        place.pixel = QPoint(event.x / log.grid(), event.y / log.grid());
+    const StepTriangle* triangle = log.triangle(event);
+    const bool isLines = triangle != nullptr && passRules(log.rules(), event.face).fill == Fill::Wireframe;
+    const StepEvent* decision = isLines ? decisionAt(log, i) : nullptr;
+    if (decision == nullptr)
+        return place;
+    if (const auto line = lineOf(triangle->screen, log.payload<LineStep>(*decision).decision, log.rules()))
+        place.edge = static_cast<int>(line->edge);
+    return place;
+}
+
+void Cards::followStep(const StepLog* log, std::size_t position)
+{
+    const StepEvent* event = log != nullptr && position > 0 ? &log->event(position - 1) : nullptr;
     const bool isPlane = event && event->kind == StepKind::ClipPlane;
     const bool isClipping =
         isPlane || (event && (event->kind == StepKind::Vertex || event->kind == StepKind::CohenSutherland));
     m_clipTheatre->followStep(isClipping ? std::optional(event->kind) : std::nullopt,
                               isPlane ? std::optional(log->payload<ClipStep>(*event).plane) : std::nullopt);
+    m_derivationPanel->setCornersAreNamed(event != nullptr && event->face != StepEvent::kNone);
+    m_derivationPanel->followSymbol(
+        isPlane ? QStringLiteral("t_") + QLatin1String(infoOf(log->payload<ClipStep>(*event).plane).sign) : QString());
+    const StepPlace before = m_step;
+    m_step = event != nullptr ? placeOf(*log, position - 1) : StepPlace{};
+    if (m_step.pixel == before.pixel && m_step.edge == before.edge)
+        return;
+    if (m_step.edge && m_step.edge != before.edge)
+        m_derivationPanel->followEdge();
+    if (dock(Panel::Derivation).isInSight())
+        askDerivation();
 }
 
 void Cards::setSaysMoment(bool on) { m_pixelCard->setSaysMoment(on); }
@@ -272,7 +306,8 @@ void Cards::askFace()
         LatestJob::Running::Interrupt);
 }
 
-/// Formulas of the selected face; those of a pixel are derived at the selected one, or else at one inside the face.
+/// Formulas of the selected face; those of a pixel are derived at the selected one, or else where the step is, or else
+/// at one inside the face; those of an edge at the chosen one, or else at that of the line that is stepped along.
 void Cards::askDerivation()
 {
     if (!dock(Panel::Derivation).isInSight() || m_selection.count() == 0 || !canDraw()) {
@@ -283,8 +318,10 @@ void Cards::askDerivation()
     }
     DerivationPlace place;
     place.face = m_selection.face();
-    place.pixel = m_pixel;
+    place.pixel = m_pixel ? m_pixel : m_step.pixel;
     place.edge = m_derivationPanel->edge();
+    if (!place.edge && m_step.edge)
+        place.edge = m_step.edge;
     place.m = m_derivationPanel->m();
     if (const std::optional<double> part = m_derivationPanel->depthPart()) {
         const Matrices matrices = cameraMatrices(*m_document.scene(), m_document.settings());

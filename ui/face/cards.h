@@ -68,8 +68,10 @@ public:
     void frameCounted();
     /// The panels show this face.
     void followFace(quint32 face) { m_selection.setFace(face); }
-    /// The clip theatre shows the step of the step mode; null: it has none.
-    void followStep(const StepLog* log, const StepEvent* event);
+    /// The clip theatre and the derivations show the step of the step mode; null: it has none.
+    ///
+    /// in  a position of the log
+    void followStep(const StepLog* log, std::size_t position);
     /// Whether something shown is still being computed.
     [[nodiscard]] bool isBusy() const;
     void retranslate();
@@ -84,6 +86,13 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    /// Where a step takes place; what it has not is empty.
+    struct StepPlace {
+        std::optional<QPoint> pixel;
+        std::optional<int> edge; ///< of the face: AB, BC, CA
+    };
+    [[nodiscard]] static StepPlace placeOf(const StepLog& log, std::size_t i);
+
     /// Panels are added in their order.
     void addDock(Panel which, QWidget* panel);
     [[nodiscard]] Dock& dock(Panel which) const { return *m_docks[static_cast<std::size_t>(which)]; }
@@ -114,6 +123,7 @@ private:
 
     std::optional<QPoint> m_pixel;
     std::optional<QPoint> m_secret;
+    StepPlace m_step;
     bool m_followPending = false; ///< the pixel was chosen before its frame was counted
     QTimer m_soon;
     LatestResult<std::shared_ptr<const WhyReport>> m_why;

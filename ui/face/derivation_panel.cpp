@@ -14,7 +14,6 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QPainter>
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -34,10 +33,7 @@ namespace
 QString translated(const char* text) { return QCoreApplication::translate("Derive", text); }
 
 constexpr int kShownOfTopic = 24; ///< letters
-constexpr QRgb kFigureInk = 0xff56b4e9;
-constexpr QRgb kHoveredInk = 0xfff0e442;
 constexpr int kSliderSteps = 1000;
-constexpr double kSeam = 2; ///< wider on both sides together: keeps strokes in sight on any picture
 
 const QString kSymbol = QStringLiteral("symbol:"); // schemes of links
 const QString kLine = QStringLiteral("line:");
@@ -54,26 +50,6 @@ std::optional<std::size_t> numberOf(const QUrl& url, const QString& scheme)
     return number;
 }
 
-/// The hue of an edge over the picture, light enough for the dark seam around it.
-QColor figureInk(std::size_t look) { return QColor(kEdgeLooks[look].color).lighter(230); }
-
-/// Which of the looks of edges a part of the picture has: that of the edge between its first two corners.
-std::optional<std::size_t> edgeLookOf(const CanvasPart& part)
-{
-    const bool isOfEdge =
-        part.kind == CanvasKind::Edge || part.kind == CanvasKind::Vector || part.kind == CanvasKind::Area;
-    const QString corners = QStringLiteral("ABC");
-    const qsizetype count = part.name.size();
-    if (!isOfEdge || count < 2 || count > 3 || (count == 3 && part.name[2] != QLatin1Char('P')))
-        return std::nullopt;
-    const qsizetype from = corners.indexOf(part.name[0]);
-    const qsizetype to = corners.indexOf(part.name[1]);
-    if (from < 0 || to < 0 || from == to)
-        return std::nullopt;
-    // Set up clockwise or counter-clockwise, the edge from A on is the first one.
-    return from == 0 ? 0 : to == 0 ? 2 : 1;
-}
-
 /// How far a point of the picture is from a part; 0 inside an area.
 double distanceTo(const CanvasPart& part, QPointF point)
 {
@@ -88,84 +64,7 @@ double distanceTo(const CanvasPart& part, QPointF point)
     return distance;
 }
 
-void paintArrow(QPainter& painter, QPointF from, QPointF to)
-{
-    const QLineF line(to, from);
-    painter.drawLine(line);
-    constexpr double kHead = 11;
-    if (line.length() < 1)
-        return;
-    const QPen pen = painter.pen();
-    painter.setPen(QPen(pen.color(), pen.widthF())); // a head of dots is none
-    for (const double turn : {-24.0, 24.0}) {
-        QLineF head = line;
-        head.setLength(std::min(kHead, line.length()));
-        head.setAngle(line.angle() + turn);
-        painter.drawLine(head);
-    }
-    painter.setPen(pen);
-}
-
-void paintPart(QPainter& painter, const CanvasPart& part, const CanvasTransform& transform)
-{
-    QPolygonF points;
-    for (const glm::dvec2& point : part.points)
-        points << transform.toCanvas(QPointF(point.x, point.y));
-    if (points.isEmpty())
-        return;
-    switch (part.kind) {
-    case CanvasKind::Vector:
-        if (points.size() == 2)
-            paintArrow(painter, points[0], points[1]);
-        break;
-    case CanvasKind::Area: {
-        QColor fill = painter.pen().color();
-        fill.setAlpha(60);
-        painter.setBrush(fill);
-        painter.drawPolygon(points);
-        painter.setBrush(Qt::NoBrush);
-        break;
-    }
-    case CanvasKind::Edge:
-    case CanvasKind::Row:
-    case CanvasKind::Column: painter.drawPolyline(points); break;
-    case CanvasKind::Point:
-    case CanvasKind::Corner:
-    case CanvasKind::Sample:
-        for (const QPointF& point : points)
-            painter.drawEllipse(point, 5, 5);
-        break;
-    case CanvasKind::Nothing:
-    case CanvasKind::Plane: break;
-    }
-}
-
 } // namespace
-
-void DerivationLayer::paint(QPainter& painter, const QRect& canvas, const CanvasTransform& transform,
-                            const OverlayOptions& options) const
-{
-    painter.save();
-    painter.setClipRect(canvas, Qt::IntersectClip);
-    painter.setRenderHint(QPainter::Antialiasing);
-    const double width = options.thickLines ? 4 : 2;
-    const auto paintOne = [&](const CanvasPart& part, QColor ink, Qt::PenStyle style) {
-        painter.setPen(QPen(QColor(kCanvasInk), width + kSeam));
-        paintPart(painter, part, transform);
-        if (style != Qt::SolidLine && part.kind != CanvasKind::Area) { // between dashes the line goes on
-            painter.setPen(QPen(ink.darker(200), width));
-            paintPart(painter, part, transform);
-        }
-        painter.setPen(QPen(ink, width, style, Qt::FlatCap));
-        paintPart(painter, part, transform);
-    };
-    for (const CanvasPart& part : m_marks) {
-        const std::optional<std::size_t> look = edgeLookOf(part);
-        paintOne(part, look ? figureInk(*look) : QColor(kFigureInk), look ? kEdgeLooks[*look].style : Qt::SolidLine);
-    }
-    paintOne(m_hovered, QColor(kHoveredInk), Qt::SolidLine);
-    painter.restore();
-}
 
 DerivationPanel::DerivationPanel(FaceSelection& selection, QWidget* parent)
     : QWidget(parent), m_topic(new PanelCombo), m_edge(new PanelCombo), m_mName(new QLabel),
@@ -251,6 +150,7 @@ void DerivationPanel::setDerived(std::shared_ptr<const Derived> derived)
     const bool isSameTopic = now != nullptr && before && before->derivation && before->derivation->topic == now->topic;
     if (!isSameTopic || m_line >= now->lines.size())
         m_line = 0;
+    m_line = followedLine().value_or(m_line);
     if (m_derived && m_derived->edge) {
         const QSignalBlocker blocked(m_edge);
         m_edge->setCurrentIndex(*m_derived->edge);
@@ -259,6 +159,26 @@ void DerivationPanel::setDerived(std::shared_ptr<const Derived> derived)
     showFigures();
     showText();
     showFigure();
+}
+
+void DerivationPanel::followSymbol(const QString& id)
+{
+    m_followed = id;
+    if (const auto line = followedLine())
+        setLine(*line);
+}
+
+/// The first line that computes the symbol that is followed.
+std::optional<std::size_t> DerivationPanel::followedLine() const
+{
+    const Derivation* shown = derivation();
+    if (shown == nullptr || m_followed.isEmpty())
+        return std::nullopt;
+    for (std::size_t i = 0; i < shown->lines.size(); ++i)
+        for (const DerivationToken& token : shown->lines[i].left)
+            if (token.symbol >= 0 && shown->symbols[std::size_t(token.symbol)].id == m_followed)
+                return i;
+    return std::nullopt;
 }
 
 void DerivationPanel::setLine(std::size_t line)
@@ -327,8 +247,18 @@ std::vector<int> DerivationPanel::presentSymbols() const
 void DerivationPanel::showFigure()
 {
     const Derivation* shown = derivation();
-    m_layer.setMarks(shown != nullptr && m_line < shown->lines.size() ? shown->lines[m_line].marks
-                                                                      : std::vector<CanvasPart>{});
+    std::vector<CanvasPart> marks;
+    std::vector<CanvasPart> named;
+    if (shown != nullptr && m_line < shown->lines.size()) {
+        marks = shown->lines[m_line].marks;
+        for (const int symbol : presentSymbols())
+            named.push_back(shown->symbols[std::size_t(symbol)].canvas);
+        if (marks.empty()) // the symbols themselves are the figure
+            marks = named;
+        std::erase_if(named, [](const CanvasPart& part) { return part.kind != CanvasKind::Corner; });
+    }
+    m_layer.setMarks(std::move(marks));
+    m_layer.setNamed(std::move(named));
     m_layer.setHovered({});
     m_hovered.reset();
     for (FigureView* figure : m_figures) {

@@ -1,6 +1,6 @@
 #pragma once
 #include "core/derive/derive.h"
-#include "ui/canvas/pixel_overlay.h"
+#include "ui/face/derivation_layer.h"
 #include "ui/face/face_picker.h"
 
 #include <QWidget>
@@ -21,22 +21,6 @@ namespace rasterlens
 
 class FigureView;
 
-/// The figure of a derivation over the picture: what belongs to the present line, and the symbol under the mouse.
-class DerivationLayer : public CanvasLayer
-{
-public:
-    void setMarks(std::vector<CanvasPart> marks) { m_marks = std::move(marks); }
-    void setHovered(const CanvasPart& part) { m_hovered = part; }
-
-    void paint(QPainter& painter, const QRect& canvas, const CanvasTransform& transform,
-               const OverlayOptions& options) const override;
-    [[nodiscard]] bool hidesNumbers() const override { return false; }
-
-private:
-    std::vector<CanvasPart> m_marks;
-    CanvasPart m_hovered;
-};
-
 /// How a number of the selected pixel or face comes about: formulas, numbers and words, line by line, and the figures
 /// that have no place over the picture. A symbol under the mouse is lit wherever it stands: in the formulas, in the
 /// figures and over the picture.
@@ -56,6 +40,13 @@ public:
     /// The distance of free choice as a part of the way from near to far; nothing: half-way.
     [[nodiscard]] std::optional<double> depthPart() const;
     void setTopic(DerivationTopic topic);
+    /// The edge that the user chose gives way to that of the step.
+    void followEdge() { m_edgeIsChosen = false; }
+    /// The line that computes a symbol becomes the present one, now or once it is derived; empty: no line in
+    /// particular.
+    void followSymbol(const QString& id);
+    /// Whether the steps name the corners over the picture.
+    void setCornersAreNamed(bool on) { m_layer.setCornersAreNamed(on); }
 
     /// A derivation, or why there is none. The present line stays where the topic is the one before.
     void setDerived(std::shared_ptr<const Derived> derived);
@@ -98,6 +89,7 @@ private:
     [[nodiscard]] std::vector<int> presentSymbols() const;
     void showText();
     void findSymbols();
+    [[nodiscard]] std::optional<std::size_t> followedLine() const;
     void lightSymbols();
     void showFigure();
     void showFigures();
@@ -114,6 +106,7 @@ private:
     std::shared_ptr<const Derived> m_derived;
     std::size_t m_line = 0;
     bool m_edgeIsChosen = false;
+    QString m_followed; ///< the symbol whose line is to be the present one
     DerivationLayer m_layer;
     QComboBox* m_topic;
     QComboBox* m_edge;

@@ -1,6 +1,9 @@
 #pragma once
 #include "core/derive/figure.h"
 
+#include <QPolygonF>
+#include <QRectF>
+#include <QString>
 #include <QWidget>
 
 #include <optional>
@@ -9,7 +12,13 @@
 namespace rasterlens
 {
 
-class FigureLabels;
+/// A name of a point or a stroke, as it is painted.
+struct FigureName {
+    QString name;
+    QPointF at; ///< what it is the name of, in the widget
+    QRectF box;
+    int symbol; ///< index into Derivation::symbols; -1 none
+};
 
 /// Draws a figure of a derivation: what belongs to the present line is thick, and a symbol under the mouse is told.
 class FigureView : public QWidget
@@ -30,6 +39,9 @@ public:
     /// The symbol whose stroke or point lies there; nothing where none is near.
     [[nodiscard]] std::optional<std::size_t> symbolAt(QPointF widget) const;
 
+    /// Where the names stand: none over another, and each nearest to what it is the name of.
+    [[nodiscard]] std::vector<FigureName> names() const;
+
     QSize sizeHint() const override { return {210, 150}; }
     QSize minimumSizeHint() const override { return {150, 130}; }
 
@@ -47,8 +59,11 @@ private:
     [[nodiscard]] bool isLit(int symbol) const;
     void paintAxes(QPainter& painter) const;
     void paintXAxis(QPainter& painter, const QRectF& below) const;
-    void paintStrokes(QPainter& painter, FigureLabels& labels) const;
-    void paintPoints(QPainter& painter, FigureLabels& labels) const;
+    void paintStrokes(QPainter& painter) const;
+    void paintPoints(QPainter& painter) const;
+    void paintNames(QPainter& painter) const;
+    [[nodiscard]] std::vector<QRectF> axisTexts() const;
+    [[nodiscard]] QPolygonF wayOf(const FigureStroke& stroke) const;
 
     DerivationFigure m_figure;
     QString m_title;

@@ -44,6 +44,16 @@ QString edgeText(const WhyFace& face, const WhyEdge& edge)
         .arg(edge.name, signedText(edgeValueText(edge.value, face.unitsPerArea)));
 }
 
+/// The value where there is little room: rounded if it is long. All of its digits stand in the list of the edges.
+QString briefEdgeText(const WhyFace& face, const WhyEdge& edge)
+{
+    constexpr qsizetype kShort = 10;
+    if (edgeValueText(edge.value, face.unitsPerArea).size() <= kShort)
+        return edgeText(face, edge);
+    return QStringLiteral("E_%1\u00a0\u2248\u00a0%2")
+        .arg(edge.name, signedText(shortNumber(edge.value / face.unitsPerArea)));
+}
+
 QString sideText(EdgeSide side)
 {
     switch (side) {
@@ -85,15 +95,15 @@ QString verdictWords(const WhyReport& report, const WhyFace& face)
             return (report.rules.coverageRule == CoverageRule::Inner
                         ? PixelCard::tr("%1, a part of the square is outside")
                         : PixelCard::tr("%1, the whole square is outside"))
-                .arg(edgeText(face, edge));
+                .arg(briefEdgeText(face, edge));
         const bool isPositive = edge.value > 0; // some mistakes want more than that
         return isPositive ? PixelCard::tr("%1, less than %2, outside")
-                                .arg(edgeText(face, edge), thresholdText(edge.threshold, face.unitsPerArea))
-                          : PixelCard::tr("%1, outside").arg(edgeText(face, edge));
+                                .arg(briefEdgeText(face, edge), thresholdText(edge.threshold, face.unitsPerArea))
+                          : PixelCard::tr("%1, outside").arg(briefEdgeText(face, edge));
     }
     case WhyVerdict::LostTie: {
         const WhyEdge& edge = face.edges[static_cast<std::size_t>(face.edge)];
-        return PixelCard::tr("%1, lost the tie: %2").arg(edgeText(face, edge), sideText(edge.side));
+        return PixelCard::tr("%1, lost the tie: %2").arg(briefEdgeText(face, edge), sideText(edge.side));
     }
     case WhyVerdict::Hole:
         return PixelCard::tr("cut out by the alpha test: the texture is opaque by %1").arg(face.opacity, 0, 'g', 3);

@@ -19,6 +19,14 @@ namespace
 constexpr double kRadius = 5.5;
 constexpr double kReach = 10; ///< canvas pixels round a handle that grip it
 
+/// A place that was dragged to, in 1/256 pixels: the finest of the places it may stop at.
+QString placeText(QPointF pixels)
+{
+    constexpr double kParts = 256;
+    const auto coordinate = [&](double value) { return fullNumber(std::round(value * kParts) / kParts); };
+    return QStringLiteral("%1, %2").arg(coordinate(pixels.x()), coordinate(pixels.y()));
+}
+
 } // namespace
 
 VertexHandles::VertexHandles(Document& document, ViewportWidget& canvas, const VertexEditing& editing)
@@ -139,8 +147,12 @@ void VertexHandles::paintEvent(QPaintEvent*)
         painter.drawEllipse(at, kRadius, kRadius);
         if (m_dragged != handle.vertex)
             continue;
-        const QString text = QStringLiteral("%1, %2").arg(fullNumber(handle.screen.x()), fullNumber(handle.screen.y()));
-        const QRectF box = painter.boundingRect(QRectF(at + QPointF(12, -26), QSizeF(1, 1)), Qt::AlignLeft, text);
+        const QString text = placeText(handle.screen);
+        QRectF box = painter.boundingRect(QRectF(at + QPointF(12, -26), QSizeF(1, 1)), Qt::AlignLeft, text);
+        constexpr double kMargin = 8; // of the plate, too
+        const QRectF room = QRectF(rect()).adjusted(kMargin, kMargin, -kMargin, -kMargin);
+        box.moveLeft(std::max(room.left(), std::min(box.left(), room.right() - box.width())));
+        box.moveTop(std::max(room.top(), std::min(box.top(), room.bottom() - box.height())));
         painter.setPen(Qt::NoPen);
         painter.setBrush(QColor(40, 44, 52));
         painter.drawRoundedRect(box.adjusted(-6, -3, 6, 3), 4, 4);

@@ -15,10 +15,12 @@
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QIcon>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPalette>
+#include <QPixmap>
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QStyledItemDelegate>
@@ -46,6 +48,18 @@ QColor asColor(const glm::vec3& color)
 {
     const glm::vec3 held = glm::clamp(color, 0.0F, 1.0F);
     return QColor::fromRgbF(held.r, held.g, held.b);
+}
+
+/// A patch of a colour that is not tinted where its cell is selected.
+QIcon swatch(const QColor& color)
+{
+    constexpr int kSide = 16;
+    QPixmap patch(kSide, kSide);
+    patch.fill(color);
+    QIcon icon;
+    for (const QIcon::Mode mode : {QIcon::Normal, QIcon::Selected})
+        icon.addPixmap(patch, mode);
+    return icon;
 }
 
 /// A choice and the name of what is chosen, which stay together where the row of switches goes on in the next line.
@@ -186,7 +200,8 @@ QVariant VertexTableModel::data(const QModelIndex& index, int role) const
     case Qt::DisplayRole:
     case Qt::EditRole: return cell(index.row(), corner);
     case Qt::FontRole: return numberFont();
-    case Qt::DecorationRole: return index.row() == VertexColor ? QVariant(asColor(colorOf(corner))) : QVariant();
+    case Qt::DecorationRole:
+        return index.row() == VertexColor ? QVariant(swatch(asColor(colorOf(corner)))) : QVariant();
     case Qt::ForegroundRole:
         return (flags(index) & Qt::ItemIsEditable) != 0 ? QVariant(QGuiApplication::palette().highlight()) : QVariant();
     case Qt::ToolTipRole:

@@ -26,6 +26,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalBlocker>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -69,6 +70,7 @@ PipelinePanel::PipelinePanel(Document& document, const Language& language, QWidg
     outer->addWidget(m_mistakes);
     m_notes = new UnchangedNotes(document, m_rows, this);
     connect(m_notes, &UnchangedNotes::failed, this, &PipelinePanel::failed);
+    connect(m_notes, &UnchangedNotes::shown, this, &PipelinePanel::keepInSight);
 
     connect(&document, &Document::sceneChanged, this, &PipelinePanel::syncScene);
     connect(&document, &Document::settingsChanged, this, &PipelinePanel::syncSettings);
@@ -376,6 +378,7 @@ void PipelinePanel::showNote()
 
 void PipelinePanel::syncSettings()
 {
+    m_inSight = nullptr;
     const Settings& settings = m_document.settings();
     const Settings& defaults = m_document.defaults();
     const bool refused = unsupported(*m_document.scene(), settings).has_value();
@@ -399,6 +402,28 @@ void PipelinePanel::syncSettings()
     const int changed = changedCount();
     m_reset->setText(changed == 0 ? tr("as the scene asks") : tr("%n changed \u00b7 reset", nullptr, changed));
     m_reset->setEnabled(changed != 0);
+}
+
+void PipelinePanel::bringInSight(const QString& fieldId)
+{
+    m_inSight = nullptr;
+    for (FieldRow* row : m_rows)
+        if (fieldId == QLatin1String(row->field().id))
+            m_inSight = row;
+    keepInSight();
+}
+
+/// Once the layout knows how high the row is.
+void PipelinePanel::keepInSight()
+{
+    QTimer::singleShot(0, this, [this] {
+        constexpr int kMargin = 8;
+        if (m_inSight == nullptr)
+            return;
+        QCoreApplication::sendPostedEvents(m_scroll, QEvent::LayoutRequest);
+        QCoreApplication::sendPostedEvents(m_scroll->widget(), QEvent::LayoutRequest);
+        m_scroll->ensureWidgetVisible(m_inSight, 0, kMargin);
+    });
 }
 
 void PipelinePanel::retranslate()

@@ -57,6 +57,8 @@ public:
     [[nodiscard]] LightFields& light() { return *m_light; }
     /// What is said about a field's value below its switch; empty where there is nothing to say.
     [[nodiscard]] QString note(const QString& fieldId) const;
+    /// A switch that was turned by its key comes in sight, with what is said about its value.
+    void bringInSight(const QString& fieldId);
     /// Whether something that is said about a value is still being computed.
     [[nodiscard]] bool isBusy() const;
     /// How many settings differ from what the scene asks for.
@@ -90,12 +92,14 @@ private:
     void syncScene();
     void showNote();
     void syncSettings();
+    void keepInSight();
     std::optional<QString> readSize(const QString& text, TypedField::Attempt attempt);
     void retranslate();
 
     Document& m_document;
     const Language& m_language;
     QScrollArea* m_scroll = nullptr;
+    FieldRow* m_inSight = nullptr; ///< stays in sight when its note comes
     QLabel* m_heading = nullptr;
     QToolButton* m_reset = nullptr;
     QComboBox* m_sceneBox = nullptr;

@@ -354,7 +354,7 @@ void StatisticsPanel::showTimes()
 
 QString StatisticsPanel::brief() const
 {
-    const QString text = tr("%1 FPS \u00b7 clipped %2 \u00b7 culled %3 \u00b7 %4")
+    const QString text = tr("%1 FPS \u00b7 clipped %2 \u00b7 culled: back %3, front %4")
                              .arg(m_fps->text(), shown(QStringLiteral("clipped")), shown(QStringLiteral("culled_back")),
                                   shown(QStringLiteral("culled_front")));
     return m_step ? momentText(m_step) + QStringLiteral(" \u00b7 ") + text : text;

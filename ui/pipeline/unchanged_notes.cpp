@@ -92,6 +92,7 @@ void UnchangedNotes::show()
         }
         row->setNote(why ? unchangedText(*why) : QString());
     }
+    Q_EMIT shown();
 }
 
 } // namespace rasterlens

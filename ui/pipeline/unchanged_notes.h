@@ -32,6 +32,7 @@ public:
     [[nodiscard]] bool isBusy() const { return m_result.isBusy(); }
 
 Q_SIGNALS:
+    void shown(); ///< what the rows say has been looked at again
     /// The rows say nothing, for want of memory or threads.
     void failed(const QString& message);
 

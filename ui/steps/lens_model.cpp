@@ -1,5 +1,6 @@
 #include "ui/steps/lens_model.h"
 
+#include "core/observe/line_ends.h"
 #include "core/observe/step_text.h"
 
 #include <QCoreApplication>
@@ -231,27 +232,8 @@ const LinePosition* LensModel::linePosition() const
 std::optional<std::array<glm::ivec2, 2>> LensModel::lineEnds() const
 {
     const LineStep* step = line();
-    return step != nullptr ? rasterlens::lineEnds(m_triangle->screen, step->decision, m_log->rules()) : std::nullopt;
-}
-
-std::optional<std::array<glm::ivec2, 2>> lineEnds(const ScreenTriangle& triangle, const LineDecision& decision,
-                                                  const Rules& rules)
-{
-    const auto sampleOf = [&](std::size_t i) { return glm::ivec2(glm::floor(triangle.vertices[i].position)); };
-    const int axis = decision.steep ? 1 : 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        glm::ivec2 from = sampleOf(i);
-        glm::ivec2 to = sampleOf((i + 1) % 3);
-        if (!rules.lineTiesByDirection && std::pair(from.y, from.x) > std::pair(to.y, to.x))
-            std::swap(from, to);
-        const glm::ivec2 size = glm::abs(to - from);
-        if (size[axis] != decision.longer || size[1 - axis] != decision.shorter)
-            continue;
-        const int now = axis == 0 ? decision.x : decision.y;
-        if (from[axis] + (to[axis] < from[axis] ? -decision.step : decision.step) == now)
-            return std::array{from, to};
-    }
-    return std::nullopt;
+    const auto line = step != nullptr ? lineOf(m_triangle->screen, step->decision, m_log->rules()) : std::nullopt;
+    return line ? std::optional(line->ends) : std::nullopt;
 }
 
 QString edgeSideText(EdgeSide side)

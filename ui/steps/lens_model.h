@@ -122,10 +122,6 @@ private:
 /// The three values at a sample, what a step adds to them, and who owns a tie; empty where there are none.
 [[nodiscard]] QStringList lensHoverLines(const LensModel& model, int x, int y);
 
-/// The ends of the line of a triangle that a decision belongs to, in samples.
-[[nodiscard]] std::optional<std::array<glm::ivec2, 2>> lineEnds(const ScreenTriangle& triangle,
-                                                                const LineDecision& decision, const Rules& rules);
-
 /// Why an edge owns its points or does not: `left edge`. In the language in use.
 [[nodiscard]] QString edgeSideText(EdgeSide side);
 

@@ -1,6 +1,6 @@
 #include "ui/steps/line_code.h"
 
-#include "ui/steps/lens_model.h"
+#include "core/observe/line_ends.h"
 
 #include <optional>
 
@@ -15,24 +15,6 @@ struct LineWay {
     glm::ivec2 step{1, 1};
 };
 
-/// The decision that follows a sample of a line or, after its last sample, the one before.
-const StepEvent* decisionAt(const StepLog& log, std::size_t i)
-{
-    const std::uint32_t triangle = log.event(i).triangle;
-    // A triangle begins before its first sample.
-    int samplesAhead = log.event(i).kind == StepKind::Triangle ? 1 : 0;
-    for (std::size_t k = i; k < log.size() && log.event(k).triangle == triangle; ++k) {
-        if (log.event(k).kind == StepKind::LineDecision)
-            return &log.event(k);
-        if (k > i && log.event(k).kind == StepKind::LineSample && samplesAhead-- == 0)
-            break;
-    }
-    for (std::size_t k = i; k-- > 0 && log.event(k).triangle == triangle;)
-        if (log.event(k).kind == StepKind::LineDecision)
-            return &log.event(k);
-    return nullptr;
-}
-
 LineWay wayAt(const StepLog& log, std::size_t i)
 {
     LineWay way;
@@ -42,8 +24,10 @@ LineWay wayAt(const StepLog& log, std::size_t i)
         return way;
     const LineDecision& decision = log.payload<LineStep>(*event).decision;
     way.steep = decision.steep;
-    if (const auto ends = lineEnds(triangle->screen, decision, log.rules()))
-        way.step = {(*ends)[1].x < (*ends)[0].x ? -1 : 1, (*ends)[1].y < (*ends)[0].y ? -1 : 1};
+    if (const auto line = lineOf(triangle->screen, decision, log.rules())) {
+        const auto& [from, to] = line->ends;
+        way.step = {to.x < from.x ? -1 : 1, to.y < from.y ? -1 : 1};
+    }
     return way;
 }
 

@@ -534,9 +534,9 @@ StepExplanation explainStep(const StepLog& log, std::size_t i)
 {
     StepExplanation told{listingFor(log, i), lineOf(log, i), formulaOf(log, i)};
     if (const QString because = becauseWords(becauseOf(log, i)); !because.isEmpty()) {
-        const auto end = told.formula.indexOf(QLatin1Char('\n')); // there are two lines: what led to it, and what it is
-        told.formula = told.formula.left(end) + QLatin1Char('\n') + because +
-                       (end < 0 ? QString() : QStringLiteral("   ") + told.formula.sliced(end + 1));
+        if (!told.formula.isEmpty())
+            told.formula += QLatin1Char('\n');
+        told.formula += because;
     }
     return told;
 }

@@ -17,6 +17,7 @@ namespace
 {
 
 constexpr double kLeastScale = 0.6;             ///< of code beside the canvas
+constexpr int kNarrow = 480;                    ///< width below which a formula has a row more
 constexpr int kCompactBelow = 560;              ///< height of the canvas card from which on the whole listing has room
 const QString kBetween = QStringLiteral("   "); ///< what stands between the parts of a formula
 
@@ -147,13 +148,14 @@ int StepListing::lineHeight()
     return std::max(QFontMetrics(numberFont(-0.5)).height(), QFontMetrics(textFont(-0.5)).height()) + kAir;
 }
 
-/// With a mistake on there is a row more, for its name: at every step of the record.
+/// With a mistake on there is a row more, for its name: at every step of the record. Where the canvas is narrow, as on
+/// a small projector, there is one more.
 int StepListing::formulaRowCount() const
 {
     if (m_place == Place::Line)
         return 1;
     const bool hasMistakes = m_session.log() && !m_session.log()->mistakes().empty();
-    const int most = hasMistakes ? 3 : 2;
+    const int most = (hasMistakes ? 3 : 2) + (width() < kNarrow ? 1 : 0);
     return m_place == Place::Beside ? 3 * most : most;
 }
 

@@ -250,9 +250,11 @@ QString ExperimentPanel::ratioText() const
             .arg(scene);
     if (!advantage)
         return scene;
-    return tr("%1 \u00b7 edge equation takes %2 times as long as edge walking here, 1.36 times in [002]")
+    return tr("%1 \u00b7 edge equation takes %2 times as long as edge walking here (%3 to %4), 1.36 times in [002]")
         .arg(scene)
-        .arg(*advantage, 0, 'f', 2);
+        .arg(advantage->median, 0, 'f', 2)
+        .arg(advantage->low, 0, 'f', 2)
+        .arg(advantage->high, 0, 'f', 2);
 }
 
 void ExperimentPanel::choose(int row)

@@ -359,7 +359,7 @@ void MainWindow::connectModes()
         const StepSession& session = m_stepMode->session();
         if (const auto face = session.face())
             m_cards->followFace(*face);
-        m_cards->followStep(session.log().get(), session.event());
+        m_cards->followStep(session.log().get(), session.event() != nullptr ? session.positionInLog() : 0);
     });
     connect(&m_stepMode->session(), &StepSession::positionChanged, this, [this] {
         if (m_look.presentation)
@@ -417,6 +417,7 @@ void MainWindow::changeField(const SettingsField& field, const Settings& setting
             tr("%1 stays: %2").arg(QCoreApplication::translate("Settings", field.title), whyUnsupported(*why)));
     else
         m_document.setSettings(settings);
+    m_pipelinePanel->bringInSight(QLatin1String(field.id));
 }
 
 void MainWindow::updatePicture()
