@@ -30,6 +30,8 @@ Scene withFaceAlone(const Scene& scene, std::uint32_t face)
     }
     if (!scene.mesh.faceMaterial.empty())
         alone.mesh.faceMaterial.push_back(scene.mesh.faceMaterial[face]);
+    if (scene.mesh.isLine(face))
+        alone.mesh.lines.push_back(0);
     return alone;
 }
 

@@ -7,6 +7,7 @@
 #include "ui/base/parts.h"
 #include "ui/base/step_words.h"
 #include "ui/base/theme.h"
+#include "ui/canvas/texel_plate.h"
 #include "ui/face/clip_theatre.h"
 #include "ui/face/sample_rows.h"
 
@@ -155,8 +156,10 @@ void addFragmentLines(const WhyReport& report, const WhyFace& face, QStringList&
     if (fragment.shaded && fragment.weights != fragment.screen)
         lines << PixelCard::tr("perspective %1").arg(weights(fragment.weights));
     const QString sign = printedDepthSign(report, face);
-    if (face.texels)
+    if (face.texels) {
         lines << texelLine(*face.texels);
+        lines += texelWords(*face.texels);
+    }
     if (!sign.isEmpty() && face.verdict == WhyVerdict::Written)
         lines << PixelCard::tr("z %1 %2 %3, passed")
                      .arg(depthNumber(fragment.depth), sign, depthNumber(fragment.storedDepth));
@@ -208,6 +211,28 @@ protected:
 
 private:
     QColor m_color;
+};
+
+/// The footprint of the pixel in the texture.
+class TexelDrawing : public QWidget
+{
+public:
+    explicit TexelDrawing(const TexelFootprint& footprint) : m_footprint(footprint)
+    {
+        constexpr int kHeight = 150;
+        setFixedHeight(kHeight);
+        setAccessibleName(texelWords(footprint).join(QLatin1Char('\n')));
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        paintTexels(painter, QRectF(rect()), m_footprint);
+    }
+
+private:
+    TexelFootprint m_footprint;
 };
 
 /// A triangle, with the line of the `f` in the scene's file that it is a part of.
@@ -376,6 +401,8 @@ QWidget* PixelCard::makeRow(std::size_t index)
     column->addLayout(head);
     if (!words.details.isEmpty())
         column->addWidget(wrapped(words.details.join(QLatin1Char('\n')), "numbers"));
+    if (face.texels && face.verdict == WhyVerdict::Written && !face.texels->patch.texels.empty())
+        column->addWidget(new TexelDrawing(*face.texels));
     return frame;
 }
 
