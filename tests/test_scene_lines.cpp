@@ -42,6 +42,18 @@ QByteArray cornerText(Random& random, bool onTies)
     return text;
 }
 
+/// A corner of a triangle that no plane cuts.
+QByteArray insideText(Random& random)
+{
+    QByteArray text;
+    for (int i = 0; i < 3; ++i)
+        text += ' ' + QByteArray::number(uniform(random, -0.95, 0.95), 'g', 9);
+    text += " 1";
+    for (int i = 0; i < 3; ++i)
+        text += ' ' + QByteArray::number(integer(random, 0, 8) / 8.0);
+    return text;
+}
+
 /// Lines and some triangles in clip space; many of the lines have ties, leave the picture or go behind the eye.
 QByteArray randomCase(Random& random, int round)
 {
@@ -58,7 +70,7 @@ QByteArray randomCase(Random& random, int round)
     for (int i = 0; i < 12; ++i) {
         const bool onTies = i % 2 == 0;
         if (i % 6 == 5)
-            text += "tri" + cornerText(random, onTies) + cornerText(random, onTies) + cornerText(random, onTies) + '\n';
+            text += "tri" + insideText(random) + insideText(random) + insideText(random) + '\n';
         else
             text += "line" + cornerText(random, onTies) + cornerText(random, onTies) + '\n';
     }

@@ -328,7 +328,8 @@ void StepRecorder::onFragment(const Fragment& fragment, float storedDepth, bool 
     flags |= flagIf(passed, StepEvent::kPassed);
     flags |= flagIf(isSecondHit, StepEvent::kHitTwice);
     flags |= flagIf(!m_planes->ownDepth.empty() && m_planes->ownDepth[sample] != storedDepth, StepEvent::kSharedDepth);
-    flags |= flagIf(m_rules.depthInLockstep && !m_planes->depth.empty() && m_planes->depth[sample] != storedDepth,
+    flags |= flagIf(m_rules.depthInLockstep && m_rules.depthTested && !m_planes->depth.empty() &&
+                        m_planes->depth[sample] != storedDepth,
                     StepEvent::kSharedDepth);
     storeWith(sampleEvent(StepKind::Fragment, fragment.x, fragment.y, flags), [&] {
         FragmentStep step{fragment.screen, weights, invW, fragment.depth, storedDepth, {}, shaded};

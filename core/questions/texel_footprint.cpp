@@ -10,8 +10,8 @@ namespace rasterlens
 namespace
 {
 
-constexpr int kMostCells = 24;  ///< texels along each axis of a patch, margins apart
-constexpr double kMargin = 1.5; ///< texels of the patch's level round the parallelogram
+constexpr int kMostCells = 24; ///< texels along each axis of a patch, margins apart
+constexpr double kMargin = 1;  ///< texels of the patch's level round the parallelogram
 constexpr double kFarthest = 0x1p40;
 
 /// The level whose texels are small enough to tell the parallelogram, and not so many that they cannot be told apart.

@@ -35,9 +35,10 @@ QString verdictText(const WhyReport& report, const WhyFace& row)
             .arg(row.verdict == WhyVerdict::CulledBack ? QStringLiteral("back") : QStringLiteral("front"),
                  QLatin1String(facingId(row.facing->by)), fullNumber(row.facing->value));
     case WhyVerdict::Degenerate:
-        return row.facing->screenArea == 0 ? QStringLiteral("degenerate: no area on the screen")
-                                           : QStringLiteral("degenerate: its area on the screen, %1, counts as none")
-                                                 .arg(fullNumber(row.facing->screenArea / 2));
+        return !row.facing || row.facing->screenArea == 0
+                   ? QStringLiteral("degenerate: no area on the screen")
+                   : QStringLiteral("degenerate: its area on the screen, %1, counts as none")
+                         .arg(fullNumber(row.facing->screenArea / 2));
     case WhyVerdict::ClippedAway: return QStringLiteral("clipped away by %1").arg(planesText(row.planes));
     case WhyVerdict::OutsideEdge:
         if (const Rules pass = passRules(report.rules, row.face); !pass.coversByCentres())

@@ -1633,6 +1633,10 @@
         <source>The outline put together again: the ends that are left (%1), and the corners of the screen that lie inside the face (%2). Edges alone lose those.</source>
         <translation>重新拼成轮廓：留下的端点（%1），以及落在面内的屏幕角点（%2）。只裁边会丢掉这些角点。</translation>
     </message>
+    <message>
+        <source>face %1 is a line, and covers no area</source>
+        <translation>面 %1 是一条线，不覆盖面积</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostic</name>
@@ -7624,7 +7628,7 @@
         <translation>%1：面 %2 的深度 %3，与 %4 相比，没有通过深度测试。</translation>
     </message>
     <message>
-        <source>Pixel (%1, %2), sample %3,</source>
+        <source>Sample %3 of pixel (%1, %2)</source>
         <translation>像素 (%1, %2) 的采样点 %3</translation>
     </message>
     <message>
@@ -7650,6 +7654,10 @@
     <message>
         <source>Face %3 does not touch the square of pixel (%1, %2): all of it lies outside edge %4.</source>
         <translation>面 %3 未触及像素 (%1, %2) 的方格：整个方格都在边 %4 之外。</translation>
+    </message>
+    <message>
+        <source>The mean of the %3 samples of pixel (%1, %2) is (%4, %5, %6).</source>
+        <translation>像素 (%1, %2) 的 %3 个采样的平均值是 (%4, %5, %6)。</translation>
     </message>
 </context>
 <context>

@@ -107,8 +107,13 @@ void paintReads(QPainter& painter, const TexelPlace& place, const TexelFootprint
         const bool isFirst = read.level == footprint.reads.front().level;
         paintSeamed(painter, kReadInk, isFirst ? 2 : 1.5, isFirst ? Qt::SolidLine : Qt::DashLine,
                     [&] { painter.drawRect(rect); });
-        if (isFirst && rect.width() >= kWeightsFromCell && rect.height() >= kWeightsFromCell / 2)
-            drawTextOn(painter, rect, Qt::AlignCenter, percent(read.weight) + QLatin1Char('%'), QRgb(read.color));
+        if (!isFirst || rect.width() < kWeightsFromCell || rect.height() < kWeightsFromCell)
+            continue;
+        // away from the pixel's centre
+        const QPointF full = scaleTo(footprint, 0);
+        const bool isAbove = place.at(0, footprint.place.y * full.y()).y() > rect.center().y();
+        drawTextOn(painter, rect.adjusted(3, 3, -3, -3), Qt::AlignHCenter | (isAbove ? Qt::AlignTop : Qt::AlignBottom),
+                   percent(read.weight) + QLatin1Char('%'), QRgb(read.color));
     }
 }
 
@@ -182,7 +187,7 @@ void paintTexelPlate(QPainter& painter, const QRectF& canvas, const QPointF& pix
     if (footprint.patch.texels.empty())
         return;
     painter.save();
-    painter.setFont(numberFont(0));
+    painter.setFont(textFont(0));
     QStringList lines{translated(QT_TRANSLATE_NOOP("rasterlens::TexelPlate", "Footprint in the texture (%1 x %2)"))
                           .arg(footprint.size.width())
                           .arg(footprint.size.height())};

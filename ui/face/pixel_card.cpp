@@ -69,9 +69,10 @@ QString verdictWords(const WhyReport& report, const WhyFace& face)
     case WhyVerdict::CulledBack: return PixelCard::tr("culled: back face");
     case WhyVerdict::CulledFront: return PixelCard::tr("culled: front face");
     case WhyVerdict::Degenerate:
-        return face.facing->screenArea == 0 ? PixelCard::tr("no area on the screen")
-                                            : PixelCard::tr("its area on the screen, %1, counts as none")
-                                                  .arg(shortNumber(face.facing->screenArea / 2));
+        return !face.facing || face.facing->screenArea == 0
+                   ? PixelCard::tr("no area on the screen")
+                   : PixelCard::tr("its area on the screen, %1, counts as none")
+                         .arg(shortNumber(face.facing->screenArea / 2));
     case WhyVerdict::ClippedAway: return PixelCard::tr("clipped away by %1").arg(planesWords(face.planes));
     case WhyVerdict::OutsideEdge: {
         if (const Rules pass = passRules(report.rules, face.face); !pass.coversByCentres())
