@@ -8344,10 +8344,6 @@
         <source>Footprint of the selected pixel in the texture</source>
         <translation>所选像素在纹理中的足迹</translation>
     </message>
-    <message>
-        <source>Texels</source>
-        <translation>纹素</translation>
-    </message>
 </context>
 <context>
     <name>rasterlens::Cards</name>

@@ -62,8 +62,7 @@ constexpr OverlayRow kOverlays[] = {
     {&OverlayOptions::midLine, "mid-line", "view.mid-line",
      QT_TRANSLATE_NOOP("rasterlens::CanvasViews", "Mid-line, where \u03b1 is nearly one half")},
     {&OverlayOptions::texels, "texels", "view.texels",
-     QT_TRANSLATE_NOOP("rasterlens::CanvasViews", "Footprint of the selected pixel in the texture"),
-     QT_TRANSLATE_NOOP("rasterlens::CanvasViews", "Texels")},
+     QT_TRANSLATE_NOOP("rasterlens::CanvasViews", "Footprint of the selected pixel in the texture")},
     {&OverlayOptions::depthBeside, "depth-beside", "view.depth-beside",
      QT_TRANSLATE_NOOP("rasterlens::CanvasViews", "Depth buffer beside the picture"), nullptr, Qt::SHIFT | Qt::Key_Z},
 };
