@@ -88,8 +88,8 @@ std::optional<SampledTriangle> sampleInside(const FaceRecord& record, const Step
 [[noreturn]] void refuseUndrawn(const FaceRecord& record)
 {
     if (record.scene().mesh.isLine(record.place().face))
-        throw NoDerivation{Reason(QT_TRANSLATE_NOOP("Derive", "face %1 is a line, and covers no area"),
-                                  {record.place().face})};
+        throw NoDerivation{
+            Reason(QT_TRANSLATE_NOOP("Derive", "face %1 is a line, and covers no area"), {record.place().face})};
     const FateStep* fate = record.first<FateStep>();
     throw NoDerivation{Reason(QT_TRANSLATE_NOOP("Derive", "face %1 is not drawn: %2"),
                               {record.place().face, whyNotDrawn(fate != nullptr ? fate->fate : FaceFate::Rasterized)})};

@@ -20,7 +20,7 @@ namespace
 {
 
 constexpr double kGridFromCell = 6;
-constexpr double kWeightsFromCell = 28;
+constexpr double kWeightsFromCell = 40;
 constexpr double kSide = 190; ///< of the drawing on the canvas
 constexpr double kPadding = 8;
 constexpr double kFromBorder = 10;
