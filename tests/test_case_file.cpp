@@ -35,6 +35,7 @@ private Q_SLOTS:
     void numbers();
     void nonFinitePositionsAreKept();
     void textures();
+    void lines();
     void notes();
     void anyLocale();
     void broken_data();
@@ -164,6 +165,30 @@ void TestCaseFile::textures()
     QCOMPARE(texture.texels[1], 0xffc86432U);
 }
 
+/// A line is a face whose second corner stands for its third.
+void TestCaseFile::lines()
+{
+    const SceneLoad load =
+        parse("size 4 4\nline_rule diamond-exit\nline_ties canonical\nline -1 0 0 1 1 0 0  1 0.5 nan 2 0 0 1\n" + kTri +
+              "line 0 0 0 1 1 1 1  0 1 0 1 1 1 1\n");
+    QVERIFY2(load.scene && load.diagnostics.empty(), qPrintable(textOf(load.diagnostics)));
+    const Mesh& mesh = load.scene->mesh;
+    QVERIFY(load.scene->defaults.lineRule == LineRule::DiamondExit);
+    QVERIFY(load.scene->defaults.lineTies == LineTies::Canonical);
+    QCOMPARE(mesh.indices, (std::vector<std::uint32_t>{0, 1, 1, 2, 3, 4, 5, 6, 6}));
+    QCOMPARE(mesh.lines, (std::vector<std::uint32_t>{0, 2}));
+    QVERIFY(mesh.isLine(0) && !mesh.isLine(1) && mesh.isLine(2));
+    QVERIFY(std::isnan(mesh.vertices[1].position.z) && mesh.vertices[1].position.w == 2);
+    QVERIFY(mesh.vertices[0].color == glm::vec3(1, 0, 0) && mesh.vertices[1].color == glm::vec3(0, 0, 1));
+    QVERIFY(mesh.faceMaterial.empty());
+
+    // A texture is one of triangles.
+    const SceneLoad textured = parse("size 4 4\ntexture checker 2\n" + kTri + "line 0 0 0 1 1 1 1  0 1 0 1 1 1 1\n");
+    QVERIFY(textured.scene);
+    QCOMPARE(textured.scene->mesh.faceMaterial, (std::vector<std::uint32_t>{0, 1}));
+    QCOMPARE(textured.scene->materials.at(1).texture, -1);
+}
+
 void TestCaseFile::notes()
 {
     QCOMPARE(parse("# of the file \n# more\nsize 1 1\n").scene->note, QStringLiteral("of the file"));
@@ -217,6 +242,15 @@ void TestCaseFile::broken_data()
     row("window of three", "size 8 8\nwindow 1 1 1\n", 2, "window: 3 values");
     row("window outside", "window 4 4 5 4\nsize 8 8\n", 1, "not within the size 8 x 8");
     row("window empty", "size 8 8\nwindow 4 4 0 4\n", 2, "window: it is empty");
+    row("line of 21", "size 1 1\nline" + kTri.mid(3), 2, "line: 21 values; 14 (x y z w r g b of both ends) expected");
+    row("line of one end", "size 1 1\nline 0 0 0 1 1 1 1\n", 2, "line: 7 values; 14");
+    row("line with a word", "size 1 1\nline 0 0 0 one 1 1 1  1 0 0 1 1 1 1\n", 2, "line: \"one\" is not a number");
+    row("line colour nan", "size 1 1\nline 0 0 0 1 1 nan 1  1 0 0 1 1 1 1\n", 2, "\"nan\" is not finite");
+    row("line rule", "size 1 1\nline_rule open\n", 2, "\"open\" is not one of inclusive, half-open, diamond-exit");
+    row("line ties", "size 1 1\nline_ties none\n", 2, "\"none\" is not one of by-direction, canonical");
+    row("lines elsewhere", "size 1 1\nlines 1\n", 2, "\"lines\" is not a directive");
+    row("second pass before lines", "size 1 1\nsecond_pass\nline 0 0 0 1 1 1 1  1 0 0 1 1 1 1\n", 2,
+        "behind the triangles and lines of the first pass");
     row("tri of 20", "size 1 1\ntri 0 0 0 1 1 0 0  1 0 0 1 0 1 0  0 1 0 1 0 0\n", 2, "tri: 20 values; 21");
     row("texture without", "size 1 1\ntexture\n", 2, "the name of an image, is expected");
     row("texture without a size", "size 1 1\ntexture checker\n", 2, "texture: 0 values; one expected");

@@ -521,7 +521,8 @@ void TestCli::countersAreConserved()
 {
     QFETCH(QString, words);
     const QJsonObject statistics = statisticsOf(QStringLiteral("render --size 160x120 ") + words);
-    QCOMPARE(statistics.keys(), QStringList({"faces", "milliseconds", "pixels", "settings", "simd", "threads"}));
+    QCOMPARE(statistics.keys(),
+             QStringList({"faces", "lines", "milliseconds", "pixels", "settings", "simd", "threads"}));
     const auto face = [&](const char* key) { return statistics["faces"][QLatin1String(key)].toInteger(-1); };
     const auto pixel = [&](const char* key) { return statistics["pixels"][QLatin1String(key)].toInteger(-1); };
     QVERIFY(face("submitted") > 0);

@@ -12,8 +12,10 @@
 #include <QJsonObject>
 #include <QTest>
 
+#include <array>
 #include <cmath>
 #include <random>
+#include <set>
 
 using namespace rasterlens;
 
@@ -82,6 +84,9 @@ private Q_SLOTS:
     void levelsChangeAtPowersOfTwo();
     void cutFacesAreNotKnown();
     void footprintTellsPlaceStepsAndLevel();
+    void readsAreThoseOfTheSampler();
+    void cornersAreExactDerivatives();
+    void patchesHoldWhatIsDrawn();
     void levelsAreShownInColours();
 };
 
@@ -169,6 +174,160 @@ void TestExactTexels::footprintTellsPlaceStepsAndLevel()
     plain.shading = Shading::Gouraud;
     const WhyReport untextured = why(scene, plain, 3, 5);
     QVERIFY(!untextured.find(*untextured.visibleFace)->texels);
+}
+
+/// The texels that are listed, by their weights, give the colour; another value of one of them changes it, and that of
+/// no other does.
+void TestExactTexels::readsAreThoseOfTheSampler()
+{
+    std::mt19937_64 random(test::seedOfRun());
+    const auto uniform = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    std::set<int> levels;
+    for (int round = 0; round < 600; ++round) {
+        Texture texture;
+        texture.width = 1 + int(random() % 9);
+        texture.height = 1 + int(random() % 9);
+        texture.clamp = round % 3 == 0;
+        for (int i = 0; i < texture.width * texture.height; ++i)
+            texture.texels.push_back(0xff000000U | static_cast<std::uint32_t>(random() & 0xffffff));
+        const glm::vec2 uv(uniform(-2, 3), uniform(-2, 3));
+        const auto filter = static_cast<TextureFilter>(round / 3 % 3);
+        const double step = std::exp2(uniform(-4, 1));
+        const UvGradient gradient{{step, 0.1 * step}, {-0.3 * step, 0.7 * step}};
+        const std::vector<TexelRead> reads = texelReads(texture, uv, filter, gradient);
+        QCOMPARE(reads.size() % 4, std::size_t(filter == TextureFilter::Nearest ? 1 : 0));
+        glm::dvec3 sum(0);
+        double weights = 0;
+        for (const TexelRead& read : reads) {
+            sum += read.weight * glm::dvec3(unpackColor(read.color));
+            weights += read.weight;
+            levels.insert(read.level);
+            const MipLevels::Level& level = texture.mipLevels().levels[std::size_t(read.level)];
+            QCOMPARE(read.color, texture.mipLevels().texels[std::size_t(level.first + read.y * level.width + read.x)]);
+            if (!texture.clamp) {
+                QCOMPARE(std::fmod(std::fmod(read.column, level.width) + level.width, level.width), double(read.x));
+                QCOMPARE(std::fmod(std::fmod(read.row, level.height) + level.height, level.height), double(read.y));
+            }
+        }
+        QVERIFY(std::abs(weights - 1) < 1e-6);
+        const glm::vec3 color = sampleTexture(texture, uv, filter, gradient);
+        QVERIFY(glm::distance(sum, glm::dvec3(color)) < 1e-5);
+        if (filter == TextureFilter::Trilinear)
+            continue; // its levels are means of texels
+        for (std::size_t i = 0; i < texture.texels.size(); ++i) {
+            double weight = 0;
+            for (const TexelRead& read : reads)
+                weight += std::size_t(read.y * texture.width + read.x) == i ? read.weight : 0;
+            Texture other = texture;
+            other.texels[i] ^= 0xffffff;
+            const bool isChanged = glm::distance(sampleTexture(other, uv, filter, gradient), color) > 1e-6F;
+            if (weight == 0 || weight > 1e-3)
+                QCOMPARE(isChanged, weight > 0);
+        }
+    }
+    QVERIFY(levels.size() >= 3);
+}
+
+/// The parallelogram lies half of each step round the place. The steps are derivatives of quotients of two linear
+/// functions, computed here from the corners' own equations.
+void TestExactTexels::cornersAreExactDerivatives()
+{
+    std::mt19937_64 random(test::seedOfRun());
+    const auto uniform = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    int asked = 0;
+    for (int round = 0; round < 60; ++round) {
+        Scene scene = sceneOf(0, 1, 0, 1, 32);
+        scene.mesh.indices = {0, 1, 2};
+        glm::dmat3 system(1); // row k: x, y, 1 of corner k
+        glm::dvec3 numerators[2];
+        glm::dvec3 denominator;
+        for (int k = 0; k < 3; ++k) {
+            MeshVertex& vertex = scene.mesh.vertices[std::size_t(k)];
+            const double w = std::exp2(double(random() % 4));
+            const int x = int(random() % 4096);
+            const int y = int(random() % 4096);
+            vertex.position = {(x / 2048.0 - 1) * w, (1 - y / 2048.0) * w, 0, w};
+            vertex.uv = {uniform(-2, 2), uniform(-2, 2)};
+            for (int column = 0; column < 3; ++column)
+                system[column][k] = column == 0 ? x / 256.0 : column == 1 ? y / 256.0 : 1;
+            numerators[0][k] = double(vertex.uv.x) / w;
+            numerators[1][k] = double(vertex.uv.y) / w;
+            denominator[k] = 1 / w;
+        }
+        if (std::abs(glm::determinant(system)) < 8)
+            continue;
+        const glm::dmat3 solve = glm::inverse(system);
+        const glm::dvec3 d = solve * denominator;
+        for (int pixel = 0; pixel < kSide * kSide; pixel += 7) {
+            const int x = pixel % kSide;
+            const int y = pixel / kSide;
+            const WhyReport report = why(scene, scene.defaults, x, y);
+            if (!report.visibleFace)
+                continue;
+            const TexelFootprint& texels = *report.find(*report.visibleFace)->texels;
+            const glm::dvec3 centre(x + 0.5, y + 0.5, 1);
+            const double bottom = glm::dot(d, centre);
+            glm::dvec2 place;
+            glm::dvec2 right;
+            glm::dvec2 down;
+            for (int axis = 0; axis < 2; ++axis) {
+                const glm::dvec3 n = solve * numerators[axis];
+                const double top = glm::dot(n, centre);
+                place[axis] = 32 * top / bottom;
+                right[axis] = 32 * (n.x * bottom - top * d.x) / (bottom * bottom);
+                down[axis] = 32 * (n.y * bottom - top * d.y) / (bottom * bottom);
+            }
+            const double size = 1 + glm::length(place) + glm::length(right) + glm::length(down);
+            const std::array<glm::dvec2, 4> exact{place - (right + down) / 2.0, place + (right - down) / 2.0,
+                                                  place + (right + down) / 2.0, place + (down - right) / 2.0};
+            for (std::size_t i = 0; i < 4; ++i)
+                QVERIFY(glm::distance(texels.corners()[i], exact[i]) < 1e-5 * size);
+            ++asked;
+        }
+    }
+    QVERIFY(asked > 100);
+}
+
+/// What is drawn of the texture: the texels of a level, which hold the place, the corners and what was read of it.
+void TestExactTexels::patchesHoldWhatIsDrawn()
+{
+    for (const double texels : {0.05, 0.7, 3.0, 40.0, 700.0})
+        for (const TextureFilter filter : {TextureFilter::Nearest, TextureFilter::Bilinear, TextureFilter::Trilinear}) {
+            Scene scene = sceneOf(-0.4, texels / 64, 1, -0.5 * texels / 64, 64);
+            scene.defaults.textureFilter = filter;
+            const WhyReport report = why(scene, scene.defaults, 5, 6);
+            const TexelFootprint& footprint = *report.find(*report.visibleFace)->texels;
+            const TexelPatch& patch = footprint.patch;
+            QCOMPARE(patch.texels.size(), std::size_t(patch.size.width()) * std::size_t(patch.size.height()));
+            QVERIFY(patch.size.width() <= 200 && patch.size.height() <= 200);
+            const double scale = double(patch.levelSize.width()) / 64;
+            const auto holds = [&](const glm::dvec2& at) {
+                return at.x >= patch.column && at.x <= patch.column + patch.size.width() && at.y >= patch.row &&
+                       at.y <= patch.row + patch.size.height();
+            };
+            QVERIFY(holds(footprint.place * scale));
+            if (texels < 100)
+                for (const glm::dvec2& corner : footprint.corners())
+                    QVERIFY(holds(corner * scale));
+            for (const TexelRead& read : footprint.reads)
+                if (read.level == patch.level) {
+                    QVERIFY(holds({read.column, read.row}) && holds({read.column + 1, read.row + 1}));
+                    const auto at = static_cast<std::size_t>((read.row - patch.row) * patch.size.width() + read.column -
+                                                             patch.column);
+                    QCOMPARE(patch.texels[at], read.color);
+                }
+            QCOMPARE(footprint.filter, filter);
+        }
+    // The level alone is shown: nothing is read.
+    Scene scene = sceneOf(0, 2.0 / 64, 0, 0, 64);
+    scene.defaults.shading = Shading::MipLevel;
+    const WhyReport report = why(scene, scene.defaults, 3, 3);
+    const TexelFootprint& footprint = *report.find(*report.visibleFace)->texels;
+    QVERIFY(footprint.reads.empty() && !footprint.patch.texels.empty());
 }
 
 void TestExactTexels::levelsAreShownInColours()

@@ -105,7 +105,7 @@ static bool isRefused(const QLatin1String& variant, const Scene& scene)
         return false;
     if (patternSamples(s.samples) > 1 && s.attributeAt != AttributeAt::Centre)
         return true;
-    return scene.secondPassFrom > 0 || s.depthBias.isOn() || !s.depthRange.isWhole() ||
+    return scene.secondPassFrom > 0 || !scene.mesh.lines.empty() || s.depthBias.isOn() || !s.depthRange.isWhole() ||
            s.clipping == Clipping::DepthClamp || s.depthTest == DepthTest::Equal || s.depthTest == DepthTest::NotEqual;
 }
 

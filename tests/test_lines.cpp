@@ -43,7 +43,8 @@ std::set<std::pair<int, int>> edgesOf(const std::vector<ScreenTriangle>& triangl
         for (std::size_t i = 0; i < 3; ++i)
             for (const Plotted& p : line(settings.line, sampleOf(triangle.vertices[i].position),
                                          sampleOf(triangle.vertices[(i + 1) % 3].position)))
-                if (p.x >= 0 && p.y >= 0 && p.x < settings.size.width() * grid && p.y < settings.size.height() * grid)
+                if (triangle.drawsEdge(i) && p.x >= 0 && p.y >= 0 && p.x < settings.size.width() * grid &&
+                    p.y < settings.size.height() * grid)
                     samples.insert({p.x, p.y});
     return samples;
 }

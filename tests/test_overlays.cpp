@@ -53,6 +53,7 @@ class TestOverlays : public test::ViewsFixture
 private Q_SLOTS:
     void weightsAreThoseOfTheCard_data();
     void weightsAreThoseOfTheCard();
+    void footprintsAreThoseOfTheCard();
     void isoLinesHoldTheirWeight();
     void outlineIsThatOfTheOwner();
     void boxesHoldWhatIsCovered();
@@ -101,6 +102,35 @@ void TestOverlays::weightsAreThoseOfTheCard()
     QVERIFY(weights->screen == face->fragment->screen);
     if (face->fragment->shaded)
         QVERIFY(weights->used == face->fragment->weights);
+}
+
+/// The plate on the canvas speaks of the selected pixel, and of none where no texture is looked up.
+void TestOverlays::footprintsAreThoseOfTheCard()
+{
+    QVERIFY(openSmall(QStringLiteral("builtin:tile-square"), {120, 120}));
+    QVERIFY(change([](Settings& s) {
+        s.shading = Shading::Texture;
+        s.textureFilter = TextureFilter::Trilinear;
+    }));
+    QVERIFY(m_window->cards().show(QStringLiteral("why")));
+    const auto pixel = ownedPixel();
+    QVERIFY(pixel && choose(*pixel));
+    QVERIFY(!views().texels().footprint());
+    const QImage without = viewport().grab().toImage();
+    views().setOverlayNamed(QStringLiteral("texels"), true);
+    QVERIFY(complete());
+    const auto footprint = views().texels().footprint();
+    const auto report = m_window->cards().pixelCard().report();
+    QVERIFY(report && report->visibleFace);
+    QVERIFY(footprint);
+    const WhyFace* face = report->find(*report->visibleFace);
+    QVERIFY(face && face->texels);
+    QVERIFY(footprint->corners() == face->texels->corners());
+    QCOMPARE(footprint->reads.size(), face->texels->reads.size());
+    QVERIFY(footprint->patch.texels == face->texels->patch.texels);
+    QVERIFY(viewport().grab().toImage() != without);
+    QVERIFY(change([](Settings& s) { s.shading = Shading::Gouraud; }));
+    QVERIFY(complete() && !views().texels().footprint());
 }
 
 void TestOverlays::isoLinesHoldTheirWeight()

@@ -51,7 +51,7 @@ void remarkIfUnchanged(const Scene& scene, const Settings& settings)
         Settings asked = settings;
         field->set(asked, field->get(scene.defaults));
         const QString option = QStringLiteral("--%1 %2").arg(QLatin1String(field->id), valueId(*field, settings));
-        if (const auto inert = whyWithoutEffect(*field, settings))
+        if (const auto inert = whyWithoutEffect(*field, settings, !scene.mesh.lines.empty()))
             remark(option, *inert);
         else if (const auto why = whyUnchanged(*field, settings, asked, facts))
             remark(option, *why);

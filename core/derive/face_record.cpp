@@ -30,6 +30,8 @@ Scene withFaceAlone(const Scene& scene, std::uint32_t face)
     }
     if (!scene.mesh.faceMaterial.empty())
         alone.mesh.faceMaterial.push_back(scene.mesh.faceMaterial[face]);
+    if (scene.mesh.isLine(face))
+        alone.mesh.lines.push_back(0);
     return alone;
 }
 
@@ -85,6 +87,9 @@ std::optional<SampledTriangle> sampleInside(const FaceRecord& record, const Step
 
 [[noreturn]] void refuseUndrawn(const FaceRecord& record)
 {
+    if (record.scene().mesh.isLine(record.place().face))
+        throw NoDerivation{
+            Reason(QT_TRANSLATE_NOOP("Derive", "face %1 is a line, and covers no area"), {record.place().face})};
     const FateStep* fate = record.first<FateStep>();
     throw NoDerivation{Reason(QT_TRANSLATE_NOOP("Derive", "face %1 is not drawn: %2"),
                               {record.place().face, whyNotDrawn(fate != nullptr ? fate->fate : FaceFate::Rasterized)})};

@@ -103,6 +103,9 @@ private:
             {"coverage_rule", &Parser::coverageRule},
             {"zrange", &Parser::zRange},
             {"window", &Parser::window},
+            {"line_rule", &Parser::lineRule},
+            {"line_ties", &Parser::lineTies},
+            {"line", &Parser::line},
             {"tri", &Parser::tri},
             {"triuv", &Parser::triuv},
             {"texture", &Parser::texture},
@@ -118,8 +121,8 @@ private:
             {QT_TRANSLATE_NOOP("Diagnostic",
                                "%1 is not a directive; size, subpixel_bits, exact, cull, depth_test, depth_format, "
                                "depth_bias, depth_range, depth_clamp, depth_clear, second_pass, clear, ssaa, samples, "
-                               "attribute_at, coverage_rule, zrange, window, tri, triuv, texture, texture_filter, note "
-                               "or expect expected"),
+                               "attribute_at, coverage_rule, zrange, window, tri, triuv, line, line_rule, line_ties, "
+                               "texture, texture_filter, note or expect expected"),
              {quotedWord(m_directive)}});
     }
 
@@ -239,6 +242,21 @@ private:
         choice<CoverageRule>(kRules, m_scene.defaults.coverageRule);
     }
 
+    void lineRule()
+    {
+        static constexpr Word<LineRule> kRules[] = {{"inclusive", LineRule::Inclusive},
+                                                    {"half-open", LineRule::HalfOpen},
+                                                    {"diamond-exit", LineRule::DiamondExit}};
+        choice<LineRule>(kRules, m_scene.defaults.lineRule);
+    }
+
+    void lineTies()
+    {
+        static constexpr Word<LineTies> kTies[] = {{"by-direction", LineTies::ByDirection},
+                                                   {"canonical", LineTies::Canonical}};
+        choice<LineTies>(kTies, m_scene.defaults.lineTies);
+    }
+
     void clear()
     {
         const auto found = words<3>(QT_TRANSLATE_NOOP("Diagnostic", "red, green and blue"));
@@ -287,7 +305,8 @@ private:
         if (!words<0>(QT_TRANSLATE_NOOP("Diagnostic", "none")))
             return;
         if (m_scene.mesh.indices.empty() || m_scene.secondPassFrom > 0)
-            return fault(QT_TRANSLATE_NOOP("Diagnostic", "it stands once, behind the tri lines of the first pass"));
+            return fault(
+                QT_TRANSLATE_NOOP("Diagnostic", "it stands once, behind the triangles and lines of the first pass"));
         m_scene.secondPassFrom = static_cast<std::uint32_t>(m_scene.mesh.faceCount());
     }
 
@@ -335,24 +354,38 @@ private:
         return checker;
     }
 
-    void tri() { corners<7>(QT_TRANSLATE_NOOP("Diagnostic", "21 (x y z w r g b of three corners)")); }
-    void triuv() { corners<9>(QT_TRANSLATE_NOOP("Diagnostic", "27 (x y z w r g b u v of three corners)")); }
+    void tri() { corners<3, 7>(QT_TRANSLATE_NOOP("Diagnostic", "21 (x y z w r g b of three corners)")); }
+    void triuv() { corners<3, 9>(QT_TRANSLATE_NOOP("Diagnostic", "27 (x y z w r g b u v of three corners)")); }
 
-    /// Three corners of x y z w r g b, and u v if there are nine numbers. Positions may be non-finite: that is what
-    /// some cases are about.
-    template <std::size_t kPerCorner>
-    void corners(const char* expected)
+    /// A face from the first corner to the second, and back.
+    void line()
+    {
+        if (!corners<2, 7>(QT_TRANSLATE_NOOP("Diagnostic", "14 (x y z w r g b of both ends)")))
+            return;
+        Mesh& mesh = m_scene.mesh;
+        mesh.indices.push_back(mesh.indices.back());
+        mesh.lines.push_back(static_cast<std::uint32_t>(mesh.faceCount() - 1));
+    }
+
+    /// Corners of x y z w r g b, and u v if there are nine numbers. Positions may be non-finite: that is what some
+    /// cases are about.
+    ///
+    /// out  whether the statement is right
+    template <std::size_t kCorners, std::size_t kPerCorner>
+    bool corners(const char* expected)
     {
         constexpr std::size_t kPosition = 4;
-        const auto found = words<3 * kPerCorner>(expected);
+        const auto found = words<kCorners * kPerCorner>(expected);
         if (!found)
-            return;
-        std::array<float, 3 * kPerCorner> v{};
+            return false;
+        std::array<float, kCorners * kPerCorner> v{};
         for (std::size_t i = 0; i < v.size(); ++i) {
             const NumberText number = numberFromText((*found)[i]);
             const bool mayBeNonFinite = i % kPerCorner < kPosition;
-            if (number.fault != NumberFault::None && !(number.fault == NumberFault::NotFinite && mayBeNonFinite))
-                return fault(describe(number.fault, (*found)[i]));
+            if (number.fault != NumberFault::None && !(number.fault == NumberFault::NotFinite && mayBeNonFinite)) {
+                fault(describe(number.fault, (*found)[i]));
+                return false;
+            }
             v[i] = number.value;
         }
         for (std::size_t i = 0; i < v.size(); i += kPerCorner) {
@@ -363,6 +396,7 @@ private:
             if constexpr (kPerCorner > 7)
                 corner.uv = {v[i + 7], v[i + 8]};
         }
+        return true;
     }
 
     void note() { m_notes << text(trimmed(m_rest)); }
@@ -390,6 +424,12 @@ private:
                     m_windowLine,
                     {QT_TRANSLATE_NOOP("Diagnostic", "window: it is empty or not within the size %1 x %2"),
                      {viewport.width(), viewport.height()}});
+        }
+        if (!m_scene.mesh.lines.empty() && !m_scene.textures.empty()) { // lines have colours alone
+            m_scene.materials.emplace_back();
+            m_scene.mesh.faceMaterial.assign(m_scene.mesh.faceCount(), 0);
+            for (const std::uint32_t face : m_scene.mesh.lines)
+                m_scene.mesh.faceMaterial[face] = 1;
         }
         m_scene.note = m_notes.isEmpty() ? m_firstComment : m_notes.join(QLatin1Char('\n'));
         m_scene.bounds = boundingSphere(m_scene.mesh);

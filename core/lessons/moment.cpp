@@ -25,8 +25,8 @@ using Need = JsonFields::Need;
 
 constexpr const char* kPanels[] = {"why",    "vertices", "clip",       "curves",  "race",
                                    "derive", "cases",    "experiment", "mistakes"};
-constexpr const char* kOverlays[] = {"grid",  "samples",     "numbers",  "wireframe",    "outline", "boxes",
-                                     "tiles", "barycentric", "mid-line", "depth-beside", "referee", "none"};
+constexpr const char* kOverlays[] = {"grid",        "samples",  "numbers", "wireframe",    "outline", "boxes", "tiles",
+                                     "barycentric", "mid-line", "texels",  "depth-beside", "referee", "none"};
 constexpr const char* kCompareViews[] = {"off", "wipe", "blink", "difference"};
 constexpr const char* kCompareWiths[] = {"right", "scene"};
 

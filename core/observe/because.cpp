@@ -323,11 +323,16 @@ struct SampleLine {
     [[nodiscard]] bool runsLeft() const { return from.x > to.x; }
 };
 
-std::array<SampleLine, 3> linesOf(const ScreenTriangle& triangle)
+/// The lines that a triangle draws.
+std::vector<SampleLine> linesOf(const ScreenTriangle& triangle)
 {
     const auto& [a, b, c] = triangle.vertices;
     const std::array<GridPoint, 3> at{sampleOf(a.position), sampleOf(b.position), sampleOf(c.position)};
-    return {SampleLine{at[0], at[1]}, SampleLine{at[1], at[2]}, SampleLine{at[2], at[0]}};
+    std::vector<SampleLine> lines;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (triangle.drawsEdge(i))
+            lines.push_back({at[i], at[(i + 1) % 3]});
+    return lines;
 }
 
 /// Whether a decision about a line is made at its right end, or leads there.
@@ -352,7 +357,7 @@ bool drawOtherLines(const Rules& rules, const StepLog& log, const StepEvent& eve
 {
     if (event.kind == StepKind::LineSample)
         return rules.lineAdvance != log.rightRules().lineAdvance;
-    const std::array<SampleLine, 3> lines = linesOf(log.triangle(event)->screen);
+    const std::vector<SampleLine> lines = linesOf(log.triangle(event)->screen);
     if (event.kind == StepKind::Triangle)
         return !rules.rightLineEnds || std::ranges::any_of(lines, [&](const SampleLine& line) {
             return (rules.lineOctants >> octantOf(line.from, line.to) & 1U) == 0;
@@ -400,7 +405,7 @@ StepKinds kindsFor(const StepLog& log, const StepEvent& event)
 std::vector<const Mistake*> becauseOf(const StepLog& log, std::size_t i)
 {
     const StepEvent& event = log.event(i);
-    if (log.rules().fill == Fill::Wireframe && !isFirstPass(log.rules(), event.face) && isAboutLines(event.kind))
+    if (isAboutLines(event.kind) && passRules(log.rules(), event.face).fill == Fill::Wireframe)
         return becauseOfLines(log, event);
     std::vector<const Mistake*> causes;
     const StepKinds kinds = kindsFor(log, event);

@@ -29,7 +29,7 @@ double nearDistance(const Rules& rules)
 } // namespace
 
 CountingObserver::CountingObserver(const Rules& rules)
-    : m_columns(rules.columns()), m_rows(rules.rows()), m_isFilled(rules.fill == Fill::Solid),
+    : m_rules(rules), m_columns(rules.columns()), m_rows(rules.rows()), m_isFilled(rules.fill == Fill::Solid),
       m_firstPassFaces(rules.firstPassFaces), m_nearDistance(nearDistance(rules))
 {
 }
@@ -51,9 +51,10 @@ void CountingObserver::onClipped(std::uint32_t, int pieces)
     m_statistics.faces.createdByClipping += static_cast<std::uint64_t>(pieces);
 }
 
-void CountingObserver::onTriangle(const ScreenTriangle& triangle)
+void CountingObserver::beginTriangle(const ScreenTriangle& triangle)
 {
     m_sample = 0;
+    m_isLine = triangle.isLine;
     for (std::size_t i = 0; i < 3; ++i)
         m_positions[i] = triangle.vertices[i].position;
     const double area2 = twiceArea(m_positions[0], m_positions[1], m_positions[2]);
@@ -75,7 +76,7 @@ void CountingObserver::onFragment(const Fragment& fragment, float, bool passedDe
         }
         return;
     }
-    if (!m_isFilled && fragment.face >= m_firstPassFaces)
+    if (m_isLine || (!m_isFilled && fragment.face >= m_firstPassFaces))
         return;
     for (std::size_t i = 0; i < 3; ++i) {
         if (fragment.screen[i] > m_nearEdge[i])

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/observe/line_count.h"
 #include "core/pipeline/observer.h"
 #include "core/pipeline/statistics.h"
 #include "core/settings/rules.h"
@@ -23,7 +24,13 @@ public:
 
     void onFace(std::uint32_t, FaceFate fate);
     void onClipped(std::uint32_t, int pieces);
-    void onTriangle(const ScreenTriangle& triangle);
+    void onTriangle(const ScreenTriangle& triangle)
+    {
+        beginTriangle(triangle);
+        countLines(triangle, m_rules, m_statistics.lines);
+    }
+    /// Takes a triangle that was counted before, by which its samples are told.
+    void beginTriangle(const ScreenTriangle& triangle);
     void onPatternSample(int sample) { m_sample = sample; }
     void onSpan(int, int xBegin, int xEnd, const SpanEnds&)
     {
@@ -50,9 +57,11 @@ private:
         std::size_t operator()(const EdgeHit& hit) const;
     };
 
+    Rules m_rules;
     int m_columns;
     int m_rows;
     int m_sample = 0;               ///< of a pattern
+    bool m_isLine = false;          ///< the triangle is a line of the scene
     bool m_isFilled;                ///< false: lines and corners belong to both faces, no tie rule parts them
     std::uint32_t m_firstPassFaces; ///< these are filled, whatever the others are
     double m_nearDistance;          ///< samples covered so close to an edge, in samples, are looked at for a second hit

@@ -10,6 +10,8 @@ std::optional<LineOfTriangle> lineOf(const ScreenTriangle& triangle, const LineD
     const auto sampleOf = [&](std::size_t i) { return glm::ivec2(glm::floor(triangle.vertices[i].position)); };
     const int axis = decision.steep ? 1 : 0;
     for (std::size_t i = 0; i < 3; ++i) {
+        if (!triangle.drawsEdge(i))
+            continue;
         glm::ivec2 from = sampleOf(i);
         glm::ivec2 to = sampleOf((i + 1) % 3);
         if (!rules.lineTiesByDirection && std::pair(from.y, from.x) > std::pair(to.y, to.x))

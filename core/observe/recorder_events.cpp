@@ -141,14 +141,19 @@ void StepRecorder::onFacing(std::uint32_t, const FacingDecision& decision)
 void StepRecorder::onTriangle(const ScreenTriangle& triangle)
 {
     endTriangle();
-    m_counter.onTriangle(triangle);
+    if (m_isResuming)
+        m_counter.beginTriangle(triangle);
+    else
+        m_counter.onTriangle(triangle);
     m_isLine = false;
     m_sample = 0;
     m_now.calls = m_now.callsBeforeLine = 0;
     m_now.line = std::numeric_limits<int>::min();
     m_previousX = m_previousY = -2;
-    if (!isFaceWanted())
+    if (!isFaceWanted()) {
+        m_gap = true; // its lines are counted
         return;
+    }
     if (m_filter.pixels && !m_triangleKept)
         rollBack(m_triangleMark);
     if (isBeforeWindow())
@@ -323,7 +328,8 @@ void StepRecorder::onFragment(const Fragment& fragment, float storedDepth, bool 
     flags |= flagIf(passed, StepEvent::kPassed);
     flags |= flagIf(isSecondHit, StepEvent::kHitTwice);
     flags |= flagIf(!m_planes->ownDepth.empty() && m_planes->ownDepth[sample] != storedDepth, StepEvent::kSharedDepth);
-    flags |= flagIf(m_rules.depthInLockstep && !m_planes->depth.empty() && m_planes->depth[sample] != storedDepth,
+    flags |= flagIf(m_rules.depthInLockstep && m_rules.depthTested && !m_planes->depth.empty() &&
+                        m_planes->depth[sample] != storedDepth,
                     StepEvent::kSharedDepth);
     storeWith(sampleEvent(StepKind::Fragment, fragment.x, fragment.y, flags), [&] {
         FragmentStep step{fragment.screen, weights, invW, fragment.depth, storedDepth, {}, shaded};

@@ -1,5 +1,6 @@
 #include "core/observe/step_log.h"
 
+#include "core/observe/line_count.h"
 #include "core/pipeline/fate_count.h"
 #include "core/pipeline/triangle_setup.h"
 
@@ -182,6 +183,7 @@ void StepLog::count(const StepEvent& event, Statistics& statistics) const
         ++(event.has(StepEvent::kPassed) ? pixels.depthPassed : pixels.depthFailed);
         pixels.coveredTwice += event.has(StepEvent::kHitTwice) ? 1 : 0;
         break;
+    case StepKind::Triangle: countLines(triangle(event)->screen, m_rules, statistics.lines); break;
     case StepKind::Shade: ++pixels.shaded; break;
     case StepKind::Write: ++pixels.written; break;
     case StepKind::Vertex:
@@ -189,7 +191,6 @@ void StepLog::count(const StepEvent& event, Statistics& statistics) const
     case StepKind::CohenSutherland:
     case StepKind::Viewport:
     case StepKind::Facing:
-    case StepKind::Triangle:
     case StepKind::Setup:
     case StepKind::Outline:
     case StepKind::Walk:

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -14,6 +15,8 @@ namespace rasterlens
 {
 namespace
 {
+
+constexpr std::uint32_t kNotDrawn = std::numeric_limits<std::uint32_t>::max(); ///< in place of a triangle's number
 
 bool isFinite(const glm::dvec4& p)
 {
@@ -126,11 +129,25 @@ int FaceStages::appendFan(std::uint32_t face, std::span<const ScreenVertex> poly
         const auto [a, b, c] = std::tuple(outline.corners[0], outline.corners[i], outline.corners[i + 1]);
         const double pieceArea2 = cornerArea2(polygon, a, b, c);
         if (pieceArea2 != 0) {
-            out.push_back({{polygon[a], polygon[b], polygon[c]}, face, pieceArea2});
+            out.push_back({{polygon[a], polygon[b], polygon[c]}, face, pieceArea2, false, 0});
             ++pieces;
         }
     }
     return pieces;
+}
+
+FaceFate FaceStages::appendCutLine(std::uint32_t face, const ClipPolygon& polygon,
+                                   std::span<const ScreenVertex> vertices, std::vector<ScreenTriangle>& out)
+{
+    const auto count = static_cast<std::size_t>(polygon.count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t next = (i + 1) % count;
+        if (polygon.corners[i].leaving != kEdgeAB || polygon.corners[next].arriving != kEdgeAB)
+            continue;
+        out.push_back({{vertices[i], vertices[next], vertices[next]}, face, 0, true, 0});
+        return FaceFate::Rasterized;
+    }
+    return FaceFate::Rejected;
 }
 
 double FaceStages::facingElsewhere(std::uint32_t face, const Corners& corners) const
@@ -157,7 +174,7 @@ void FaceStages::giveWOfCorners(const Corners& corners, std::span<ScreenTriangle
 }
 
 Geometry::Geometry(const Scene& scene, const Matrices& matrices, const Rules& rules)
-    : m_scene(&scene), m_rules(rules), m_stages(scene, matrices, rules)
+    : m_scene(&scene), m_rules(rules), m_stages(scene, matrices, rules), m_sharing(rules)
 {
     m_vertices.reserve(scene.mesh.vertices.size());
     for (std::size_t i = 0; i < scene.mesh.vertices.size(); ++i) {
@@ -165,6 +182,41 @@ Geometry::Geometry(const Scene& scene, const Matrices& matrices, const Rules& ru
         shadeVertexAt(scene, matrices, rules, i, vertex.clip);
         m_stages.processVertex(vertex);
     }
+    if (rules.fill == Fill::Wireframe && rules.sharedEdgesOnce)
+        findSharedEdges();
+}
+
+/// Takes all faces through the stages once, in the order they are drawn in.
+void Geometry::findSharedEdges()
+{
+    std::vector<std::uint32_t> first(m_scene->mesh.faceCount(), kNotDrawn);
+    std::vector<ScreenTriangle> triangles;
+    NullObserver nobody;
+    for (const std::uint32_t face : order()) {
+        if (isFirstPass(m_rules, face)) // it is filled
+            continue;
+        triangles.clear();
+        const FaceFate fate = process(face, triangles, nobody);
+        if (fate == FaceFate::Rejected && !m_rules.continuesAfterReject)
+            break;
+        bool isFirst = true;
+        for (const ScreenTriangle& triangle : triangles) {
+            if (triangle.isLine)
+                continue;
+            const std::uint32_t number = m_sharing.add(triangle);
+            if (std::exchange(isFirst, false))
+                first[face] = number;
+        }
+    }
+    m_firstTriangle = std::move(first);
+}
+
+void Geometry::markSharedEdges(std::uint32_t face, std::span<ScreenTriangle> pieces) const
+{
+    if (m_firstTriangle[face] == kNotDrawn)
+        return;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        pieces[i].sharedEdges = m_sharing.of(m_firstTriangle[face] + static_cast<std::uint32_t>(i));
 }
 
 std::vector<std::uint32_t> Geometry::order() const

@@ -2,6 +2,7 @@
 #include "core/pipeline/clipping.h"
 #include "core/pipeline/culling.h"
 #include "core/pipeline/depth_bias.h"
+#include "core/pipeline/edge_sharing.h"
 #include "core/pipeline/interpolation.h"
 #include "core/pipeline/observer.h"
 #include "core/pipeline/unsnapped.h"
@@ -84,14 +85,15 @@ private:
             return FaceFate::Degenerate;
         for (std::uint32_t i = 0; i < 3; ++i)
             observer.onViewport(face, static_cast<int>(i), corners[i]->clip, corners[i]->screen);
+        if (isLine(face)) {
+            out.push_back({{a.screen, b.screen, b.screen}, face, 0, true, 0});
+            return FaceFate::Rasterized;
+        }
         const double area2 = twiceArea(a.screen.position, b.screen.position, c.screen.position);
         const FaceFate fate = facing(face, corners, area2, observer);
         if (fate == FaceFate::Rasterized) {
-            ScreenTriangle& triangle = out.emplace_back();
-            for (std::size_t i = 0; i < 3; ++i)
-                triangle.vertices[i] = corners[i]->screen;
-            triangle.face = face;
-            triangle.area2 = area2;
+            out.push_back({{a.screen, b.screen, c.screen}, face, area2, false, 0});
+            ScreenTriangle& triangle = out.back();
             if (isBiased(face))
                 bias(triangle.vertices, std::span(&triangle, 1));
         }
@@ -110,6 +112,13 @@ private:
             vertices[count] = screenVertex(clipper, count);
             observer.onViewport(face, static_cast<int>(count), vertex, vertices[count]);
             ++count;
+        }
+        if (isLine(face)) {
+            const FaceFate fate = appendCutLine(face, clipper.polygon(), vertices, out);
+            observer.onClipped(face, fate == FaceFate::Rasterized ? 1 : 0);
+            if (!m_rules.clipUpdatesW)
+                giveWOfCorners(corners, std::span(out).last(fate == FaceFate::Rasterized ? 1 : 0));
+            return fate;
         }
         const std::span<const ScreenVertex> polygon(vertices.data(), count);
         const double area2 = twicePolygonArea(polygon);
@@ -186,6 +195,8 @@ private:
         return m_rules.depthBias.isOn() && !isFirstPass(m_rules, face);
     }
 
+    [[nodiscard]] bool isLine(std::uint32_t face) const { return m_scene->mesh.isLine(face); }
+
     /// Adds the depth bias of a face's polygon to the triangles made of it.
     void bias(std::span<const ScreenVertex> polygon, std::span<ScreenTriangle> triangles) const
     {
@@ -209,6 +220,10 @@ private:
     /// out   the number of triangles
     int appendFan(std::uint32_t face, std::span<const ScreenVertex> polygon, double area2,
                   std::vector<ScreenTriangle>& out) const;
+
+    /// What clipping has left of a line: of its polygon, in which B is there twice, the edge that lies on AB.
+    static FaceFate appendCutLine(std::uint32_t face, const ClipPolygon& polygon,
+                                  std::span<const ScreenVertex> vertices, std::vector<ScreenTriangle>& out);
 
     /// Gives the pieces of a cut face the w of the face's vertices, as if there had been no cut.
     static void giveWOfCorners(const Corners& corners, std::span<ScreenTriangle> pieces);
@@ -238,6 +253,8 @@ public:
         if (m_rules.cornerData != CornerData::Own)
             for (ScreenTriangle& piece : std::span(out).subspan(before))
                 piece = withCornerData(piece, m_rules.cornerData);
+        if (!m_firstTriangle.empty())
+            markSharedEdges(face, std::span(out).subspan(before));
         observer.onFace(face, fate);
         return fate;
     }
@@ -267,10 +284,16 @@ private:
         return m_vertices[m_scene->mesh.indices[3 * face + i]];
     }
 
+    void findSharedEdges();
+    void markSharedEdges(std::uint32_t face, std::span<ScreenTriangle> pieces) const;
+
     const Scene* m_scene;
     Rules m_rules;
     FaceStages m_stages;
     std::vector<ProcessedVertex> m_vertices;
+    EdgeSharing m_sharing;
+    std::vector<std::uint32_t>
+        m_firstTriangle; ///< of each face, the number of its first triangle in m_sharing; empty: none is shared
 };
 
 } // namespace rasterlens

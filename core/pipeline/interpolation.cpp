@@ -130,6 +130,8 @@ double FaceInterpolation::depthOf(const Weights& screen) const
 
 UvGradient FaceInterpolation::uvGradient(const Weights& screen, const Weights& weights, std::size_t at) const
 {
+    if (m_triangle->isLine)
+        return {};
     const auto& v = m_triangle->vertices;
     glm::dvec2 center(0);
     double inverseW = 0;

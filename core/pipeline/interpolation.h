@@ -54,7 +54,8 @@ public:
     /// Values of the edge functions AB, BC, CA of a TriangleSetup in fixed point.
     using EdgeIntegers = std::array<std::int64_t, 3>;
 
-    /// in   a triangle whose area2 != 0; whose depths are ignored must not be asked for one
+    /// in   a triangle whose area2 != 0, or a line, of which only points known by their weights may be asked for; whose
+    ///      depths are ignored must not be asked for one
     FaceInterpolation(const ScreenTriangle& triangle, double area2, const Rules& rules, DepthUse use = DepthUse::Read);
 
     /// Screen-space barycentric weights at the centre of sample (x, y): edge value over area.
@@ -134,7 +135,7 @@ public:
             out[k] = varying(k, weights);
     }
 
-    /// The derivatives, at a sample, of the two varyings from `at` on.
+    /// The derivatives, at a sample, of the two varyings from `at` on; 0 on a line, which has none across itself.
     ///
     /// in   weights of that sample, on the screen and after perspective()
     [[nodiscard]] UvGradient uvGradient(const Weights& screen, const Weights& weights, std::size_t at) const;

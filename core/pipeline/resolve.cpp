@@ -79,6 +79,16 @@ void carryMaskUv(Rules& rules)
     rules.varyingCount = std::max(rules.varyingCount, rules.maskUv + 2);
 }
 
+void resolveLines(const Settings& settings, const Scene& scene, Rules& rules)
+{
+    rules.line = settings.line;
+    rules.lineRule = settings.lineRule;
+    rules.lineTiesByDirection = settings.lineTies == LineTies::ByDirection;
+    rules.sharedEdgesOnce = settings.sharedEdges == SharedEdges::Once;
+    if (!scene.mesh.lines.empty())
+        rules.lineFaces = std::make_shared<const std::vector<std::uint32_t>>(scene.mesh.lines);
+}
+
 /// The rules without the mistakes.
 Rules rightRules(const Settings& settings, const Scene& scene, const Matrices& matrices)
 {
@@ -115,9 +125,7 @@ Rules rightRules(const Settings& settings, const Scene& scene, const Matrices& m
     rules.algorithm = settings.algorithm;
     rules.stepping = settings.stepping;
     rules.fill = settings.fill;
-    rules.line = settings.line;
-    rules.lineRule = settings.lineRule;
-    rules.lineTiesByDirection = settings.lineTies == LineTies::ByDirection;
+    resolveLines(settings, scene, rules);
     rules.coverageRule = settings.coverageRule;
     rules.tie = thresholdsFor(settings);
 

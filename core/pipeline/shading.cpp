@@ -1,5 +1,6 @@
 #include "core/pipeline/shading.h"
 
+#include "core/pipeline/texel_reads.h"
 #include "core/scene/texel_border.h"
 
 #include <algorithm>
@@ -62,24 +63,42 @@ struct TexelView {
     [[nodiscard]] glm::vec3 at(int x, int y) const { return unpackColor(texels[std::ptrdiff_t(y) * width + x]); }
 };
 
+/// The number of the nearest texel along an axis, before it is wrapped or clamped.
+double nearestIndex(float coordinate, int size, const TexelRules& rules)
+{
+    const float texels = coordinate * static_cast<float>(size);
+    return double(rules.floored ? texelFloor(texels) : std::trunc(texels));
+}
+
 glm::vec3 nearestTexel(const TexelView& view, const glm::vec2& uv)
 {
     const auto index = [&](float coordinate, int size) {
-        const float texels = coordinate * static_cast<float>(size);
-        return view.index(double(view.rules->floored ? texelFloor(texels) : std::trunc(texels)), size);
+        return view.index(nearestIndex(coordinate, size, *view.rules), size);
     };
     return view.at(index(uv.x, view.width), index(uv.y, view.height));
 }
 
-/// A blend of the four texel centres around the point.
-glm::vec3 bilinear(const TexelView& view, const glm::vec2& uv)
+/// Where a point lies among the centres of four texels.
+struct Blend {
+    double left; ///< the number of the left column, before it is wrapped or clamped
+    double below;
+    float s; ///< how far the point is on the way to the right column, 0..1
+    float t;
+};
+
+Blend blendAt(const TexelView& view, const glm::vec2& uv)
 {
     const double u = double(uv.x) * view.width - view.rules->centre;
     const double v = double(uv.y) * view.height - view.rules->centre;
     const double left = std::floor(u);
     const double below = std::floor(v);
-    const float s = static_cast<float>(u - left);
-    const float t = static_cast<float>(v - below);
+    return {left, below, static_cast<float>(u - left), static_cast<float>(v - below)};
+}
+
+/// A blend of the four texel centres around the point.
+glm::vec3 bilinear(const TexelView& view, const glm::vec2& uv)
+{
+    const auto [left, below, s, t] = blendAt(view, uv);
     const int x0 = view.index(left, view.width);
     const int x1 = view.index(left + 1, view.width);
     const int y0 = view.index(below, view.height);
@@ -87,18 +106,50 @@ glm::vec3 bilinear(const TexelView& view, const glm::vec2& uv)
     return glm::mix(glm::mix(view.at(x0, y0), view.at(x1, y0), s), glm::mix(view.at(x0, y1), view.at(x1, y1), s), t);
 }
 
-/// A blend of the two mip levels between which the samples lie as close as texels.
-glm::vec3 trilinear(const Texture& texture, const glm::vec2& uv, const UvGradient& gradient, const TexelRules& rules)
+TexelView levelView(const Texture& texture, int level, const TexelRules& rules)
 {
     const MipLevels& mips = texture.mipLevels();
-    const auto last = static_cast<int>(mips.levels.size()) - 1;
+    const MipLevels::Level& m = mips.levels[static_cast<std::size_t>(level)];
+    return {mips.texels.data() + m.first, m.width, m.height, texture.clamp, &rules};
+}
+
+/// The two mip levels between which the samples lie as close as texels.
+struct BlendedLevels {
+    int finer;
+    int coarser;
+    float share; ///< of the coarser one
+};
+
+BlendedLevels levelsAt(const Texture& texture, const UvGradient& gradient, const TexelRules& rules)
+{
+    const auto last = static_cast<int>(texture.mipLevels().levels.size()) - 1;
     const float level = std::min(mipLevel(texture, gradient, rules), static_cast<float>(last));
     const auto finer = static_cast<int>(level);
-    const auto sample = [&](int l) {
-        const MipLevels::Level& m = mips.levels[static_cast<std::size_t>(l)];
-        return bilinear({mips.texels.data() + m.first, m.width, m.height, texture.clamp, &rules}, uv);
-    };
-    return glm::mix(sample(finer), sample(std::min(finer + 1, last)), level - static_cast<float>(finer));
+    return {finer, std::min(finer + 1, last), level - static_cast<float>(finer)};
+}
+
+glm::vec3 trilinear(const Texture& texture, const glm::vec2& uv, const UvGradient& gradient, const TexelRules& rules)
+{
+    const BlendedLevels levels = levelsAt(texture, gradient, rules);
+    return glm::mix(bilinear(levelView(texture, levels.finer, rules), uv),
+                    bilinear(levelView(texture, levels.coarser, rules), uv), levels.share);
+}
+
+TexelRead readOf(const TexelView& view, int level, double column, double row, double weight)
+{
+    TexelRead read{level, column, row, view.index(column, view.width), view.index(row, view.height), weight, 0};
+    read.color = view.texels[std::ptrdiff_t(read.y) * view.width + read.x];
+    return read;
+}
+
+void addBlend(const TexelView& view, int level, const glm::vec2& uv, double weight, std::vector<TexelRead>& reads)
+{
+    const Blend blend = blendAt(view, uv);
+    for (const int up : {0, 1})
+        for (const int right : {0, 1}) {
+            const double share = double(right != 0 ? blend.s : 1 - blend.s) * double(up != 0 ? blend.t : 1 - blend.t);
+            reads.push_back(readOf(view, level, blend.left + right, blend.below + up, weight * share));
+        }
 }
 
 /// What a byte keeps of 255 * c, as a colour of 0..1.
@@ -278,6 +329,29 @@ glm::vec3 sampleTexture(const Texture& texture, const glm::vec2& uv, TextureFilt
     case TextureFilter::Trilinear: break;
     }
     return trilinear(texture, uv, gradient, rules);
+}
+
+std::vector<TexelRead> texelReads(const Texture& texture, const glm::vec2& uv, TextureFilter filter,
+                                  const UvGradient& gradient, const TexelRules& rules)
+{
+    std::vector<TexelRead> reads;
+    const TexelView view{texture.texels.data(), texture.width, texture.height, texture.clamp, &rules};
+    switch (filter) {
+    case TextureFilter::Nearest:
+        reads.push_back(
+            readOf(view, 0, nearestIndex(uv.x, view.width, rules), nearestIndex(uv.y, view.height, rules), 1));
+        break;
+    case TextureFilter::Bilinear: addBlend(view, 0, uv, 1, reads); break;
+    case TextureFilter::Trilinear: {
+        const BlendedLevels levels = levelsAt(texture, gradient, rules);
+        const auto share = double(levels.share);
+        addBlend(levelView(texture, levels.finer, rules), levels.finer, uv, 1 - share, reads);
+        if (levels.coarser != levels.finer)
+            addBlend(levelView(texture, levels.coarser, rules), levels.coarser, uv, share, reads);
+        break;
+    }
+    }
+    return reads;
 }
 
 UvGradient wrappedGradient(const glm::vec2& uv, const UvGradient& gradient)

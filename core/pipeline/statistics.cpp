@@ -37,12 +37,14 @@ QJsonObject toJson(const Statistics& statistics, const StageTimes& times, const 
 {
     const QJsonObject milliseconds{
         {"vertex", times.vertex}, {"geometry", times.geometry}, {"raster", times.raster}, {"total", times.total}};
-    return {{"faces", facesToJson(statistics.faces)},
-            {"pixels", pixelsToJson(statistics.pixels)},
-            {"milliseconds", milliseconds},
-            {"settings", toJson(settings)},
-            {"threads", drawnWith.threads},
-            {"simd", valueId(*findSettingsField(QStringLiteral("simd")), drawnWith)}};
+    return {
+        {"faces", facesToJson(statistics.faces)},
+        {"pixels", pixelsToJson(statistics.pixels)},
+        {"lines", QJsonObject{{"drawn", count(statistics.lines.drawn)}, {"shared", count(statistics.lines.shared)}}},
+        {"milliseconds", milliseconds},
+        {"settings", toJson(settings)},
+        {"threads", drawnWith.threads},
+        {"simd", valueId(*findSettingsField(QStringLiteral("simd")), drawnWith)}};
 }
 
 } // namespace rasterlens

@@ -38,6 +38,13 @@ struct Statistics {
         friend bool operator==(const Pixels&, const Pixels&) = default;
     } pixels;
 
+    /// Lines of the wireframe, and those of the scene.
+    struct Lines {
+        std::uint64_t drawn = 0;
+        std::uint64_t shared = 0; ///< edges that were not drawn because another face draws them
+        friend bool operator==(const Lines&, const Lines&) = default;
+    } lines;
+
     friend bool operator==(const Statistics&, const Statistics&) = default;
 };
 

@@ -67,7 +67,15 @@ struct ScreenVertex {
 struct ScreenTriangle {
     std::array<ScreenVertex, 3> vertices;
     std::uint32_t face;
-    double area2; ///< twice the signed area in samples squared, positive for counter-clockwise with y up
+    double area2;             ///< twice the signed area in samples squared, positive for counter-clockwise with y up
+    bool isLine;              ///< from A to B; C is B once more
+    std::uint8_t sharedEdges; ///< wireframe: edges that another face draws, bit 0: AB, bit 1: BC, bit 2: CA
+
+    /// Whether the wireframe of the triangle draws the edge from a corner to the next one.
+    [[nodiscard]] bool drawsEdge(std::size_t corner) const
+    {
+        return isLine ? corner == 0 : (sharedEdges >> corner & 1U) == 0;
+    }
 };
 
 /// Screen-space barycentric weights of the vertices A, B, C; they sum to 1.

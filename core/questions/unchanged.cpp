@@ -87,7 +87,7 @@ private:
 std::optional<SampleFacts> sampleFacts(const Scene& scene, const Settings& settings, const std::stop_token& stop)
 {
     const bool isExact = settings.numberType == NumberType::Fixed || settings.algorithm == Algorithm::EdgeEquation;
-    if (settings.fill != Fill::Solid || settings.algorithm == Algorithm::ColumnFill ||
+    if (settings.fill != Fill::Solid || !scene.mesh.lines.empty() || settings.algorithm == Algorithm::ColumnFill ||
         settings.attributePath != AttributePath::Planes || !isExact)
         return std::nullopt;
     Settings asked = settings;
@@ -298,11 +298,11 @@ std::optional<Reason> whenNotOfPatterns(const char* id, const Settings& settings
 }
 
 /// Reasons that lie in the settings alone.
-std::optional<Reason> whenNotAsked(const char* id, const Settings& settings)
+std::optional<Reason> whenNotAsked(const char* id, const Settings& settings, const FrameFacts& facts)
 {
     if (isOneOf(id, "steep-columns", "steep-step", "integer-weight", "missing-octant", "missing-last-pixel",
                 "line-tie-by-direction") &&
-        settings.fill != Fill::Wireframe)
+        settings.fill != Fill::Wireframe && !facts.hasLines)
         return Reason(QT_TRANSLATE_NOOP("Diagnostic", "no lines are drawn"));
     if (isOneOf(id, "centre-outside", "centroid-gradient", "resolved-by-face"))
         return whenNotOfPatterns(id, settings);
@@ -342,6 +342,7 @@ FrameFacts frameFacts(const Scene& scene, const Settings& settings, FactsOf what
     facts.noneOutside = !heard.someCut && !heard.someLost;
     facts.allFront = heard.someFront && !heard.someBack;
     facts.allBack = heard.someBack && !heard.someFront;
+    facts.hasLines = !scene.mesh.lines.empty();
     facts.noCamera = scene.space == SceneSpace::Clip;
     facts.orthographic = resolved.matrices.orthographic;
     facts.noMask = std::ranges::none_of(scene.materials, [](const Material& material) { return material.mask >= 0; });
@@ -400,7 +401,7 @@ std::optional<Reason> whyLightUnchanged(const Scene& scene, const Settings& sett
 std::optional<Reason> whyUnchanged(const Mistake& mistake, const Settings& settings, const FrameFacts& facts)
 {
     const char* id = mistake.id;
-    std::optional<Reason> why = whenNotAsked(id, settings);
+    std::optional<Reason> why = whenNotAsked(id, settings, facts);
     if (!why && isOneOf(id, "affine", "w-lost", "w-not-inverted", "z-corrected", "w-before-clipping"))
         why = whenEqualW(facts);
     if (!why && isOneOf(id, "order-reversed", "rotation-inverted", "translate-by-target", "near-negative") &&

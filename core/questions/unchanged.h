@@ -30,6 +30,7 @@ struct FrameFacts {
     bool allBack = false;          ///< each face that has an area is a back face
     bool noMask = false;           ///< no material has a mask
     bool noTexture = false;        ///< no material has a texture
+    bool hasLines = false;         ///< some faces are lines
     bool noCamera = false;         ///< the scene is given in clip space
     bool orthographic = false;     ///< the camera is
 

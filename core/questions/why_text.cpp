@@ -35,9 +35,10 @@ QString verdictText(const WhyReport& report, const WhyFace& row)
             .arg(row.verdict == WhyVerdict::CulledBack ? QStringLiteral("back") : QStringLiteral("front"),
                  QLatin1String(facingId(row.facing->by)), fullNumber(row.facing->value));
     case WhyVerdict::Degenerate:
-        return row.facing->screenArea == 0 ? QStringLiteral("degenerate: no area on the screen")
-                                           : QStringLiteral("degenerate: its area on the screen, %1, counts as none")
-                                                 .arg(fullNumber(row.facing->screenArea / 2));
+        return !row.facing || row.facing->screenArea == 0
+                   ? QStringLiteral("degenerate: no area on the screen")
+                   : QStringLiteral("degenerate: its area on the screen, %1, counts as none")
+                         .arg(fullNumber(row.facing->screenArea / 2));
     case WhyVerdict::ClippedAway: return QStringLiteral("clipped away by %1").arg(planesText(row.planes));
     case WhyVerdict::OutsideEdge:
         if (const Rules pass = passRules(report.rules, row.face); !pass.coversByCentres())
@@ -86,6 +87,27 @@ QJsonValue finiteOrText(double value)
     return std::isfinite(value) ? QJsonValue(value) : QJsonValue(fullNumber(value));
 }
 
+QJsonObject texelsToJson(const TexelFootprint& texels)
+{
+    const auto pair = [](const glm::dvec2& v) { return QJsonArray{finiteOrText(v.x), finiteOrText(v.y)}; };
+    QJsonArray reads;
+    for (const TexelRead& read : texels.reads)
+        reads << QJsonObject{{"level", read.level},
+                             {"texel", QJsonArray{read.x, read.y}},
+                             {"weight", read.weight},
+                             {"color", colorText(read.color)}};
+    QJsonArray corners;
+    for (const glm::dvec2& corner : texels.corners())
+        corners << pair(corner);
+    return {{"size", QJsonArray{texels.size.width(), texels.size.height()}},
+            {"place", pair(texels.place)},
+            {"right", pair(texels.right)},
+            {"down", pair(texels.down)},
+            {"level", finiteOrText(texels.level)},
+            {"footprint", corners},
+            {"reads", reads}};
+}
+
 QJsonObject rowToJson(const WhyReport& report, const WhyFace& row)
 {
     QJsonObject object{{"face", static_cast<qint64>(row.face)},
@@ -123,15 +145,8 @@ QJsonObject rowToJson(const WhyReport& report, const WhyFace& row)
         object.insert(QStringLiteral("depth"), double(row.fragment->depth));
         object.insert(QStringLiteral("stored_depth"), double(row.fragment->storedDepth));
     }
-    if (row.texels) {
-        const auto pair = [](const glm::dvec2& v) { return QJsonArray{finiteOrText(v.x), finiteOrText(v.y)}; };
-        object.insert(QStringLiteral("texels"),
-                      QJsonObject{{"size", QJsonArray{row.texels->size.width(), row.texels->size.height()}},
-                                  {"place", pair(row.texels->place)},
-                                  {"right", pair(row.texels->right)},
-                                  {"down", pair(row.texels->down)},
-                                  {"level", finiteOrText(row.texels->level)}});
-    }
+    if (row.texels)
+        object.insert(QStringLiteral("texels"), texelsToJson(*row.texels));
     if (row.verdict == WhyVerdict::Written) {
         object.insert(QStringLiteral("color_before"), colorText(row.write.before.color));
         object.insert(QStringLiteral("color"), colorText(row.write.after.color));

@@ -14,6 +14,7 @@ struct Rule {
 };
 
 bool notSolid(const Settings& s) { return s.fill != Fill::Solid; }
+bool noWireframe(const Settings& s) { return s.fill != Fill::Wireframe; }
 bool noDepthBuffer(const Settings& s) { return s.visibility != Visibility::ZBuffer; }
 bool tiled(const Settings& s) { return s.algorithm == Algorithm::Tiled; }
 bool columnFill(const Settings& s) { return s.algorithm == Algorithm::ColumnFill; }
@@ -58,16 +59,15 @@ constexpr Rule kRules[] = {
      QT_TRANSLATE_NOOP("Applicability", "The corners of a pixel are asked one by one.")},
     {"coverage-rule", notSolid,
      QT_TRANSLATE_NOOP("Applicability", "Only filled triangles ask whether a pixel is inside.")},
-    {"line", [](const Settings& s) { return s.fill != Fill::Wireframe; },
-     QT_TRANSLATE_NOOP("Applicability", "Lines are drawn by the wireframe only.")},
+    {"line", noWireframe, QT_TRANSLATE_NOOP("Applicability", "Lines are drawn by the wireframe only.")},
     {"line", [](const Settings& s) { return s.lineRule == LineRule::DiamondExit; },
      QT_TRANSLATE_NOOP("Applicability", "The diamonds alone decide which pixels a line has.")},
     {"line-ties", [](const Settings& s) { return s.lineRule == LineRule::DiamondExit; },
      QT_TRANSLATE_NOOP("Applicability", "The diamonds alone decide which pixels a line has.")},
-    {"line-rule", [](const Settings& s) { return s.fill != Fill::Wireframe; },
-     QT_TRANSLATE_NOOP("Applicability", "Lines are drawn by the wireframe only.")},
-    {"line-ties", [](const Settings& s) { return s.fill != Fill::Wireframe; },
-     QT_TRANSLATE_NOOP("Applicability", "Lines are drawn by the wireframe only.")},
+    {"line-rule", noWireframe, QT_TRANSLATE_NOOP("Applicability", "Lines are drawn by the wireframe only.")},
+    {"line-ties", noWireframe, QT_TRANSLATE_NOOP("Applicability", "Lines are drawn by the wireframe only.")},
+    {"shared-edges", [](const Settings& s) { return s.fill != Fill::Wireframe; },
+     QT_TRANSLATE_NOOP("Applicability", "Only the wireframe draws the edges of faces.")},
     {"winding", [](const Settings& s) { return s.culling == Culling::None; },
      QT_TRANSLATE_NOOP("Applicability", "Nothing is culled.")},
     {"cull-space", [](const Settings& s) { return s.culling == Culling::None; },
@@ -100,24 +100,26 @@ constexpr Rule kRules[] = {
     {"simd", notTiled, QT_TRANSLATE_NOOP("Applicability", "Only the tiled algorithm uses vector instructions.")},
 };
 
-std::optional<Reason> reasonFor(const char* field, const Settings& settings)
+/// The lines of a scene are drawn whatever the fill.
+std::optional<Reason> reasonFor(const char* field, const Settings& settings, bool sceneHasLines)
 {
     for (const Rule& rule : kRules)
-        if (QLatin1String(rule.field) == QLatin1String(field) && rule.inert(settings))
+        if (QLatin1String(rule.field) == QLatin1String(field) && rule.inert(settings) &&
+            !(sceneHasLines && rule.inert == noWireframe))
             return Reason(rule.reason);
     return std::nullopt;
 }
 
 } // namespace
 
-std::optional<Reason> whyWithoutEffect(const SettingsField& field, const Settings& settings)
+std::optional<Reason> whyWithoutEffect(const SettingsField& field, const Settings& settings, bool sceneHasLines)
 {
-    return reasonFor(field.id, settings);
+    return reasonFor(field.id, settings, sceneHasLines);
 }
 
 std::optional<Reason> whyWithoutEffect(const NumbersField& field, const Settings& settings)
 {
-    return reasonFor(field.id, settings);
+    return reasonFor(field.id, settings, false);
 }
 
 } // namespace rasterlens

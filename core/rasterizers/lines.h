@@ -191,11 +191,13 @@ void drawLine(const glm::dvec2& start, const glm::dvec2& end, const Rules& rules
     centreLine(from, to, rules, plotWanted, observer);
 }
 
-/// Draws the three edges of a triangle: emit(x, y, weights) for every sample, also off the target.
+/// Draws the edges of a triangle that no other face draws: emit(x, y, weights) for every sample, also off the target.
 template <class Emit, class Observer>
 void drawWireframe(const ScreenTriangle& triangle, const Rules& rules, Emit& emit, Observer& observer)
 {
     for (std::size_t i = 0; i < 3; ++i) {
+        if (!triangle.drawsEdge(i))
+            continue;
         const std::size_t j = (i + 1) % 3;
         const glm::dvec2& start = triangle.vertices[i].position;
         const glm::dvec2& end = triangle.vertices[j].position;

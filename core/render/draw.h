@@ -42,7 +42,8 @@ template <class Rasterizer, class Stage, class Observer>
 template <class Stage, class Observer>
 [[nodiscard]] Cover<Stage, Observer> coverFor(const Rules& rules);
 
-/// Where the two passes of a scene are not filled alike: finds the samples as the pass of the triangle does.
+/// Where not all faces are drawn alike, because two passes are filled in two ways or some faces are lines: finds the
+/// samples as the face asks for.
 template <class Stage, class Observer>
 void coverByPass(const ScreenTriangle& triangle, const Rules& rules, Stage& stage, Observer& observer)
 {
@@ -54,7 +55,7 @@ void coverByPass(const ScreenTriangle& triangle, const Rules& rules, Stage& stag
 template <class Stage, class Observer>
 [[nodiscard]] Cover<Stage, Observer> coverFor(const Rules& rules)
 {
-    if (rules.firstPassFaces > 0 && rules.fill != Fill::Solid)
+    if ((rules.firstPassFaces > 0 && rules.fill != Fill::Solid) || rules.lineFaces)
         return coverByPass<Stage, Observer>;
     switch (rules.fill) {
     case Fill::Wireframe: return drawWireframe<Stage, Observer>;

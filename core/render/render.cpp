@@ -23,6 +23,11 @@ std::optional<Reason> patternSupports(const Rules& rules)
     if (rules.fill != Fill::Solid)
         return Reason{QT_TRANSLATE_NOOP("Unsupported", "samples msaa2 to msaa16 need fill solid: lines and points go "
                                                        "from sample to sample of a grid, and a pattern has none")};
+    if (rules.lineFaces)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported",
+                                        "samples msaa2 to msaa16 do not go with the lines of this scene: "
+                                        "lines go from sample to sample of a grid, and a pattern has "
+                                        "none")};
     if (rules.algorithm == Algorithm::ColumnFill)
         return Reason{QT_TRANSLATE_NOOP("Unsupported",
                                         "samples msaa2 to msaa16 need an algorithm that goes by centres; "
@@ -93,6 +98,10 @@ std::optional<Reason> unsupported(const Scene& scene, const Settings& settings, 
             return Reason{QT_TRANSLATE_NOOP("Unsupported", "there is no mistake \"%1\"; \"rasterlens-cli render "
                                                            "--list-mistakes\" lists those there are"),
                           {id}};
+    if (resolved.rules.lineFaces && resolved.rules.clipping == Clipping::CohenSutherland)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported",
+                                        "clipping cohen-sutherland here joins the outlines of faces, and "
+                                        "this scene has lines; clipping frustum and guard-band cut them")};
     if (auto reason = coverageRuleSupports(scene, resolved.rules))
         return reason;
     if (settings.algorithm == Algorithm::Tiled)

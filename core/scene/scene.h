@@ -6,6 +6,7 @@
 #include <QString>
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -28,8 +29,14 @@ struct Mesh {
     std::vector<std::uint32_t> faceMaterial; ///< index into Scene::materials a face; empty = material 0 for all
     glm::dvec3 origin{0, 0, 0};              ///< of object space, in the world (the file's coordinates): see origin.h
     std::vector<std::int32_t> faceLine;      ///< line of the `f` in the file that a face is a part of; empty = no file
+    /// Faces that are lines, ascending: from the first corner to the second, and the third is the second once more.
+    std::vector<std::uint32_t> lines;
 
     [[nodiscard]] std::size_t faceCount() const { return indices.size() / 3; }
+    [[nodiscard]] bool isLine(std::uint32_t face) const
+    {
+        return !lines.empty() && std::binary_search(lines.begin(), lines.end(), face);
+    }
     /// The line in the scene's file that a face comes from, counted from 1; -1 where there is none.
     [[nodiscard]] std::int32_t lineOf(std::size_t face) const { return face < faceLine.size() ? faceLine[face] : -1; }
 };

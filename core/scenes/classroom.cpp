@@ -148,6 +148,7 @@ Scene makeLines()
                         cornerAtPixel(to, size, color, kSide));
     }
     scene.defaults.fill = Fill::Wireframe;
+    scene.defaults.sharedEdges = SharedEdges::EachFace; // each line from the hub is drawn, and the one back to it
     return scene;
 }
 

@@ -75,6 +75,7 @@ Scene makeLineTies()
     addRectangle(scene, {2.5, 24.5}, {34.5, 32.5}, {0.60F, 0.85F, 0.40F});
     scene.defaults.fill = Fill::Wireframe;
     scene.defaults.lineTies = LineTies::Canonical;
+    scene.defaults.sharedEdges = SharedEdges::EachFace; // a line from A to B over the one from B to A
     return scene;
 }
 

@@ -63,6 +63,8 @@ Scene makeWireOverFill()
     scene.defaults.view = fitFrom(52, 30);
     scene.defaults.culling = Culling::None;
     scene.defaults.fill = Fill::Wireframe;
+    scene.defaults.sharedEdges =
+        SharedEdges::EachFace; // the slopes lift neighbours, and their edges, by different heights
     scene.defaults.depthTest = DepthTest::LessEqual;
     scene.defaults.depthBias = {.constant = -1, .slope = -1};
     return scene;

@@ -1,6 +1,8 @@
 #pragma once
 #include "core/settings/rules.h"
 
+#include <algorithm>
+
 namespace rasterlens
 {
 
@@ -22,6 +24,12 @@ namespace rasterlens
 /// Whether a face belongs to the first pass of two.
 [[nodiscard]] constexpr bool isFirstPass(const Rules& rules, std::uint32_t face) { return face < rules.firstPassFaces; }
 
+/// Whether a face is a line: Mesh::lines.
+[[nodiscard]] inline bool isLineFace(const Rules& rules, std::uint32_t face)
+{
+    return rules.lineFaces && std::binary_search(rules.lineFaces->begin(), rules.lineFaces->end(), face);
+}
+
 /// How the depths of a face's fragments are compared.
 [[nodiscard]] constexpr DepthCompare depthCompareOf(const Rules& rules, std::uint32_t face)
 {
@@ -30,7 +38,7 @@ namespace rasterlens
     return rules.depthCompare;
 }
 
-/// The rules by which the pass of a face is drawn, as if it were the only one.
+/// The rules by which the pass of a face is drawn, as if it were the only one; those of a wireframe for a line.
 [[nodiscard]] inline Rules passRules(const Rules& rules, std::uint32_t face)
 {
     Rules pass = rules;
@@ -40,6 +48,11 @@ namespace rasterlens
         pass.fill = Fill::Solid;
         pass.depthBias = {};
     }
+    if (isLineFace(rules, face)) {
+        pass.fill = Fill::Wireframe;
+        pass.depthBias = {};
+    }
+    pass.lineFaces = nullptr;
     return pass;
 }
 

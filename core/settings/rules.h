@@ -4,6 +4,8 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <memory>
+#include <vector>
 
 namespace rasterlens
 {
@@ -202,6 +204,9 @@ struct Rules {
     LineAlgorithm line = LineAlgorithm::Bresenham;
     LineRule lineRule = LineRule::Inclusive;
     bool lineTiesByDirection = true; ///< false: a line from B to A has the samples of that from A to B
+    bool sharedEdgesOnce = true;     ///< wireframe: an edge of several faces is drawn by one of them
+    /// Mesh::lines: faces that are lines, whatever the fill. Null: there are none.
+    std::shared_ptr<const std::vector<std::uint32_t>> lineFaces;
     LineAdvance lineAdvance = LineAdvance::LongerAxis;
     unsigned lineOctants = 0xff; ///< the octants lines are drawn in, bit 0: 0 to 45 degrees, counter-clockwise
     bool rightLineEnds = true;   ///< lines include their right end

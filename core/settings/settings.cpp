@@ -33,6 +33,8 @@ constexpr auto kLineRules = std::to_array<Choice>({{"inclusive", QT_TRANSLATE_NO
 constexpr auto kLineTies =
     std::to_array<Choice>({{"by-direction", QT_TRANSLATE_NOOP("Settings", "By the direction")},
                            {"canonical", QT_TRANSLATE_NOOP("Settings", "One for both directions")}});
+constexpr auto kSharedEdges = std::to_array<Choice>({{"once", QT_TRANSLATE_NOOP("Settings", "Drawn once")},
+                                                     {"each-face", QT_TRANSLATE_NOOP("Settings", "By each face")}});
 constexpr auto kClippings =
     std::to_array<Choice>({{"frustum", QT_TRANSLATE_NOOP("Settings", "Frustum, 6 planes")},
                            {"frustum-w", QT_TRANSLATE_NOOP("Settings", "Frustum, 7 planes")},
@@ -235,6 +237,10 @@ constexpr SettingsField kFields[] = {
         "line-ties", Stage::Cover, kLineTies, QT_TRANSLATE_NOOP("Settings", "Line ties"),
         QT_TRANSLATE_NOOP("Settings", "Where a line passes half-way between two pixels: the choice depends on which "
                                       "end is drawn first, or is one for both directions.")),
+    choice<&S::sharedEdges>(
+        "shared-edges", Stage::Cover, kSharedEdges, QT_TRANSLATE_NOOP("Settings", "Shared edges"),
+        QT_TRANSLATE_NOOP("Settings", "The wireframe draws the edge between two faces once, or both faces draw it, one "
+                                      "over the other.")),
     choice<&S::samples>(
         "samples", Stage::Cover, kSamples, QT_TRANSLATE_NOOP("Settings", "Samples a pixel"),
         QT_TRANSLATE_NOOP(

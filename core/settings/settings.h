@@ -22,6 +22,7 @@ enum class Fill { Solid, Wireframe, Points };
 enum class LineAlgorithm { Bresenham, Dda };
 enum class LineRule { Inclusive, HalfOpen, DiamondExit };
 enum class LineTies { ByDirection, Canonical };
+enum class SharedEdges { Once, EachFace };
 enum class Clipping { Frustum, FrustumW, GuardBand, DepthClamp, AnyVertexInside, NearFarReject, CohenSutherland, None };
 enum class Culling { Back, Front, None };
 enum class Winding { CounterClockwise, Clockwise };
@@ -115,6 +116,7 @@ struct Settings {
     LineAlgorithm line = LineAlgorithm::Bresenham;
     LineRule lineRule = LineRule::Inclusive;
     LineTies lineTies = LineTies::ByDirection;
+    SharedEdges sharedEdges = SharedEdges::Once;
     Clipping clipping = Clipping::Frustum;
     Culling culling = Culling::Back;
     Winding winding = Winding::CounterClockwise;

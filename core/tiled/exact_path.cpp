@@ -124,6 +124,8 @@ ScreenTriangle screenTriangle(const FrameJob& job, const Chunk& chunk, std::uint
     if ((source & kPiece) != 0)
         return chunk.pieces[source & ~kPiece];
     ScreenTriangle triangle;
+    triangle.isLine = false;
+    triangle.sharedEdges = 0;
     triangle.face = source;
     for (std::size_t k = 0; k < 3; ++k) {
         const ProcessedVertex v = processedVertex(job, job.scene->mesh.indices[3 * std::size_t(source) + k]);

@@ -124,6 +124,9 @@ std::optional<Reason> Tiled::supports(const Rules& rules)
     if (rules.samplesPerPixel() > 1 && rules.resolveLight != ResolveLight::Gamma)
         return Reason{
             QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled with several samples a pixel needs resolve gamma")};
+    if (rules.lineFaces)
+        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled draws triangles, and this scene has lines; "
+                                                       "edge-equation, edge-walking and column-fill draw both")};
     if (rules.fill != Fill::Solid)
         return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs fill solid")};
     if (rules.painter)

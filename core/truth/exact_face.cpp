@@ -146,6 +146,13 @@ Piece FaceSetup::pieceOf(const std::array<ScreenCorner, 3>& t, const Integer& de
         piece.weights[i] = piece.weights[i] * t[i].scale;
         piece.colors[i] = t[i].color;
     }
+    finishDepth(piece);
+    return piece;
+}
+
+/// From z/w to the depth that is stored, and the sides of near and far.
+void FaceSetup::finishDepth(Piece& piece) const
+{
     if (m_options.clipZ == ClipZ::Gl) {
         piece.depthNumerator.origin += piece.depthDenominator;
         piece.depthDenominator *= 2;
@@ -157,7 +164,6 @@ Piece FaceSetup::pieceOf(const std::array<ScreenCorner, 3>& t, const Integer& de
     }
     if (!m_options.depthRange.isWhole())
         toDepthRange(piece);
-    return piece;
 }
 
 /// From 0..1 to the depth range.

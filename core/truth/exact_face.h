@@ -45,6 +45,19 @@ struct Outline {
     std::int32_t face = 0;
 };
 
+/// A face that is a line, on the screen.
+struct Segment {
+    struct Sample {
+        int column;
+        int row;
+        int piece; ///< where its depth and colour are told
+    };
+
+    Outline::Fate fate = Outline::Fate::Drawn;
+    std::vector<Piece> pieces;   ///< along the line, at its start and at its end
+    std::vector<Sample> samples; ///< in the order of the way or against it, also those beyond the window
+};
+
 /// Makes outlines of faces and pieces of outlines: always the same ones of the same face.
 class FaceSetup
 {
@@ -60,6 +73,17 @@ public:
     /// in   an outline whose fate is to be drawn
     [[nodiscard]] std::vector<Piece> fanOf(const Outline& outline) const;
 
+    /// Whether a face is a line.
+    [[nodiscard]] bool isLine(std::uint32_t face) const;
+    /// A line with its ends clipped and snapped.
+    ///
+    /// in   finite positions
+    [[nodiscard]] Segment segmentOf(const ClipTriangle& triangle) const;
+    /// What the samples of a face are told by: the pieces of its segment if it is a line, else the fan of its outline.
+    ///
+    /// in   a face whose fate is to be drawn
+    [[nodiscard]] std::vector<Piece> piecesOf(const ClipTriangle& triangle) const;
+
 private:
     [[nodiscard]] Outline unsnappedOutline(const ClipTriangle& triangle, const IntegerTriangle& integers) const;
     [[nodiscard]] Outline snappedOutline(const ClipTriangle& triangle, const IntegerTriangle& integers) const;
@@ -71,6 +95,9 @@ private:
                                 std::int32_t face) const;
     [[nodiscard]] bool isBiased(std::int32_t face) const;
     [[nodiscard]] double biasOf(const Outline& outline) const;
+    [[nodiscard]] Piece pieceAlong(const std::array<ScreenCorner, 2>& ends, const Linear& top, const Integer& bottom,
+                                   std::int32_t face) const;
+    void finishDepth(Piece& piece) const;
     void toDepthRange(Piece& piece) const;
 
     const ExactOptions& m_options;

@@ -47,6 +47,11 @@ struct ExactOptions {
     /// Not Centre: for snapped frames of one sample a pixel only. Each triangle that clipping leaves is asked by
     /// itself.
     CoverageRule coverageRule = CoverageRule::Centre;
+    /// Faces that are lines, ascending: from the first corner to the second. They snap in frames that snap nothing
+    /// else, to 1/256 pixel; nothing culls or biases them, and samples of a pattern have none.
+    std::vector<std::uint32_t> lines;
+    LineRule lineRule = LineRule::Inclusive;
+    bool lineTiesByDirection = true;
     bool edgeDistance = false; ///< fill ExactFrame::edgeDistance
     /// Given: the triangles' positions lie in object space, and clip space is their exact product with this matrix.
     std::optional<glm::dmat4> clipFromObject{};

@@ -205,6 +205,25 @@ std::vector<Corner> clipExactly(const IntegerTriangle& triangle, ClipZ clipZ, co
     return polygon;
 }
 
+std::vector<Corner> clipLineExactly(const IntegerTriangle& triangle, ClipZ clipZ, const ExactSides& sides)
+{
+    const int planes = sides.smallestW > 0 ? 7 : 6;
+    std::vector<Corner> ends{triangle.corners[0], triangle.corners[1]};
+    for (int plane = 0; plane < planes; ++plane) {
+        if ((plane == 4 || plane == 5) && !sides.nearFar)
+            continue;
+        const Integer first = planeDistance(ends[0], plane, clipZ, sides, triangle.smallestW);
+        const Integer second = planeDistance(ends[1], plane, clipZ, sides, triangle.smallestW);
+        if (first.sign() < 0 && second.sign() < 0)
+            return {};
+        if (first.sign() < 0)
+            ends[0] = cut(ends[0], first, ends[1], second);
+        else if (second.sign() < 0)
+            ends[1] = cut(ends[1], second, ends[0], first);
+    }
+    return ends;
+}
+
 ScreenCorner toScreen(const Corner& corner, const ClipTriangle& triangle, const Lattice& lattice)
 {
     const auto& [x, y, z, w] = corner.position;

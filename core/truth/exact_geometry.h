@@ -122,6 +122,11 @@ struct IntegerTriangle {
 /// What is left inside the planes; empty when nothing is. The first corner is the first met walking A, B, C.
 [[nodiscard]] std::vector<Corner> clipExactly(const IntegerTriangle& triangle, ClipZ clipZ, const ExactSides& sides);
 
+/// What is left of the line from the first corner to the second inside the planes: its ends, or nothing. An end on a
+/// plane is inside, so a line may be left with one point.
+[[nodiscard]] std::vector<Corner> clipLineExactly(const IntegerTriangle& triangle, ClipZ clipZ,
+                                                  const ExactSides& sides);
+
 /// Clip space to the lattice, homogeneous and without rounding.
 [[nodiscard]] ScreenCorner toScreen(const Corner& corner, const ClipTriangle& triangle, const Lattice& lattice);
 

@@ -83,4 +83,22 @@ std::vector<glm::ivec2> exactLine(const glm::i64vec2& from, const glm::i64vec2& 
     return samples;
 }
 
+std::vector<glm::ivec2> exactCentreLine(const glm::ivec2& from, const glm::ivec2& to)
+{
+    const glm::ivec2 way = to - from;
+    const int axis = std::abs(way.y) > std::abs(way.x) ? 1 : 0;
+    const std::int64_t longer = std::abs(way[axis]);
+    const std::int64_t shorter = std::abs(way[1 - axis]);
+    std::vector<glm::ivec2> samples;
+    for (std::int64_t i = 0; i <= longer; ++i) {
+        // i * shorter / longer, to the nearest whole number, down from a half
+        const std::int64_t aside = longer > 0 ? (2 * i * shorter + longer - 1) / (2 * longer) : 0;
+        glm::ivec2 sample = from;
+        sample[axis] += static_cast<int>(way[axis] < 0 ? -i : i);
+        sample[1 - axis] += static_cast<int>(way[1 - axis] < 0 ? -aside : aside);
+        samples.push_back(sample);
+    }
+    return samples;
+}
+
 } // namespace rasterlens

@@ -1,14 +1,8 @@
 #include "core/truth/exact_reference.h"
 
-#include "core/pipeline/clipping.h"
-#include "core/pipeline/resolve.h"
-#include "core/pipeline/vertex_stage.h"
-#include "core/scene/camera.h"
 #include "core/settings/depth_rules.h"
 #include "core/truth/edge_distance.h"
 #include "core/truth/exact_face.h"
-
-#include <QRect>
 
 #include <algorithm>
 #include <array>
@@ -87,7 +81,7 @@ public:
     [[nodiscard]] const Piece& at(PieceIndex index)
     {
         if (index.triangle != m_triangle) {
-            m_fan = m_setup.fanOf(m_setup.outlineOf(m_triangles[static_cast<std::size_t>(index.triangle)]));
+            m_fan = m_setup.piecesOf(m_triangles[static_cast<std::size_t>(index.triangle)]);
             m_triangle = index.triangle;
         }
         return m_fan[static_cast<std::size_t>(index.piece)];
@@ -229,6 +223,8 @@ public:
 
     void draw(std::size_t triangle)
     {
+        if (m_setup.isLine(m_triangles[triangle].face))
+            return drawLine(triangle);
         const Outline outline = m_setup.outlineOf(m_triangles[triangle]);
         m_frame.maxClipVertices = std::max(m_frame.maxClipVertices, outline.clippedCorners);
         for (std::size_t i = 0; i < outline.trueEdges.size(); ++i)
@@ -252,6 +248,20 @@ private:
         int row;
         Columns columns;
     };
+
+    void drawLine(std::size_t triangle)
+    {
+        if (m_options.offset.x != 0 || m_options.offset.y != 0)
+            return; // the sample of a pattern
+        const Segment segment = m_setup.segmentOf(m_triangles[triangle]);
+        m_frame.outside += segment.fate == Outline::Fate::Outside;
+        m_frame.degenerate += segment.fate == Outline::Fate::Degenerate;
+        m_triangle = static_cast<std::int32_t>(triangle);
+        for (const auto& [column, row, piece] : segment.samples)
+            if (m_window.rows.begin <= row && row < m_window.rows.end && m_window.columns.begin <= column &&
+                column < m_window.columns.end)
+                drawColumns(segment.pieces, static_cast<std::size_t>(piece), {row, {column, column + 1}});
+    }
 
     void drawUnsnapped(const Outline& outline)
     {
@@ -425,15 +435,6 @@ bool isFinite(const glm::dmat4& matrix)
     return true;
 }
 
-/// The part of a window that a viewport shows, if it shows any.
-std::optional<PixelRect> visiblePart(const PixelRect& window, QSize size)
-{
-    const QRect visible = QRect(window.x, window.y, window.width, window.height) & QRect({0, 0}, size);
-    if (visible.isEmpty())
-        return std::nullopt;
-    return PixelRect{visible.x(), visible.y(), visible.width(), visible.height()};
-}
-
 PixelRect windowOf(const ExactOptions& options)
 {
     return options.window.value_or(PixelRect{0, 0, options.size.width(), options.size.height()});
@@ -517,70 +518,6 @@ std::vector<PixelRect> bandsOf(const ExactOptions& options)
     for (int y = 0; y < window.height; y += rows)
         bands.push_back({window.x, window.y + y, window.width, std::min(rows, window.height - y)});
     return bands;
-}
-
-ExactOptions exactOptions(const Scene& scene, const Settings& settings, ReferenceSpace space)
-{
-    Settings correct = settings;
-    correct.visibility = Visibility::ZBuffer;
-    correct.mistakes.clear();
-    const Resolved resolved = resolve(correct, scene);
-    const Rules& rules = resolved.rules;
-
-    ExactOptions options;
-    options.size = settings.size;
-    options.snap = settings.numberType == NumberType::Fixed && !scene.exact;
-    options.subpixelBits = settings.subpixelBits;
-    options.clipZ = settings.clipZ;
-    options.culling = settings.culling;
-    options.winding = settings.winding;
-    options.depthCompare = rules.depthTested ? rules.depthCompare : DepthCompare::Always;
-    options.depthTested = rules.depthTested;
-    options.depthClear = static_cast<double>(rules.depthClear);
-    options.firstPassFaces = rules.firstPassFaces;
-    options.firstPassCompare = depthCompareOf(rules, 0);
-    options.depthRange = rules.depthRange;
-    options.depthBias = rules.depthBias;
-    if (settings.clipping == Clipping::DepthClamp)
-        options.sides = {.smallestW = kSmallestW, .nearFar = false};
-    options.depthFormat = settings.depthFormat;
-    options.sampleGrid = rules.sampleGrid;
-    options.coverageRule = rules.coverageRule;
-    options.patternSamples = rules.patternSamples;
-    options.resolveLight = rules.resolveLight;
-    options.window = scene.window ? visiblePart(*scene.window, settings.size) : std::nullopt;
-    if (space == ReferenceSpace::Object)
-        options.clipFromObject = resolved.matrices.clipFromObjectDouble;
-    return options;
-}
-
-std::vector<ClipTriangle> exactTriangles(const Scene& scene, const Settings& settings, ReferenceSpace space)
-{
-    Settings gouraud = settings;
-    gouraud.shading = Shading::Gouraud;
-    gouraud.mistakes.clear();
-    const Resolved resolved = resolve(gouraud, scene);
-    std::vector<ClipVertex> vertices = shadeVertices(scene, resolved.matrices, resolved.rules);
-    if (space == ReferenceSpace::Object)
-        for (std::size_t i = 0; i < vertices.size(); ++i)
-            vertices[i].positionClip = glm::dvec4(scene.mesh.vertices[i].position);
-    std::vector<ClipTriangle> triangles(scene.mesh.faceCount());
-    for (std::size_t face = 0; face < triangles.size(); ++face) {
-        triangles[face].face = static_cast<std::uint32_t>(face);
-        for (std::size_t i = 0; i < 3; ++i)
-            triangles[face].vertices[i] = vertices[scene.mesh.indices[3 * face + i]];
-    }
-    return triangles;
-}
-
-ReferenceSpace referenceSpace(const Scene& scene, ReferenceSpace asked)
-{
-    return scene.space == SceneSpace::Object ? asked : ReferenceSpace::Clip;
-}
-
-ExactFrame exactReference(const Scene& scene, const Settings& settings, std::stop_token stop)
-{
-    return exactReference(exactTriangles(scene, settings), exactOptions(scene, settings), std::move(stop));
 }
 
 } // namespace rasterlens

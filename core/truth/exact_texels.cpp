@@ -189,7 +189,7 @@ void forEachSeen(const Scene& scene, const Settings& settings, const ExactFrame&
             const auto sample =
                 static_cast<std::size_t>(y) * static_cast<std::size_t>(truth.width) + static_cast<std::size_t>(x);
             const std::int32_t face = truth.id[sample];
-            if (face < 0)
+            if (face < 0 || scene.mesh.isLine(static_cast<std::uint32_t>(face)))
                 continue;
             const FaceTexels* known = snaps ? texels.of(face) : nullptr;
             const ExactTexel texel = known != nullptr ? known->at(truth.window.x * truth.sampleGrid + x,

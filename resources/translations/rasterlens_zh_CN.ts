@@ -115,6 +115,10 @@
         <source>Only filled triangles ask whether a pixel is inside.</source>
         <translation>只有填充的三角形才问像素是否在内。</translation>
     </message>
+    <message>
+        <source>Only the wireframe draws the edges of faces.</source>
+        <translation>只有线框模式才画面的边。</translation>
+    </message>
 </context>
 <context>
     <name>BuiltinScene</name>
@@ -1629,6 +1633,10 @@
         <source>The outline put together again: the ends that are left (%1), and the corners of the screen that lie inside the face (%2). Edges alone lose those.</source>
         <translation>重新拼成轮廓：留下的端点（%1），以及落在面内的屏幕角点（%2）。只裁边会丢掉这些角点。</translation>
     </message>
+    <message>
+        <source>face %1 is a line, and covers no area</source>
+        <translation>面 %1 是一条线，不覆盖面积</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostic</name>
@@ -2521,8 +2529,8 @@
         <translation>没有画点</translation>
     </message>
     <message>
-        <source>%1 is not a directive; size, subpixel_bits, exact, cull, depth_test, depth_format, depth_bias, depth_range, depth_clamp, depth_clear, second_pass, clear, ssaa, samples, zrange, window, tri, triuv, texture, texture_filter, note or expect expected</source>
-        <translation>%1 不是指令；应为 size、subpixel_bits、exact、cull、depth_test、depth_format、depth_bias、depth_range、depth_clamp、depth_clear、second_pass、clear、ssaa、samples、zrange、window、tri、triuv、texture、texture_filter、note 或 expect</translation>
+        <source>%1 is not a directive; size, subpixel_bits, exact, cull, depth_test, depth_format, depth_bias, depth_range, depth_clamp, depth_clear, second_pass, clear, ssaa, samples, attribute_at, coverage_rule, zrange, window, tri, triuv, line, line_rule, line_ties, texture, texture_filter, note or expect expected</source>
+        <translation>%1 不是指令；应为 size、subpixel_bits、exact、cull、depth_test、depth_format、depth_bias、depth_range、depth_clamp、depth_clear、second_pass、clear、ssaa、samples、attribute_at、coverage_rule、zrange、window、tri、triuv、line、line_rule、line_ties、texture、texture_filter、note 或 expect</translation>
     </message>
     <message>
         <source>&quot;checker&quot; and a size, or the name of an image, is expected</source>
@@ -2545,8 +2553,8 @@
         <translation>属性取在像素中心</translation>
     </message>
     <message>
-        <source>it stands once, behind the tri lines of the first pass</source>
-        <translation>它只能出现一次，并且在第一遍的 tri 行之后</translation>
+        <source>it stands once, behind the triangles and lines of the first pass</source>
+        <translation>它只能出现一次，并且在第一遍的三角形和线之后</translation>
     </message>
     <message>
         <source>two numbers n,f from 0 to 1</source>
@@ -2559,6 +2567,10 @@
     <message>
         <source>&quot;%1&quot; takes an array of %2</source>
         <translation>“%1”应为数组，内容是%2</translation>
+    </message>
+    <message>
+        <source>14 (x y z w r g b of both ends)</source>
+        <translation>14 个（两个端点的 x y z w r g b）</translation>
     </message>
 </context>
 <context>
@@ -4838,6 +4850,102 @@
         <source>coverage conservative shared edge</source>
         <translation>覆盖：保守，共用边</translation>
     </message>
+    <message>
+        <source>line ends in diamonds</source>
+        <translation>线端在菱形中</translation>
+    </message>
+    <message>
+        <source>line strip diamond exit</source>
+        <translation>折线，菱形离开规则</translation>
+    </message>
+    <message>
+        <source>line strip half open</source>
+        <translation>折线，半开规则</translation>
+    </message>
+    <message>
+        <source>line there and back</source>
+        <translation>线的往返</translation>
+    </message>
+    <message>
+        <source>line there and back canonical</source>
+        <translation>线的往返，两个方向相同</translation>
+    </message>
+    <message>
+        <source>line perspective and near</source>
+        <translation>线，透视与近平面</translation>
+    </message>
+    <message>
+        <source>line before and behind a face</source>
+        <translation>线在面的前后</translation>
+    </message>
+    <message>
+        <source>line within one pixel</source>
+        <translation>一个像素内的线</translation>
+    </message>
+    <message>
+        <source>Where in its diamond a line starts or ends decides whether it has that pixel.</source>
+        <translation>线在菱形中的何处开始或结束，决定它是否占有那个像素。</translation>
+    </message>
+    <message>
+        <source>The ends of a report on MoltenVK (1123), a row each, and two on a centre and on a border.</source>
+        <translation>端点取自 MoltenVK 的一份报告（1123），每行一条；另外两条的端点在像素中心和边界上。</translation>
+    </message>
+    <message>
+        <source>A strip of six lines: every pixel once, also where two lines meet.</source>
+        <translation>六条线组成的折线：每个像素只画一次，两条线相接处也是。</translation>
+    </message>
+    <message>
+        <source>Ends lie on centres and beside them; a line that ends within a diamond leaves it to the next one.</source>
+        <translation>端点在像素中心或旁边；在菱形内结束的线把这个像素留给下一条线。</translation>
+    </message>
+    <message>
+        <source>A strip of six lines without their last pixels: every pixel once, also where two lines meet.</source>
+        <translation>六条线组成的折线，都不画最后一个像素：每个像素只画一次，两条线相接处也是。</translation>
+    </message>
+    <message>
+        <source>Each line leaves out the pixel in which the next one starts.</source>
+        <translation>每条线都不画下一条线开始的那个像素。</translation>
+    </message>
+    <message>
+        <source>A line from A to B and one from B to A: where it passes half-way between two pixels, each takes its own.</source>
+        <translation>一条线从 A 到 B，一条从 B 到 A：恰好经过两个像素正中时，两条线各取各的像素。</translation>
+    </message>
+    <message>
+        <source>Slopes of 1/2, 3, 1 and 1/9: of these only the first passes half-way.</source>
+        <translation>斜率为 1/2、3、1 和 1/9：其中只有第一条会经过正中。</translation>
+    </message>
+    <message>
+        <source>A line from A to B and one from B to A: with one choice for both directions they have the same pixels.</source>
+        <translation>一条线从 A 到 B，一条从 B 到 A：两个方向取法相同时，它们的像素也相同。</translation>
+    </message>
+    <message>
+        <source>The line that goes up is drawn as the one that goes down.</source>
+        <translation>向上的线按向下的线来画。</translation>
+    </message>
+    <message>
+        <source>Lines in perspective, one with its end behind the eye: cut like the edge of a face.</source>
+        <translation>透视下的线，其中一条的端点在眼睛后面：像面的边一样裁剪。</translation>
+    </message>
+    <message>
+        <source>Colour is perspective-correct, depth linear on the screen.</source>
+        <translation>颜色经过透视校正，深度在屏幕上是线性的。</translation>
+    </message>
+    <message>
+        <source>Lines before, in and behind a face: the depth test parts them, and a depth bias moves none.</source>
+        <translation>线在面的前面、面内和后面：深度测试把它们分开，深度偏移不移动任何一条线。</translation>
+    </message>
+    <message>
+        <source>The bias lifts the face, and no line: the red one, as deep as the face, is hidden by it.</source>
+        <translation>偏移抬高的是面，不是线：与面同深的红线被面遮住。</translation>
+    </message>
+    <message>
+        <source>Lines within one pixel have it, and a line beside the picture has none.</source>
+        <translation>一个像素内的线占有这个像素，画面外的线什么也没有。</translation>
+    </message>
+    <message>
+        <source>Under half-open and diamond-exit they have none.</source>
+        <translation>按半开规则和菱形离开规则，它们一个像素也没有。</translation>
+    </message>
 </context>
 <context>
     <name>ImageExport</name>
@@ -7106,6 +7214,22 @@
         <source>What a triangle must do to have a pixel: hold its centre, touch its square (conservative), or hold the whole square (inner).</source>
         <translation>三角形怎样才算覆盖一个像素：含有其中心、触及其方格（保守光栅化），或含有整个方格（内保守）。</translation>
     </message>
+    <message>
+        <source>Shared edges</source>
+        <translation>公共边</translation>
+    </message>
+    <message>
+        <source>The wireframe draws the edge between two faces once, or both faces draw it, one over the other.</source>
+        <translation>线框把两个面之间的边只画一次，或者两个面各画一次，后一条盖在前一条上。</translation>
+    </message>
+    <message>
+        <source>Drawn once</source>
+        <translation>只画一次</translation>
+    </message>
+    <message>
+        <source>By each face</source>
+        <translation>每个面都画</translation>
+    </message>
 </context>
 <context>
     <name>StatisticsPanel</name>
@@ -7240,6 +7364,14 @@
     <message>
         <source>What is covered, over the pixels of the picture.</source>
         <translation>覆盖总数除以画面的像素数。</translation>
+    </message>
+    <message>
+        <source>lines · shared</source>
+        <translation>线 · 公共边</translation>
+    </message>
+    <message>
+        <source>Lines drawn: those of the scene, and edges of the wireframe; and edges that were not drawn once more because another face draws them.</source>
+        <translation>画出的线：场景里的线和线框的边；以及因为另一个面已经画出而没有再画的边。</translation>
     </message>
 </context>
 <context>
@@ -7496,7 +7628,7 @@
         <translation>%1：面 %2 的深度 %3，与 %4 相比，没有通过深度测试。</translation>
     </message>
     <message>
-        <source>Pixel (%1, %2), sample %3,</source>
+        <source>Sample %3 of pixel (%1, %2)</source>
         <translation>像素 (%1, %2) 的采样点 %3</translation>
     </message>
     <message>
@@ -7522,6 +7654,10 @@
     <message>
         <source>Face %3 does not touch the square of pixel (%1, %2): all of it lies outside edge %4.</source>
         <translation>面 %3 未触及像素 (%1, %2) 的方格：整个方格都在边 %4 之外。</translation>
+    </message>
+    <message>
+        <source>The mean of the %3 samples of pixel (%1, %2) is (%4, %5, %6).</source>
+        <translation>像素 (%1, %2) 的 %3 个采样的平均值是 (%4, %5, %6)。</translation>
     </message>
 </context>
 <context>
@@ -8012,6 +8148,18 @@
         <source>a turntable turns the camera; this scene is given in clip space and has none</source>
         <translation>转台让相机旋转；此场景由裁剪空间坐标给出，没有相机</translation>
     </message>
+    <message>
+        <source>algorithm tiled draws triangles, and this scene has lines; edge-equation, edge-walking and column-fill draw both</source>
+        <translation>分块算法只画三角形，而这个场景里有线；边函数、边遍历和逐列填充两者都画</translation>
+    </message>
+    <message>
+        <source>samples msaa2 to msaa16 do not go with the lines of this scene: lines go from sample to sample of a grid, and a pattern has none</source>
+        <translation>msaa2 到 msaa16 不能用于这个场景里的线：线从网格的一个采样走到另一个采样，而采样图案没有网格</translation>
+    </message>
+    <message>
+        <source>clipping cohen-sutherland here joins the outlines of faces, and this scene has lines; clipping frustum and guard-band cut them</source>
+        <translation>这里的 Cohen-Sutherland 裁剪会把面的轮廓连接起来，而这个场景里有线；视锥体裁剪和保护带裁剪可以裁剪它们</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::ActionSearch</name>
@@ -8195,6 +8343,10 @@
     <message>
         <source>Overlays</source>
         <translation>叠加</translation>
+    </message>
+    <message>
+        <source>Footprint of the selected pixel in the texture</source>
+        <translation>所选像素在纹理中的足迹</translation>
     </message>
 </context>
 <context>
@@ -11587,6 +11739,25 @@
     <message>
         <source>%1 a frame on average</source>
         <translation>平均每帧 %1</translation>
+    </message>
+</context>
+<context>
+    <name>rasterlens::TexelPlate</name>
+    <message>
+        <source>level %1 (%2 x %3), %4 %: %5</source>
+        <translation>级别 %1（%2 x %3），%4 %：%5</translation>
+    </message>
+    <message>
+        <source>drawn on level %1</source>
+        <translation>画在级别 %1 上</translation>
+    </message>
+    <message>
+        <source>no texel is read: the level itself is shown</source>
+        <translation>没有读取纹素：显示的是级别本身</translation>
+    </message>
+    <message>
+        <source>Footprint in the texture (%1 x %2)</source>
+        <translation>在纹理中的足迹（%1 x %2）</translation>
     </message>
 </context>
 </TS>

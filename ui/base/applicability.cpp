@@ -31,9 +31,9 @@ std::optional<QString> inWords(const std::optional<Reason>& why)
 
 } // namespace
 
-std::optional<QString> withoutEffectText(const SettingsField& field, const Settings& settings)
+std::optional<QString> withoutEffectText(const SettingsField& field, const Settings& settings, bool sceneHasLines)
 {
-    return inWords(whyWithoutEffect(field, settings));
+    return inWords(whyWithoutEffect(field, settings, sceneHasLines));
 }
 
 std::optional<QString> withoutEffectText(const NumbersField& field, const Settings& settings)

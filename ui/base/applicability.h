@@ -11,7 +11,8 @@ namespace rasterlens
 {
 
 /// What whyWithoutEffect() says, in the language in use.
-[[nodiscard]] std::optional<QString> withoutEffectText(const SettingsField& field, const Settings& settings);
+[[nodiscard]] std::optional<QString> withoutEffectText(const SettingsField& field, const Settings& settings,
+                                                       bool sceneHasLines);
 [[nodiscard]] std::optional<QString> withoutEffectText(const NumbersField& field, const Settings& settings);
 
 /// What unsupported() says, in the language in use.

@@ -266,7 +266,7 @@ void FieldRow::setKeyHint(const QString& key)
     updateToolTip();
 }
 
-void FieldRow::sync(const Settings& settings, const Settings& defaults, bool refused)
+void FieldRow::sync(const Settings& settings, const Settings& defaults, bool refused, bool sceneHasLines)
 {
     const QSignalBlocker blocked(m_editor);
     const int value = m_field.get(settings);
@@ -279,7 +279,7 @@ void FieldRow::sync(const Settings& settings, const Settings& defaults, bool ref
 
     m_dot->setChanged(value != m_field.get(defaults));
     m_dot->setToolTip(tr("The scene asks for: %1. Click to put it back.").arg(valueTitle(m_field, defaults)));
-    m_whyInert = withoutEffectText(m_field, settings).value_or(QString());
+    m_whyInert = withoutEffectText(m_field, settings, sceneHasLines).value_or(QString());
     m_editor->setEnabled(refused || m_whyInert.isEmpty());
     m_name->setEnabled(m_editor->isEnabled());
     updateToolTip();

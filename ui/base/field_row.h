@@ -93,8 +93,9 @@ public:
     [[nodiscard]] const SettingsField& field() const { return m_field; }
     [[nodiscard]] QWidget* editor() const { return m_editor; }
     void setKeyHint(const QString& key);
-    /// in   whether the settings cannot be drawn: then every switch stays open, to find the way back
-    void sync(const Settings& settings, const Settings& defaults, bool refused);
+    /// in   whether the settings cannot be drawn: then every switch stays open, to find the way back; whether the scene
+    ///      has lines, for which the switches of lines are there whatever the fill
+    void sync(const Settings& settings, const Settings& defaults, bool refused, bool sceneHasLines);
     /// Greys out the values that `why` gives a reason against.
     void setValueReasons(const std::function<QString(int)>& why);
     /// Says something about the value below the switch; an empty text takes it away.

@@ -43,6 +43,7 @@ struct OverlayOptions {
     bool outline = true;      ///< of the face that owns the selected pixel
     bool barycentric = false; ///< areas and iso-lines at the selected pixel
     bool midLine = false;     ///< where alpha is nearly one half
+    bool texels = false;      ///< the footprint of the selected pixel in the texture
     bool depthBeside = false; ///< the depth buffer in the right half of the canvas
     bool thickLines = false;  ///< presentation
     bool tells = true;        ///< what is known of the hovered pixel

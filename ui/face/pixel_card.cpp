@@ -8,6 +8,7 @@
 #include "ui/base/parts.h"
 #include "ui/base/step_words.h"
 #include "ui/base/theme.h"
+#include "ui/canvas/texel_plate.h"
 #include "ui/face/clip_theatre.h"
 #include "ui/face/sample_rows.h"
 
@@ -79,9 +80,10 @@ QString verdictWords(const WhyReport& report, const WhyFace& face)
     case WhyVerdict::CulledBack: return PixelCard::tr("culled: back face");
     case WhyVerdict::CulledFront: return PixelCard::tr("culled: front face");
     case WhyVerdict::Degenerate:
-        return face.facing->screenArea == 0 ? PixelCard::tr("no area on the screen")
-                                            : PixelCard::tr("its area on the screen, %1, counts as none")
-                                                  .arg(shortNumber(face.facing->screenArea / 2));
+        return !face.facing || face.facing->screenArea == 0
+                   ? PixelCard::tr("no area on the screen")
+                   : PixelCard::tr("its area on the screen, %1, counts as none")
+                         .arg(shortNumber(face.facing->screenArea / 2));
     case WhyVerdict::ClippedAway: return PixelCard::tr("clipped away by %1").arg(planesWords(face.planes));
     case WhyVerdict::OutsideEdge: {
         if (const Rules pass = passRules(report.rules, face.face); !pass.coversByCentres())
@@ -166,8 +168,10 @@ void addFragmentLines(const WhyReport& report, const WhyFace& face, QStringList&
     if (fragment.shaded && fragment.weights != fragment.screen)
         lines << PixelCard::tr("perspective %1").arg(weights(fragment.weights));
     const QString sign = printedDepthSign(report, face);
-    if (face.texels)
+    if (face.texels) {
         lines << texelLine(*face.texels);
+        lines += texelWords(*face.texels);
+    }
     if (!sign.isEmpty() && face.verdict == WhyVerdict::Written)
         lines << PixelCard::tr("z %1 %2 %3, passed")
                      .arg(depthNumber(fragment.depth), sign, depthNumber(fragment.storedDepth));
@@ -219,6 +223,28 @@ protected:
 
 private:
     QColor m_color;
+};
+
+/// The footprint of the pixel in the texture.
+class TexelDrawing : public QWidget
+{
+public:
+    explicit TexelDrawing(const TexelFootprint& footprint) : m_footprint(footprint)
+    {
+        constexpr int kHeight = 150;
+        setFixedHeight(kHeight);
+        setAccessibleName(texelWords(footprint).join(QLatin1Char('\n')));
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        paintTexels(painter, QRectF(rect()), m_footprint);
+    }
+
+private:
+    TexelFootprint m_footprint;
 };
 
 /// A triangle, with the line of the `f` in the scene's file that it is a part of.
@@ -387,6 +413,8 @@ QWidget* PixelCard::makeRow(std::size_t index)
     column->addLayout(head);
     if (!words.details.isEmpty())
         column->addWidget(wrapped(words.details.join(QLatin1Char('\n')), "numbers"));
+    if (face.texels && face.verdict == WhyVerdict::Written && !face.texels->patch.texels.empty())
+        column->addWidget(new TexelDrawing(*face.texels));
     return frame;
 }
 

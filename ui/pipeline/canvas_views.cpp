@@ -1,6 +1,7 @@
 #include "ui/pipeline/canvas_views.h"
 
 #include "core/base/closed_list.h"
+#include "core/questions/why.h"
 #include "core/render/render.h"
 #include "core/render/tile_side.h"
 #include "ui/base/action_table.h"
@@ -60,6 +61,8 @@ constexpr OverlayRow kOverlays[] = {
      QT_TRANSLATE_NOOP("rasterlens::CanvasViews", "Barycentric"), Qt::Key_G},
     {&OverlayOptions::midLine, "mid-line", "view.mid-line",
      QT_TRANSLATE_NOOP("rasterlens::CanvasViews", "Mid-line, where \u03b1 is nearly one half")},
+    {&OverlayOptions::texels, "texels", "view.texels",
+     QT_TRANSLATE_NOOP("rasterlens::CanvasViews", "Footprint of the selected pixel in the texture")},
     {&OverlayOptions::depthBeside, "depth-beside", "view.depth-beside",
      QT_TRANSLATE_NOOP("rasterlens::CanvasViews", "Depth buffer beside the picture"), nullptr, Qt::SHIFT | Qt::Key_Z},
 };
@@ -105,11 +108,19 @@ CanvasViews::CanvasViews(Document& document, ViewportWidget& viewport, QObject* 
               m_barycentric.setOn(m_viewport.overlays().barycentric);
               m_viewport.update();
           },
+          [this](Lack lack) { Q_EMIT failed(tr("The overlays were not computed: %1.").arg(lackText(lack))); }),
+      m_texelsJob(
+          [this](std::shared_ptr<const TexelFootprint> footprint) {
+              m_texels.setFootprint(std::move(footprint),
+                                    m_texelsKey ? m_texelsKey->pixel.value_or(QPoint()) : QPoint());
+              m_viewport.update();
+          },
           [this](Lack lack) { Q_EMIT failed(tr("The overlays were not computed: %1.").arg(lackText(lack))); })
 {
     viewport.addLayer(&m_facing);
     viewport.addLayer(&m_geometry);
     viewport.addLayer(&m_barycentric);
+    viewport.addLayer(&m_texels);
     connect(&document, &Document::sceneChanged, this, [this] {
         m_facingOn = false;
         const Shading shading = m_document.defaults().shading;
@@ -126,6 +137,7 @@ CanvasViews::CanvasViews(Document& document, ViewportWidget& viewport, QObject* 
 
 CanvasViews::~CanvasViews()
 {
+    m_viewport.removeLayer(&m_texels);
     m_viewport.removeLayer(&m_barycentric);
     m_viewport.removeLayer(&m_geometry);
     m_viewport.removeLayer(&m_facing);
@@ -291,6 +303,7 @@ void CanvasViews::follow()
     m_geometry.setTiles(double(tileSide()) / sampleGrid(m_frame->settings.samples), m_frame->frame.image.size());
     followFaces();
     followWeights();
+    followTexels();
     showFacing();
 }
 
@@ -341,6 +354,35 @@ void CanvasViews::followWeights()
         [key = *key](const auto& turn) -> std::shared_ptr<const PixelWeights> {
             const auto weights = pixelWeights(*key.scene, key.settings, *key.face, *key.pixel, turn.stop());
             return weights ? std::make_shared<const PixelWeights>(*weights) : nullptr;
+        },
+        LatestJob::Running::Interrupt);
+}
+
+void CanvasViews::followTexels()
+{
+    const Shading shading = m_frame->settings.shading;
+    const bool readsTexels = shading == Shading::Texture || shading == Shading::Phong || shading == Shading::MipLevel;
+    const auto pixel = m_viewport.selectedPixel();
+    const bool isWanted = m_viewport.overlays().texels && readsTexels && pixel &&
+                          m_frame->frame.image.rect().contains(*pixel) &&
+                          !unsupported(*m_frame->scene, m_frame->settings);
+    const std::optional<Key> key =
+        isWanted ? std::optional(Key{m_frame->scene, m_frame->settings, {}, pixel}) : std::nullopt;
+    if (key == m_texelsKey)
+        return;
+    m_texelsKey = key;
+    m_texels.setFootprint(nullptr, {});
+    m_viewport.update();
+    if (!key) {
+        m_texelsJob.drop();
+        return;
+    }
+    m_texelsJob.ask(
+        [key = *key](const auto& turn) -> std::shared_ptr<const TexelFootprint> {
+            const WhyReport report = why(*key.scene, key.settings, key.pixel->x(), key.pixel->y(), turn.stop());
+            const WhyFace* seen =
+                !turn.stop().stop_requested() && report.visibleFace ? report.find(*report.visibleFace) : nullptr;
+            return seen != nullptr && seen->texels ? std::make_shared<const TexelFootprint>(*seen->texels) : nullptr;
         },
         LatestJob::Running::Interrupt);
 }

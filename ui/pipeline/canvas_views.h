@@ -3,6 +3,7 @@
 #include "ui/canvas/barycentric_layer.h"
 #include "ui/canvas/facing_layer.h"
 #include "ui/canvas/geometry_layer.h"
+#include "ui/canvas/texel_layer.h"
 #include "ui/canvas/viewport_widget.h"
 #include "ui/document/document.h"
 
@@ -49,7 +50,8 @@ struct OverlayRow {
 [[nodiscard]] std::span<const OverlayRow> canvasOverlays();
 
 /// Chooses what the canvas shows and lays over it, and keeps what the overlays are drawn from: the faces on the screen
-/// and the weights at the selected pixel, computed on background threads for the picture that is shown.
+/// the weights at the selected pixel and its footprint in the texture, computed on background threads for the picture
+/// that is shown.
 class CanvasViews : public QObject
 {
     Q_OBJECT
@@ -86,10 +88,11 @@ public:
     /// Pictures are compared: facings are not shown.
     void setCompared(bool on);
 
-    [[nodiscard]] bool isBusy() const { return m_facesJob.isBusy() || m_weightsJob.isBusy(); }
+    [[nodiscard]] bool isBusy() const { return m_facesJob.isBusy() || m_weightsJob.isBusy() || m_texelsJob.isBusy(); }
     [[nodiscard]] const GeometryLayer& geometry() const { return m_geometry; }
     [[nodiscard]] const BarycentricLayer& barycentric() const { return m_barycentric; }
     [[nodiscard]] const FacingLayer& facing() const { return m_facing; }
+    [[nodiscard]] const TexelLayer& texels() const { return m_texels; }
 
 Q_SIGNALS:
     void changed(); ///< view or overlays
@@ -110,6 +113,7 @@ private:
     void follow();
     void followFaces();
     void followWeights();
+    void followTexels();
     void takeFaces(std::shared_ptr<const ScreenFaces> faces);
     void showFacing();
     void syncActions();
@@ -122,6 +126,7 @@ private:
     GeometryLayer m_geometry;
     BarycentricLayer m_barycentric;
     FacingLayer m_facing;
+    TexelLayer m_texels;
     std::vector<QAction*> m_viewActions;
     std::vector<QAction*> m_overlayActions;
     Shading m_colour = Shading::Gouraud; ///< the last one in colours
@@ -132,8 +137,10 @@ private:
     FramePtr m_frame;
     std::optional<Key> m_facesKey;
     std::optional<Key> m_weightsKey;
+    std::optional<Key> m_texelsKey;
     LatestResult<std::shared_ptr<const ScreenFaces>> m_facesJob; ///< last: their threads use the members above
     LatestResult<std::shared_ptr<const PixelWeights>> m_weightsJob;
+    LatestResult<std::shared_ptr<const TexelFootprint>> m_texelsJob;
 };
 
 } // namespace rasterlens

@@ -365,7 +365,8 @@ void PipelinePanel::showNote()
 {
     const Settings& settings = m_document.settings();
     QStringList notes{m_note};
-    if (settings.fill == Fill::Wireframe && settings.lineRule != LineRule::DiamondExit)
+    const bool drawsLines = settings.fill == Fill::Wireframe || !m_document.scene()->mesh.lines.empty();
+    if (drawsLines && settings.lineRule != LineRule::DiamondExit)
         notes << tr(
             "Lines run from the pixel of one corner to that of the next, up to half a pixel beside the edge. With "
             "the line rule \"Diamond exit\" the edge itself decides.");
@@ -382,9 +383,10 @@ void PipelinePanel::syncSettings()
     const Settings& settings = m_document.settings();
     const Settings& defaults = m_document.defaults();
     const bool refused = unsupported(*m_document.scene(), settings).has_value();
+    const bool hasLines = !m_document.scene()->mesh.lines.empty();
     showNote();
     for (FieldRow* row : m_rows)
-        row->sync(settings, defaults, refused);
+        row->sync(settings, defaults, refused, hasLines);
     for (NumbersRow* row : m_numbers)
         row->sync();
     m_notes->refresh();

@@ -78,6 +78,11 @@ std::vector<StatisticsPanel::Row> StatisticsPanel::faceRows()
         {QT_TRANSLATE_NOOP("StatisticsPanel", "rasterized"),
          QT_TRANSLATE_NOOP("StatisticsPanel", "Faces that reached the pixels; a cut face counts once."),
          {COUNTER("rasterized", faces.rasterized)}},
+        {QT_TRANSLATE_NOOP("StatisticsPanel", "lines · shared"),
+         QT_TRANSLATE_NOOP("StatisticsPanel",
+                           "Lines drawn: those of the scene, and edges of the wireframe; and edges that were not drawn "
+                           "once more because another face draws them."),
+         {COUNTER("lines_drawn", lines.drawn), COUNTER("lines_shared", lines.shared)}},
     };
 }
 

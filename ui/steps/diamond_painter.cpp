@@ -8,7 +8,7 @@
 
 #include <QCoreApplication>
 
-#include <array>
+#include <vector>
 
 namespace rasterlens
 {
@@ -33,14 +33,16 @@ struct Line {
     [[nodiscard]] glm::dvec2 at(double t) const { return from + t * (to - from); }
 };
 
-std::array<Line, 3> linesOf(const LensModel& model)
+/// The lines that the triangle draws.
+std::vector<Line> linesOf(const LensModel& model)
 {
-    const auto& vertices = model.triangle().screen.vertices;
-    std::array<Line, 3> lines;
+    const ScreenTriangle& triangle = model.triangle().screen;
+    std::vector<Line> lines;
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t j = (i + 1) % 3;
-        lines[i] = {QStringLiteral("%1%2").arg(QChar(u'A' + char16_t(i))).arg(QChar(u'A' + char16_t(j))),
-                    vertices[i].position, vertices[j].position};
+        if (triangle.drawsEdge(i))
+            lines.push_back({QStringLiteral("%1%2").arg(QChar(u'A' + char16_t(i))).arg(QChar(u'A' + char16_t(j))),
+                             triangle.vertices[i].position, triangle.vertices[j].position});
     }
     return lines;
 }

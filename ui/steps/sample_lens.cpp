@@ -64,6 +64,29 @@ void paintGrid(QPainter& painter, const QRect& pixels, const CanvasTransform& tr
     lines(1, QColor(40, 46, 54, 190));
 }
 
+/// What a pixel stores and the mean of it: of many samples two a line, and the sums without their terms, so that a
+/// plate has room on the canvas.
+QStringList resolveWords(const ResolvedPixel& pixel)
+{
+    constexpr int kFewSamples = 8;
+    const QStringList stored = storedWords(pixel);
+    const QStringList sums = meanWords(pixel);
+    if (pixel.count <= kFewSamples)
+        return stored + sums;
+    QStringList lines;
+    const qsizetype rows = (stored.size() + 1) / 2;
+    qsizetype widest = 0;
+    for (qsizetype i = 0; i < rows; ++i)
+        widest = std::max(widest, stored[i].size());
+    for (qsizetype i = 0; i < rows; ++i)
+        lines << (i + rows < stored.size() ? stored[i].leftJustified(widest + 3) + stored[i + rows] : stored[i]);
+    for (const QString& sum : sums) {
+        const QString mean = sum.section(QLatin1String(" = "), 2);
+        lines << (mean.isEmpty() ? sum : QStringLiteral("%1 = %2").arg(sum.left(1), mean));
+    }
+    return lines;
+}
+
 } // namespace
 
 bool SampleLens::isAtWork() const
@@ -192,8 +215,8 @@ void SampleLens::paintResolve(QPainter& painter, const QRect& canvas, const Canv
                               .arg(pixel.x)
                               .arg(pixel.y)
                               .arg(pixel.count);
-    paintPlate(painter, canvas, box.bottomRight() + QPointF(10, 10),
-               QStringList{title} + storedWords(pixel) + meanWords(pixel), numberFont(0));
+    paintPlate(painter, canvas, box.bottomRight() + QPointF(10, 10), QStringList{title} + resolveWords(pixel),
+               numberFont(0));
 }
 
 void SampleLens::paintHover(QPainter& painter, const QRect& canvas, const CanvasTransform& transform,

@@ -8,6 +8,7 @@
 #include "ui/steps/lens_model.h"
 #include "ui/steps/step_formula.h"
 
+#include <QColor>
 #include <QCoreApplication>
 
 namespace rasterlens
@@ -37,6 +38,7 @@ public:
         case StepKind::Shade: return tr("%1 gets its colour from face %2.").arg(where()).arg(m_event.face);
         case StepKind::Write:
             return tr("%1 is written: colour and depth are now those of face %2.").arg(where()).arg(m_event.face);
+        case StepKind::Resolve: return mean();
         case StepKind::End: return tr("The frame is finished.");
         case StepKind::Vertex:
         case StepKind::ClipPlane:
@@ -51,8 +53,7 @@ public:
         case StepKind::Walk:
         case StepKind::Sides:
         case StepKind::Halves:
-        case StepKind::Crossing:
-        case StepKind::Resolve: break;
+        case StepKind::Crossing: break;
         }
         return rest();
     }
@@ -66,7 +67,7 @@ private:
     [[nodiscard]] QString where() const
     {
         if (isOfPattern(m_log, m_event))
-            return tr("Pixel (%1, %2), sample %3,").arg(m_event.x).arg(m_event.y).arg(m_event.sample + 1);
+            return tr("Sample %3 of pixel (%1, %2)").arg(m_event.x).arg(m_event.y).arg(m_event.sample + 1);
         return (m_log.grid() == 1 ? tr("Pixel (%1, %2)") : tr("Sample (%1, %2)")).arg(m_event.x).arg(m_event.y);
     }
 
@@ -153,6 +154,19 @@ private:
             .arg(where())
             .arg(m_event.face)
             .arg(shortNumber(double(step.depth)), shortNumber(double(step.storedDepth)));
+    }
+
+    [[nodiscard]] QString mean() const
+    {
+        const ResolvedPixel& pixel = m_log.payload<ResolveStep>(m_event).pixel;
+        const QColor color{QRgb(pixel.color)};
+        return tr("The mean of the %3 samples of pixel (%1, %2) is (%4, %5, %6).")
+            .arg(pixel.x)
+            .arg(pixel.y)
+            .arg(pixel.count)
+            .arg(color.red())
+            .arg(color.green())
+            .arg(color.blue());
     }
 
     /// Steps whose words say it all.
