@@ -5,6 +5,7 @@
 #include "ui/face/cards.h"
 #include "ui/face/derivation_panel.h"
 #include "ui/face/figure_view.h"
+#include "ui/steps/step_listing.h"
 
 #include <QComboBox>
 #include <QSlider>
@@ -309,6 +310,9 @@ void TestDerivationPanel::theStepIsFollowed()
     const StepEvent cut = *steps.session().event();
     QCOMPARE(cut.kind, StepKind::ClipPlane);
     const QString sign = QLatin1String(infoOf(steps.session().log()->payload<ClipStep>(cut).plane).sign);
+    const QString formula = steps.listing().explanation().formula;
+    QVERIFY2(formula.contains(QStringLiteral("right, x \u2264 w")), qPrintable(formula));
+    QVERIFY2(formula.contains(QStringLiteral("A\u2192B t=")), qPrintable(formula));
     const DerivationLine& line = panel.derived()->derivation->lines[panel.line()];
     QCOMPARE(textOf(line.left), QString(QStringLiteral("t_") + sign).replace(QLatin1Char('-'), QChar(0x2212)));
 }
