@@ -135,6 +135,12 @@ void TestOverlays::footprintsAreThoseOfTheCard()
 
 void TestOverlays::isoLinesHoldTheirWeight()
 {
+    PixelWeights rounded;
+    rounded.screen = {0.2, 0.3, 0.5};
+    rounded.used = {0.2 + 1e-16, 0.3 - 1e-16, 0.5};
+    QVERIFY2(!rounded.isCorrected(), "rounding is no perspective");
+    rounded.used = {0.2 + 1e-6, 0.3 - 1e-6, 0.5};
+    QVERIFY(rounded.isCorrected());
     QVERIFY(openSmall(QStringLiteral("builtin:tile-square"), {120, 120}));
     for (const Interpolation interpolation : {Interpolation::Perspective, Interpolation::Affine}) {
         QVERIFY(change([&](Settings& s) { s.interpolation = interpolation; }));
