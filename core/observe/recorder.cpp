@@ -137,12 +137,12 @@ void StepRecorder::leaveFaces()
     m_faceKept = m_triangleKept = true;
 }
 
-void StepRecorder::beginFace(std::size_t nth)
+void StepRecorder::beginFace(std::size_t nth, std::uint32_t face)
 {
     dropPending();
     m_now = {};
     m_now.face = nth;
-    const bool isSecondOfPair = m_rules.depthInLockstep && nth % 2 == 1; // it goes by what the first one has read
+    const bool isSecondOfPair = m_rules.depthInLockstep && face % 2 == 1; // it goes by what the first one has read
     if (m_index != nullptr && m_index->wantsPoint(++m_work) && !isSecondOfPair)
         keepPoint(m_now);
 }

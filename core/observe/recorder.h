@@ -86,8 +86,8 @@ public:
 
     // DrawnRecord, which draws for windows and indices, calls these beside the stages.
 
-    /// The next face is the n-th that is drawn, counted from 0.
-    void beginFace(std::size_t nth);
+    /// This face is next, the n-th that is drawn, counted from 0.
+    void beginFace(std::size_t nth, std::uint32_t face);
     /// The n-th triangle of the present face is next. False: it was drawn before the resume point.
     [[nodiscard]] bool takeTriangle(std::size_t nth);
     /// The algorithm comes to a row or column of samples. True: all of its calls came before the resume point.

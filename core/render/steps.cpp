@@ -136,7 +136,7 @@ private:
         std::vector<ScreenTriangle> triangles;
         std::span<const std::uint32_t> faces = std::span(m_order).subspan(from.face);
         while (!faces.empty() && !stage.stopped()) {
-            recorder.beginFace(m_order.size() - faces.size());
+            recorder.beginFace(m_order.size() - faces.size(), faces.front());
             faces = m_geometry.processBatch(faces, triangles, recorder);
             for (std::size_t i = 0; i < triangles.size(); ++i) {
                 if (!recorder.takeTriangle(i))
