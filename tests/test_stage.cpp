@@ -4,18 +4,23 @@
 #include "tests/seed.h"
 #include "ui/lessons/lesson_mode.h"
 #include "ui/lessons/lesson_panel.h"
+#include "ui/lessons/texts.h"
 #include "ui/steps/step_listing.h"
 #include "ui/steps/step_sentence.h"
 #include "ui/steps/transport_dock.h"
 #include "ui/truth/truth_mode.h"
+#include "ui/window/panel_places.h"
 #include "ui/window/window_moment.h"
 #include "window_fixture.h"
 
+#include <QComboBox>
+#include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
 #include <QStatusBar>
+#include <QTableView>
 #include <QToolButton>
 
 using namespace rasterlens;
@@ -32,6 +37,10 @@ private Q_SLOTS:
     void theCaptionTellsTheStep();
     void allMenusAreWithinReach();
     void lessonsAreHeldOnTheStage();
+    void everySlideLeavesThePictureItsShare_data();
+    void everySlideLeavesThePictureItsShare();
+    void panelsOfSlidesAreWhole_data();
+    void panelsOfSlidesAreWhole();
     void thePictureStaysFromQuestionToAnswer_data();
     void thePictureStaysFromQuestionToAnswer();
     void sessionsKeepTheMoment();
@@ -43,6 +52,47 @@ private Q_SLOTS:
     void theCountersAreInSight();
 
 private:
+    static constexpr double kShareOfPicture = 0.58;         ///< of the screen's height, at 1024x768
+    static constexpr double kShareBesideLongChoices = 0.53; ///< where question and choices have two lines each
+
+    /// Nothing, the first choice or the first pixel is the answer.
+    static void giveWrong(LessonPlayer& player)
+    {
+        const Question& question = *player.slide().question;
+        player.answer(question.kind == QuestionKind::Pixels ? GivenAnswer(std::vector<QPoint>{{0, 0}})
+                      : !question.choices.empty()           ? GivenAnswer(std::size_t(0))
+                                                            : GivenAnswer(QStringLiteral("-99")));
+    }
+
+    /// What is written in a dock and has no room there, or lies beyond its right edge.
+    static QStringList cutTexts(const QWidget& dock)
+    {
+        QStringList cut;
+        const auto check = [&](const QWidget& part, const QString& text, int needed) {
+            const int right = part.mapTo(&dock, QPoint(part.width(), 0)).x();
+            if (!text.isEmpty() && (right > dock.width() || part.width() < needed))
+                cut << QStringLiteral("\"%1\" has %2 of %3, up to %4 of %5")
+                           .arg(text)
+                           .arg(part.width())
+                           .arg(needed)
+                           .arg(right)
+                           .arg(dock.width());
+        };
+        for (const QWidget* part : dock.findChildren<QWidget*>()) {
+            if (!part->isVisible())
+                continue;
+            if (const auto* label = qobject_cast<const QLabel*>(part))
+                check(*label, label->text(), label->minimumSizeHint().width());
+            else if (const auto* button = qobject_cast<const QAbstractButton*>(part))
+                check(*button, button->text(), button->minimumSizeHint().width());
+            else if (const auto* box = qobject_cast<const QComboBox*>(part))
+                check(*box, box->currentText(), box->minimumSizeHint().width());
+            else if (const auto* table = qobject_cast<const QTableView*>(part))
+                check(*table->viewport(), QStringLiteral("table"), table->horizontalHeader()->length());
+        }
+        return cut;
+    }
+
     QLabel* caption() { return m_window->findChild<QLabel*>(QStringLiteral("caption")); }
 
     bool openStage(QSize size)
@@ -154,6 +204,97 @@ void TestStage::lessonsAreHeldOnTheStage()
     m_window->lessons().player().close();
     QVERIFY(openStage({1024, 768}));
     QVERIFY(!panel.isVisible() && caption()->isVisible());
+}
+
+void TestStage::everySlideLeavesThePictureItsShare_data()
+{
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<bool>("isChinese");
+    const QStringList ids = lessonIds();
+    for (qsizetype i = 0; i < ids.size(); i += qsizetype(everyOfBuild()))
+        for (const bool isChinese : {false, true})
+            QTest::addRow("%s, %s", qPrintable(ids[i]), isChinese ? "Chinese" : "English") << ids[i] << isChinese;
+}
+
+/// With its question open, after a wrong answer, and with its picture. Choices of two lines take a part of it.
+void TestStage::everySlideLeavesThePictureItsShare()
+{
+    QFETCH(const QString, id);
+    QFETCH(const bool, isChinese);
+    m_window->setLanguage(isChinese ? LanguageKind::Chinese : LanguageKind::English);
+    QVERIFY(m_window->lessons().open(id));
+    QVERIFY(openStage({1024, 768}));
+    LessonPlayer& player = m_window->lessons().player();
+    player.setLevel(2);
+    QStringList small;
+    const auto measure = [&](const char* when) {
+        QVERIFY(complete());
+        QTest::qWait(20); // layouts follow through the event loop
+        const double share = double(viewport().height()) / m_window->height();
+        bool hasLongChoices = false;
+        if (player.slide().question)
+            for (const QuestionChoice& choice : player.slide().question->choices)
+                hasLongChoices = hasLongChoices || choiceText(choice).size() > (isChinese ? 10 : 20);
+        if (share < (hasLongChoices ? kShareBesideLongChoices : kShareOfPicture))
+            small
+                << QStringLiteral("slide %1, %2: %3").arg(player.place().slide + 1).arg(QLatin1String(when)).arg(share);
+        QCOMPARE(m_window->size(), QSize(1024, 768));
+    };
+    while (player.place().phase != LessonPlayer::Phase::Ended) {
+        measure(player.isAsking() ? "asked" : "shown");
+        if (player.isAsking()) {
+            giveWrong(player);
+            if (player.isAsking())
+                measure("tried");
+        }
+        player.next();
+    }
+    QVERIFY2(small.isEmpty(), qPrintable(small.join(QStringLiteral("; "))));
+}
+
+void TestStage::panelsOfSlidesAreWhole_data()
+{
+    QTest::addColumn<QSize>("size");
+    QTest::addColumn<bool>("isChinese");
+    for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)})
+        for (const bool isChinese : {false, true})
+            QTest::addRow("%d, %s", size.width(), isChinese ? "Chinese" : "English") << size << isChinese;
+}
+
+/// Beside the canvas, which keeps half of the width, no text of a panel is cut at its right.
+void TestStage::panelsOfSlidesAreWhole()
+{
+    QFETCH(const QSize, size);
+    QFETCH(const bool, isChinese);
+    m_window->setLanguage(isChinese ? LanguageKind::Chinese : LanguageKind::English);
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    QVERIFY(openStage(size));
+    LessonPlayer& player = m_window->lessons().player();
+    player.setLevel(2);
+    QStringList wrong;
+    std::size_t panels = 0;
+    for (const QString& id : lessonIds()) {
+        QVERIFY(m_window->lessons().open(id));
+        for (std::size_t i = 0; i < player.lesson().slides.size(); ++i) {
+            if (player.lesson().slides[i].moment.panels.isEmpty())
+                continue;
+            player.goTo(i, LessonPlayer::Entry::Skips);
+            QVERIFY(complete());
+            QTest::qWait(50);
+            const QString where = QStringLiteral("%1 %2").arg(id).arg(i + 1);
+            if (2 * viewport().width() < m_window->width() - 40)
+                wrong << QStringLiteral("%1: the canvas is %2 wide").arg(where).arg(viewport().width());
+            for (const auto& [action, dock] : m_window->panels().actions())
+                if (m_window->panels().isInSight(dock)) {
+                    ++panels;
+                    for (const QString& text : cutTexts(*dock))
+                        wrong << QStringLiteral("%1: %2").arg(where, text);
+                }
+            QCOMPARE(m_window->size(), size);
+        }
+    }
+    QVERIFY(panels >= 20);
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QStringLiteral("\n"))));
 }
 
 void TestStage::thePictureStaysFromQuestionToAnswer_data()

@@ -9118,6 +9118,14 @@
         <translation>再试一次；按 ▶ 看答案。</translation>
     </message>
     <message>
+        <source>One more try, or ▶.</source>
+        <translation>再试一次，或按 ▶。</translation>
+    </message>
+    <message>
+        <source>the pixels marked</source>
+        <translation>标出的像素</translation>
+    </message>
+    <message>
         <source>✗ Not quite.</source>
         <translation>✗ 不太对。</translation>
     </message>

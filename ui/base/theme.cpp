@@ -126,6 +126,7 @@ StyleSheet styleSheetOf(const Look& look)
         qFatal("the style sheet is missing in the resources of this program");
     const auto points = [&](qreal delta) { return QStringLiteral("%1pt").arg(pointSizeOf(look) + delta); };
     QMap<QString, QString> values{
+        {QStringLiteral("ptText"), points(0)},
         {QStringLiteral("ptTitle"), points(1)},
         {QStringLiteral("ptSmall"), points(-1)},
         {QStringLiteral("ptHuge"), points(7)},

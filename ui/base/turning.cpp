@@ -1,6 +1,7 @@
 #include "ui/base/turning.h"
 
 #include <QEvent>
+#include <QFontInfo>
 #include <QWidget>
 
 #include <utility>
@@ -14,16 +15,12 @@ Turning::Turning(QWidget* panel, int widthBeside, std::function<void(bool)> turn
     panel->installEventFilter(this);
 }
 
-void Turning::setWidthBeside(int width)
-{
-    m_widthBeside = width;
-    judge();
-}
-
 void Turning::judge()
 {
     const QWidget* holder = m_panel->parentWidget();
-    const bool beside = !holder || holder->width() >= m_widthBeside;
+    constexpr double kUsualType = 13; // pixels
+    const double wanted = m_widthBeside * QFontInfo(m_panel->font()).pixelSize() / kUsualType;
+    const bool beside = !holder || holder->width() >= wanted;
     if (m_beside == beside)
         return;
     m_beside = beside;
@@ -34,8 +31,13 @@ bool Turning::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched == m_panel && event->type() == QEvent::ParentChange && m_panel->parentWidget())
         m_panel->parentWidget()->installEventFilter(this);
-    if (event->type() == QEvent::Resize || event->type() == QEvent::ParentChange)
-        judge();
+    switch (event->type()) {
+    case QEvent::Resize:
+    case QEvent::ParentChange:
+    case QEvent::FontChange:
+    case QEvent::StyleChange: judge(); break;
+    default: break;
+    }
     return QObject::eventFilter(watched, event);
 }
 

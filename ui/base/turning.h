@@ -16,11 +16,9 @@ class Turning : public QObject
     Q_OBJECT
 
 public:
-    /// in  widthBeside: from this width on the parts lie beside each other; turn: is called with true where they do
+    /// in  widthBeside: from this width on the parts lie beside each other, in type of the usual size; larger type
+    ///     takes as much more. turn: is called with true where they do
     Turning(QWidget* panel, int widthBeside, std::function<void(bool beside)> turn);
-
-    /// From now on another width counts.
-    void setWidthBeside(int width);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

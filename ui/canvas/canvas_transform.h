@@ -9,7 +9,8 @@
 namespace rasterlens
 {
 
-/// From image pixels to canvas pixels: canvas = origin + zoom * image. From zoom 1 on, both are whole numbers.
+/// From image pixels to canvas pixels: canvas = origin + zoom * image. From zoom 1 on, both are whole numbers, but for
+/// zooms from 1 to 4 on the stage, which are whole quarters.
 struct CanvasTransform {
     double zoom = 1;
     QPointF origin{0, 0};

@@ -21,6 +21,8 @@ namespace rasterlens
 namespace
 {
 
+constexpr double kLeastRing = 12; ///< canvas pixels within the ring around a pixel that is smaller
+
 /// Small cells would drown in strong lines.
 QColor gridColor(double zoom) { return {120, 128, 140, zoom >= kSampleDotsFromZoom ? 150 : 100}; }
 
@@ -174,6 +176,20 @@ void paintPixelFrame(QPainter& painter, QPoint pixel, const CanvasTransform& tra
     painter.drawRect(cell);
 }
 
+/// A pixel too small to be framed is ringed.
+void paintPixelRing(QPainter& painter, QPoint pixel, const CanvasTransform& transform, bool thick)
+{
+    const QPointF centre = transform.toCanvas(QPointF(pixel) + QPointF(0.5, 0.5));
+    const double width = thick ? 4 : 2.5;
+    const double radius = (thick ? 1.5 : 1) * kLeastRing / 2 + width / 2;
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(255, 255, 255, 220), width + 3));
+    painter.drawEllipse(centre, radius, radius);
+    painter.setPen(QPen(QColor(10, 12, 16), width));
+    painter.drawEllipse(centre, radius, radius);
+}
+
 /// A line around the picture. Four areas rather than an outline: viewers of drawings differ about its corners.
 void paintBorder(QPainter& painter, const QRect& picture)
 {
@@ -209,8 +225,12 @@ void paintPixelFrames(QPainter& painter, const CanvasTransform& transform, QSize
     const QRect pixels(QPoint(0, 0), picture);
     if (options.hoveredPixel && transform.zoom >= kGridFromZoom && pixels.contains(*options.hoveredPixel))
         paintPixelFrame(painter, *options.hoveredPixel, transform, false, options.thickLines);
-    if (options.selectedPixel && transform.zoom >= kGridFromZoom / 2 && pixels.contains(*options.selectedPixel))
+    if (!options.selectedPixel || !pixels.contains(*options.selectedPixel))
+        return;
+    if (transform.zoom >= kLeastRing)
         paintPixelFrame(painter, *options.selectedPixel, transform, true, options.thickLines);
+    else
+        paintPixelRing(painter, *options.selectedPixel, transform, options.thickLines);
 }
 
 bool isDrawing(const QPainter& painter)

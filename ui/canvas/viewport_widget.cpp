@@ -24,10 +24,17 @@ constexpr int kKeptVisible = 40; ///< canvas pixels of the image that panning le
 constexpr int kMaxFigureSide = 16384;
 constexpr int kWheelPauseMs = 500;
 
-double fittingZoom(QSizeF pixels, QSizeF canvas)
+/// in  `fine`: quarters of a canvas pixel are steps as well, as long as picture pixels are small
+double fittingZoom(QSizeF pixels, QSizeF canvas, bool fine)
 {
+    constexpr double kSmall = 4;
+    constexpr double kQuarters = 4;
     const double zoom = std::min(canvas.width() / pixels.width(), canvas.height() / pixels.height());
-    return zoom < 1 ? std::max(zoom, zoomSteps().front()) : std::min(std::floor(zoom), zoomSteps().back());
+    if (zoom < 1)
+        return std::max(zoom, zoomSteps().front());
+    if (fine && zoom < kSmall)
+        return std::floor(zoom * kQuarters) / kQuarters;
+    return std::min(std::floor(zoom), zoomSteps().back());
 }
 
 } // namespace
@@ -90,6 +97,8 @@ void ViewportWidget::setCanvasColor(const QColor& color)
 void ViewportWidget::setThickLines(bool on)
 {
     m_options.thickLines = on;
+    if (m_fitted)
+        applyFit();
     update();
 }
 
@@ -208,7 +217,8 @@ void ViewportWidget::applyFit()
         return;
     const auto zoomWith = [&](const QRect& place, int margin) {
         return fittingZoom(shown.size(),
-                           QSizeF(std::max(1, place.width() - 2 * margin), std::max(1, place.height() - 2 * margin)));
+                           QSizeF(std::max(1, place.width() - 2 * margin), std::max(1, place.height() - 2 * margin)),
+                           m_options.thickLines);
     };
     const auto fitted = [&](const QRect& place) {
         constexpr double kGain = 1.5; // whole pixels of the canvas make 1x into 2x, or 2x into 3x

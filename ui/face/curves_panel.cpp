@@ -44,12 +44,9 @@ QString fixed(double value)
     return text.replace(QLatin1Char('-'), QChar(0x2212));
 }
 
-/// From this width on two plots and the board have room beside each other: more in the large letters of the stage.
-int widthOfOneRow(const QFont& font)
-{
-    constexpr int kLetters = 52;
-    return kLetters * QFontInfo(font).pixelSize();
-}
+constexpr int kWidthOfOneRow = 676;   ///< two plots and the board beside each other
+constexpr int kWidthOfTwoPlots = 420; ///< beside each other, above the board
+constexpr int kLargeType = 20;        ///< pixels
 
 } // namespace
 
@@ -74,7 +71,7 @@ private:
 CurvesPanel::CurvesPanel(FaceSelection& selection, QWidget* parent)
     : QWidget(parent), m_edge(new PanelCombo), m_slider(new QSlider(Qt::Horizontal)), m_sliderName(new QLabel),
       m_note(new QLabel), m_correction(new CurvePlot), m_squeeze(new CurvePlot), m_board(new Board(*this)),
-      m_figures(new QBoxLayout(QBoxLayout::LeftToRight))
+      m_figures(new QBoxLayout(QBoxLayout::LeftToRight)), m_plots(new QBoxLayout(QBoxLayout::LeftToRight))
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 2, 12, 8);
@@ -94,12 +91,18 @@ CurvesPanel::CurvesPanel(FaceSelection& selection, QWidget* parent)
     column->addWidget(m_note);
     constexpr int kShareOfPlot = 32; // of 100
     m_figures->setSpacing(14);
-    m_figures->addWidget(m_correction, kShareOfPlot);
-    m_figures->addWidget(m_squeeze, kShareOfPlot);
+    m_plots->setSpacing(14);
+    m_plots->addWidget(m_correction, 1);
+    m_plots->addWidget(m_squeeze, 1);
+    m_figures->addLayout(m_plots, 2 * kShareOfPlot);
     m_figures->addWidget(m_board, 100 - 2 * kShareOfPlot);
     column->addLayout(m_figures, 1);
-    m_turning = new Turning(this, widthOfOneRow(font()), [this](bool inARow) {
+    new Turning(this, kWidthOfOneRow, [this](bool inARow) {
         m_inARow = inARow;
+        arrange();
+    });
+    new Turning(this, kWidthOfTwoPlots, [this](bool beside) {
+        m_arePlotsBeside = beside;
         arrange();
     });
     connect(m_edge, &QComboBox::currentIndexChanged, this, [this] {
@@ -167,7 +170,8 @@ QString CurvesPanel::boardText(int row, int column) const
     return fixed(values[column] == 0 ? 0.0 : values[column]);
 }
 
-/// Both plots and the board in a row or, where that is too narrow, one below the other.
+/// Both plots and the board in a row or, where that is too narrow, the board below the plots, which stand below each
+/// other at last.
 void CurvesPanel::arrange()
 {
     constexpr double kLinesOfBoard = 10.5;
@@ -176,9 +180,13 @@ void CurvesPanel::arrange()
     constexpr int kWidestBoard = 430;
     const double line = QFontMetricsF(textFont(0, true)).lineSpacing();
     const int boardHeight = static_cast<int>(line * kLinesOfBoard);
+    const bool isLargeType = QFontInfo(font()).pixelSize() >= kLargeType; // else two plots are too small
+    const bool arePlotsBeside = m_inARow || (m_arePlotsBeside && isLargeType);
     m_figures->setDirection(m_inARow ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-    m_correction->setMinimumHeight(static_cast<int>(line * kLinesOfPlot));
-    m_squeeze->setMinimumHeight(static_cast<int>(line * kLinesOfPlot));
+    m_plots->setDirection(arePlotsBeside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    constexpr int kLettersOfPlot = 14;
+    for (CurvePlot* plot : {m_correction, m_squeeze})
+        plot->setMinimumSize(kLettersOfPlot * QFontInfo(font()).pixelSize(), static_cast<int>(line * kLinesOfPlot));
     m_board->setMinimumSize(m_inARow ? QSize(kNarrowestBoard, 0) : QSize(0, boardHeight));
     m_board->setMaximumSize(m_inARow ? QSize(kWidestBoard, QWIDGETSIZE_MAX) : QSize(QWIDGETSIZE_MAX, boardHeight));
 }
@@ -280,11 +288,15 @@ void CurvesPanel::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange)
         retranslate();
-    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
-        m_turning->setWidthBeside(widthOfOneRow(font()));
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
         arrange();
-    }
     QWidget::changeEvent(event);
+}
+
+void CurvesPanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    arrange();
 }
 
 } // namespace rasterlens

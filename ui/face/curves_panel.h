@@ -18,7 +18,6 @@ namespace rasterlens
 {
 
 class CurvePlot;
-class Turning;
 
 /// What the curves are about: the distances of an edge's ends and the near and far planes.
 struct CurveInput {
@@ -53,6 +52,7 @@ public:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     class Board;
@@ -76,9 +76,10 @@ private:
     CurvePlot* m_correction;
     CurvePlot* m_squeeze;
     QWidget* m_board;
-    Turning* m_turning;
-    QBoxLayout* m_figures; ///< both plots and the board
+    QBoxLayout* m_figures; ///< the plots and the board
+    QBoxLayout* m_plots;
     bool m_inARow = true;
+    bool m_arePlotsBeside = true;
     bool m_edgeIsChosen = false; ///< by hand; until then the edge with the most to correct is shown
 };
 

@@ -7,6 +7,7 @@
 #include "ui/base/turning.h"
 
 #include <QEvent>
+#include <QFontInfo>
 #include <QHBoxLayout>
 #include <QImage>
 #include <QLabel>
@@ -44,9 +45,26 @@ QToolButton* button(const char* look)
 class RacePanel::Track : public QWidget
 {
 public:
-    Track(RacePanel& panel, Algorithm algorithm) : m_panel(panel), m_algorithm(algorithm) { setMinimumSize(250, 150); }
+    Track(RacePanel& panel, Algorithm algorithm) : m_panel(panel), m_algorithm(algorithm) { fitToType(); }
+
+    /// The numbers have the room that they need, and the samples some beside them.
+    void fitToType()
+    {
+        constexpr int kLeastHeight = 150;
+        const double line = QFontMetricsF(textFont(0, true)).lineSpacing() + 1;
+        m_numbersWidth = kNumbersLetters * QFontInfo(textFont(0)).pixelSize();
+        setMinimumSize(static_cast<int>(m_numbersWidth + kGap) + kLeastSamples,
+                       std::max(kLeastHeight, static_cast<int>(std::ceil(kLines * line)) + kTitleGap));
+    }
 
 protected:
+    void changeEvent(QEvent* event) override
+    {
+        QWidget::changeEvent(event);
+        if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+            fitToType();
+    }
+
     void paintEvent(QPaintEvent*) override
     {
         QPainter painter(this);
@@ -64,7 +82,7 @@ private:
         painter.setFont(textFont(0, true));
         painter.setPen(palette().color(QPalette::Text));
         const double line = QFontMetricsF(painter.font()).lineSpacing() + 1;
-        const QRectF box(m_numbersLeft, 0, kNumbersWidth, height());
+        const QRectF box(m_numbersLeft, 0, m_numbersWidth, height());
         painter.drawText(box, Qt::AlignLeft | Qt::AlignTop,
                          m_algorithm == Algorithm::EdgeWalking ? RacePanel::tr("Edge walking")
                                                                : RacePanel::tr("Edge equation"));
@@ -76,7 +94,7 @@ private:
             {RacePanel::tr("multiplications"), grouped(counts.multiplications)},
             {RacePanel::tr("divisions"), grouped(counts.divisions)},
         };
-        double y = line + 3;
+        double y = line + kTitleGap;
         for (const auto& [name, value] : rows) {
             const QRectF row(box.left(), y, box.width(), line);
             painter.setFont(textFont(-0.5));
@@ -135,7 +153,7 @@ private:
         bringUpToDate();
         if (m_bounds.isEmpty())
             return;
-        const QRectF room(0, 0, width() - kNumbersWidth - kGap - 1, height() - 1);
+        const QRectF room(0, 0, width() - m_numbersWidth - kGap - 1, height() - 1);
         double side = std::min(room.width() / m_bounds.width(), room.height() / m_bounds.height());
         if (side > 1)
             side = std::min(std::floor(side), kLargestCell);
@@ -178,7 +196,10 @@ private:
             painter.drawRect(cell(sample.x, sample.y));
     }
 
-    static constexpr double kNumbersWidth = 156;
+    static constexpr int kNumbersLetters = 12; ///< what a name and its number are wide
+    static constexpr int kLines = 7;
+    static constexpr int kTitleGap = 3;
+    static constexpr int kLeastSamples = 78;
     static constexpr double kGap = 16;
     static constexpr double kLargestCell = 32;
     static constexpr double kGridFrom = 5;
@@ -189,6 +210,7 @@ private:
     QRect m_bounds;
     QImage m_image;
     double m_numbersLeft = 0;
+    double m_numbersWidth = 0;
     std::size_t m_drawn = 0;
     std::size_t m_covered = 0;
 };

@@ -30,11 +30,14 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace rasterlens
 {
 namespace
 {
+
+constexpr int kRowRoom = 8; ///< of the header's padding: letters keep their lower ends
 
 QString tuple(std::initializer_list<double> values)
 {
@@ -197,9 +200,9 @@ QVariant VertexTableModel::data(const QModelIndex& index, int role) const
         return {};
     const VertexRow& corner = (*m_corners)[static_cast<std::size_t>(index.column())];
     switch (role) {
-    case Qt::DisplayRole:
+    case Qt::DisplayRole: return shownText(cell(index.row(), corner), m_type);
     case Qt::EditRole: return cell(index.row(), corner);
-    case Qt::FontRole: return numberFont();
+    case Qt::FontRole: return numberFont(m_type.delta);
     case Qt::DecorationRole:
         return index.row() == VertexColor ? QVariant(swatch(asColor(colorOf(corner)))) : QVariant();
     case Qt::ForegroundRole:
@@ -216,6 +219,8 @@ QVariant VertexTableModel::headerData(int section, Qt::Orientation orientation, 
 {
     if (role == Qt::ToolTipRole && orientation == Qt::Vertical && section == ScreenRegion)
         return tr("One bit each: above, below, right, left of the screen");
+    if (role == Qt::FontRole)
+        return textFont(m_type.delta, orientation == Qt::Horizontal);
     if (role != Qt::DisplayRole)
         return {};
     if (orientation == Qt::Horizontal)
@@ -328,6 +333,25 @@ void VertexTableModel::refresh()
     Q_EMIT headerDataChanged(Qt::Horizontal, 0, 2);
 }
 
+void VertexTableModel::setType(const Type& type)
+{
+    if (std::exchange(m_type, type) == type)
+        return;
+    Q_EMIT dataChanged(index(0, 0), index(kRowCount - 1, 2));
+    Q_EMIT headerDataChanged(Qt::Vertical, 0, kRowCount - 1);
+    Q_EMIT headerDataChanged(Qt::Horizontal, 0, 2);
+}
+
+QString VertexTableModel::shownText(const QString& cell, const Type& type)
+{
+    const QString comma = QStringLiteral(", ");
+    QStringList parts = cell.split(comma);
+    if (!type.hasBrokenRows || parts.size() < 2)
+        return cell;
+    const qsizetype half = (parts.size() + 1) / 2;
+    return parts.first(half).join(comma) + QStringLiteral(",\n") + parts.sliced(half).join(comma);
+}
+
 VertexPanel::VertexPanel(Document& document, FaceSelection& selection, VertexEditing& editing, QWidget* parent)
     : QWidget(parent), m_document(document), m_editing(editing),
       m_model(new VertexTableModel(document, selection, editing, this)), m_table(new QTableView),
@@ -397,14 +421,71 @@ void VertexPanel::buildTable()
     m_table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
 }
 
+/// In the large type of the stage the table would be cut: there it has the largest type, down to that of the window, in
+/// which its cells have room in one line, or the larger one in which they have it in two lines.
+void VertexPanel::fitType()
+{
+    constexpr double kLeastPoints = 9.5;
+    constexpr double kReadable = 14;
+    constexpr double kStep = 0.5;
+    const double usual = textFont(0).pointSizeF();
+    const QMargins around = layout()->contentsMargins();
+    const int room = width() - around.left() - around.right(); // the layout follows later
+    const auto largest = [&](bool hasBrokenRows, double least) {
+        VertexTableModel::Type type{0, hasBrokenRows};
+        while (usual + type.delta > least && widthOfTable(type) > room)
+            type.delta = std::max(type.delta - kStep, least - usual);
+        return type;
+    };
+    VertexTableModel::Type type = largest(false, std::min(usual, kReadable));
+    if (usual > kReadable && widthOfTable(type) > room)
+        type = largest(true, kLeastPoints);
+    m_model->setType(type);
+    const int line = QFontMetrics(numberFont(type.delta)).lineSpacing();
+    const int height = std::max(QFontMetrics(textFont(type.delta)).height(), line) + kRowRoom;
+    m_table->verticalHeader()->setMinimumSectionSize(height);
+    m_table->verticalHeader()->setDefaultSectionSize(height);
+    for (int row = 0; row < VertexTableModel::kRowCount; ++row) {
+        bool isBroken = false;
+        for (int column = 0; column < m_model->columnCount(); ++column)
+            isBroken = isBroken || m_model->index(row, column).data().toString().contains(QLatin1Char('\n'));
+        if (!m_table->isRowHidden(row))
+            m_table->setRowHeight(row, height + (isBroken ? line : 0));
+    }
+}
+
+int VertexPanel::widthOfTable(const VertexTableModel::Type& type) const
+{
+    constexpr int kPadding = 22; // of a cell, with what the style adds
+    constexpr int kSwatch = 24;
+    const QFontMetrics numbers(numberFont(type.delta));
+    const QFontMetrics names(textFont(type.delta, true));
+    int width = 0;
+    for (int row = 0; row < VertexTableModel::kRowCount; ++row)
+        if (!m_table->isRowHidden(row))
+            width = std::max(
+                width, names.horizontalAdvance(m_model->headerData(row, Qt::Vertical, Qt::DisplayRole).toString()));
+    width += kPadding;
+    for (int column = 0; column < m_model->columnCount(); ++column) {
+        int widest = names.horizontalAdvance(m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
+        for (int row = 0; row < VertexTableModel::kRowCount; ++row) {
+            const QString cell = m_model->index(row, column).data(Qt::EditRole).toString();
+            const int swatch = row == VertexTableModel::VertexColor ? kSwatch : 0;
+            if (!m_table->isRowHidden(row))
+                for (const QString& line : VertexTableModel::shownText(cell, type).split(QLatin1Char('\n')))
+                    widest = std::max(widest, numbers.horizontalAdvance(line) + swatch);
+        }
+        width += widest + kPadding;
+    }
+    return width;
+}
+
 /// The table has all its rows in sight; what is higher than the dock scrolls as a whole.
 void VertexPanel::fitToRows()
 {
-    constexpr int kRoom = 8; ///< of the header's padding: letters keep their lower ends
-    m_table->verticalHeader()->setMinimumSectionSize(fontMetrics().height() + kRoom);
-    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + kRoom);
+    fitType();
     m_table->setMinimumHeight(m_table->verticalHeader()->length() + m_table->horizontalHeader()->sizeHint().height() +
-                              m_table->horizontalScrollBar()->sizeHint().height() + kRoom);
+                              m_table->horizontalScrollBar()->sizeHint().height() + kRowRoom);
 }
 
 void VertexPanel::syncSwitches()
@@ -470,7 +551,15 @@ void VertexPanel::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange)
         retranslate();
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+        fitToRows();
     QWidget::changeEvent(event);
+}
+
+void VertexPanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    fitToRows();
 }
 
 } // namespace rasterlens

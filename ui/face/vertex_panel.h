@@ -53,6 +53,16 @@ public:
     [[nodiscard]] std::optional<QString> whyRefused(int row, const QString& text) const;
 
     void refresh();
+    /// How the cells are written, for a table that would be too wide else.
+    struct Type {
+        double delta = 0;           ///< points, added to the usual size
+        bool hasBrokenRows = false; ///< numbers of one cell stand in two lines
+
+        friend bool operator==(const Type&, const Type&) = default;
+    };
+    void setType(const Type& type);
+    /// A cell as it is shown in a type.
+    [[nodiscard]] static QString shownText(const QString& cell, const Type& type);
     [[nodiscard]] const std::optional<std::array<VertexRow, 3>>& corners() const { return m_corners; }
 
 private:
@@ -71,6 +81,7 @@ private:
     const FaceSelection& m_selection;
     const VertexEditing& m_editing;
     std::optional<std::array<VertexRow, 3>> m_corners;
+    Type m_type;
 };
 
 /// Each corner of the selected face in every space.
@@ -95,10 +106,13 @@ Q_SIGNALS:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void connectSwitches();
     void buildTable();
+    void fitType();
+    [[nodiscard]] int widthOfTable(const VertexTableModel::Type& type) const;
     void fitToRows();
     void syncSwitches();
     [[nodiscard]] QString hint() const;

@@ -8,6 +8,7 @@
 
 #include <QAction>
 #include <QBoxLayout>
+#include <QFontInfo>
 #include <QLabel>
 #include <QListWidget>
 #include <QToolButton>
@@ -21,6 +22,9 @@ namespace
 {
 
 constexpr int kBorder = 1; ///< of the card on which the bar lies
+constexpr int kArrows = 2;
+constexpr int kVerdictShare = 1000; ///< of the row's spare width, beside 1 of the gap
+constexpr int kVerdictGap = 8;      ///< between the verdict of a bar and what stands beside it
 
 QLabel* makeText(const char* name)
 {
@@ -92,12 +96,9 @@ LessonPanel::LessonPanel(LessonPlayer& player, const Actions& actions, QWidget* 
 QWidget* LessonPanel::buildButtons(const Actions& actions)
 {
     auto* buttons = new QWidget;
-    m_rows = new QBoxLayout(QBoxLayout::LeftToRight, buttons);
-    m_rows->setContentsMargins(0, 0, 0, 0);
-    m_rows->setSpacing(4);
-    auto* row = m_row = new QHBoxLayout;
+    auto* row = m_row = new QHBoxLayout(buttons);
+    row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
-    m_rows->addLayout(row);
     for (QAction* action : {actions.previous, actions.next}) {
         QToolButton* button = makeButton(nullptr);
         button->setText(action == actions.next ? QStringLiteral("\u25b6") : QStringLiteral("\u25c0"));
@@ -115,16 +116,14 @@ QWidget* LessonPanel::buildButtons(const Actions& actions)
     m_number->setObjectName(QStringLiteral("heading"));
     row->addWidget(m_number);
     row->addStretch(1);
-    auto* links = new QHBoxLayout;
-    m_rows->addLayout(links);
     m_try = makeLink();
     m_try->setFocusPolicy(Qt::TabFocus);
     connect(m_try, &QToolButton::clicked, this, &LessonPanel::tryWanted);
-    links->addWidget(m_try);
+    row->addWidget(m_try);
     m_back = makeLink();
     m_back->setFocusPolicy(Qt::TabFocus);
     connect(m_back, &QToolButton::clicked, actions.back, &QAction::trigger);
-    links->addWidget(m_back);
+    row->addWidget(m_back);
     m_leftOut = makeLink();
     m_leftOut->setFocusPolicy(Qt::TabFocus);
     connect(m_leftOut, &QToolButton::clicked, this, [this] {
@@ -144,17 +143,29 @@ void LessonPanel::setAway(bool away)
     sync();
 }
 
+/// The lower end of a bar, with the buttons, stays where it is, however much there is to read above it.
 void LessonPanel::setBar(bool bar)
 {
     m_bar = bar;
+    const QMargins around = bar ? QMargins(12, 2, 12, 3) : QMargins(12, 4, 12, 6);
+    const int gap = bar ? 3 : 8;
+    m_outer->setContentsMargins(around);
+    m_outer->setSpacing(gap);
+    m_column->setSpacing(gap);
+    for (QLabel* text : {m_text, m_measure})
+        setStyleProperty(*text, "bar", bar ? QStringLiteral("true") : QStringLiteral("false"));
+    for (int i = 0; i < kArrows; ++i) // as high as the links beside them
+        m_row->itemAt(i)->widget()->setMaximumHeight(bar ? m_try->sizeHint().height() : QWIDGETSIZE_MAX);
+    m_number->setMinimumHeight(bar ? m_try->sizeHint().height() : 0);
     if (bar)
-        m_rows->addWidget(m_leftOut);
+        m_row->addWidget(m_leftOut);
     else
         m_column->insertWidget(m_column->indexOf(m_score), m_leftOut, 0, Qt::AlignLeft);
-    // The lower end of the bar stays where it is, however much there is to read.
-    m_outer->setAlignment(m_buttons, bar ? Qt::AlignBottom : Qt::AlignTop);
-    m_outer->setDirection(bar ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-    m_rows->setDirection(bar ? QBoxLayout::BottomToTop : QBoxLayout::LeftToRight);
+    for (int i = 0; i < m_row->count(); ++i) // beside a verdict of several lines as well
+        if (QWidget* part = m_row->itemAt(i)->widget(); part && part != m_verdict)
+            m_row->setAlignment(part, bar ? Qt::AlignBottom : Qt::Alignment());
+    m_outer->setAlignment(m_buttons, bar ? Qt::Alignment() : Qt::AlignTop);
+    m_outer->setDirection(bar ? QBoxLayout::BottomToTop : QBoxLayout::TopToBottom);
     m_question->setWide(bar);
     sync();
 }
@@ -173,11 +184,17 @@ void LessonPanel::sync()
 {
     const bool isOpen = m_player.isOpen();
     setEnabled(isOpen);
-    m_try->setVisible(isOpen && !m_away);
+    if (!m_player.isAsking())
+        m_question->setQuestion(nullptr); // first: the row is to have at no time more than it has room for
+    const bool isOpenBar = m_bar && m_player.isAsking(); // which has the room for the answer alone
+    m_try->setVisible(isOpen && !m_away && !isOpenBar);
     m_back->setVisible(isOpen && m_away);
+    syncLeftOut();
     m_contents->setVisible(isOpen && !m_bar);
     m_title->setVisible(isOpen && !m_bar);
     m_title->setText(isOpen ? textInUse(m_player.lesson().title) : QString());
+    placeQuestion(); // before: it takes the keys
+    placeVerdict();
     m_question->setQuestion(m_player.isAsking() ? &*m_player.slide().question : nullptr);
     m_question->setTries(m_player.tries());
     m_verdict->setText(!isOpen ? QString() : m_player.isAsking() ? tryText() : verdictText());
@@ -186,7 +203,6 @@ void LessonPanel::sync()
         m_number->clear();
         m_score->clear();
         m_text->setText(tr("Choose a lesson in the menu Lessons."));
-        m_leftOut->hide();
         syncContents();
         keepHeight();
         return;
@@ -205,16 +221,42 @@ void LessonPanel::sync()
                      m_player.answered(place.slide) && m_player.answered(place.slide)->isRight
                          ? QStringLiteral("right")
                          : QStringLiteral("wrong"));
-    syncLeftOut();
     syncContents();
     keepHeight();
+}
+
+/// Whether the answer is given in the row of the buttons: what is typed, or one of some short choices.
+bool LessonPanel::isAnsweredInRow(const Slide& slide) const
+{
+    if (!m_bar || !slide.question)
+        return false;
+    // A question with two choices has no second try, and so no verdict beside them.
+    const int verdict = slide.question->choices.size() == 2  ? 0
+                        : slide.question->choices.size() > 2 ? 3 * leastVerdict() / 2
+                                                             : leastVerdict();
+    return m_question->rowWidth(*slide.question) + verdict <= widthBesideNumber();
+}
+
+/// In a bar a short answer stands in the row of the buttons, and longer choices stand in a row of their own.
+void LessonPanel::placeQuestion()
+{
+    const bool isInRow = m_player.isAsking() && isAnsweredInRow(m_player.slide());
+    m_question->setMinimumWidth(isInRow ? m_question->rowWidth(*m_player.slide().question) : 0);
+    if (isInRow) {
+        if (m_row->indexOf(m_question) < 0)
+            m_row->insertWidget(m_row->indexOf(m_number) + 1, m_question, 0, Qt::AlignBottom);
+    } else if (m_column->indexOf(m_question) < 0) {
+        m_column->insertWidget(m_column->indexOf(m_text) + 1, m_question);
+    }
 }
 
 void LessonPanel::resizeEvent(QResizeEvent* event)
 {
     QFrame::resizeEvent(event);
-    if (event->size().width() != event->oldSize().width())
-        m_keptFor = nullptr;
+    if (event->size().width() == event->oldSize().width())
+        return;
+    placeQuestion();
+    placeVerdict();
     keepHeight();
 }
 
@@ -223,68 +265,126 @@ void LessonPanel::resizeEvent(QResizeEvent* event)
 void LessonPanel::keepHeight()
 {
     if (!m_bar || !m_player.isOpen()) {
-        m_buttons->setMinimumWidth(0);
-        m_buttons->setMaximumWidth(QWIDGETSIZE_MAX);
         setMinimumHeight(0);
-        m_keptFor = nullptr;
         return;
     }
-    if (std::exchange(m_keptFor, &m_player.slide()) != &m_player.slide())
-        m_kept = 0;
-    m_buttons->setFixedWidth(widthOfButtons());
-    m_outer->activate();
+    for (QWidget* part : findChildren<QWidget*>())
+        part->ensurePolished(); // in the type that is measured
+    if (std::exchange(m_measuredFor, &m_player.slide()) != &m_player.slide())
+        m_choices = 0;
+    if (m_player.isAsking() && !isAnsweredInRow(m_player.slide())) {
+        m_question->balanceChoices(roomForTexts());
+        m_choices = m_question->heightForWidth(roomForTexts());
+    }
     constexpr double kShare = 0.15; // of the window's height; the picture has three fifths then
     int ofAll = 0;
     for (const Slide& slide : m_player.lesson().slides)
         ofAll = std::max(ofAll, heightOfTexts(slide));
     ofAll = std::min(ofAll, static_cast<int>(window()->height() * kShare));
-    m_kept = std::max({m_kept, m_outer->totalHeightForWidth(barWidth()), heightOfTexts(m_player.slide()), ofAll});
-    setMinimumHeight(m_kept);
+    setMinimumHeight(std::max(heightOfTexts(m_player.slide()), ofAll));
 }
 
-/// The column at the left of a bar has one width, whichever of the links is shown: the text beside it keeps its lines.
-int LessonPanel::widthOfButtons() const
+/// A verdict in less than this would have too many lines.
+int LessonPanel::leastVerdict() const
 {
-    const int leftOut = m_leftOut->isHidden() ? 0 : m_leftOut->sizeHint().width();
-    return std::max({m_row->sizeHint().width(), m_try->sizeHint().width(), m_back->sizeHint().width(), leftOut});
+    constexpr int kLetters = 9;
+    return kLetters * QFontInfo(font()).pixelSize();
+}
+
+/// In a bar the verdict stands beside the number, or above the text where there is too little room.
+void LessonPanel::placeVerdict()
+{
+    if (m_bar && m_player.isOpen() && verdictWidth(m_player.slide(), m_player.isAsking()) >= leastVerdict()) {
+        if (m_row->indexOf(m_verdict) < 0)
+            m_row->insertWidget(m_row->indexOf(m_number) + 1, m_verdict, kVerdictShare);
+    } else if (m_column->indexOf(m_verdict) < 0) {
+        m_column->insertWidget(0, m_verdict);
+    }
+    const int gap = m_row->indexOf(m_verdict) < 0 ? 0 : kVerdictGap;
+    m_verdict->setContentsMargins(gap, 0, gap, 0);
+}
+
+/// What the arrows and the number leave of the lower row of a bar.
+int LessonPanel::widthBesideNumber() const
+{
+    int width = roomForTexts() - m_row->spacing();
+    for (int i = 0; i <= m_row->indexOf(m_number); ++i)
+        width -= m_row->itemAt(i)->sizeHint().width() + m_row->spacing();
+    return width;
+}
+
+/// What is left for the verdict: while a question is open beside its field, and then beside the links, whichever of
+/// them is shown.
+int LessonPanel::verdictWidth(const Slide& slide, bool isOpen) const
+{
+    const auto with = [this](int width) { return width + m_row->spacing(); };
+    if (isOpen)
+        return widthBesideNumber() - (isAnsweredInRow(slide) ? with(m_question->rowWidth(*slide.question)) : 0);
+    // At the end there is no verdict, and the bar keeps the height of the last slide.
+    const bool hasNone = m_player.leftOut().empty() || m_player.place().phase == LessonPlayer::Phase::Ended;
+    const int leftOut = hasNone ? 0 : with(m_leftOut->sizeHint().width());
+    return widthBesideNumber() - with(std::max(m_try->sizeHint().width(), m_back->sizeHint().width())) - leftOut;
 }
 
 /// Before the layout has followed, the panel is as wide as it was beside the canvas.
 int LessonPanel::barWidth() const { return std::max(width(), parentWidget()->contentsRect().width() - 2 * kBorder); }
 
+int LessonPanel::roomForTexts() const
+{
+    const QMargins around = m_outer->contentsMargins();
+    return barWidth() - around.left() - around.right();
+}
+
+/// The height of the bar's lower row with a verdict that has a width, or of the row and the verdict above the text.
+int LessonPanel::heightOfRow(const QString& verdict, int width) const
+{
+    const bool isInRow = width >= leastVerdict();
+    const QWidget* arrow = m_row->itemAt(0)->widget();
+    const int row = std::max(m_try->sizeHint().height(), std::min(arrow->sizeHint().height(), arrow->maximumHeight()));
+    constexpr int kSlack = 8;
+    const QRect place(0, 0, (isInRow ? width : roomForTexts()) - 2 * kVerdictGap - kSlack, QWIDGETSIZE_MAX);
+    const int text =
+        verdict.isEmpty() ? 0 : m_verdict->fontMetrics().boundingRect(place, Qt::TextWordWrap, verdict).height();
+    const int high = text + text / 8; // lines of other scripts are higher
+    return isInRow ? std::max(high, row) : row + high + m_outer->spacing();
+}
+
 /// The height of the bar for a slide's question, and for its caption with what became of the answer.
 int LessonPanel::heightOfTexts(const Slide& slide) const
 {
     const QMargins around = m_outer->contentsMargins();
-    const int gap = m_column->spacing();
-    const int room = barWidth() - around.left() - around.right() - m_outer->spacing() - widthOfButtons();
+    const int gap = m_outer->spacing();
     m_measure->ensurePolished();
+    m_verdict->ensurePolished();
     const auto heightOf = [&](const TwoTexts& text) {
         m_measure->setText(textInUse(text));
-        return m_measure->heightForWidth(room);
+        return m_measure->heightForWidth(roomForTexts());
     };
-    int height = heightOf(textWithNumbers(slide.moment.caption, slide));
+    const QString verdict = slide.question ? longestVerdict(*slide.question) : QString();
+    const int shown =
+        heightOf(textWithNumbers(slide.moment.caption, slide)) + gap + heightOfRow(verdict, verdictWidth(slide, false));
+    int asked = 0;
     if (slide.question) {
-        const Question& question = *slide.question;
-        const auto heightOfVerdict = [&](const QString& text) {
-            const QRect place(0, 0, room, QWIDGETSIZE_MAX);
-            return gap + m_verdict->fontMetrics().boundingRect(place, Qt::TextWordWrap, text).height();
-        };
-        // Choices that are open are measured; those of other slides are taken for one line.
-        const bool isOpen = m_player.isAsking() && &slide == &m_player.slide();
-        const int box = std::max(m_question->rowHeight(), isOpen ? m_question->heightForWidth(room) : 0);
-        constexpr PixelScore kLong{100, 100, 100};
-        const QString tried = tryAgainText(question.kind == QuestionKind::Pixels ? std::optional(kLong) : std::nullopt);
-        height = std::max(height + heightOfVerdict(longestVerdict(question)),
-                          heightOf(question.text) + gap + box + heightOfVerdict(tried));
+        constexpr PixelScore kUsual{10, 10, 10};
+        const bool asksForPixels = slide.question->kind == QuestionKind::Pixels;
+        const bool isTriedOnce = slide.question->choices.size() == 2;
+        const QString tried =
+            isTriedOnce ? QString() : tryAgainText(asksForPixels ? std::optional(kUsual) : std::nullopt);
+        const int row = heightOfRow(tried, verdictWidth(slide, true));
+        asked = heightOf(slide.question->text) + gap +
+                (isAnsweredInRow(slide) ? std::max(row, m_question->rowHeight()) : row);
+        // Choices that were open are measured; those of other slides are taken for one line.
+        const int choices = &slide == m_measuredFor ? m_choices : 0;
+        if (!isAnsweredInRow(slide))
+            asked += std::max(m_question->rowHeight(), choices) + gap;
     }
-    return height + around.top() + around.bottom();
+    return std::max(shown, asked) + around.top() + around.bottom();
 }
 
 /// Answers that are no choices are numbers or pixels, and short.
 QString LessonPanel::longestVerdict(const Question& question)
 {
-    QString longest;
+    QString longest = QStringLiteral("0.0000"); // four digits of what is typed
     for (const QuestionChoice& choice : question.choices)
         if (const QString text = choiceText(choice); text.size() > longest.size())
             longest = text;
@@ -294,10 +394,10 @@ QString LessonPanel::longestVerdict(const Question& question)
 /// Slides for a second look are not left out without a word.
 void LessonPanel::syncLeftOut()
 {
-    QStringList numbers;
+    QStringList numbers; // none where no lesson is open
     for (const std::size_t slide : m_player.leftOut())
         numbers << QString::number(slide + 1);
-    m_leftOut->setVisible(!numbers.isEmpty());
+    m_leftOut->setVisible(!numbers.isEmpty() && !(m_bar && m_player.isAsking()));
     m_leftOut->setText(tr("Second look: %1").arg(listed(numbers)));
     m_leftOut->setToolTip(tr("A first course leaves these slides out. A click shows them, here and in all lessons; the "
                              "menu Lessons leaves them out again."));
@@ -313,9 +413,9 @@ QString LessonPanel::tryText() const
     return tryAgainText(m_player.triedPixels());
 }
 
-QString LessonPanel::tryAgainText(const std::optional<PixelScore>& score)
+QString LessonPanel::tryAgainText(const std::optional<PixelScore>& score) const
 {
-    const QString again = tr("One more try; \u25b6 shows the answer.");
+    const QString again = m_bar ? tr("One more try, or \u25b6.") : tr("One more try; \u25b6 shows the answer.");
     if (score)
         return pixelText(*score) + QStringLiteral(". ") + again;
     return tr("\u2717 Not quite.") + QLatin1Char(' ') + again;
@@ -336,7 +436,9 @@ QString LessonPanel::verdictText() const
     if (!answered->right)
         return answered->given ? tr("This question has no answer here.") : QString();
     const Question& question = *m_player.slide().question;
+    const bool arePixels = std::holds_alternative<std::vector<QPoint>>(answered->right->value);
     const QString right = answered->right->choice ? choiceText(question.choices[*answered->right->choice])
+                          : m_bar && arePixels    ? tr("the pixels marked") // one line, and no list of them
                                                   : textInUse(factInWords(answered->right->value));
     if (!answered->given)
         return tr("The answer: %1").arg(right);

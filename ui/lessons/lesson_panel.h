@@ -56,22 +56,28 @@ private:
     void syncContents();
     void syncLeftOut();
     [[nodiscard]] QString tryText() const;
-    [[nodiscard]] static QString tryAgainText(const std::optional<PixelScore>& score);
+    [[nodiscard]] QString tryAgainText(const std::optional<PixelScore>& score) const;
     [[nodiscard]] static QString pixelText(const PixelScore& score);
     [[nodiscard]] QString verdictText() const;
     [[nodiscard]] QString endText() const;
     void keepHeight();
     [[nodiscard]] int heightOfTexts(const Slide& slide) const;
     [[nodiscard]] int barWidth() const;
-    [[nodiscard]] int widthOfButtons() const;
+    [[nodiscard]] int roomForTexts() const;
+    [[nodiscard]] int verdictWidth(const Slide& slide, bool isOpen) const;
+    [[nodiscard]] int heightOfRow(const QString& verdict, int width) const;
+    [[nodiscard]] bool isAnsweredInRow(const Slide& slide) const;
+    [[nodiscard]] int widthBesideNumber() const;
+    void placeQuestion();
+    void placeVerdict();
+    [[nodiscard]] int leastVerdict() const;
     [[nodiscard]] static QString longestVerdict(const Question& question);
 
     LessonPlayer& m_player;
-    QBoxLayout* m_outer = nullptr; ///< buttons, and what is read, below them or at their right
+    QBoxLayout* m_outer = nullptr; ///< buttons, and what is read, below them or, in a bar, above them
     QVBoxLayout* m_column = nullptr;
     QWidget* m_buttons = nullptr;
-    QBoxLayout* m_rows = nullptr; ///< of the buttons
-    QHBoxLayout* m_row = nullptr; ///< the lowest of a bar: both buttons and the number
+    QHBoxLayout* m_row = nullptr; ///< of the buttons; in a bar with the verdict and all links
     QLabel* m_title = nullptr;
     QLabel* m_number = nullptr;
     QLabel* m_score = nullptr;
@@ -84,9 +90,9 @@ private:
     QListWidget* m_contents = nullptr;
     bool m_away = false;
     bool m_bar = false;
-    QLabel* m_measure = nullptr;      ///< hidden: tells the height of texts that are not shown
-    const Slide* m_keptFor = nullptr; ///< the slide that the height of the bar is kept for
-    int m_kept = 0;
+    QLabel* m_measure = nullptr;          ///< hidden: tells the height of texts that are not shown
+    const Slide* m_measuredFor = nullptr; ///< the slide whose choices were measured
+    int m_choices = 0;                    ///< their height in a bar
 };
 
 } // namespace rasterlens

@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QBoxLayout>
+#include <QFontInfo>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -15,6 +16,9 @@ namespace rasterlens
 {
 namespace
 {
+
+constexpr int kGap = 6;
+constexpr int kChoicePadding = 5; ///< above and below the text of a choice
 
 /// A button with the key that presses it, whose text is broken into lines where it has no room.
 class WrappingButton : public QPushButton
@@ -32,13 +36,22 @@ public:
         number->setObjectName(QStringLiteral("keyHint"));
         number->setAttribute(Qt::WA_TransparentForMouseEvents);
         auto* row = new QHBoxLayout(this);
-        row->setContentsMargins(9, 5, 9, 5);
+        row->setContentsMargins(9, kChoicePadding, 9, kChoicePadding);
         row->setSpacing(8);
         row->addWidget(number);
         row->addWidget(m_label, 1);
         QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
         policy.setHeightForWidth(true);
         setSizePolicy(policy);
+    }
+
+    /// With its text in one line.
+    [[nodiscard]] int widthOfLine() const
+    {
+        constexpr int kSlack = 4;
+        m_label->ensurePolished();
+        const QSize around = layout()->sizeHint() - m_label->sizeHint();
+        return m_label->fontMetrics().horizontalAdvance(m_label->text()) + around.width() + kSlack;
     }
 
     [[nodiscard]] QSize sizeHint() const override { return layout()->sizeHint(); }
@@ -61,7 +74,7 @@ QuestionBox::QuestionBox(QWidget* parent) : QWidget(parent)
     m_choices->setSpacing(6);
     column->addLayout(m_choices);
     auto* row = new QHBoxLayout;
-    row->setSpacing(6);
+    row->setSpacing(kGap);
     m_hint = new QLabel;
     m_hint->setObjectName(QStringLiteral("lessonHint"));
     m_hint->setWordWrap(true);
@@ -77,8 +90,10 @@ QuestionBox::QuestionBox(QWidget* parent) : QWidget(parent)
     row->addWidget(m_field, 1);
     for (QPushButton* button : {m_clear, m_check}) {
         button->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the canvas
+        button->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
         row->addWidget(button);
     }
+    row->addStretch(0); // beyond the greatest width of the field
     column->addLayout(row);
     connect(m_check, &QPushButton::clicked, this, &QuestionBox::check);
     connect(m_field, &QLineEdit::returnPressed, this, &QuestionBox::check);
@@ -115,9 +130,45 @@ bool QuestionBox::eventFilter(QObject* watched, QEvent* event)
 void QuestionBox::setWide(bool wide)
 {
     m_choices->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_hint->setWordWrap(!wide);
+    m_field->setMinimumWidth(wide ? m_field->maximumWidth() : 0);
 }
 
-int QuestionBox::rowHeight() const { return std::max(m_field->sizeHint().height(), m_check->sizeHint().height()); }
+void QuestionBox::balanceChoices(int width)
+{
+    const auto share = [&](bool evenly) {
+        for (QPushButton* button : m_choiceButtons)
+            m_choices->setStretchFactor(button, evenly ? 1 : static_cast<WrappingButton*>(button)->widthOfLine());
+        m_choices->invalidate();
+        return m_choices->heightForWidth(width);
+    };
+    const bool isBeside = m_choices->direction() == QBoxLayout::LeftToRight;
+    const int even = share(true);
+    if (isBeside && share(false) >= even)
+        share(true);
+}
+
+int QuestionBox::rowWidth(const Question& question) const
+{
+    if (question.kind == QuestionKind::Pixels)
+        return fontMetrics().horizontalAdvance(tr("Click the pixels on the canvas.")) + m_clear->sizeHint().width() +
+               m_check->sizeHint().width() + 2 * kGap;
+    if (question.choices.empty())
+        return m_field->maximumWidth() + m_check->sizeHint().width() + kGap;
+    constexpr double kAroundText = 2.6; // its key and its border, in letters
+    int widest = 0;
+    for (const QuestionChoice& choice : question.choices)
+        widest = std::max(widest, fontMetrics().horizontalAdvance(choiceText(choice)));
+    const int each = widest + static_cast<int>(kAroundText * QFontInfo(font()).pixelSize());
+    return static_cast<int>(question.choices.size()) * (each + kGap) - kGap;
+}
+
+int QuestionBox::rowHeight() const
+{
+    constexpr int kOtherScripts = 4; // are taller
+    const int choice = fontMetrics().height() + 2 * kChoicePadding + kOtherScripts;
+    return std::max({m_field->sizeHint().height(), m_check->sizeHint().height(), choice});
+}
 
 void QuestionBox::setQuestion(const Question* question)
 {
@@ -197,7 +248,8 @@ void QuestionBox::retranslate()
     for (std::size_t i = 0; m_question && i < m_question->choices.size(); ++i) {
         auto* button = new WrappingButton(static_cast<int>(i) + 1, choiceText(m_question->choices[i]));
         connect(button, &QPushButton::clicked, this, [this, i] { Q_EMIT given(i); });
-        m_choices->addWidget(button);
+        m_choices->addWidget(button, 1); // beside each other they are of one width
+        button->show();                  // at once, so that it is measured
         m_choiceButtons.push_back(button);
     }
     sync();

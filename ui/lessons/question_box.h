@@ -28,6 +28,11 @@ public:
     void setWide(bool wide);
     /// The height of a line with the field or with short choices.
     [[nodiscard]] int rowHeight() const;
+    /// The width of a line in which a question is answered: by the field, by what pixels are marked with, or by choices
+    /// beside each other.
+    [[nodiscard]] int rowWidth(const Question& question) const;
+    /// Choices beside each other are of one width, unless others make them lower.
+    void balanceChoices(int width);
 
     /// Marks a pixel, or takes its mark away; nothing where the question does not ask for pixels.
     void togglePixel(QPoint pixel);

@@ -24,7 +24,7 @@ constexpr std::array kStages{Stage::Scene, Stage::Clip,  Stage::Screen, Stage::C
 constexpr int kChips = static_cast<int>(kStages.size());
 constexpr int kSpacing = 2;
 constexpr QMargins kMargins(8, 6, 8, 6);
-constexpr QMargins kBriefMargins(8, 3, 8, 3);
+constexpr QMargins kBriefMargins(8, 1, 8, 1);
 constexpr int kWidthOfOneRow = 400; ///< two rows where there is less
 constexpr int kArrowWidth = 14;
 constexpr int kWidthWithArrows = 690;
@@ -105,7 +105,7 @@ public:
     QSize sizeHint() const override
     {
         if (m_brief)
-            return {96, QFontMetrics(nameFont()).height() + 4};
+            return {96, QFontMetrics(nameFont()).height() + 2};
         return {96, QFontMetrics(nameFont()).height() + QFontMetrics(figureFont()).height() + 12};
     }
 
@@ -121,7 +121,7 @@ protected:
         painter.setBrush(palette().color(m_marked ? QPalette::Highlight : QPalette::AlternateBase));
         painter.drawRoundedRect(box, 6, 6);
 
-        const QRectF upper(box.left(), box.top() + (m_brief ? 1.5 : 5), box.width(),
+        const QRectF upper(box.left(), box.top() + (m_brief ? 0.5 : 5), box.width(),
                            QFontMetricsF(nameFont()).height());
         const QRectF lower(box.left(), upper.bottom() + 1, box.width(), QFontMetricsF(figureFont()).height());
         painter.setPen(palette().color(m_marked ? QPalette::HighlightedText : QPalette::Text));

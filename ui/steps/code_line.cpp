@@ -22,6 +22,29 @@ QFont codeFont(double scale)
     return font;
 }
 
+/// Breaks code before the last statement that has no room, else before the last such word; the rows that follow the
+/// first are indented.
+QStringList wrappedCode(QString code, const QFontMetrics& metrics, int room)
+{
+    const auto start = std::ranges::find_if_not(code, [](QChar c) { return c == QLatin1Char(' '); }) - code.begin();
+    const QString indent = QString(start + 4, QLatin1Char(' '));
+    QStringList rows;
+    while (metrics.horizontalAdvance(code) > room) {
+        const qsizetype first = rows.isEmpty() ? start : indent.size(); // of the letters
+        qsizetype end = -1;
+        for (qsizetype at = code.indexOf(QLatin1Char(' '), first);
+             at > 0 && metrics.horizontalAdvance(code.left(at)) <= room; at = code.indexOf(QLatin1Char(' '), at + 1))
+            end = at;
+        if (end < 0)
+            break;
+        if (const qsizetype statement = code.lastIndexOf(QLatin1String(";  "), end); statement > (first + end) / 2)
+            end = statement + 1;
+        rows << code.left(end).trimmed().prepend(rows.isEmpty() ? QString(start, QLatin1Char(' ')) : indent);
+        code = indent + code.sliced(end).trimmed();
+    }
+    return rows << code;
+}
+
 } // namespace
 
 CodeLine::CodeLine(QWidget* parent) : QWidget(parent) { setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); }
@@ -40,6 +63,22 @@ void CodeLine::setScale(double scale)
 {
     m_scale = scale;
     update();
+}
+
+void CodeLine::setWrapped(bool on)
+{
+    m_isWrapped = on;
+    update();
+}
+
+CodeLine::Rows CodeLine::rowsFor(int width) const
+{
+    const QFontMetrics metrics(codeFont(m_scale));
+    const int room = width - 2 * kPadding;
+    Rows rows{wrappedCode(m_line.code, metrics, room), {}};
+    if (!m_line.right.isEmpty())
+        rows.right = wrappedCode(m_line.right, metrics, room);
+    return rows;
 }
 
 double CodeLine::scaleFor(const QString& code, int width, double least)
@@ -75,6 +114,10 @@ void CodeLine::paintEvent(QPaintEvent*)
     QFont font = codeFont(m_scale);
     painter.setFont(font);
     painter.setPen(palette().color(m_isPresent ? QPalette::Text : QPalette::PlaceholderText));
+    if (m_isWrapped) {
+        paintRows(painter, font);
+        return;
+    }
     const Shown texts = shown();
     const QRect room = rect().adjusted(kPadding, 0, -kPadding, 0);
     painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, texts.code);
@@ -84,6 +127,21 @@ void CodeLine::paintEvent(QPaintEvent*)
     font.setStrikeOut(true);
     painter.setFont(font);
     painter.drawText(room.adjusted(code + kGap, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, texts.right);
+}
+
+void CodeLine::paintRows(QPainter& painter, QFont font) const
+{
+    const Rows rows = rowsFor(width());
+    const double high = double(height()) / double(rows.code.size() + rows.right.size());
+    QRectF row(kPadding, 0, width() - 2 * kPadding, high);
+    for (const QStringList& part : {rows.code, rows.right}) {
+        for (const QString& text : part) {
+            painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter, text);
+            row.translate(0, high);
+        }
+        font.setStrikeOut(true);
+        painter.setFont(font);
+    }
 }
 
 } // namespace rasterlens

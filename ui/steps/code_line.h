@@ -1,13 +1,16 @@
 #pragma once
 #include "ui/steps/step_formula.h"
 
+#include <QStringList>
 #include <QWidget>
+
+class QPainter;
 
 namespace rasterlens
 {
 
 /// A line of the listing: the code that is run and, where a mistake is in its place, the right code behind it, struck
-/// through. Code that has no room ends in dots; the tool tip has all of it.
+/// through. Code that has no room ends in dots, or is broken into rows; the tool tip has all of it.
 class CodeLine : public QWidget
 {
     Q_OBJECT
@@ -23,7 +26,17 @@ public:
     /// The scale, of those from 1 down to `least`, at which a line of code has room in a width.
     [[nodiscard]] static double scaleFor(const QString& code, int width, double least);
 
-    /// The code as it is shown, with dots where it has no room.
+    /// Code that has no room is broken into rows, and the right code stands below the code that is run.
+    void setWrapped(bool on);
+    /// The rows of the code, and then those of the right code, that have room in a width; none but the first is wider
+    /// unless a word of it is.
+    struct Rows {
+        QStringList code;
+        QStringList right;
+    };
+    [[nodiscard]] Rows rowsFor(int width) const;
+
+    /// The code as it is shown in one row, with dots where it has no room.
     struct Shown {
         QString code;
         QString right;
@@ -34,8 +47,11 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void paintRows(QPainter& painter, QFont font) const;
+
     ListingLine m_line;
     bool m_isPresent = false;
+    bool m_isWrapped = false;
     double m_scale = 1;
 };
 

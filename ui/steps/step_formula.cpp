@@ -440,7 +440,7 @@ QString formulaOf(const StepLog& log, std::size_t i)
     switch (event.kind) {
     case StepKind::Sample: return sampleFormula(log, event);
     case StepKind::Span: {
-        const QStringList lines = spanLines(log.payload<SpanStep>(event));
+        const QStringList lines = spanLines(log.payload<SpanStep>(event), Digits::All);
         return lines[0] + QLatin1Char('\n') + lines[1] + QStringLiteral("   ") + lines[2];
     }
     case StepKind::LineDecision: return lineFormula(log, event);
@@ -513,16 +513,21 @@ QStringList crossingLines(const StepLog& log, const StepEvent& event)
                          row.xb)};
 }
 
-QStringList spanLines(const SpanStep& span)
+QStringList spanLines(const SpanStep& span, Digits digits)
 {
     const SpanEnds& ends = span.ends;
     const auto end = [&](const char* name, double from, bool ceiling, std::int64_t to) {
+        const auto round = [&](double at) {
+            const double shifted = ends.whole ? at : at - 0.5;
+            return ceiling && !ends.whole ? std::ceil(shifted) : std::floor(shifted);
+        };
+        const QString brief = shortNumber(from);
+        const bool isEnough = digits == Digits::Few && round(brief.toDouble()) == round(from);
+        const QString number = minus(isEnough ? brief : fullNumber(from));
         const QString rounded = ends.whole ? ceiling ? QStringLiteral("floor(%1)") : QStringLiteral("floor(%1) + 1")
                                 : ceiling ? QStringLiteral("ceil(%1 \u2212 0.5)")
                                            : QStringLiteral("floor(%1 \u2212 0.5) + 1");
-        return QStringLiteral("%1 = %2   %3 = %4")
-            .arg(QLatin1String(name), minus(fullNumber(from)), rounded.arg(minus(fullNumber(from))))
-            .arg(to);
+        return QStringLiteral("%1 = %2   %3 = %4").arg(QLatin1String(name), number, rounded.arg(number)).arg(to);
     };
     return {end("xl", ends.left, ends.whole || ends.leftOwnsTie, ends.begin),
             end("xr", ends.right, !ends.whole && !ends.rightOwnsTie, ends.end),

@@ -37,7 +37,12 @@ struct StepExplanation {
 /// in  an event of kind Crossing
 [[nodiscard]] QStringList crossingLines(const StepLog& log, const StepEvent& event);
 
+enum class Digits {
+    All, ///< as many as the number has
+    Few, ///< six, unless they are rounded to another sample
+};
+
 /// Edge walking: where a span begins, where it ends, and the samples it fills.
-[[nodiscard]] QStringList spanLines(const SpanStep& span);
+[[nodiscard]] QStringList spanLines(const SpanStep& span, Digits digits);
 
 } // namespace rasterlens

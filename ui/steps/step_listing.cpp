@@ -16,7 +16,7 @@ namespace rasterlens
 namespace
 {
 
-constexpr double kLeastScale = 0.6;             ///< of code beside the canvas
+constexpr double kLeastScale = 0.75;            ///< of code beside the canvas; longer lines are broken into rows
 constexpr int kNarrow = 480;                    ///< width below which a formula has a row more
 constexpr int kCompactBelow = 560;              ///< height of the canvas card from which on the whole listing has room
 const QString kBetween = QStringLiteral("   "); ///< what stands between the parts of a formula
@@ -129,16 +129,29 @@ void StepListing::sync()
     double scale = 1;
     if (m_place == Place::Beside)
         for (const ListingLine& line : m_explanation.listing)
-            scale = std::min(scale, CodeLine::scaleFor(line.code, width() - 20, kLeastScale));
+            scale = std::min(scale, CodeLine::scaleFor(line.code, codeWidth(), kLeastScale));
     // The canvas above keeps its height: there are as many lines at every step, all of one height.
     const int kept = std::clamp(m_explanation.line, 0, int(m_lines.size()) - 1);
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
-        m_lines[i]->setFixedHeight(lineHeight());
-        m_lines[i]->setScale(scale);
-        m_lines[i]->setVisible(m_place != Place::Line && (int(i) == kept || !isCompact));
-        m_lines[i]->setLine(m_explanation.listing[i], int(i) == m_explanation.line);
+        CodeLine& line = *m_lines[i];
+        line.setScale(scale);
+        line.setWrapped(m_place == Place::Beside);
+        line.setVisible(m_place != Place::Line && (int(i) == kept || !isCompact));
+        line.setLine(m_explanation.listing[i], int(i) == m_explanation.line);
+        int rows = 1;
+        if (m_place == Place::Beside) {
+            const CodeLine::Rows all = line.rowsFor(codeWidth());
+            rows = int(all.code.size() + all.right.size());
+        }
+        line.setFixedHeight(rows * lineHeight());
     }
     fitFormula();
+}
+
+int StepListing::codeWidth() const
+{
+    const QMargins around = layout()->contentsMargins();
+    return width() - around.left() - around.right();
 }
 
 /// Room for digits and for the taller signs of other scripts.
@@ -149,14 +162,20 @@ int StepListing::lineHeight()
 }
 
 /// With a mistake on there is a row more, for its name: at every step of the record. Where the canvas is narrow, as on
-/// a small projector, there is one more.
+/// a small projector, there is one more. Beside the canvas there are as many as the code leaves.
 int StepListing::formulaRowCount() const
 {
     if (m_place == Place::Line)
         return 1;
     const bool hasMistakes = m_session.log() && !m_session.log()->mistakes().empty();
-    const int most = (hasMistakes ? 3 : 2) + (width() < kNarrow ? 1 : 0);
-    return m_place == Place::Beside ? 3 * most : most;
+    const int usual = hasMistakes ? 3 : 2;
+    if (m_place != Place::Beside)
+        return usual + (width() < kNarrow ? 1 : 0);
+    int code = 0;
+    for (const CodeLine* line : m_lines)
+        code += line->minimumHeight(); // which the layout follows later
+    const QMargins around = layout()->contentsMargins() + m_formula->contentsMargins();
+    return std::clamp((height() - around.top() - around.bottom() - code) / lineHeight(), usual, 3 * usual);
 }
 
 /// Long formulas are broken into rows, then made smaller, then the rows are filled, and they end in dots at last; the

@@ -46,6 +46,7 @@ protected:
 private:
     void sync();
     void fitFormula();
+    [[nodiscard]] int codeWidth() const;
     [[nodiscard]] int formulaRowCount() const;
     [[nodiscard]] static int lineHeight();
 

@@ -364,7 +364,7 @@ void TransportDock::setBrief(bool on)
     column->setContentsMargins(8, 0, 8, on ? 0 : 6);
     m_body->setMinimumSize(0, 0);
     m_body->setMaximumSize(QWIDGETSIZE_MAX, on ? 0 : QWIDGETSIZE_MAX);
-    row->setContentsMargins(12, on ? 3 : 7, 10, on ? 3 : 5);
+    row->setContentsMargins(12, on ? 1 : 7, 10, on ? 1 : 5);
     setStyleProperty(*m_titleRow, "brief", on ? QStringLiteral("true") : QStringLiteral("false"));
     fade(false);
     sync();

@@ -177,8 +177,25 @@ private:
                   ends.longEdgeIsLeft ? ends.right : ends.left);
         if (m_view.cell < kGlyphsFromCell)
             return {};
-        return paintPlate(m_view.painter, m_view.canvas, row.bottomLeft() + QPointF(4, 6), spanLines(span),
-                          numberFont(0));
+        return paintNumbers(spanLines(span, Digits::Few), row);
+    }
+
+    /// Beside the triangle, where there is room; else below the row.
+    QRectF paintNumbers(const QStringList& lines, const QRectF& row) const
+    {
+        constexpr double kGap = 12;
+        const QFont font = numberFont(0);
+        const QRectF canvas(m_view.canvas);
+        const QSizeF size = textPlate(canvas, canvas.topLeft(), lines, font).size();
+        QRectF triangle;
+        for (const ScreenVertex& vertex : m_model.triangle().screen.vertices)
+            triangle |= QRectF(m_view.at(vertex.position), QSizeF(1, 1));
+        QPointF corner = row.bottomLeft() + QPointF(4, 6);
+        if (triangle.right() + kGap + size.width() <= canvas.right())
+            corner = {triangle.right() + kGap, row.center().y() - size.height() / 2};
+        else if (triangle.left() - kGap - size.width() >= canvas.left())
+            corner = {triangle.left() - kGap - size.width(), row.center().y() - size.height() / 2};
+        return paintPlate(m_view.painter, canvas, corner, lines, font);
     }
 
     /// What the two colours are, by the numbers of the sorted corners and the names of the edges; the half of the row,

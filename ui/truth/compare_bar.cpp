@@ -36,11 +36,18 @@ public:
         update();
     }
 
+    /// As narrow as its numbers allow.
+    void setNarrow(bool narrow)
+    {
+        m_isNarrow = narrow;
+        updateGeometry();
+    }
+
     [[nodiscard]] QSize sizeHint() const override
     {
         constexpr int kLeast = 200;
         const QFontMetrics metrics(textFont(-1));
-        const int each = metrics.horizontalAdvance(QStringLiteral(" 255 "));
+        const int each = metrics.horizontalAdvance(m_isNarrow ? QStringLiteral("255") : QStringLiteral(" 255 "));
         return {std::max(kLeast, each * static_cast<int>(heatScale().size())), metrics.height() + 4};
     }
 
@@ -65,6 +72,7 @@ protected:
 
 private:
     int m_amplification = 1;
+    bool m_isNarrow = false;
 };
 
 CompareBar::CompareBar(Document& document, Comparison& comparison, QWidget* parent)
@@ -125,13 +133,16 @@ QToolButton* CompareBar::addViewButton(CompareView view)
 void CompareBar::setExtent(Extent extent)
 {
     m_extent = extent;
+    const bool isLine = extent == Extent::Line || extent == Extent::None;
+    layout()->setContentsMargins(12, isLine ? 0 : 2, 8, isLine ? 0 : 4);
+    m_legend->setNarrow(isLine);
     sync();
 }
 
 void CompareBar::sync()
 {
     const CompareView view = m_comparison.view();
-    setVisible(view != CompareView::Off);
+    setVisible(view != CompareView::Off && m_extent != Extent::None);
     m_text->setVisible(m_extent != Extent::Line);
     m_settings->setVisible(m_extent == Extent::Full);
     if (view == CompareView::Off)
@@ -146,7 +157,10 @@ void CompareBar::sync()
     m_blink->setChecked(view == CompareView::Blink);
     m_heat->setChecked(view == CompareView::Difference);
     const bool hasScale = view == CompareView::Difference && m_comparison.hasAmounts();
-    m_amplification->setVisible(hasScale);
+    // One line has no room for all of them beside the scale; the menu has the others.
+    for (QWidget* part : {m_pin, m_swap})
+        part->setVisible(!(hasScale && m_extent == Extent::Line));
+    m_amplification->setVisible(hasScale && m_extent != Extent::Line);
     m_legend->setVisible(hasScale);
     m_legend->setAmplification(m_comparison.amplification());
     m_text->setText(m_comparison.text());

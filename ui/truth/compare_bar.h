@@ -20,8 +20,8 @@ class CompareBar : public QFrame
 public:
     CompareBar(Document& document, Comparison& comparison, QWidget* parent = nullptr);
 
-    /// All parts; without the line of settings; or the controls in one line.
-    enum class Extent { Full, Brief, Line };
+    /// All parts; without the line of settings; the controls in one line; or nothing.
+    enum class Extent { Full, Brief, Line, None };
     void setExtent(Extent extent);
     [[nodiscard]] QComboBox* withBox() const { return m_with; }
     [[nodiscard]] QComboBox* amplificationBox() const { return m_amplification; }

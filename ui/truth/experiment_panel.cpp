@@ -54,7 +54,8 @@ ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(12, 2, 12, 8);
     row->setSpacing(10);
-    row->addWidget(buildControls());
+    QWidget* controls = buildControls();
+    row->addWidget(controls);
     auto* parts = new QSplitter(Qt::Horizontal);
     parts->setChildrenCollapsible(false);
     m_plot = new ExperimentPlot;
@@ -84,8 +85,11 @@ ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent)
     parts->setSizes({480, 520});
     row->addWidget(parts, 1);
     constexpr int kBeside = 780;
-    new Turning(this, kBeside, [this, row, parts](bool beside) {
+    new Turning(this, kBeside, [this, row, parts, controls](bool beside) {
+        controls->setSizePolicy(beside ? QSizePolicy::Fixed : QSizePolicy::Preferred, QSizePolicy::Preferred);
         row->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+        constexpr int kLinesOfPlot = 10;
+        m_plot->setMinimumHeight(beside ? 0 : kLinesOfPlot * fontMetrics().lineSpacing());
         parts->setOrientation(beside ? Qt::Horizontal : Qt::Vertical);
         m_table->setHorizontalScrollBarPolicy(beside ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
     });

@@ -87,6 +87,7 @@ QString RefereeBar::richText() const
 void RefereeBar::setBrief(bool brief)
 {
     m_brief = brief;
+    layout()->setContentsMargins(12, brief ? 0 : 2, 8, brief ? 0 : 2);
     sync();
 }
 

@@ -201,6 +201,7 @@ private:
     void connectField(Field* field, Refused refused, Mended mended);
     void leaveInnermost();
     void syncStage();
+    void syncTransport();
     void syncCompareBar();
     [[nodiscard]] QString stageText() const;
     void syncCounters();

@@ -9,6 +9,7 @@
 #include "ui/steps/step_mode.h"
 #include "ui/steps/transport_dock.h"
 #include "ui/truth/compare_bar.h"
+#include "ui/truth/referee_bar.h"
 #include "ui/truth/truth_mode.h"
 #include "ui/window/main_window.h"
 #include "ui/window/panel_places.h"
@@ -27,11 +28,19 @@
 namespace rasterlens
 {
 
+namespace
+{
+
+constexpr int kCardGap = 7;  ///< between strip and canvas, outside of a presentation
+constexpr int kCardEdge = 4; ///< above and below the line over the canvas
+
+} // namespace
+
 void MainWindow::setPresentation(bool on)
 {
     if (on == m_look.presentation)
         return;
-    constexpr int kGap = 7;
+    constexpr int kGap = 3;
     m_counters->setMinimumWidth(0);
     m_counters->hide();
     m_counters->setEnabled(false); // until it is known whether there is room
@@ -59,11 +68,16 @@ void MainWindow::setPresentation(bool on)
     setLook(look);
     menuBar()->setVisible(!on);
     centralWidget()->layout()->setContentsMargins(0, on ? kGap : 0, 0, 0);
+    centralWidget()->layout()->setSpacing(on ? kGap : kCardGap);
+    QLayout* card = m_canvasHeader->parentWidget()->layout();
+    card->setContentsMargins(1, on ? 1 : kCardEdge, 1, 1);
+    card->setSpacing(on ? 1 : kCardEdge);
     m_lessons->setBar(on ? m_caption->parentWidget()->layout() : nullptr);
     syncStage();
     m_presentation->setChecked(on);
     if (on) {
-        m_stepMode->transport().setVisible(m_stepMode->session().isOpen() || m_lessons->player().isOpen());
+        m_stepMode->transport().setVisible(m_stepMode->session().isOpen());
+        syncTransport();
         m_placement->setFullScreen(true);
         m_viewport->setFocus();
     } else {
@@ -85,7 +99,7 @@ void MainWindow::syncStage()
     constexpr int kWideFrom = 1200;      // pixels
     constexpr double kBesideShare = 0.4; // of the width
     const bool isStage = m_look.presentation;
-    const bool isWide = isStage && width() >= kWideFrom && width() >= kWide * height();
+    const bool isWide = isStage && width() >= kWideFrom && width() >= kWide * height() && !m_panels->hasPanelBeside();
     StepListing& listing = m_stepMode->listing();
     const auto direction = isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom;
     if (m_picture->direction() != direction)
@@ -107,19 +121,37 @@ void MainWindow::syncStage()
     syncCaption();
 }
 
-/// The slide says what differs. On the stage the bar takes the place of the views, which stay in the menu: the picture
-/// is not to move when an answer shows a comparison.
+/// On the stage the bar of the steps is shown in lessons that have steps, at all of their slides, since the buttons are
+/// to stay where the mouse is, and while steps are recorded.
+void MainWindow::syncTransport()
+{
+    const LessonPlayer& player = m_lessons->player();
+    if (!m_look.presentation || !player.isOpen())
+        return;
+    const bool hasSteps = std::ranges::any_of(player.lesson().slides, [](const Slide& slide) {
+        return slide.moment.step || (slide.before && slide.before->step);
+    });
+    m_stepMode->transport().setVisible(hasSteps || m_stepMode->session().isOpen());
+}
+
+/// The slide says what differs. On the stage the bars of comparison and referee take the place of the views, which stay
+/// in the menu: the picture is not to move when an answer shows them.
 void MainWindow::syncCompareBar()
 {
     using enum CompareBar::Extent;
     CompareBar& bar = m_truth->compareBar();
     const bool hasLesson = m_lessons->player().isOpen();
     const bool isAlone = m_look.presentation && hasLesson;
-    bar.setExtent(isAlone ? Line : m_look.presentation || hasLesson ? Brief : Full);
-    m_canvasHeader->setVisible(!isAlone || m_truth->comparison().view() == CompareView::Off);
+    // The line of the referee takes its place; the menu has what it holds.
+    bar.setExtent(isAlone && m_truth->referee().isOn() ? None
+                  : isAlone                            ? Line
+                  : m_look.presentation || hasLesson   ? Brief
+                                                       : Full);
+    const bool hasBar = m_truth->comparison().view() != CompareView::Off || m_truth->referee().isOn();
+    m_canvasHeader->setVisible(!isAlone || !hasBar);
     const int height = isAlone ? std::max(bar.sizeHint().height(), m_canvasHeader->sizeHint().height()) : 0;
-    bar.setMinimumHeight(height);
-    m_canvasHeader->setMinimumHeight(height);
+    for (QWidget* row : {static_cast<QWidget*>(&bar), static_cast<QWidget*>(&m_truth->refereeBar()), m_canvasHeader})
+        row->setMinimumHeight(height);
 }
 
 void MainWindow::resetLayout()

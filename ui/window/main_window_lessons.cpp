@@ -92,7 +92,14 @@ void MainWindow::connectLessons()
     });
     connect(&m_document, &Document::opened, this, [this] { m_shownPlace = {}; }); // what is open now is no slide
     connect(&player, &LessonPlayer::changed, this, &MainWindow::syncStage);
+    connect(&player, &LessonPlayer::changed, this, &MainWindow::syncTransport);
+    connect(&m_stepMode->session(), &StepSession::openChanged, this, &MainWindow::syncTransport);
     connect(&m_truth->comparison(), &Comparison::changed, this, &MainWindow::syncCompareBar);
+    connect(&m_truth->referee(), &Referee::changed, this, &MainWindow::syncCompareBar);
+    connect(m_panels, &PanelPlaces::changed, this, [this] {
+        if (m_look.presentation)
+            syncStage();
+    });
     connect(m_moment, &WindowMoment::changed, this,
             [this, &player] { m_lessons->setAway(player.isOpen() && m_moment->isChanged()); });
     m_document.setViewReader([this] { return toSessionView(m_moment->present()); });

@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QEvent>
+#include <QFontInfo>
 #include <QLayout>
 #include <QMainWindow>
 #include <QTimer>
@@ -22,7 +23,10 @@ constexpr int kSceneWidth = 298;
 constexpr int kStatisticsWidth = 272;
 constexpr int kTabWidth = 440;       ///< of a panel beside the canvas
 constexpr double kCanvasShare = 0.4; ///< of the window's width that a panel beside the canvas leaves to it
-constexpr int kLowestPanel = 130;    ///< a lower panel below the canvas shows nothing of use
+constexpr double kStageShare = 0.52; ///< of a wide stage's
+constexpr int kWideStage = 1200;
+constexpr int kUsualType = 13;    ///< pixels; larger type takes wider panels
+constexpr int kLowestPanel = 130; ///< a lower panel below the canvas shows nothing of use
 constexpr int kMost = QWIDGETSIZE_MAX;
 
 /// What the menu and the help call a panel, and the key that opens it with Alt: no menu and no other action has these
@@ -254,6 +258,14 @@ bool PanelPlaces::isInSight(const QDockWidget* dock) const
     return dock->isFloating() || m_window.rect().intersects(dock->geometry()); // a tab behind another lies outside
 }
 
+bool PanelPlaces::hasPanelBeside() const
+{
+    return std::ranges::any_of(m_actions, [this](const auto& row) {
+        QDockWidget* dock = row.second;
+        return !dock->isHidden() && !dock->isFloating() && m_window.dockWidgetArea(dock) != Qt::BottomDockWidgetArea;
+    });
+}
+
 void PanelPlaces::toggle(QDockWidget* dock)
 {
     if (isInSight(dock)) {
@@ -294,6 +306,8 @@ void PanelPlaces::noteOpen()
 void PanelPlaces::visibilityChanged(QDockWidget* dock)
 {
     QTimer::singleShot(0, this, &PanelPlaces::syncActions); // once the layout knows
+    if (m_isStage && dock == m_columns.card && !m_quiet && !dock->isHidden())
+        QTimer::singleShot(0, dock, [this, dock] { makeRoom(dock); });
     if (m_quiet || !m_tabs.contains(dock) || !m_window.isVisible())
         return;
     const bool isOpen = !dock->isHidden();
@@ -331,8 +345,9 @@ void PanelPlaces::makeRoom(QDockWidget* dock)
         return;
     const bool sharesColumn = m_window.dockWidgetArea(dock) == m_window.dockWidgetArea(m_columns.scene);
     const int other = sharesColumn || m_columns.scene->isHidden() ? 0 : widthOfSceneColumn();
-    const int spare = m_window.width() - other - static_cast<int>(m_window.width() * kCanvasShare);
-    const int least = std::min(kTabWidth, spare);
+    const double share = m_isStage && m_window.width() >= kWideStage ? kStageShare : kCanvasShare;
+    const int spare = m_window.width() - other - static_cast<int>(m_window.width() * share);
+    const int least = std::min(kTabWidth * QFontInfo(m_window.font()).pixelSize() / kUsualType, spare);
     const int width = std::clamp(dock->width(), least, std::max(least, spare));
     m_window.resizeDocks({dock}, {width}, Qt::Horizontal);
     if (m_narrow || m_columns.statistics->isHidden() || areStatisticsTab())

@@ -63,6 +63,8 @@ public:
     /// Shows the pixel card where one of the other columns lies over it.
     void revealCard();
     [[nodiscard]] bool isInSight(const QDockWidget* dock) const;
+    /// Whether a panel takes a part of the window's width from the canvas.
+    [[nodiscard]] bool hasPanelBeside() const;
     /// Runs something that shows and hides panels without any of them being given new room.
     void quietly(const std::function<void()>& change);
     /// What opens a panel, with its key.
