@@ -43,6 +43,9 @@ private Q_SLOTS:
     void theBeginningIsSteppedWhileTheRestIsRecorded();
     void formulasHaveRoomInASmallWindow();
     void exportsDrawingsAndRuns();
+
+private:
+    bool reopen(const std::function<void()>& inTheBeginning);
 };
 
 void TestTransport::everyTransportKey()
@@ -274,27 +277,31 @@ void TestTransport::recordingNeverBlocks()
     QVERIFY(!session().log());
 }
 
+/// Records anew, and does something as soon as the beginning is there; whether it was a beginning, and whole in the
+/// end.
+bool TestTransport::reopen(const std::function<void()>& inTheBeginning)
+{
+    session().close();
+    session().open();
+    bool wasBeginning = false;
+    const auto connection = connect(&session(), &StepSession::logChanged, this, [&] {
+        if (!session().isBeginning())
+            return;
+        wasBeginning = true;
+        QVERIFY(session().isRecording());
+        inTheBeginning();
+    });
+    const bool isWhole = waitFor([this] { return !session().isRecording(); });
+    disconnect(connection);
+    return isWhole && wasBeginning && !session().isBeginning();
+}
+
 void TestTransport::theBeginningIsSteppedWhileTheRestIsRecorded()
 {
     Settings settings = document().settings();
     settings.size = {1024, 1024};
     document().setSettings(settings);
     QVERIFY(waitFor([this] { return m_window->isSettled(); }));
-    const auto reopen = [this](const std::function<void()>& inTheBeginning) {
-        session().close();
-        session().open();
-        bool wasBeginning = false;
-        const auto connection = connect(&session(), &StepSession::logChanged, this, [&] {
-            if (!session().isBeginning())
-                return;
-            wasBeginning = true;
-            QVERIFY(session().isRecording());
-            inTheBeginning();
-        });
-        const bool isWhole = waitFor([this] { return !session().isRecording(); });
-        disconnect(connection);
-        return isWhole && wasBeginning && !session().isBeginning();
-    };
     std::size_t begun = 0;
     QVERIFY(reopen([&] {
         begun = session().size();

@@ -60,27 +60,7 @@ ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent)
     parts->setChildrenCollapsible(false);
     m_plot = new ExperimentPlot;
     parts->addWidget(m_plot);
-    m_model = new ExperimentModel(this);
-    auto* sorted = new QSortFilterProxyModel(this);
-    sorted->setSourceModel(m_model);
-    sorted->setSortRole(ExperimentModel::SortRole);
-    m_table = new QTableView;
-    m_table->setModel(sorted);
-    m_table->setSortingEnabled(true);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setShowGrid(false);
-    m_table->setAlternatingRowColors(true);
-    m_table->setWordWrap(false);
-    m_table->setIconSize(algorithmMark(Algorithm::Tiled).deviceIndependentSize().toSize());
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setSectionResizeMode(ExperimentModel::Name, QHeaderView::Stretch);
-    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_table->setMinimumSize(200, 120);
-    m_table->sortByColumn(ExperimentModel::Speed, Qt::AscendingOrder);
+    const QSortFilterProxyModel* sorted = buildTable();
     parts->addWidget(m_table);
     parts->setSizes({480, 520});
     row->addWidget(parts, 1);
@@ -108,6 +88,33 @@ ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent)
                 m_plot->setChosen(i.isValid() ? std::optional(sourceRow(i)) : std::nullopt);
             });
     retranslate();
+}
+
+/// out  the order in which the table has the model's rows
+QSortFilterProxyModel* ExperimentPanel::buildTable()
+{
+    m_model = new ExperimentModel(this);
+    auto* sorted = new QSortFilterProxyModel(this);
+    sorted->setSourceModel(m_model);
+    sorted->setSortRole(ExperimentModel::SortRole);
+    m_table = new QTableView;
+    m_table->setModel(sorted);
+    m_table->setSortingEnabled(true);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setShowGrid(false);
+    m_table->setAlternatingRowColors(true);
+    m_table->setWordWrap(false);
+    m_table->setIconSize(algorithmMark(Algorithm::Tiled).deviceIndependentSize().toSize());
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(ExperimentModel::Name, QHeaderView::Stretch);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_table->setMinimumSize(200, 120);
+    m_table->sortByColumn(ExperimentModel::Speed, Qt::AscendingOrder);
+    return sorted;
 }
 
 ExperimentPanel::~ExperimentPanel() = default;

@@ -16,6 +16,7 @@ class QMenu;
 class QProgressBar;
 class QPushButton;
 class QSpinBox;
+class QSortFilterProxyModel;
 class QTableView;
 class QToolButton;
 
@@ -67,6 +68,7 @@ protected:
 
 private:
     QWidget* buildControls();
+    QSortFilterProxyModel* buildTable();
     [[nodiscard]] QWidget* arrangedControls();
     /// What has been measured so far.
     struct Measured {
