@@ -1,5 +1,6 @@
 // How long the window keeps its user waiting, measured in the program: start, orbit, overlay, jumps in the record.
 #include "core/scenes/builtin_scenes.h"
+#include "core/settings/settings.h"
 #include "ui/canvas/viewport_widget.h"
 #include "ui/pipeline/statistics_panel.h"
 #include "ui/steps/step_mode.h"
@@ -239,12 +240,14 @@ int main(int argc, char** argv)
     parser.addPositionalArgument("SCENE", "what is orbited and recorded, for example stanford-bunny.obj");
     const QCommandLineOption records("records", "Records SCENE and all built-in scenes, a row each; nothing else.");
     parser.addOption(records);
+    const QCommandLineOption windowSize("size-window", "Size of the window.", "WxH", "1920x1080");
+    parser.addOption(windowSize);
     parser.process(application);
     const QString scene = parser.positionalArguments().value(0, QStringLiteral("builtin:teapot"));
 
     std::printf("%-58s %8s %8s %8s\n", "milliseconds", "median", "p90", "min");
     MainWindow window(MainWindow::Memory::Forget);
-    window.resize(2560, 1440);
+    window.resize(parseSize(parser.value(windowSize)).value_or(QSize(1920, 1080)));
     bool shown = false;
     QObject::connect(&window.viewport(), &ViewportWidget::frameShown, [&] { shown = true; });
     window.openDefaultScene();

@@ -178,8 +178,9 @@ std::shared_ptr<const StepLog> renderSteps(const Scene& scene, const Settings& s
     std::stop_source ending;
     const std::stop_callback stopToo(stop, [&] { ending.request_stop(); });
     const Resolved resolved = resolve(shown, scene);
-    FramePlanes planes =
-        clearedPlanes(resolved.rules, clearedPixel(scene, resolved.rules), resolved.rules.depthPerPixel, stop);
+    FramePlanes planes = clearedPlanes(resolved.rules, clearedPixel(scene, resolved.rules),
+                                       resolved.rules.depthPerPixel || resolved.rules.depthInLockstep,
+                                       stop); // what is read is not what is stored
     StepRecorder recorder(scene, resolved, filter, planes, ending);
     Frame frame;
     drawScene(scene, resolved, frame, {}, recorder, ending.get_token());
