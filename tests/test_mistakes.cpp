@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <map>
 
 using namespace rasterlens;
 
@@ -67,6 +68,8 @@ private Q_SLOTS:
     void unknownIdIsRefused();
     void isDefinedEverywhere_data() { addRowForEachMistake(); }
     void isDefinedEverywhere();
+    void everyWayOfClippingEnds_data() { addRowForEachMistake(); }
+    void everyWayOfClippingEnds();
     void squareIsHitTwiceOrNotAtAll();
     void windingsAreTreatedAlike();
     void depthOfTheBoard();
@@ -193,6 +196,31 @@ void TestMistakes::isDefinedEverywhere()
                          f.rejected + f.culledBack + f.culledFront + f.degenerate + f.nonFinite + f.rasterized);
                 QCOMPARE(counted.pixels.covered, counted.pixels.depthPassed + counted.pixels.depthFailed);
             }
+    }
+}
+
+/// Faces behind the eye that a mistake leaves there once had Cohen-Sutherland go round the viewport for ever.
+void TestMistakes::everyWayOfClippingEnds()
+{
+    QFETCH(QString, id);
+    for (const char* name : {"behind-camera", "tunnel", "covering"}) {
+        static std::map<QByteArray, Scene> scenes;
+        const auto [place, isNew] = scenes.try_emplace(name);
+        if (isNew)
+            place->second = *makeBuiltinScene(QLatin1String(name)).scene;
+        Settings settings = place->second.defaults;
+        settings.size = {32, 24};
+        settings.mistakes = {id};
+        const SettingsField& clipping = *findSettingsField(QStringLiteral("clipping"));
+        for (int mode = clipping.minimum; mode <= clipping.maximum; ++mode) {
+            clipping.set(settings, mode);
+            if (unsupported(place->second, settings))
+                continue;
+            Frame frame;
+            const Statistics statistics = renderCounted(place->second, settings, frame);
+            QCOMPARE(frame.image.size(), settings.size);
+            QCOMPARE(statistics.pixels.covered, statistics.pixels.depthPassed + statistics.pixels.depthFailed);
+        }
     }
 }
 

@@ -116,6 +116,7 @@ private:
     struct EdgeEnd;
     [[nodiscard]] SidesOf sidesOf(ClipCorner corner, const glm::dvec4& estimate) const;
     [[nodiscard]] bool clipEdge(EdgeEnd& begin, EdgeEnd& end, ClipLine line) const;
+    [[nodiscard]] bool has(ClipCorner corner) const;
     void appendEnd(const EdgeEnd& end, const ClipVertex& vertex, const ClipVertex& other);
     void appendViewportCorner(unsigned side, unsigned nextSide);
     void walkBorder(unsigned from, unsigned to, unsigned step);

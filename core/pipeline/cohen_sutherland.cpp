@@ -108,10 +108,12 @@ Clipper::SidesOf Clipper::sidesOf(ClipCorner corner, const glm::dvec4& estimate)
     return sides;
 }
 
-/// Moves the end that is outside to a side it is outside of, until both ends are inside or the edge is out.
+/// Moves the end that is outside to a side it is outside of, until both ends are inside or the edge is out. An end
+/// comes to no side twice, unless a mistake has left what lies behind the eye: such an edge is taken to be out.
 bool Clipper::clipEdge(EdgeEnd& begin, EdgeEnd& end, ClipLine line) const
 {
-    while ((begin.sides.outside & end.sides.outside) == 0) {
+    constexpr unsigned kMostMoves = 2 * kSides;
+    for (unsigned moves = 0; moves <= kMostMoves && (begin.sides.outside & end.sides.outside) == 0; ++moves) {
         if ((begin.sides.outside | end.sides.outside) == 0)
             return true;
         EdgeEnd& moved = begin.sides.outside != 0 ? begin : end;
@@ -123,10 +125,16 @@ bool Clipper::clipEdge(EdgeEnd& begin, EdgeEnd& end, ClipLine line) const
     return false;
 }
 
-void Clipper::appendEnd(const EdgeEnd& end, const ClipVertex& vertex, const ClipVertex& other)
+/// Whether the polygon has the corner already.
+bool Clipper::has(ClipCorner corner) const
 {
     const auto known = std::span(m_now->corners).first(static_cast<std::size_t>(m_now->count));
-    if (std::ranges::find(known, end.corner) != known.end())
+    return std::ranges::find(known, corner) != known.end();
+}
+
+void Clipper::appendEnd(const EdgeEnd& end, const ClipVertex& vertex, const ClipVertex& other)
+{
+    if (has(end.corner))
         return;
     ClipVertex& point = append(end.corner);
     if (!end.side) {
@@ -160,6 +168,8 @@ void Clipper::appendViewportCorner(unsigned side, unsigned nextSide)
     if (!m_rules->clipKeepsCorners)
         return;
     const ClipCorner corner{lineOfSide(side), lineOfSide(nextSide)};
+    if (has(corner)) // under a mistake the way round the viewport may come here twice
+        return;
     const auto lines = std::span(m_before->corners).first(static_cast<std::size_t>(m_before->count));
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
     if (!std::ranges::all_of(lines, [&](ClipCorner c) { return m_lines.distance(corner, c.leaving, kUnknown) >= 0; }))
