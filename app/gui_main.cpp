@@ -49,14 +49,15 @@ void openPanel(rasterlens::MainWindow& window, const QString& name)
         window.pipelinePanel().mistakes().setOpen(true);
 }
 
-/// Renders the window as soon as all in it is computed.
-void takeScreenshot(rasterlens::MainWindow& window, const QString& path)
+/// Renders the window as soon as all in it is computed, and laid out.
+void takeScreenshot(rasterlens::MainWindow& window, const QString& path, bool wasComplete = false)
 {
-    // At least one turn of the event loop lets the layout follow the counters' widths.
+    // At least one turn of the event loop lets the layout follow the counters' widths and what was computed last.
     constexpr int kWaitMs = 20;
-    QTimer::singleShot(kWaitMs, &window, [&window, path] {
-        if (!window.isComplete()) {
-            takeScreenshot(window, path);
+    QTimer::singleShot(kWaitMs, &window, [&window, path, wasComplete] {
+        const bool isComplete = window.isComplete();
+        if (!isComplete || !wasComplete) {
+            takeScreenshot(window, path, isComplete);
             return;
         }
         const QStringList inputs = window.document().inputFiles();

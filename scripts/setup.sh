@@ -6,13 +6,22 @@ packages_for()
     awk -v who="$1" '!/^#/ && NF && ($2 == "run" || $2 == who) { print $1 }' packages.txt
 }
 
-missing_packages()
+# packages_of KIND: those of that kind alone.
+packages_of()
 {
-    local installed
-    # shellcheck disable=SC2046
-    installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' $(packages_for "$1") 2>/dev/null |
-        awk '$1 == "installed" { print $2 }' || true)
-    comm -23 <(packages_for "$1" | sort -u) <(sort -u <<<"$installed")
+    awk -v who="$1" '!/^#/ && NF && $2 == who { print $1 }' packages.txt
+}
+
+# installed PACKAGE...: those of them that are installed.
+installed()
+{
+    dpkg-query -W -f='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null | awk '$1 == "installed" { print $2 }' || true
+}
+
+# missing PACKAGE...: those of them that are not installed.
+missing()
+{
+    comm -23 <(printf '%s\n' "$@" | sort -u) <(installed "$@" | sort -u)
 }
 
 # as_root COMMAND...
@@ -28,6 +37,19 @@ as_root()
     fi
 }
 
+# install_optional: tries to install what nobody needs; without it something is left out, which is said where it is missed.
+install_optional()
+{
+    local wanted
+    # shellcheck disable=SC2046
+    mapfile -t wanted < <(missing $(packages_of optional))
+    if [[ ${#wanted[@]} -gt 0 ]]; then
+        echo "Installing, if it can be: ${wanted[*]}"
+        as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${wanted[@]}" ||
+            echo "Not installed: ${wanted[*]}. All else works without."
+    fi
+}
+
 # install_packages run|check|package: installs what is missing; elsewhere than on Debian and Ubuntu it names what is needed.
 install_packages()
 {
@@ -36,14 +58,15 @@ install_packages()
         packages_for "$1" | paste -sd ' '
         return
     fi
-    local missing
-    mapfile -t missing < <(missing_packages "$1")
-    if [[ ${#missing[@]} -eq 0 ]]; then
-        return
+    local wanted
+    # shellcheck disable=SC2046
+    mapfile -t wanted < <(missing $(packages_for "$1"))
+    if [[ ${#wanted[@]} -gt 0 ]]; then
+        echo "Installing: ${wanted[*]}"
+        as_root apt-get update -q
+        as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${wanted[@]}"
     fi
-    echo "Installing: ${missing[*]}"
-    as_root apt-get update -q
-    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
+    install_optional
 }
 
 # build PRESET [TARGET...]: these targets, or all. Warnings stop the build in continuous integration only, and there

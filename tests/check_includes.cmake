@@ -23,6 +23,7 @@ set(rooms
     "core/questions: core/base core/settings core/scene core/pipeline core/observe core/render"
     "core/derive: core/base core/settings core/scene core/pipeline core/observe core/render core/questions"
     "core/truth: core/base core/settings core/scene core/io core/scenes core/pipeline core/observe core/render"
+    "core/opengl: core/base core/settings core/scene core/pipeline core/truth"
     "core/lessons: core/base core/settings core/scene core/io core/scenes core/pipeline core/observe core/render core/questions core/truth"
     "core/page: core/base core/settings core/scene core/pipeline core/observe core/render core/questions core/lessons"
     "ui/base:"
@@ -38,7 +39,7 @@ set(rooms
 # What ui and app may include of core: every room but those of the stages and the rasterizers, and of the stages' room the
 # results.
 set(entry_rooms core/base core/settings core/scene core/io core/scenes core/observe core/render core/questions core/derive core/truth
-    core/lessons core/page)
+    core/opengl core/lessons core/page)
 set(entry_headers core/pipeline/frame.h core/pipeline/statistics.h)
 
 # <QWidget> and <QtWidgets/QWidget>

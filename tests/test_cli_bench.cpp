@@ -43,6 +43,7 @@ private Q_SLOTS:
     void severalScenes();
     void chosenVariants();
     void asGiven();
+    void otherRenderers();
     void whatIsHeededIsTaken();
     void failsBeforeItMeasures();
     void saysWhatItMeasures();
@@ -60,7 +61,9 @@ void TestCliBench::allOutputs()
     const Run result =
         run(kQuick + QStringList{"--json", "b.json", "--csv", "b.csv", "--plot", "b.png"}, folder.path());
     QVERIFY2(result.exitCode == 0, qPrintable(result.err));
-    QVERIFY(result.out.contains(QStringLiteral("edge equation / edge walking: ")));
+    for (const char* words : {"edge equation takes ", "a blog measured at least 1.36",
+                              "noise: frames of a variant vary by ", "ratio: to edge-equation"})
+        QVERIFY2(result.out.contains(QLatin1String(words)), words);
     QFile json(folder.filePath(QStringLiteral("b.json")));
     QVERIFY(json.open(QIODevice::ReadOnly));
     const QJsonArray rows = QJsonDocument::fromJson(json.readAll()).array();
@@ -119,6 +122,33 @@ void TestCliBench::asGiven()
     QCOMPARE(rows[0]["error"]["missing_pixels"].toInt(-1), 0);
     QVERIFY(rows[0]["error"]["depth_max"].toDouble() > rows[1]["error"]["depth_max"].toDouble());
     QCOMPARE(rows[1]["settings"]["samples"].toString(), QStringLiteral("1"));
+}
+
+/// Each has a row with what was found out about it, or the message says why there is none and nothing is measured.
+void TestCliBench::otherRenderers()
+{
+    const Run result = run(kQuick + QStringList{"--variants", "tiled", "--with-opengl", "--json", "-"});
+    if (result.exitCode == 2) {
+        QVERIFY2(result.err.startsWith(QStringLiteral("rasterlens-cli bench: --with-opengl: ")),
+                 qPrintable(result.err));
+        QSKIP(qPrintable(result.err));
+    }
+    QVERIFY2(result.exitCode == 0, qPrintable(result.err));
+    const QJsonArray rows = QJsonDocument::fromJson(result.out.toUtf8()).array();
+    QVERIFY(rows.size() >= 2);
+    QVERIFY(rows[0]["renderer"]["subpixel_bits"].isNull() && rows[0]["ratio"]["median"].isNull());
+    const QJsonValue other = rows[1];
+    QVERIFY(other["variant"].toString().startsWith(QStringLiteral("opengl-")));
+    QVERIFY(other["renderer"]["subpixel_bits"].toInt() >= 4 && !other["renderer"]["tie_rule"].toString().isEmpty());
+    QCOMPARE(other["ratio"]["to"].toString(), QStringLiteral("tiled"));
+    QVERIFY(!other["error"]["missing_pixels"].isNull() && !other["error"]["depth_max"].isNull());
+
+    // What it does not draw is said.
+    const Run refused = run(kQuick + QStringList{"--variants", "edge-equation", "--with-opengl", "--shading", "phong"});
+    QVERIFY2(refused.exitCode == 0, qPrintable(refused.err));
+    QVERIFY2(
+        refused.err.contains(QStringLiteral("is not measured: OpenGL is asked for shading gouraud and texture only")),
+        qPrintable(refused.err));
 }
 
 void TestCliBench::whatIsHeededIsTaken()

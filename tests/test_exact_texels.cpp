@@ -4,6 +4,8 @@
 #include "core/pipeline/shading.h"
 #include "core/questions/why.h"
 #include "core/render/render.h"
+#include "core/scenes/load_scene.h"
+#include "core/truth/coverage_difference.h"
 #include "core/truth/exact_reference.h"
 #include "core/truth/exact_texels.h"
 #include "tests/seed.h"
@@ -83,6 +85,8 @@ private Q_SLOTS:
     void rasterizersAgree();
     void levelsChangeAtPowersOfTwo();
     void cutFacesAreNotKnown();
+    void texturedTruthIsWhatIsDrawn_data();
+    void texturedTruthIsWhatIsDrawn();
     void footprintTellsPlaceStepsAndLevel();
     void readsAreThoseOfTheSampler();
     void cornersAreExactDerivatives();
@@ -144,8 +148,40 @@ void TestExactTexels::cutFacesAreNotKnown()
     const std::vector<ExactTexel> exact = texelsOf(scene);
     QCOMPARE(exact.front().column, -1);
     QVERIFY(exact.back().column >= 0);
-    ExactFrame truth = exactReference(scene, scene.defaults);
-    QVERIFY(!textureExactly(scene, scene.defaults, truth));
+}
+
+void TestExactTexels::texturedTruthIsWhatIsDrawn_data()
+{
+    QTest::addColumn<TextureFilter>("filter");
+    QTest::newRow("nearest") << TextureFilter::Nearest;
+    QTest::newRow("bilinear") << TextureFilter::Bilinear;
+    QTest::newRow("trilinear") << TextureFilter::Trilinear;
+}
+
+/// Faces that are cut, that repeat the texture, and that lie far from the eye, also with several samples a pixel: what
+/// is drawn is the truth to rounding, and an affine picture of the same scene is not.
+void TestExactTexels::texturedTruthIsWhatIsDrawn()
+{
+    QFETCH(const TextureFilter, filter);
+    for (const char* name : {"builtin:floor", "builtin:tile-square", "builtin:tunnel"}) {
+        const SceneLoad load = loadScene(QLatin1String(name));
+        const Scene& scene = *load.scene;
+        Settings settings = scene.defaults;
+        settings.size = {160, 120};
+        settings.shading = Shading::Texture;
+        settings.textureFilter = filter;
+        for (const Samples samples : {Samples::One, Samples::Grid2}) {
+            settings.samples = samples;
+            ExactFrame truth = exactReference(scene, settings);
+            textureExactly(scene, settings, truth);
+            Frame frame;
+            render(scene, settings, frame, {.depth = true, .ids = true});
+            const CoverageDifference right = coverageDifference(frame, truth, scene.background);
+            QVERIFY(right.colorsCompared > 1000);
+            QVERIFY2(right.colorMax < 0.6 || samples != Samples::One, qPrintable(QString::number(right.colorMax)));
+            QVERIFY2(right.colorMean < 0.3, qPrintable(QString::number(right.colorMean)));
+        }
+    }
 }
 
 void TestExactTexels::footprintTellsPlaceStepsAndLevel()

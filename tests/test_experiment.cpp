@@ -48,9 +48,52 @@ std::map<QString, ExperimentRow> measured(const Scene& scene, const Settings& ba
 ExperimentRow row(double ms, std::uint64_t wrongPixels)
 {
     ExperimentRow row;
-    row.ms = {ms, ms, ms, ms, 1};
+    row.ms = {.median = ms, .p10 = ms, .p90 = ms, .min = ms, .frames = 1};
+    row.rounds = {ms};
     row.error.coverage = {wrongPixels, 0, 0};
     return row;
+}
+
+/// One of our own drawn as if it were another: what is found out about it is known.
+class OwnRenderer : public OtherRenderer
+{
+public:
+    OwnRenderer(Algorithm algorithm, int subpixelBits, TieRule tieRule)
+    {
+        m_given.algorithm = algorithm;
+        m_given.subpixelBits = subpixelBits;
+        m_given.tieRule = tieRule;
+    }
+
+    [[nodiscard]] QString id() const override { return QStringLiteral("own"); }
+    [[nodiscard]] QString name() const override { return QStringLiteral("One of ours"); }
+    [[nodiscard]] std::optional<Reason> unsupported(const Scene&, const Settings& settings) const override
+    {
+        return settings.fill == Fill::Solid ? std::nullopt : std::optional(Reason("it only fills"));
+    }
+    void load(const Scene& scene, const Settings& settings) override
+    {
+        m_scene = &scene;
+        m_settings = settings;
+        m_settings.algorithm = m_given.algorithm;
+        m_settings.subpixelBits = m_given.subpixelBits;
+        m_settings.tieRule = m_given.tieRule;
+    }
+    void draw(Frame& frame, Outputs outputs) override { render(*m_scene, m_settings, frame, outputs); }
+
+private:
+    Settings m_given;
+    const Scene* m_scene = nullptr;
+    Settings m_settings;
+};
+
+FindRenderers finderOf(Algorithm algorithm, int subpixelBits)
+{
+    return [=] {
+        OtherRenderers found;
+        found.renderers.push_back(std::make_unique<OwnRenderer>(algorithm, subpixelBits, TieRule::TopLeft));
+        return found;
+    };
 }
 
 } // namespace
@@ -77,6 +120,14 @@ private Q_SLOTS:
     void frontierIsPerScene();
     void exportsSayTheSame();
     void bandsChangeNothing();
+    void ratiosAreOfPairs();
+    void overlappingTimesAreNotRanked();
+    void noiseIsTold();
+    void exactThroughout();
+    void probesFindWhatIsKnown_data();
+    void probesFindWhatIsKnown();
+    void otherRenderersAreJudged();
+    void shortFramesAreTimedInBatches();
 };
 
 void TestExperiment::thereAreManyVariantsEachItsOwn()
@@ -283,8 +334,7 @@ void TestExperiment::frontierIsWhatNoOtherBeats()
             const bool beaten = std::any_of(rows.begin(), rows.end(), [&](const ExperimentRow& b) {
                 const auto wrongA = a.error.coverage->missing;
                 const auto wrongB = b.error.coverage->missing;
-                return (b.ms.median < a.ms.median && wrongB <= wrongA) ||
-                       (b.ms.median <= a.ms.median && wrongB < wrongA);
+                return b.ms.median < a.ms.median && wrongB <= wrongA;
             });
             QCOMPARE(a.frontier, !beaten);
         }
@@ -301,15 +351,10 @@ void TestExperiment::frontierIsPerScene()
     QVERIFY(!walkingAdvantage(rows));
     rows[0].variant = QStringLiteral("edge-walking");
     rows[1].variant = QStringLiteral("edge-equation");
-    rows[0].ms.p10 = 0.5;
-    rows[0].ms.p90 = 4;
-    rows[1].ms.p10 = 1.5;
-    rows[1].ms.p90 = 3;
     const auto ratio = walkingAdvantage(rows);
     QVERIFY(ratio);
     QCOMPARE(ratio->median, 2.0);
-    QCOMPARE(ratio->low, 0.375); // 1.5 / 4
-    QCOMPARE(ratio->high, 6.0);  // 3 / 0.5
+    QCOMPARE(ratio->to, QStringLiteral("edge-walking"));
 }
 
 void TestExperiment::exportsSayTheSame()
@@ -324,8 +369,12 @@ void TestExperiment::exportsSayTheSame()
     const QJsonArray json = QJsonDocument::fromJson(experimentJson(rows)).array();
     QCOMPARE(json.size(), 2);
     const QJsonObject first = json[0].toObject();
-    QCOMPARE(first.keys(), QStringList({"error", "frontier", "ms", "mtri_per_s", "ns_per_covered_pixel", "reference",
-                                        "scene", "settings", "simd", "threads", "variant"}));
+    QCOMPARE(first.keys(), QStringList({"error", "frontier", "ms", "mtri_per_s", "ns_per_covered_pixel", "ratio",
+                                        "reference", "renderer", "scene", "settings", "simd", "threads", "variant"}));
+    QCOMPARE(first["ms"].toObject().keys(), QStringList({"batch", "median", "min", "p10", "p90", "processor"}));
+    QCOMPARE(first["ratio"].toObject().keys(), QStringList({"median", "p10", "p90", "to"}));
+    QVERIFY(first["ratio"]["median"].isNull()); // the first row is what others are compared with
+    QCOMPARE(first["renderer"]["name"].toString(), QStringLiteral("RasterLens"));
     QCOMPARE(first["scene"].toString(), drawn.id);
     QCOMPARE(first["settings"].toObject(), toJson(base));
     QCOMPARE(first["error"].toObject().keys(), QStringList({"color_max", "color_mean", "depth_max", "depth_mean",
@@ -338,9 +387,10 @@ void TestExperiment::exportsSayTheSame()
 
     const QList<QByteArray> lines = experimentCsv(rows).split('\n');
     QCOMPARE(lines.size(), 4); // names, two rows, and the end
-    QVERIFY(lines[0].startsWith("scene,variant,threads,simd,ms_median,"));
+    QVERIFY(lines[0].startsWith("scene,variant,renderer_name,"));
+    QVERIFY(lines[0].contains(",threads,simd,ms_batch,ms_median,"));
     QVERIFY(lines[0].contains(",error_missing_pixels,"));
-    QVERIFY(lines[1].startsWith("\"a \"\"scene\"\", quoted\",edge-equation,1,scalar,"));
+    QVERIFY(lines[1].startsWith("\"a \"\"scene\"\", quoted\",edge-equation,RasterLens,,,,1,scalar,"));
     QCOMPARE(lines[1].count(',') - 1, lines[0].count(','));
     QCOMPARE(lines[2].count(','), lines[0].count(','));
     QVERIFY(lines[2].contains(",,,,"));
@@ -358,6 +408,147 @@ void TestExperiment::bandsChangeNothing()
     QCOMPARE(steps, 4); // two bands, warm-up, a frame
     QCOMPARE(rows[0].error.coverage->wrong(), 0U);
     QVERIFY(rows[0].error.color->max <= 1);
+}
+
+/// The median of the ratios, which is not the ratio of the medians.
+void TestExperiment::ratiosAreOfPairs()
+{
+    ExperimentRow slow;
+    ExperimentRow fast;
+    fast.variant = QStringLiteral("fast");
+    slow.rounds = {2, 30, 8};
+    fast.rounds = {1, 10, 8, 99}; // a round more, without its pair
+    const auto ratio = pairedRatio(slow, fast);
+    QVERIFY(ratio);
+    QCOMPARE(ratio->to, fast.variant);
+    QCOMPARE(ratio->pairs, 3);
+    QCOMPARE(ratio->median, 2.0); // of 2, 3 and 1
+    QCOMPARE(ratio->p10, 1.2);
+    QCOMPARE(ratio->p90, 2.8);
+    QVERIFY(!pairedRatio(slow, {}));
+
+    const Scene drawn = scene();
+    const auto rows = measured(drawn, plainSettings(kViewport), {3, false});
+    for (const auto& [id, row] : rows) {
+        QCOMPARE(row.rounds.size(), std::size_t(3));
+        QCOMPARE(row.ratio.has_value(), id != QLatin1String("edge-equation"));
+        if (row.ratio) {
+            const auto again = pairedRatio(row, rows.at(QStringLiteral("edge-equation")));
+            QCOMPARE(row.ratio->median, again->median);
+            QVERIFY(row.ratio->p10 <= row.ratio->median && row.ratio->median <= row.ratio->p90);
+        }
+        QVERIFY2(row.ms.processor > 0, qPrintable(id));
+    }
+}
+
+void TestExperiment::overlappingTimesAreNotRanked()
+{
+    std::vector<ExperimentRow> rows{row(1, 0), row(1.1, 0)};
+    rows[0].rounds = {1, 1.3, 0.9, 1.2, 0.8};
+    rows[1].rounds = {1.1, 1.1, 1.1, 1.1, 1.1}; // slower by the medians, but not in every round
+    markFrontier(rows, ErrorMeasure::Coverage);
+    QVERIFY(rows[0].frontier && rows[1].frontier);
+    rows[0].rounds = {1, 1, 0.9, 1, 0.8};
+    markFrontier(rows, ErrorMeasure::Coverage);
+    QVERIFY(rows[0].frontier && !rows[1].frontier);
+    rows[0].error.coverage->missing = 1; // faster, but with an error
+    markFrontier(rows, ErrorMeasure::Coverage);
+    QVERIFY(rows[0].frontier && rows[1].frontier);
+}
+
+void TestExperiment::noiseIsTold()
+{
+    std::vector<ExperimentRow> rows{row(1, 0), row(4, 0), row(2, 0)};
+    rows[0].ms.p90 = 1.5;
+    rows[1].ms.p10 = 3;
+    rows[2].ms.p90 = 3.6;
+    rows[0].ms.processor = 0.9;
+    rows[1].ms.processor = 2;
+    rows[2].ms.processor = 2;
+    rows[2].ms.batch = 7;
+    const MachineNoise noise = noiseOf(rows);
+    QCOMPARE(noise.spread, 0.5); // of 0.5, 0.25 and 0.8
+    QCOMPARE(noise.own, 0.9);    // of 0.9, 0.5 and 1
+    QCOMPARE(noise.largestBatch, 7);
+}
+
+void TestExperiment::exactThroughout()
+{
+    std::vector<ExperimentRow> rows{row(1, 0), row(2, 0), ExperimentRow()};
+    QVERIFY(isExactThroughout(rows, ErrorMeasure::Coverage));
+    QVERIFY(!isExactThroughout(rows, ErrorMeasure::Depth)); // none is measured
+    rows[1].error.coverage->extra = 1;
+    QVERIFY(!isExactThroughout(rows, ErrorMeasure::Coverage));
+}
+
+void TestExperiment::probesFindWhatIsKnown_data()
+{
+    QTest::addColumn<Algorithm>("algorithm");
+    QTest::addColumn<int>("bits");
+    QTest::addColumn<TieRule>("tieRule");
+    QTest::addColumn<OwnedSides>("sides");
+    QTest::newRow("tiled, 8 bits") << Algorithm::Tiled << 8 << TieRule::TopLeft << OwnedSides::TopLeft;
+    for (int bits = 0; bits <= 8; bits += 2)
+        QTest::addRow("%d bits", bits) << Algorithm::EdgeEquation << bits << TieRule::TopLeft << OwnedSides::TopLeft;
+    QTest::newRow("1 bit") << Algorithm::EdgeWalking << 1 << TieRule::TopLeft << OwnedSides::TopLeft;
+    QTest::newRow("inclusive") << Algorithm::EdgeEquation << 7 << TieRule::Inclusive << OwnedSides::All;
+    QTest::newRow("exclusive") << Algorithm::EdgeEquation << 5 << TieRule::Exclusive << OwnedSides::None;
+}
+
+void TestExperiment::probesFindWhatIsKnown()
+{
+    QFETCH(const Algorithm, algorithm);
+    QFETCH(const int, bits);
+    QFETCH(const TieRule, tieRule);
+    QFETCH(const OwnedSides, sides);
+    OwnRenderer renderer(algorithm, bits, tieRule);
+    const RendererTraits traits = traitsOf(renderer);
+    QCOMPARE(traits.subpixelBits, bits);
+    QVERIFY(!traits.orMore);
+    QVERIFY(traits.nearest || bits == 0); // of steps of a whole pixel it is not told
+    // With whole pixels the square of the probe, which lies half a pixel off them, is moved.
+    if (bits > 0) {
+        QCOMPARE(traits.sides, sides);
+        QCOMPARE(traits.diagonalOnce, tieRule == TieRule::TopLeft);
+    }
+}
+
+void TestExperiment::otherRenderersAreJudged()
+{
+    const Scene drawn = scene();
+    const Settings base = plainSettings(kViewport);
+    ExperimentOptions options{2, true};
+    options.others = finderOf(Algorithm::EdgeWalking, 2);
+    const std::vector ours{findVariant(QStringLiteral("edge-equation")),
+                           findVariant(QStringLiteral("edge-equation-bits-2"))};
+    const auto rows = runExperiment(drawn, base, ours, options);
+    QCOMPARE(rows.size(), std::size_t(3));
+    QCOMPARE(rows[2].variant, QStringLiteral("own"));
+    QCOMPARE(rows[2].other->name, QStringLiteral("One of ours"));
+    QCOMPARE(rows[2].other->traits.subpixelBits, 2);
+    QCOMPARE(rows[2].error.coverage->wrong(), rows[1].error.coverage->wrong()); // what it is in truth
+    QVERIFY(rows[2].error.coverage->wrong() > 0);
+    QCOMPARE(rows[2].ms.frames, 2);
+    const QJsonObject json = QJsonDocument::fromJson(experimentJson(rows)).array()[2].toObject();
+    QCOMPARE(json["renderer"]["subpixel_bits"].toInt(), 2);
+    QCOMPARE(json["renderer"]["tie_rule"].toString(), QStringLiteral("top-left"));
+
+    // One that does not draw the scene has no row, and says why.
+    Settings lines = base;
+    lines.fill = Fill::Wireframe;
+    QString refused;
+    options.refused = [&](const QString& id, const Reason& reason) { refused = id + textOf(reason); };
+    QCOMPARE(runExperiment(drawn, lines, std::vector{ours[0]}, options).size(), std::size_t(1));
+    QCOMPARE(refused, QStringLiteral("ownit only fills"));
+}
+
+void TestExperiment::shortFramesAreTimedInBatches()
+{
+    QCOMPARE(batchOf(5), 1);
+    QCOMPARE(batchOf(kShortestTiming), 1);
+    QCOMPARE(batchOf(kShortestTiming / 2.5), 3);
+    QCOMPARE(batchOf(1e-9), 1000);
+    QCOMPARE(batchOf(0), 1000);
 }
 
 QTEST_APPLESS_MAIN(TestExperiment)

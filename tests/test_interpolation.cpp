@@ -124,6 +124,7 @@ private Q_SLOTS:
     void onlyWhatIsReadIsCarried();
     void fractionOfTheWayInSpace();
     void edgeThenSpanAgreesWithPlanes();
+    void sharedDivisionsRunStraightInBetween();
     void batchesAgreeWithSamples();
     void depthIsLinearOnTheScreen();
 };
@@ -388,6 +389,60 @@ void TestInterpolation::edgeThenSpanAgreesWithPlanes()
             for (std::size_t i = 0; i < planes.depth.size(); ++i)
                 QVERIFY(std::abs(planes.depth[i] - carried.depth[i]) <= 0x1p-22F);
         }
+}
+
+/// A wall whose far end is 16 times as far as its near one: at every 8th or 16th sample of a span, and at its last one,
+/// the colour is that of a division at every sample; in between it runs straight. What that leaves out grows with the
+/// distance of divisions.
+void TestInterpolation::sharedDivisionsRunStraightInBetween()
+{
+    Scene wall =
+        soup({{-1, 1, 0, 1}, {-1, -1, 0, 1}, {16, -16, 0, 16}, {-1, 1, 0, 1}, {16, -16, 0, 16}, {16, 16, 0, 16}});
+    for (std::size_t i = 0; i < 6; ++i)
+        wall.mesh.vertices[i].color = glm::vec3(wall.mesh.vertices[i].position.x > 0 ? 1.0F : 0.0F);
+    Settings settings = plainSettings({203, 40});
+    settings.algorithm = Algorithm::EdgeWalking;
+    settings.attributePath = AttributePath::EdgeThenSpan;
+    const Frame right = draw(wall, settings);
+    std::array<int, 2> worst{};
+    for (const Interpolation interpolation : {Interpolation::Every8, Interpolation::Every16}) {
+        settings.interpolation = interpolation;
+        const int every = dividedEvery(interpolation);
+        const Frame shared = draw(wall, settings);
+        QVERIFY(shared.ids == right.ids);
+        for (std::size_t i = 0; i < right.depth.size(); ++i)
+            QVERIFY(std::abs(shared.depth[i] - right.depth[i]) <= 0x1p-22F);
+        const auto red = [](const Frame& frame, int x, int y) { return qRed(frame.image.pixel(x, y)); };
+        for (int y = 0; y < 40; ++y)
+            for (int begin = 0; begin < 203;) { // the spans of the two faces of a row
+                int end = begin;
+                while (end < 203 && right.ids[std::size_t(y * 203 + end)] == right.ids[std::size_t(y * 203 + begin)])
+                    ++end;
+                for (int x = begin; x < end; ++x) {
+                    const int from = begin + (x - begin) / every * every;
+                    const int to = std::min(from + every, end - 1);
+                    if (x == from || x == to)
+                        QCOMPARE(red(shared, x, y), red(right, x, y));
+                    else
+                        QVERIFY(std::abs(red(shared, x, y) - std::lerp(double(red(right, from, y)),
+                                                                       double(red(right, to, y)),
+                                                                       double(x - from) / (to - from))) <= 1);
+                    int& most = worst[interpolation == Interpolation::Every8 ? 0 : 1];
+                    most = std::max(most, std::abs(red(shared, x, y) - red(right, x, y)));
+                }
+                begin = end;
+            }
+    }
+    QVERIFY2(worst[0] >= 1 && worst[1] > worst[0], qPrintable(QStringLiteral("%1 %2").arg(worst[0]).arg(worst[1])));
+
+    // Elsewhere there are no spans to divide along.
+    for (const Algorithm algorithm : {Algorithm::EdgeEquation, Algorithm::Tiled}) {
+        settings.algorithm = algorithm;
+        settings.attributePath = AttributePath::Planes;
+        QVERIFY(unsupported(wall, settings));
+    }
+    settings.algorithm = Algorithm::EdgeWalking;
+    QVERIFY(unsupported(wall, settings));
 }
 
 /// The four-z board: half-way between distance 1 and 10, near 0.1 and far 50, z/w is 0.8938.

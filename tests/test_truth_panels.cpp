@@ -17,6 +17,7 @@
 #include <QLineEdit>
 #include <QListView>
 #include <QRegularExpression>
+#include <QSet>
 #include <QTableView>
 
 using namespace rasterlens;
@@ -80,11 +81,79 @@ private Q_SLOTS:
         const QAbstractItemModelTester tester(panel().table().model(),
                                               QAbstractItemModelTester::FailureReportingMode::QtTest);
         const QString ratio = panel().ratioText();
-        static const QRegularExpression spread(QStringLiteral("takes (\\S+) times .* \\((\\S+) to (\\S+)\\), 1\\.36"));
+        static const QRegularExpression spread(
+            QStringLiteral("takes (\\S+) times .* \\((\\S+) to (\\S+)\\); .*1\\.36"));
         const QRegularExpressionMatch match = spread.match(ratio);
         QVERIFY2(match.hasMatch(), qPrintable(ratio));
         QVERIFY(match.captured(2).toDouble() <= match.captured(1).toDouble());
         QVERIFY(match.captured(1).toDouble() <= match.captured(3).toDouble());
+    }
+
+    /// Rows name their algorithm; dots that none beats and the chosen one are named on the plot, all others in
+    /// tool-tips.
+    void variantsHaveNames()
+    {
+        QVERIFY(openSmall("builtin:cube"));
+        QVERIFY(measure());
+        const QAbstractItemModel& table = *panel().table().model();
+        const SettingsField& algorithm = *findSettingsField(QStringLiteral("algorithm"));
+        QSet<QString> names;
+        for (int row = 0; row < table.rowCount(); ++row) {
+            const QString name = table.index(row, ExperimentModel::Name).data().toString();
+            QVERIFY2(std::ranges::any_of(algorithm.choices,
+                                         [&](const Choice& c) { return name.startsWith(QLatin1String(c.title)); }),
+                     qPrintable(name));
+            names.insert(name);
+        }
+        QCOMPARE(names.size(), table.rowCount());
+
+        panel().errorBox()->setCurrentIndex(static_cast<int>(ErrorMeasure::Coverage));
+        QVERIFY(panel().plot().sentence().isEmpty());
+        QVERIFY(!panel().plot().labels().isEmpty());
+        const auto beaten = std::ranges::find(panel().rows(), false, &ExperimentRow::frontier);
+        QVERIFY(beaten != panel().rows().end());
+        const int before = static_cast<int>(panel().plot().labels().size());
+        panel().plot().setChosen(static_cast<int>(beaten - panel().rows().begin()));
+        QVERIFY(titleOf(*beaten).contains(panel().plot().labels().front().chopped(1)));
+        QVERIFY(panel().plot().labels().size() >= std::min(before, 1));
+        QVERIFY(std::ranges::any_of(panel().remarks(),
+                                    [](const QString& line) { return line.contains(QLatin1Char('%')); }));
+    }
+
+    void whereAllIsExactASentenceSaysSo()
+    {
+        QVERIFY(openSmall("builtin:square-diagonal"));
+        Settings settings = document().settings();
+        settings.size = {8, 8};
+        document().setSettings(settings);
+        QVERIFY(measure());
+        panel().errorBox()->setCurrentIndex(static_cast<int>(ErrorMeasure::Coverage));
+        const bool exact = isExactThroughout(panel().rows(), ErrorMeasure::Coverage);
+        QCOMPARE(panel().plot().sentence().isEmpty(), !exact);
+        QCOMPARE(panel().plot().dotCount() == 0, exact);
+        QVERIFY(exact);
+    }
+
+    /// With the switch on, another renderer has a row; without one, the note says why.
+    void otherRenderersAreMeasured()
+    {
+        if (RASTERLENS_SANITIZED)
+            QSKIP("drivers are not built for the sanitizers");
+        QVERIFY(openSmall("builtin:cube"));
+        panel().othersBox()->setChecked(true);
+        QVERIFY(measure());
+        panel().othersBox()->setChecked(false);
+        const auto other =
+            std::ranges::find_if(panel().rows(), [](const ExperimentRow& row) { return row.other.has_value(); });
+        const bool isTold = std::ranges::any_of(
+            panel().remarks(), [](const QString& line) { return line.startsWith(QLatin1String("No other renderer")); });
+        QCOMPARE(isTold, other == panel().rows().end());
+        if (isTold)
+            return;
+        const Settings before = document().settings();
+        panel().load(static_cast<int>(other - panel().rows().begin()));
+        QVERIFY(document().settings() == before); // there is nothing to load
+        QVERIFY(ExperimentModel::describe(*other).contains(QLatin1String("tie rule")));
     }
 
     /// Dots keep to the axes: more error is further right, a longer time higher, more triangles a second higher.

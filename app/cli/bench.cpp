@@ -1,4 +1,5 @@
 #include "app/cli/bench_plot.h"
+#include "app/cli/bench_table.h"
 #include "app/cli/chart.h"
 #include "app/cli/coverage_chart.h"
 #include "app/cli/distance_chart.h"
@@ -10,6 +11,7 @@
 #include "app/cli/variant_list.h"
 #include "app/cli/verbs.h"
 #include "core/io/picture_file.h"
+#include "core/opengl/opengl_renderers.h"
 #include "core/render/render.h"
 #include "core/truth/experiment_export.h"
 
@@ -60,8 +62,15 @@ OptionGroup measuredOptions()
           Option::Kind::Switch,
           {},
           QStringLiteral("Print the id of every variant and what it changes, and end.")},
+         {QStringLiteral("--with-opengl"),
+          Option::Kind::Switch,
+          {},
+          QStringLiteral(
+              "Also the renderers behind OpenGL on this machine, without a display: Mesa's software renderer "
+              "and graphics processors. Their subpixel bits and tie rule are found by drawing.")},
          value("--frames", "N",
-               QStringLiteral("Frames a variant that count, 1 to %1; default %2. One more warms up.")
+               QStringLiteral("Rounds that count, 1 to %1; default %2. In a round every variant has its turn; one "
+                              "round more warms up.")
                    .arg(kMaxFrames)
                    .arg(ExperimentOptions().frames)),
          value(
@@ -104,7 +113,12 @@ Usage usage()
         QList<OptionGroup>{measuredOptions(), outputs, {QStringLiteral("Input:"), inputOptions()}} +
             settingsOptionGroups(),
         QStringLiteral(
-            "A time is clear + frame into the picture; frames of all variants are interleaved, after a warm-up. "
+            "A time is clear + frame into the picture. Variants take turns frame by frame, after a warm-up; ms is the "
+            "median, p10 and p90 are the 10th and the 90th percentile, cpu is the processor time of all threads. "
+            "Frames that take less than %2 ms are timed in batches. ratio is how many times as long a frame takes as "
+            "that of the first variant in the same round: median, 10th and 90th percentile of the pairs. Of two "
+            "variants one is said to be faster only where it was in nine of ten rounds: the others are not ranked, and "
+            "both may be on the frontier (*). The last line says how noisy the machine was.\n\n"
             "ns/px is the median over the fragments of the scene (the counter `covered` of edge-equation with one "
             "sample a pixel; one number a scene). Mtri/s counts submitted faces.\n\n"
             "Errors are those against the exact picture of the settings given, in rational arithmetic, at the full "
@@ -112,7 +126,8 @@ Usage usage()
             "or not at all with --number-type float64. A variant with several samples a pixel is compared with the "
             "truth of as many. Depth and colour are compared where both show the same face, colour in 8-bit steps from "
             "the exact value (rounding alone: 0.5); PSNR is that of the whole picture against the exact one rounded to "
-            "8 bits. Colours need --shading gouraud. A PSNR of %1 in JSON and CSV stands for infinity: equal "
+            "8 bits. Colours need --shading gouraud or texture; a truth with several samples shades each at its own "
+            "place, which multi-sampling does not. A PSNR of %1 in JSON and CSV stands for infinity: equal "
             "pictures.\n\n"
             "Each variant has its own algorithm, number type, subpixel bits, stepping, depth format, interpolation, "
             "attribute path and samples, some also threads or vector instructions; all else is as given. An option "
@@ -122,7 +137,8 @@ Usage usage()
             "Variants that the scene, the settings or the machine do not support are left out of `all`.\n\n"
             "Exit codes: 0 measured; 2 bad arguments, or a variant asked for that is not supported; 3 input that "
             "cannot be read, or output that cannot be written.")
-            .arg(kInfinitePsnr),
+            .arg(kInfinitePsnr)
+            .arg(kShortestTiming),
         true};
 }
 
@@ -168,6 +184,17 @@ void readReference(const QString& id, ExperimentOptions& options)
                  .arg(id));
 }
 
+/// What is wanting is said before the first frame.
+void useOpenGl(ExperimentOptions& options)
+{
+    if (const auto lack = openGlRenderers().lack)
+        fail(QStringLiteral("--with-opengl: ") + textOf(*lack));
+    options.others = openGlRenderers;
+    options.refused = [](const QString& id, const Reason& reason) {
+        std::fprintf(stderr, "%s is not measured: %s\n", qUtf8Printable(id), qUtf8Printable(textOf(reason)));
+    };
+}
+
 ErrorMeasure measureOf(const QString& id)
 {
     for (int i = 0; i < kErrorMeasures; ++i)
@@ -196,7 +223,7 @@ void checkChart(const Arguments& arguments)
                  .arg(*chart, chartNames().join(QStringLiteral(", "))));
     if (arguments.operands.size() > 1)
         fail(QStringLiteral("--chart %1 takes one scene").arg(*chart));
-    for (const char* option : {"--variants", "--frames", "--reference", "--error"})
+    for (const char* option : {"--variants", "--with-opengl", "--frames", "--reference", "--error"})
         if (arguments.has(QLatin1String(option)))
             fail(QStringLiteral("%1: cannot be combined with --chart").arg(QLatin1String(option)));
 }
@@ -211,6 +238,8 @@ Request requestOf(const Arguments& arguments)
     readVariants(arguments.value(QStringLiteral("--variants")).value_or(QStringLiteral("all")), request);
     if (const auto frames = wholeOption(arguments, QStringLiteral("--frames"), 1, kMaxFrames))
         request.options.frames = static_cast<int>(*frames);
+    if (arguments.has(QStringLiteral("--with-opengl")))
+        useOpenGl(request.options);
     readReference(arguments.value(QStringLiteral("--reference")).value_or(QStringLiteral("exact")), request.options);
     if (request.frontierOnly && !request.options.reference)
         fail(QStringLiteral("--variants frontier needs --reference exact"));
@@ -332,66 +361,14 @@ std::vector<ExperimentRow> measure(const Request& request, const Input& input)
     return rows;
 }
 
-QString cell(const QString& text, int width) { return text.rightJustified(width) + QLatin1Char(' '); }
-QString cell(double number, int width, int digits = 4) { return cell(QString::number(number, 'g', digits), width); }
-
-QString errorCells(const VariantError& error)
-{
-    const QString none = QStringLiteral("-");
-    QString text;
-    const auto& c = error.coverage;
-    for (const auto member :
-         {&VariantError::Coverage::missing, &VariantError::Coverage::extra, &VariantError::Coverage::hitTwice})
-        text += cell(c ? QString::number(*c.*member) : none, 7);
-    text += error.depth ? cell(error.depth->max, 9, 3) : cell(none, 9);
-    text += error.color ? cell(error.color->max, 8) + cell(error.color->mean, 8) + cell(error.color->psnrDb, 7)
-                        : cell(none, 8) + cell(none, 8) + cell(none, 7);
-    return text;
-}
-
-QString tableOf(std::span<const ExperimentRow> rows, const Input& input, ErrorMeasure measure)
-{
-    QString text = QStringLiteral("%1, %2x%3, %4 faces\n")
-                       .arg(input.scene.id)
-                       .arg(input.settings.size.width())
-                       .arg(input.settings.size.height())
-                       .arg(input.scene.mesh.faceCount());
-    text += QStringLiteral("%1 %2%3%4%5%6%7%8%9")
-                .arg(QStringLiteral("variant"), -28)
-                .arg(cell(QStringLiteral("ms"), 8), cell(QStringLiteral("p10"), 8), cell(QStringLiteral("p90"), 8),
-                     cell(QStringLiteral("ns/px"), 8), cell(QStringLiteral("Mtri/s"), 8),
-                     cell(QStringLiteral("missing"), 7), cell(QStringLiteral("extra"), 7),
-                     cell(QStringLiteral("twice"), 7));
-    text += cell(QStringLiteral("depth max"), 9) + cell(QStringLiteral("col. max"), 8) +
-            cell(QStringLiteral("mean"), 8) + cell(QStringLiteral("PSNR"), 7) + QLatin1Char('\n');
-    for (const ExperimentRow& row : rows)
-        text += QStringLiteral("%1%2")
-                    .arg(row.frontier ? QStringLiteral("*") : QStringLiteral(" "), -1)
-                    .arg(row.variant, -28) +
-                cell(row.ms.median, 8) + cell(row.ms.p10, 8) + cell(row.ms.p90, 8) + cell(row.nsPerCoveredPixel, 8) +
-                cell(row.mtriPerS, 8) + errorCells(row.error) + QLatin1Char('\n');
-    if (rows.begin() != rows.end() && errorOf(rows.front(), measure))
-        text += QStringLiteral("* on the frontier: no other is as fast with a smaller error (%1)\n")
-                    .arg(QLatin1String(infoOf(measure).id));
-    if (rows.begin() != rows.end() && rows.front().reference)
-        text += *rows.front().reference == ReferenceSpace::Object
-                    ? QStringLiteral("judged from object space: the vertex stage's float32 counts as well\n")
-                    : QStringLiteral("judged from clip space: what the vertex stage made is taken as given\n");
-    if (const auto advantage = walkingAdvantage(rows))
-        text += QStringLiteral("edge equation / edge walking: %1, %2 to %3 (the blog post [002]: at least %4)\n")
-                    .arg(advantage->median, 0, 'f', 2)
-                    .arg(advantage->low, 0, 'f', 2)
-                    .arg(advantage->high, 0, 'f', 2)
-                    .arg(kPublishedWalkingAdvantage);
-    return text + QLatin1Char('\n');
-}
-
 QString variantList()
 {
     QString text;
     for (const Variant& variant : variants())
         text += QStringLiteral("%1 %2\n").arg(QLatin1String(variant.id), -28).arg(QLatin1String(variant.changes));
-    return text + QStringLiteral("%1 (exactly the settings given)\n").arg(QLatin1String(asGiven().id), -28);
+    text += QStringLiteral("%1 (exactly the settings given)\n").arg(QLatin1String(asGiven().id), -28);
+    return text + QStringLiteral("%1 (what this machine draws by OpenGL: --with-opengl)\n")
+                      .arg(QStringLiteral("opengl-software, opengl-gpu"), -28);
 }
 
 } // namespace
@@ -424,7 +401,7 @@ ExitCode runBench(const QStringList& words)
     for (const Input& input : openInputs(*arguments, request)) {
         const std::vector<ExperimentRow> rows = measure(request, input);
         if (!request.usesStdout())
-            printText(tableOf(rows, input, request.measure));
+            printText(benchTable(rows, input, request.measure));
         all.insert(all.end(), rows.begin(), rows.end());
     }
     OutputFiles files;

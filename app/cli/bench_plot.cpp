@@ -35,7 +35,12 @@ struct Look {
 constexpr Look kLooks[] = {
     {"edge equation", 0xff0072b2}, {"edge walking", 0xffd55e00}, {"tiled", 0xff009e73}, {"column fill", 0xffcc79a7}};
 
-const Look& lookOf(Algorithm algorithm) { return kLooks[static_cast<std::size_t>(algorithm)]; }
+constexpr Look kOtherLook{"other renderers", 0xff444444};
+
+const Look& lookOf(const ExperimentRow& row)
+{
+    return row.other ? kOtherLook : kLooks[static_cast<std::size_t>(row.settings.algorithm)];
+}
 
 /// Values from low to high, in 1, 2, 5 steps of decades, onto pixels from begin to end.
 class LogAxis
@@ -118,11 +123,15 @@ public:
             text(m_area, Qt::AlignCenter, m_title + QStringLiteral(": this error was not measured"));
             return;
         }
+        if (isExactThroughout(rowsShown(), m_measure)) {
+            text(m_area, Qt::AlignCenter,
+                 QStringLiteral("%1: every variant is exact here, all of these errors are 0").arg(m_title));
+            return;
+        }
         paintAxes();
         std::vector<Dot> dots;
         for (const ExperimentRow* row : m_rows)
             dots.push_back(dotOf(*row));
-        paintFrontier(dots);
         std::stable_partition(dots.begin(), dots.end(), [](const Dot& dot) { return !dot.row->frontier; });
         for (const Dot& dot : dots)
             paintDot(dot);
@@ -131,6 +140,14 @@ public:
     }
 
 private:
+    [[nodiscard]] std::vector<ExperimentRow> rowsShown() const
+    {
+        std::vector<ExperimentRow> rows;
+        for (const ExperimentRow* row : m_rows)
+            rows.push_back(*row);
+        return rows;
+    }
+
     /// A time as ns per covered pixel, scaled as the median is.
     static double ns(const ExperimentRow& row, double ms) { return row.nsPerCoveredPixel * ms / row.ms.median; }
 
@@ -186,58 +203,69 @@ private:
         m_painter.restore();
     }
 
-    void paintFrontier(const std::vector<Dot>& dots)
-    {
-        QPolygonF frontier;
-        for (const Dot& dot : dots)
-            if (dot.row->frontier)
-                frontier << dot.at;
-        std::sort(frontier.begin(), frontier.end(), [](const QPointF& a, const QPointF& b) { return a.x() < b.x(); });
-        m_painter.setPen(QPen(kInk, 1.5));
-        m_painter.setBrush(Qt::NoBrush);
-        m_painter.drawPolyline(frontier);
-    }
-
     void paintDot(const Dot& dot)
     {
-        const QColor color = QColor::fromRgb(lookOf(dot.row->settings.algorithm).color);
+        const QColor color = QColor::fromRgb(lookOf(*dot.row).color);
         line(QPen(color, 1.2), {dot.at.x(), dot.top}, {dot.at.x(), dot.bottom});
-        paintMark(dot.at, dot.row->settings.algorithm, dot.row->frontier);
+        paintMark(dot.at, *dot.row, dot.row->frontier);
     }
 
     /// Filled on the frontier, hollow elsewhere.
-    void paintMark(const QPointF& at, Algorithm algorithm, bool filled)
+    void paintMark(const QPointF& at, const ExperimentRow& row, bool filled)
     {
-        const QColor color = QColor::fromRgb(lookOf(algorithm).color);
+        const QColor color = QColor::fromRgb(lookOf(row).color);
         m_painter.setPen(QPen(color, 1.5));
         m_painter.setBrush(filled ? color : QColor(Qt::white));
-        switch (algorithm) {
+        const auto polygon = [&](std::initializer_list<QPointF> corners) {
+            QPolygonF moved;
+            for (const QPointF& corner : corners)
+                moved << at + kDot * corner;
+            m_painter.drawPolygon(moved);
+        };
+        if (row.other) {
+            polygon({{-1, -1.2}, {0, -0.4}, {1, -1.2}, {1, 1.2}, {0, 0.4}, {-1, 1.2}});
+            return;
+        }
+        switch (row.settings.algorithm) {
         case Algorithm::EdgeEquation: m_painter.drawEllipse(at, kDot, kDot); break;
-        case Algorithm::EdgeWalking:
-            m_painter.drawRect(QRectF(at.x() - kDot, at.y() - kDot, 2 * kDot, 2 * kDot));
-            break;
-        case Algorithm::Tiled:
-            m_painter.drawPolygon(QPolygonF(
-                {at + QPointF(0, -kDot * 1.3), at + QPointF(kDot * 1.2, kDot), at + QPointF(-kDot * 1.2, kDot)}));
-            break;
-        case Algorithm::ColumnFill:
-            m_painter.drawPolygon(QPolygonF({at + QPointF(0, -kDot * 1.3), at + QPointF(kDot * 1.3, 0),
-                                             at + QPointF(0, kDot * 1.3), at + QPointF(-kDot * 1.3, 0)}));
-            break;
+        case Algorithm::EdgeWalking: polygon({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}); break;
+        case Algorithm::Tiled: polygon({{0, -1.3}, {1.2, 1}, {-1.2, 1}}); break;
+        case Algorithm::ColumnFill: polygon({{0, -1.3}, {1.3, 0}, {0, 1.3}, {-1.3, 0}}); break;
         }
     }
 
-    /// Names of the dots on the frontier, above them and from the top pushed apart.
-    void paintLabels(std::vector<Dot> dots)
+    /// Whether the dot is to have a name: those that none beats, what each algorithm does by default, other renderers.
+    static bool isNamed(const ExperimentRow& row)
     {
-        std::erase_if(dots, [](const Dot& dot) { return !dot.row->frontier; });
-        std::sort(dots.begin(), dots.end(), [](const Dot& a, const Dot& b) { return a.at.y() < b.at.y(); });
-        double free = m_area.top();
-        for (const Dot& dot : dots) {
-            const double baseline = std::max(free + kLabelHeight, dot.at.y() - 8);
-            free = baseline;
-            const double width = QFontMetricsF(m_painter.font()).horizontalAdvance(dot.row->variant);
-            label({std::min(dot.at.x() + 6, m_area.right() - width - 4), baseline}, dot.row->variant);
+        const auto is = [&](const char* id) { return row.variant == QLatin1String(id); };
+        return row.frontier || row.other || is("edge-equation") || is("edge-walking") || is("tiled");
+    }
+
+    /// Names beside, above or below their dots, as far as there is room; those on the frontier first.
+    void paintLabels(const std::vector<Dot>& dots)
+    {
+        constexpr double kGap = 7;
+        const QFontMetricsF metrics(m_painter.font());
+        std::vector<QRectF> taken;
+        for (const Dot& dot : dots)
+            if (isNamed(*dot.row))
+                taken.emplace_back(dot.at - QPointF(kDot, kDot), QSizeF(2 * kDot, 2 * kDot));
+        for (auto dot = dots.rbegin(); dot != dots.rend(); ++dot) { // the frontier comes last
+            if (!isNamed(*dot->row))
+                continue;
+            const QSizeF size(metrics.horizontalAdvance(dot->row->variant), kLabelHeight);
+            for (const QPointF& way :
+                 {QPointF(kGap, -size.height() / 2), QPointF(-kGap - size.width(), -size.height() / 2),
+                  QPointF(kGap, -size.height() - kGap), QPointF(-kGap - size.width(), -size.height() - kGap),
+                  QPointF(kGap, kGap), QPointF(-kGap - size.width(), kGap)}) {
+                const QRectF place(dot->at + way, size);
+                if (!m_area.contains(place) ||
+                    std::ranges::any_of(taken, [&](const QRectF& other) { return other.intersects(place); }))
+                    continue;
+                taken.push_back(place);
+                label({place.left(), place.bottom() - metrics.descent()}, dot->row->variant);
+                break;
+            }
         }
     }
 
@@ -255,13 +283,20 @@ private:
     {
         double y = m_area.top() + 8;
         const double x = m_area.right() + 20;
-        for (const Algorithm algorithm : {Algorithm::EdgeEquation, Algorithm::EdgeWalking, Algorithm::Tiled}) {
-            paintMark({x, y}, algorithm, true);
-            text({x + 14, y - 11, 160, 22}, Qt::AlignVCenter | Qt::AlignLeft, QLatin1String(lookOf(algorithm).name));
+        std::vector<ExperimentRow> kinds(3);
+        kinds[1].settings.algorithm = Algorithm::EdgeWalking;
+        kinds[2].settings.algorithm = Algorithm::Tiled;
+        if (const auto other =
+                std::ranges::find_if(m_rows, [](const ExperimentRow* row) { return row->other.has_value(); });
+            other != m_rows.end())
+            kinds.push_back(**other);
+        for (const ExperimentRow& kind : kinds) {
+            paintMark({x, y}, kind, true);
+            text({x + 14, y - 11, 160, 22}, Qt::AlignVCenter | Qt::AlignLeft, QLatin1String(lookOf(kind).name));
             y += 24;
         }
-        for (const char* words : {"filled: on the frontier", "bars: p10 to p90"}) {
-            text({x - 6, y - 11, 180, 22}, Qt::AlignVCenter | Qt::AlignLeft, QLatin1String(words));
+        for (const char* words : {"filled: none as exact was", "faster in 9 of 10 rounds", "bars: p10 to p90"}) {
+            text({x - 6, y - 11, 186, 22}, Qt::AlignVCenter | Qt::AlignLeft, QLatin1String(words));
             y += 24;
         }
     }

@@ -188,6 +188,8 @@ Settings withArea(Settings settings)
     settings.algorithm = Algorithm::EdgeEquation;
     settings.fill = Fill::Solid;
     settings.attributePath = AttributePath::Planes;
+    if (dividedEvery(settings.interpolation) > 1)
+        settings.interpolation = Interpolation::Perspective; // what the samples between two divisions come close to
     settings.shading = Shading::Gouraud;
     return settings;
 }

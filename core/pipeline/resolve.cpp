@@ -143,7 +143,8 @@ Rules rightRules(const Settings& settings, const Scene& scene, const Matrices& m
         rules.depthClear = storedDepth(*scene.depthClear, DepthStore(rules));
     rules.depthBeforeShading = settings.depthOrder == DepthOrder::BeforeShading;
 
-    rules.perspectiveCorrect = settings.interpolation == Interpolation::Perspective;
+    rules.perspectiveCorrect = settings.interpolation != Interpolation::Affine;
+    rules.dividedEvery = dividedEvery(settings.interpolation);
     rules.attributePath = settings.attributePath;
     return rules;
 }

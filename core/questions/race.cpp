@@ -100,7 +100,8 @@ std::shared_ptr<const StepLog> stepsOf(const Scene& scene, Settings settings, Al
     settings.algorithm = algorithm;
     settings.fill = Fill::Solid;
     settings.attributePath = AttributePath::Planes;
-    settings.mistakes.removeIf([&](const QString& id) { // those of the other lane
+    settings.interpolation = Interpolation::Perspective; // the race is about coverage
+    settings.mistakes.removeIf([&](const QString& id) {  // those of the other lane
         Rules rules;
         rules.algorithm = algorithm;
         if (const Mistake* mistake = findMistake(id))

@@ -417,9 +417,40 @@ private:
         const bool upperHalf = y + 0.5 < middle || s.vertices[1].y == s.vertices[2].y;
         const CarriedPoint a = onEdge(0, 2);
         const CarriedPoint b = upperHalf ? onEdge(0, 1) : onEdge(1, 2);
-        for (int x = xBegin; x < xEnd; ++x) {
-            const double m = a.x != b.x ? (x + 0.5 - a.x) / (b.x - a.x) : 0;
-            emit(x, y, a.towards(b, m, rules).values);
+        const auto onSpan = [&](int x) { return a.towards(b, a.x != b.x ? (x + 0.5 - a.x) / (b.x - a.x) : 0, rules); };
+        if (rules.dividedEvery == 1)
+            for (int x = xBegin; x < xEnd; ++x)
+                emit(x, y, onSpan(x).values);
+        else
+            emitStretches(y, xBegin, xEnd, rules, onSpan, emit);
+    }
+
+    /// Divides at the first sample of every stretch of the span, and at the last sample of the span. Between two of
+    /// these, weights and depth run straight.
+    ///
+    /// source  M. Abrash, Graphics Programming Black Book, chapter 70: Quake divides at every 16th pixel
+    template <class OnSpan, class Emit>
+    static void emitStretches(int y, int xBegin, int xEnd, const Rules& rules, const OnSpan& onSpan, Emit& emit)
+    {
+        const auto between = [](const Weights& from, const Weights& to, double way) {
+            return Weights{std::lerp(from[0], to[0], way), std::lerp(from[1], to[1], way),
+                           std::lerp(from[2], to[2], way)};
+        };
+        const int last = xEnd - 1;
+        Interpolants from = onSpan(xBegin).values;
+        emit(xBegin, y, from);
+        for (int x = xBegin; x < last;) {
+            const int next = std::min(x + rules.dividedEvery, last);
+            const Interpolants to = onSpan(next).values;
+            for (int at = x + 1; at < next; ++at) {
+                const double way = static_cast<double>(at - x) / (next - x);
+                emit(at, y,
+                     Interpolants{std::lerp(from.carriedDepth, to.carriedDepth, way),
+                                  between(from.onScreen, to.onScreen, way), between(from.weights, to.weights, way)});
+            }
+            emit(next, y, to);
+            from = to;
+            x = next;
         }
     }
 };

@@ -41,6 +41,17 @@ std::optional<Reason> patternSupports(const Rules& rules)
     return std::nullopt;
 }
 
+/// Why these rules cannot share divisions by w among the samples of a span.
+std::optional<Reason> sharedDivisionSupports(const Rules& rules)
+{
+    if (rules.dividedEvery == 1 || (rules.algorithm == Algorithm::EdgeWalking && rules.fill == Fill::Solid &&
+                                    rules.attributePath == AttributePath::EdgeThenSpan))
+        return std::nullopt;
+    return Reason{QT_TRANSLATE_NOOP("Unsupported", "interpolation every-8 and every-16 divide along spans: they need "
+                                                   "algorithm edge-walking, fill solid and attribute-path "
+                                                   "edge-then-span")};
+}
+
 /// Why these rules cannot ask for the squares of pixels.
 std::optional<Reason> coverageRuleSupports(const Scene& scene, const Rules& rules)
 {
@@ -103,6 +114,8 @@ std::optional<Reason> unsupported(const Scene& scene, const Settings& settings, 
                                         "clipping cohen-sutherland here joins the outlines of faces, and "
                                         "this scene has lines; clipping frustum and guard-band cut them")};
     if (auto reason = coverageRuleSupports(scene, resolved.rules))
+        return reason;
+    if (auto reason = sharedDivisionSupports(resolved.rules))
         return reason;
     if (settings.algorithm == Algorithm::Tiled)
         if (auto reason = Tiled::supports(settings))

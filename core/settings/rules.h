@@ -250,6 +250,7 @@ struct Rules {
 
     // Interpolation
     bool perspectiveCorrect = true;
+    int dividedEvery = 1; ///< edge-then-span: samples of a span that share a division by w; 1: each has its own
     AttributePath attributePath = AttributePath::Planes;
     CornerData cornerData = CornerData::Own;
     double weightUnit = 0; ///< depth: each of the three weights is rounded to multiples of it by itself; 0: none is

@@ -77,7 +77,9 @@ constexpr auto kVisibilities =
                            {"submission-order", QT_TRANSLATE_NOOP("Settings", "Submission order")}});
 constexpr auto kInterpolations =
     std::to_array<Choice>({{"perspective", QT_TRANSLATE_NOOP("Settings", "Perspective-correct")},
-                           {"affine", QT_TRANSLATE_NOOP("Settings", "Affine")}});
+                           {"affine", QT_TRANSLATE_NOOP("Settings", "Affine")},
+                           {"every-8", QT_TRANSLATE_NOOP("Settings", "Divided every 8 pixels")},
+                           {"every-16", QT_TRANSLATE_NOOP("Settings", "Divided every 16 pixels")}});
 constexpr auto kAttributePaths =
     std::to_array<Choice>({{"planes", QT_TRANSLATE_NOOP("Settings", "Barycentric")},
                            {"edge-then-span", QT_TRANSLATE_NOOP("Settings", "Edge, then span")}});
@@ -264,7 +266,9 @@ constexpr SettingsField kFields[] = {
                           "Testing before shading spares the work for hidden fragments; the picture is the same.")),
     choice<&S::interpolation>(
         "interpolation", Stage::Shade, kInterpolations, QT_TRANSLATE_NOOP("Settings", "Interpolation"),
-        QT_TRANSLATE_NOOP("Settings", "Attributes divided by w on the way, or straight across the screen.")),
+        QT_TRANSLATE_NOOP("Settings",
+                          "Attributes divided by w at every pixel, never, or at every 8th or 16th pixel of a span and "
+                          "straight in between (edge, then span only).")),
     choice<&S::attributePath>(
         "attribute-path", Stage::Shade, kAttributePaths, QT_TRANSLATE_NOOP("Settings", "Attribute path"),
         QT_TRANSLATE_NOOP("Settings", "Barycentric weights at every pixel, or along the edges first and then along the "

@@ -33,7 +33,7 @@ enum class DepthOrder { BeforeShading, AfterShading };
 enum class ClipZ { Gl, D3d };
 enum class Projection { Perspective, Orthographic };
 enum class Visibility { ZBuffer, Painter, SubmissionOrder };
-enum class Interpolation { Perspective, Affine };
+enum class Interpolation { Perspective, Affine, Every8, Every16 };
 enum class AttributePath { Planes, EdgeThenSpan };
 enum class CoverageRule { Centre, Conservative, Inner };
 enum class TieRule { TopLeft, Inclusive, Exclusive };
@@ -223,6 +223,18 @@ struct SettingsParse {
 [[nodiscard]] constexpr int samplesPerPixel(Samples samples)
 {
     return sampleGrid(samples) * sampleGrid(samples) * patternSamples(samples);
+}
+
+/// How many samples of a span share a division by w: 1, 8 or 16. Between two divisions attributes run straight.
+[[nodiscard]] constexpr int dividedEvery(Interpolation interpolation)
+{
+    switch (interpolation) {
+    case Interpolation::Every8: return 8;
+    case Interpolation::Every16: return 16;
+    case Interpolation::Perspective:
+    case Interpolation::Affine: break;
+    }
+    return 1;
 }
 
 constexpr int kMaxViewport = 16384;

@@ -70,6 +70,14 @@ double joinedMean(double a, std::uint64_t countA, double b, std::uint64_t countB
     return countA + countB == 0 ? 0 : (a * weightA + b * weightB) / (weightA + weightB);
 }
 
+/// How far a channel is from the exact one rounded to 8 bits; where that lies half way between two values, and a
+/// float32 product decides, both are right.
+double roundedError(double shown, double exact)
+{
+    constexpr double kTie = 0x1p-14;
+    return std::abs(shown - exact) <= 0.5 + kTie ? 0 : shown - std::floor(exact + 0.5);
+}
+
 void count(CoverageDifference& result, PixelVerdict verdict)
 {
     switch (verdict) {
@@ -126,7 +134,7 @@ CoverageDifference coverageDifference(const Frame& rendered, const ExactFrame& t
             const glm::dvec3 shown(qRed(line[x]), qGreen(line[x]), qBlue(line[x]));
             const glm::dvec3 exact = 255.0 * truth.pixelColor(x, y, background);
             for (int channel = 0; channel < 3; ++channel) {
-                picture.add(shown[channel] - std::floor(exact[channel] + 0.5));
+                picture.add(roundedError(shown[channel], exact[channel]));
                 if (sameFace)
                     color.add(std::abs(shown[channel] - exact[channel]));
             }

@@ -41,7 +41,8 @@ struct CoverageDifference {
     double depthMean = 0; ///< depth units
     double colorMax = 0;  ///< 8-bit steps away from the exact colour; 0.5 is what rounding alone may do
     double colorMean = 0; ///< 8-bit steps, mean over the channels
-    double psnrDb = 0;    ///< of the picture against the truth rounded to 8 bits, all pixels; infinite: equal
+    double psnrDb =
+        0; ///< of the picture against the truth rounded to 8 bits, ties either way, all pixels; infinite: equal
 
     [[nodiscard]] std::uint64_t wrong() const { return missing + extra + hitTwice + hitLess + otherFace; }
 };
@@ -50,7 +51,7 @@ struct CoverageDifference {
 ///
 /// in      `rendered` with ids, and of the size the truth was computed for; depth and coverage where they are to be
 ///         compared (without coverage, a pixel counts as covered once where a face is seen). Colours as vertex
-///         colours give them (Gouraud), over `background`
+///         colours give them (Gouraud) or as the truth holds them (exact_texels.h), over `background`
 /// covers  several samples a pixel: coverage, id and depth of the sample nearest the centre, colour of the whole pixel
 /// out     with bandPixels > 0 a pixel nearer than that to a true edge is right whatever covers it; the truth then
 ///         needs edgeDistance

@@ -100,8 +100,11 @@ std::vector<ScreenCorner> FaceSetup::screenPolygon(std::span<const Corner> clipp
 {
     std::vector<ScreenCorner> screen;
     screen.reserve(clipped.size());
-    for (const Corner& corner : clipped)
+    for (const Corner& corner : clipped) {
         screen.push_back(toScreen(corner, triangle, m_lattice));
+        if (m_options.textured)
+            screen.back().uv = textureCoordinates(corner, triangle);
+    }
     return screen;
 }
 
@@ -145,6 +148,7 @@ Piece FaceSetup::pieceOf(const std::array<ScreenCorner, 3>& t, const Integer& de
         piece.depthNumerator = piece.depthNumerator + piece.weights[i] * t[i].z;
         piece.weights[i] = piece.weights[i] * t[i].scale;
         piece.colors[i] = t[i].color;
+        piece.uvs[i] = t[i].uv;
     }
     finishDepth(piece);
     return piece;

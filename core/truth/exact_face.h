@@ -22,7 +22,9 @@ struct Piece {
     Linear nearSide;          // >= 0 behind the near plane, and everywhere where it cuts nothing
     Linear farSide;           // >= 0 before the far plane
     std::array<glm::dvec3, 3> colors;
+    std::array<glm::dvec2, 3> uvs;
     std::int32_t face;
+    bool isLine;
 };
 
 /// Which piece of which triangle of the submitted ones.

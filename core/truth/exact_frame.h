@@ -53,8 +53,16 @@ struct ExactOptions {
     LineRule lineRule = LineRule::Inclusive;
     bool lineTiesByDirection = true;
     bool edgeDistance = false; ///< fill ExactFrame::edgeDistance
+    bool textured = false;     ///< fill ExactFrame::uv: the varyings of the triangles are those of Shading::Texture
     /// Given: the triangles' positions lie in object space, and clip space is their exact product with this matrix.
     std::optional<glm::dmat4> clipFromObject{};
+};
+
+/// Texture coordinates at a sample, and how they change to the next sample.
+struct ExactUv {
+    glm::dvec2 place{0, 0};
+    glm::dvec2 perColumn{0, 0}; ///< to the right; 0 on a line
+    glm::dvec2 perRow{0, 0};    ///< down; 0 on a line
 };
 
 /// The truth about a picture. Arrays are row by row from the top, one entry a sample; with a pattern the arrays of its
@@ -74,6 +82,7 @@ struct ExactFrame {
     std::vector<std::int32_t> id;     ///< face that won the depth test, -1 none
     std::vector<double> depth;     ///< its depth 0..1 (unorm formats: the stored code's value); depthClear where none
     std::vector<glm::dvec3> color; ///< its colour, not clamped; 0 where none
+    std::vector<ExactUv> uv;       ///< of that face; empty unless asked for
     /// Pixels to the nearest edge of the clipped, unsnapped faces that are drawn, where that is below kEdgeBandPixels;
     /// empty unless asked for (edge_distance.h).
     std::vector<float> edgeDistance;

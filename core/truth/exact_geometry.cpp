@@ -1,5 +1,7 @@
 #include "core/truth/exact_geometry.h"
 
+#include "core/pipeline/shading.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -239,7 +241,19 @@ ScreenCorner toScreen(const Corner& corner, const ClipTriangle& triangle, const 
         screen.color +=
             nearestQuotient(corner.weights[i], screen.scale) * glm::dvec3(varyings[0], varyings[1], varyings[2]);
     }
+    screen.uv = glm::dvec2(0);
     return screen;
+}
+
+glm::dvec2 textureCoordinates(const Corner& corner, const ClipTriangle& triangle)
+{
+    const Integer scale = corner.weights[0] + corner.weights[1] + corner.weights[2];
+    glm::dvec2 uv(0);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Varyings& varyings = triangle.vertices[i].varyings;
+        uv += nearestQuotient(corner.weights[i], scale) * glm::dvec2(varyings[kVaryingUv], varyings[kVaryingUv + 1]);
+    }
+    return uv;
 }
 
 Lattice latticeOf(const ExactOptions& options)

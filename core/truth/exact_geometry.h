@@ -83,6 +83,7 @@ struct ScreenCorner {
     Integer w;
     Integer scale; ///< z and w are those of clip space times this
     glm::dvec3 color;
+    glm::dvec2 uv; ///< textureCoordinates(), where they are asked for
 };
 
 /// Where the samples lie: sample (column, row) is at ((2 column + 1) * unit, (2 row + 1) * unit) + offset.
@@ -129,6 +130,9 @@ struct IntegerTriangle {
 
 /// Clip space to the lattice, homogeneous and without rounding.
 [[nodiscard]] ScreenCorner toScreen(const Corner& corner, const ClipTriangle& triangle, const Lattice& lattice);
+
+/// The texture coordinates of a corner. in: varyings of Shading::Texture
+[[nodiscard]] glm::dvec2 textureCoordinates(const Corner& corner, const ClipTriangle& triangle);
 
 /// Rounds the screen position to 1/2^bits pixel. in: w > 0
 [[nodiscard]] Snapped snap(ScreenCorner& corner, const Lattice& lattice);

@@ -20,26 +20,32 @@ using namespace exact;
 namespace
 {
 
-/// Depth and colour along one row of a piece. Every weight is a sum of two terms >= 0, so none cancels.
+/// Depth, colour and texture coordinates along one row of a piece. Every weight is a sum of two terms >= 0, so none
+/// cancels.
 class RowValues
 {
 public:
-    RowValues(const Piece& piece, int row, Columns columns) : m_piece(piece), m_columns(columns)
+    /// in  textured: uv() is to be asked for
+    RowValues(const Piece& piece, int row, Columns columns, bool textured) : m_piece(piece), m_columns(columns)
     {
         const int last = columns.end - 1;
         std::array<Scaled, 3> starts;
         std::array<Scaled, 3> steps;
+        std::array<Scaled, 3> down;
         int base = std::numeric_limits<int>::min();
         for (std::size_t i = 0; i < 3; ++i) {
             const Linear& weight = piece.weights[i];
             m_rising[i] = weight.perColumn.sign() >= 0;
             starts[i] = nearestScaled(weight.at(m_rising[i] ? columns.begin : last, row));
             steps[i] = nearestScaled(boost::multiprecision::abs(weight.perColumn));
-            base = std::max({base, starts[i].exponent, steps[i].exponent});
+            if (textured)
+                down[i] = nearestScaled(weight.perRow);
+            base = std::max({base, starts[i].exponent, steps[i].exponent, down[i].exponent});
         }
         for (std::size_t i = 0; i < 3; ++i) {
             m_starts[i] = starts[i].value(base);
             m_steps[i] = steps[i].value(base);
+            m_down[i] = down[i].value(base);
         }
         m_depthFirst = nearestQuotient(piece.depthNumerator.at(columns.begin, row), piece.depthDenominator);
         const double depthLast = nearestQuotient(piece.depthNumerator.at(last, row), piece.depthDenominator);
@@ -53,20 +59,46 @@ public:
         glm::dvec3 sum{0};
         double total = 0;
         for (std::size_t i = 0; i < 3; ++i) {
-            const int steps = m_rising[i] ? column - m_columns.begin : m_columns.end - 1 - column;
-            const double weight = m_starts[i] + m_steps[i] * steps;
+            const double weight = weightAt(i, column);
             sum += weight * m_piece.colors[i];
             total += weight;
         }
         return sum / total;
     }
 
+    [[nodiscard]] ExactUv uv(int column) const
+    {
+        ExactUv uv;
+        double total = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            uv.place += weightAt(i, column) * m_piece.uvs[i];
+            total += weightAt(i, column);
+        }
+        uv.place /= total;
+        if (m_piece.isLine)
+            return uv;
+        // With uv = sum(w uv_i) / sum(w), the quotient rule leaves sum(w' (uv_i - uv)) / sum(w).
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::dvec2 pull = (m_piece.uvs[i] - uv.place) / total;
+            uv.perColumn += (m_rising[i] ? m_steps[i] : -m_steps[i]) * pull;
+            uv.perRow += m_down[i] * pull;
+        }
+        return uv;
+    }
+
 private:
+    [[nodiscard]] double weightAt(std::size_t i, int column) const
+    {
+        const int steps = m_rising[i] ? column - m_columns.begin : m_columns.end - 1 - column;
+        return m_starts[i] + m_steps[i] * steps;
+    }
+
     const Piece& m_piece;
     Columns m_columns;
     std::array<bool, 3> m_rising{};
     std::array<double, 3> m_starts{};
     std::array<double, 3> m_steps{};
+    std::array<double, 3> m_down{};
     double m_depthFirst = 0;
     double m_depthStep = 0;
 };
@@ -394,7 +426,7 @@ private:
         if (span.columns.empty())
             return;
         const Piece& piece = fan[index];
-        const RowValues values(piece, span.row, span.columns);
+        const RowValues values(piece, span.row, span.columns, m_options.textured);
         const std::size_t rowStart =
             static_cast<std::size_t>(span.row - m_window.rows.begin) * static_cast<std::size_t>(m_frame.width);
         for (int column = span.columns.begin; column < span.columns.end; ++column) {
@@ -405,6 +437,8 @@ private:
                 continue;
             m_frame.id[sample] = piece.face;
             m_frame.color[sample] = values.color(column);
+            if (m_options.textured)
+                m_frame.uv[sample] = values.uv(column);
         }
     }
 
@@ -455,6 +489,8 @@ ExactFrame emptyFrame(const ExactOptions& options)
     frame.id.assign(samples, -1);
     frame.depth.assign(samples, 1);
     frame.color.assign(samples, glm::dvec3(0));
+    if (options.textured)
+        frame.uv.assign(samples, {});
     if (options.edgeDistance)
         frame.edgeDistance.assign(samples, kFarFromEdges);
     return frame;
@@ -480,6 +516,7 @@ ExactFrame patternReference(std::span<const ClipTriangle> triangles, const Exact
         append(whole.id, frame.id);
         append(whole.depth, frame.depth);
         append(whole.color, frame.color);
+        append(whole.uv, frame.uv);
         append(whole.edgeDistance, frame.edgeDistance);
     }
     whole.patternSamples = options.patternSamples;

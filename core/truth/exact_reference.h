@@ -52,7 +52,8 @@ using ExactProgress = std::function<void(double share)>;
 /// order   depth tests run in submission order; with DepthCompare::Always the last face wins
 /// cost    a few big-integer operations a face and row, a few doubles a covered sample. Measured on one core, 2,000
 ///         faces over 256 x 256: 0.02 s for small ones, 0.8 s for 31 million covered samples. Edge distances cost
-///         their length. Memory: 48 bytes a sample, nothing a face.
+///         their length. Memory: 48 bytes a sample, 96 where faces are textured,
+///         nothing a face.
 /// exact   cover and id; depth to 1e-15; colour to some 1e-15 of the largest corner value
 /// errors  faces with a non-finite position are dropped and counted; `stop` ends the work early and leaves an
 ///         unfinished frame
@@ -76,15 +77,15 @@ constexpr std::int64_t kSamplesPerBand = std::int64_t{1} << 23; ///< 400 MB of t
 [[nodiscard]] ExactOptions exactOptions(const Scene& scene, const Settings& settings,
                                         ReferenceSpace space = ReferenceSpace::Clip);
 
-/// The faces of a scene with Gouraud colours, in the space the reference starts from: as the vertex stage hands them
-/// on, or as they stand in the mesh.
+/// The faces of a scene with Gouraud colours and, for Shading::Texture, texture coordinates, in the space the reference
+/// starts from: as the vertex stage hands them on, or as they stand in the mesh.
 [[nodiscard]] std::vector<ClipTriangle> exactTriangles(const Scene& scene, const Settings& settings,
                                                        ReferenceSpace space = ReferenceSpace::Clip);
 
 /// The space asked for, or clip space where the scene has no camera.
 [[nodiscard]] ReferenceSpace referenceSpace(const Scene& scene, ReferenceSpace asked);
 
-/// The truth about a scene.
+/// The truth about a scene; with texture coordinates for Shading::Texture, whose texels are not looked up.
 [[nodiscard]] ExactFrame exactReference(const Scene& scene, const Settings& settings, std::stop_token stop = {});
 
 } // namespace rasterlens

@@ -67,10 +67,10 @@ ExactOptions exactOptions(const Scene& scene, const Settings& settings, Referenc
 
 std::vector<ClipTriangle> exactTriangles(const Scene& scene, const Settings& settings, ReferenceSpace space)
 {
-    Settings gouraud = settings;
-    gouraud.shading = Shading::Gouraud;
-    gouraud.mistakes.clear();
-    const Resolved resolved = resolve(gouraud, scene);
+    Settings correct = settings;
+    correct.shading = settings.shading == Shading::Texture ? Shading::Texture : Shading::Gouraud;
+    correct.mistakes.clear();
+    const Resolved resolved = resolve(correct, scene);
     std::vector<ClipVertex> vertices = shadeVertices(scene, resolved.matrices, resolved.rules);
     if (space == ReferenceSpace::Object)
         for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -91,7 +91,9 @@ ReferenceSpace referenceSpace(const Scene& scene, ReferenceSpace asked)
 
 ExactFrame exactReference(const Scene& scene, const Settings& settings, std::stop_token stop)
 {
-    return exactReference(exactTriangles(scene, settings), exactOptions(scene, settings), std::move(stop));
+    ExactOptions options = exactOptions(scene, settings);
+    options.textured = settings.shading == Shading::Texture;
+    return exactReference(exactTriangles(scene, settings), options, std::move(stop));
 }
 
 } // namespace rasterlens

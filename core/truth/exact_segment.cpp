@@ -70,6 +70,9 @@ Segment FaceSetup::segmentOf(const ClipTriangle& triangle) const
     const Lattice lattice = latticeOf(onGrid);
     std::array<ScreenCorner, 2> corners{toScreen(ends.front(), triangle, lattice),
                                         toScreen(ends.back(), triangle, lattice)};
+    if (m_options.textured)
+        for (std::size_t i = 0; i < 2; ++i)
+            corners[i].uv = textureCoordinates(i == 0 ? ends.front() : ends.back(), triangle);
     std::array<glm::i64vec2, 2> at{};
     for (std::size_t i = 0; i < 2; ++i) {
         if (corners[i].w.sign() == 0) {
@@ -111,11 +114,13 @@ Piece FaceSetup::pieceAlong(const std::array<ScreenCorner, 2>& ends, const Linea
     left.origin += bottom;
     Piece piece{};
     piece.face = face;
+    piece.isLine = true;
     piece.weights[0] = left * Integer(a.scale * b.w);
     piece.weights[1] = top * Integer(b.scale * a.w);
     piece.depthNumerator = left * Integer(a.z * b.w) + top * Integer(b.z * a.w);
     piece.depthDenominator = bottom * a.w * b.w;
     piece.colors = {a.color, b.color, b.color};
+    piece.uvs = {a.uv, b.uv, b.uv};
     finishDepth(piece);
     return piece;
 }

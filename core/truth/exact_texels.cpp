@@ -1,10 +1,12 @@
 #include "core/truth/exact_texels.h"
 
 #include "core/pipeline/shading.h"
+#include "core/scene/texel_border.h"
 #include "core/truth/exact_geometry.h"
-#include "core/truth/exact_reference.h"
 
+#include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <optional>
 
@@ -19,11 +21,8 @@ constexpr int kUvBits = 149; ///< every float32 is a whole number of 2^-149
 
 Integer wholeNumber(float value)
 {
-    int exponent = 0;
-    const float mantissa = std::frexp(value, &exponent); // 24 bits behind the point
-    const Integer digits(static_cast<std::int64_t>(std::ldexp(mantissa, 24)));
-    const int shift = exponent - 24 + kUvBits;
-    return shift >= 0 ? digits << static_cast<unsigned>(shift) : digits >> static_cast<unsigned>(-shift);
+    const Fraction fraction = fractionOf(static_cast<double>(value));
+    return (fraction.numerator << static_cast<unsigned>(kUvBits)) / fraction.denominator;
 }
 
 bool isInside(const glm::vec4& p, ClipZ clipZ)
@@ -107,8 +106,6 @@ public:
                 levelAt(column, row, weight)};
     }
 
-    [[nodiscard]] const Texture& texture() const { return m_texture; }
-
 private:
     /// The greatest n for which the longer of the two steps is at least 2^n texels; 0 where it is less than one.
     [[nodiscard]] int levelAt(int column, int row, const Integer& weight) const
@@ -178,12 +175,126 @@ private:
     std::vector<std::optional<FaceTexels>> m_faces;
 };
 
-/// Calls visit(sample, face, texels) for every sample that shows a face; texels is null where they are not known.
-template <class Visit>
-void forEachSeen(const Scene& scene, const Settings& settings, const ExactFrame& truth, Visit&& visit)
+/// A texture or one of its mip levels, looked up in double.
+class TexelGrid
 {
+public:
+    explicit TexelGrid(const Texture& texture)
+        : m_texels(texture.texels.data()), m_width(texture.width), m_height(texture.height), m_clamp(texture.clamp)
+    {
+    }
+    TexelGrid(const Texture& texture, int level)
+        : m_texels(texture.mipLevels().texels.data() + texture.mipLevels().levels[std::size_t(level)].first),
+          m_width(texture.mipLevels().levels[std::size_t(level)].width),
+          m_height(texture.mipLevels().levels[std::size_t(level)].height), m_clamp(texture.clamp)
+    {
+    }
+
+    /// The texel of a column and a row that have not been wrapped or clamped.
+    [[nodiscard]] glm::dvec3 at(double column, double row) const
+    {
+        const std::ptrdiff_t index = std::ptrdiff_t(held(row, m_height)) * m_width + held(column, m_width);
+        return glm::dvec3(unpackColor(m_texels[index]));
+    }
+
+    /// The blend of the four texels whose centres are nearest.
+    [[nodiscard]] glm::dvec3 blendAt(const glm::dvec2& place) const
+    {
+        const glm::dvec2 among = place * glm::dvec2(m_width, m_height) - 0.5;
+        const glm::dvec2 low = glm::floor(among);
+        const glm::dvec2 way = among - low;
+        const auto along = [&](double row) { return glm::mix(at(low.x, row), at(low.x + 1, row), way.x); };
+        return glm::mix(along(low.y), along(low.y + 1), way.y);
+    }
+
+private:
+    [[nodiscard]] int held(double texel, int size) const
+    {
+        if (m_clamp)
+            return static_cast<int>(std::clamp(texel, 0.0, size - 1.0));
+        return static_cast<int>(texel - std::floor(texel / size) * size);
+    }
+
+    const std::uint32_t* m_texels;
+    int m_width;
+    int m_height;
+    bool m_clamp;
+};
+
+/// What the textures of a scene are at the samples of a truth.
+class TextureLookup
+{
+public:
+    TextureLookup(const Scene& scene, const Settings& settings, ReferenceSpace space)
+        : m_scene(scene), m_filter(settings.textureFilter),
+          m_decidesExactly(settings.numberType == NumberType::Fixed && !scene.exact && space == ReferenceSpace::Clip),
+          m_exact(scene, settings)
+    {
+        float largest = 0;
+        for (const MeshVertex& vertex : scene.mesh.vertices)
+            largest = std::max({largest, std::abs(vertex.uv.x), std::abs(vertex.uv.y)});
+        m_doubt = 0x1p-46 * (1 + static_cast<double>(largest));
+    }
+
+    /// in  a sample's place in all arrays, and in those of its part of a pattern
+    [[nodiscard]] glm::dvec3 at(const ExactFrame& truth, std::size_t sample, std::size_t inPart)
+    {
+        const std::int32_t face = truth.id[sample];
+        const Texture* own = FaceTexels::textureOf(m_scene, static_cast<std::uint32_t>(face));
+        const Texture& texture = own != nullptr ? *own : plainTexture(m_scene);
+        const ExactUv& uv = truth.uv[sample];
+        switch (m_filter) {
+        case TextureFilter::Nearest: break;
+        case TextureFilter::Bilinear: return TexelGrid(texture).blendAt(uv.place);
+        case TextureFilter::Trilinear: return betweenLevels(texture, uv);
+        }
+        const glm::dvec2 sizes(texture.width, texture.height);
+        const glm::dvec2 texels = uv.place * sizes;
+        const glm::dvec2 held =
+            texels + glm::abs(texels) * static_cast<double>(kBorderShare) + static_cast<double>(kBorderReach);
+        const bool isDoubtful = glm::any(glm::lessThan(glm::abs(held - glm::round(held)), m_doubt * sizes));
+        if (isDoubtful && m_decidesExactly && truth.patternSamples == 1)
+            if (const FaceTexels* faceTexels = m_scene.mesh.isLine(std::uint32_t(face)) ? nullptr : m_exact.of(face)) {
+                const int column = static_cast<int>(inPart % std::size_t(truth.width));
+                const int row = static_cast<int>(inPart / std::size_t(truth.width));
+                const ExactTexel texel =
+                    faceTexels->at(truth.window.x * truth.sampleGrid + column, truth.window.y * truth.sampleGrid + row);
+                if (texel.column >= 0)
+                    return TexelGrid(texture).at(texel.column, texel.row);
+            }
+        return TexelGrid(texture).at(std::floor(held.x), std::floor(held.y));
+    }
+
+private:
+    /// The blend of the two mip levels between which the samples lie as close as texels.
+    [[nodiscard]] static glm::dvec3 betweenLevels(const Texture& texture, const ExactUv& uv)
+    {
+        const glm::dvec2 sizes(texture.width, texture.height);
+        const glm::dvec2 right = uv.perColumn * sizes;
+        const glm::dvec2 down = uv.perRow * sizes;
+        const double squared = std::max(glm::dot(right, right), glm::dot(down, down));
+        const int last = static_cast<int>(texture.mipLevels().levels.size()) - 1;
+        const double level = std::min(squared > 1 ? 0.5 * std::log2(squared) : 0.0, static_cast<double>(last));
+        const int finer = static_cast<int>(level);
+        return glm::mix(TexelGrid(texture, finer).blendAt(uv.place),
+                        TexelGrid(texture, std::min(finer + 1, last)).blendAt(uv.place), level - finer);
+    }
+
+    const Scene& m_scene;
+    TextureFilter m_filter;
+    bool m_decidesExactly;
+    Texels m_exact;
+    double m_doubt; ///< so far from a border rounding decides, in texture coordinates
+};
+
+} // namespace
+
+std::vector<ExactTexel> exactTexels(const Scene& scene, const Settings& settings, const ExactFrame& truth)
+{
+    std::vector<ExactTexel> all(truth.id.size());
+    if (settings.numberType != NumberType::Fixed || scene.exact || truth.patternSamples > 1)
+        return all;
     Texels texels(scene, settings);
-    const bool snaps = settings.numberType == NumberType::Fixed && !scene.exact && truth.patternSamples == 1;
     for (int y = 0; y < truth.height; ++y)
         for (int x = 0; x < truth.width; ++x) {
             const auto sample =
@@ -191,36 +302,20 @@ void forEachSeen(const Scene& scene, const Settings& settings, const ExactFrame&
             const std::int32_t face = truth.id[sample];
             if (face < 0 || scene.mesh.isLine(static_cast<std::uint32_t>(face)))
                 continue;
-            const FaceTexels* known = snaps ? texels.of(face) : nullptr;
-            const ExactTexel texel = known != nullptr ? known->at(truth.window.x * truth.sampleGrid + x,
-                                                                  truth.window.y * truth.sampleGrid + y)
-                                                      : ExactTexel();
-            visit(sample, texel, known != nullptr ? &known->texture() : nullptr);
+            if (const FaceTexels* known = texels.of(face))
+                all[sample] = known->at(truth.window.x * truth.sampleGrid + x, truth.window.y * truth.sampleGrid + y);
         }
-}
-
-} // namespace
-
-std::vector<ExactTexel> exactTexels(const Scene& scene, const Settings& settings, const ExactFrame& truth)
-{
-    std::vector<ExactTexel> all(truth.id.size());
-    forEachSeen(scene, settings, truth,
-                [&](std::size_t sample, const ExactTexel& texel, const Texture*) { all[sample] = texel; });
     return all;
 }
 
-bool textureExactly(const Scene& scene, const Settings& settings, ExactFrame& truth)
+void textureExactly(const Scene& scene, const Settings& settings, ExactFrame& truth, ReferenceSpace space)
 {
-    bool isKnown = true;
-    forEachSeen(scene, settings, truth, [&](std::size_t sample, const ExactTexel& texel, const Texture* texture) {
-        if (texel.column < 0) {
-            isKnown = false;
-            return;
-        }
-        const std::ptrdiff_t at = std::ptrdiff_t(texel.row) * texture->width + texel.column;
-        truth.color[sample] *= glm::dvec3(unpackColor(texture->texels[static_cast<std::size_t>(at)]));
-    });
-    return isKnown;
+    assert(truth.uv.size() == truth.id.size());
+    TextureLookup lookup(scene, settings, space);
+    const auto samples = static_cast<std::size_t>(truth.width) * static_cast<std::size_t>(truth.height);
+    for (std::size_t i = 0; i < truth.id.size(); ++i)
+        if (truth.id[i] >= 0)
+            truth.color[i] *= lookup.at(truth, i, i % samples);
 }
 
 } // namespace rasterlens

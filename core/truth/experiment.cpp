@@ -2,10 +2,13 @@
 
 #include "core/render/render.h"
 #include "core/truth/coverage_difference.h"
+#include "core/truth/exact_texels.h"
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <map>
 
 namespace rasterlens
@@ -25,11 +28,46 @@ double quantile(const std::vector<double>& sorted, double q)
     return std::lerp(sorted[below], sorted[above], at - static_cast<double>(below));
 }
 
-FrameTimes summary(const std::vector<double>& sorted)
+double medianOf(std::vector<double> values)
 {
-    return {quantile(sorted, 0.5), quantile(sorted, 0.1), quantile(sorted, 0.9), sorted.front(),
-            static_cast<int>(sorted.size())};
+    std::ranges::sort(values);
+    return quantile(values, 0.5);
 }
+
+/// Milliseconds of a frame, by the clock and by the processor.
+struct Timing {
+    double clock;
+    double processor;
+};
+
+/// Measures a piece of work.
+class WorkTimer
+{
+public:
+    /// in  alone: no other thread works on it, so that what other threads do meanwhile is not counted
+    explicit WorkTimer(bool alone)
+        : m_processor(alone ? CLOCK_THREAD_CPUTIME_ID : CLOCK_PROCESS_CPUTIME_ID), m_processorStart(processorTime())
+    {
+    }
+
+    [[nodiscard]] Timing elapsed(int frames) const
+    {
+        const std::chrono::duration<double, std::milli> clock = std::chrono::steady_clock::now() - m_start;
+        return {clock.count() / frames, (processorTime() - m_processorStart) / frames};
+    }
+
+private:
+    [[nodiscard]] double processorTime() const
+    {
+        timespec time{};
+        clock_gettime(m_processor, &time);
+        return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+    }
+
+    clockid_t m_processor;
+    double m_processorStart;
+    std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+};
 
 VariantError errorFigures(const CoverageDifference& difference, const Settings& settings, bool depthTested)
 {
@@ -39,7 +77,7 @@ VariantError errorFigures(const CoverageDifference& difference, const Settings& 
     error.coverage = {difference.missing, difference.extra, difference.hitTwice};
     if (depthTested)
         error.depth = {difference.depthMax, difference.depthMean};
-    if (settings.shading == Shading::Gouraud)
+    if (settings.shading == Shading::Gouraud || settings.shading == Shading::Texture)
         error.color = {difference.colorMax, difference.colorMean, difference.psnrDb};
     return error;
 }
@@ -51,11 +89,12 @@ public:
     Experiment(const Scene& scene, const Settings& base, std::span<const Variant* const> variants,
                const ExperimentOptions& options, const std::function<void(const ExperimentProgress&)>& progress,
                std::stop_token stop)
-        : m_scene(scene), m_base(base), m_options(options), m_progress(progress), m_stop(std::move(stop)),
-          m_times(variants.size())
+        : m_scene(scene), m_base(base), m_options(options), m_progress(progress), m_stop(std::move(stop))
     {
         for (const Variant* variant : variants)
             addRow(*variant);
+        if (options.others)
+            addOthers(options.others());
         m_total = static_cast<int>(m_rows.size()) * (options.frames + kWarmUpFrames);
         if (options.reference)
             for (const ExperimentRow& row : m_rows)
@@ -72,22 +111,78 @@ public:
     }
 
 private:
+    /// What is measured of a variant besides its row.
+    struct Measured {
+        OtherRenderer* other = nullptr; ///< null: it is ours
+        std::vector<double> processor;  ///< milliseconds a frame, round by round
+    };
+
     void addRow(const Variant& variant)
     {
         ExperimentRow row;
-        row.scene = m_scene.id;
         row.variant = QLatin1String(variant.id);
         row.settings = settingsOf(variant, m_base);
         const Settings drawnWith = withWorkers(row.settings);
         row.threads = drawnWith.threads;
         row.simd = drawnWith.simd;
+        addRow(std::move(row), nullptr);
+    }
+
+    void addRow(ExperimentRow row, OtherRenderer* other)
+    {
+        row.scene = m_scene.id;
         if (m_options.reference)
             row.reference = referenceSpace(m_scene, m_options.space);
         m_rows.push_back(std::move(row));
+        m_measured.push_back({other, {}});
+    }
+
+    void addOthers(OtherRenderers found)
+    {
+        const Settings settings = settingsOf(variants().front(), m_base);
+        for (std::unique_ptr<OtherRenderer>& other : found.renderers) {
+            if (const auto reason = other->unsupported(m_scene, settings)) {
+                if (m_options.refused)
+                    m_options.refused(other->id(), *reason);
+                continue;
+            }
+            ExperimentRow row;
+            row.variant = other->id();
+            row.settings = settings;
+            row.other = {other->name(), traitsOf(*other)};
+            addRow(std::move(row), other.get());
+            m_others.push_back(std::move(other));
+        }
     }
 
     /// Variants share frames, hence memory; but threads live in them.
-    Frame& frameOf(const ExperimentRow& row) { return m_frames[{row.settings.algorithm, row.threads}]; }
+    Frame& frameOf(std::size_t i)
+    {
+        if (m_measured[i].other != nullptr)
+            return m_otherFrame;
+        return m_frames[{m_rows[i].settings.algorithm, m_rows[i].threads}];
+    }
+
+    /// Draws everything that errors are measured of.
+    void drawJudged(std::size_t i)
+    {
+        if (OtherRenderer* other = m_measured[i].other) {
+            other->load(m_scene, m_rows[i].settings);
+            other->draw(m_otherFrame, kEverything);
+            return;
+        }
+        Settings whole = m_rows[i].settings; // the truth knows faces without their holes
+        whole.alphaTest = AlphaTest::Off;
+        render(m_scene, whole, frameOf(i), kEverything, m_stop);
+    }
+
+    void drawTimed(std::size_t i)
+    {
+        if (OtherRenderer* other = m_measured[i].other)
+            other->draw(m_otherFrame, {});
+        else
+            render(m_scene, m_rows[i].settings, frameOf(i), {}, m_stop);
+    }
 
     void measureErrors(Samples samples)
     {
@@ -104,23 +199,23 @@ private:
         const ReferenceSpace space = referenceSpace(m_scene, m_options.space);
         const std::vector<ClipTriangle> triangles = exactTriangles(m_scene, wanted, space);
         ExactOptions exact = exactOptions(m_scene, wanted, space);
+        exact.textured = wanted.shading == Shading::Texture;
         std::vector<CoverageDifference> sums(members.size());
         const std::vector<PixelRect> bands = bandsOf(exact);
         for (std::size_t band = 0; band < bands.size() && !m_stop.stop_requested(); ++band) {
             exact.window = bands[band];
-            const ExactFrame truth = exactReference(triangles, exact, m_stop);
+            ExactFrame truth = exactReference(triangles, exact, m_stop);
             if (m_stop.stop_requested())
                 return;
+            if (exact.textured)
+                textureExactly(m_scene, wanted, truth, space);
             for (std::size_t k = 0; k < members.size(); ++k) {
-                ExperimentRow& row = m_rows[members[k]];
-                Frame& frame = frameOf(row);
-                Settings whole = row.settings; // the truth knows faces without their holes
-                whole.alphaTest = AlphaTest::Off;
-                render(m_scene, whole, frame, kEverything, m_stop);
+                drawJudged(members[k]);
                 if (m_stop.stop_requested())
                     return;
-                const CoverageDifference part = coverageDifference(frame, truth, m_scene.background);
+                const CoverageDifference part = coverageDifference(frameOf(members[k]), truth, m_scene.background);
                 sums[k] = band == 0 ? part : joined(sums[k], part);
+                ExperimentRow& row = m_rows[members[k]];
                 if (band + 1 == bands.size())
                     row.error = errorFigures(sums[k], row.settings, exact.depthTested);
                 step(members[k]);
@@ -130,18 +225,38 @@ private:
 
     void measureTimes()
     {
-        const double covered = static_cast<double>(coveredPixels());
-        for (int frame = -kWarmUpFrames; frame < m_options.frames; ++frame)
-            for (std::size_t i = 0; i < m_rows.size() && !m_stop.stop_requested(); ++i) {
-                ExperimentRow& row = m_rows[i];
-                Frame& target = frameOf(row);
-                render(m_scene, row.settings, target, {}, m_stop);
+        m_covered = static_cast<double>(coveredPixels());
+        for (std::size_t i = 0; i < m_rows.size(); ++i)
+            if (OtherRenderer* other = m_measured[i].other)
+                other->load(m_scene, m_rows[i].settings);
+        for (int round = -kWarmUpFrames; round < m_options.frames; ++round)
+            for (std::size_t place = 0; place < m_rows.size(); ++place) {
+                const std::size_t i = round % 2 == 0 ? place : m_rows.size() - 1 - place;
+                const Timing timing = timed(i, m_rows[i].ms.batch);
                 if (m_stop.stop_requested())
                     return;
-                if (frame >= 0)
-                    addTime(i, target.times.total, covered);
+                if (round < 0)
+                    chooseBatch(i, timing);
+                else
+                    addTiming(i, timing);
                 step(i);
             }
+    }
+
+    [[nodiscard]] Timing timed(std::size_t i, int frames)
+    {
+        const WorkTimer timer(m_rows[i].threads == 1 && m_measured[i].other == nullptr);
+        for (int frame = 0; frame < frames && !m_stop.stop_requested(); ++frame)
+            drawTimed(i);
+        return timer.elapsed(frames);
+    }
+
+    /// How many frames make a timing. The first frame of all is no measure for that: it is the slowest.
+    void chooseBatch(std::size_t i, const Timing& first)
+    {
+        if (first.clock >= 4 * kShortestTiming)
+            return;
+        m_rows[i].ms.batch = batchOf(timed(i, 1).clock);
     }
 
     /// What every variant of the scene is divided by.
@@ -151,15 +266,21 @@ private:
         return renderCounted(m_scene, settingsOf(variants().front(), m_base), frame, {}, m_stop).pixels.covered;
     }
 
-    void addTime(std::size_t i, double ms, double covered)
+    void addTiming(std::size_t i, const Timing& timing)
     {
         ExperimentRow& row = m_rows[i];
-        std::vector<double>& times = m_times[i];
-        times.insert(std::upper_bound(times.begin(), times.end(), ms), ms);
-        row.ms = summary(times);
+        row.rounds.push_back(timing.clock);
+        m_measured[i].processor.push_back(timing.processor);
+        std::vector<double> sorted = row.rounds;
+        std::ranges::sort(sorted);
+        row.ms = {quantile(sorted, 0.5), quantile(sorted, 0.1),           quantile(sorted, 0.9),
+                  sorted.front(),        static_cast<int>(sorted.size()), medianOf(m_measured[i].processor),
+                  row.ms.batch};
         constexpr double kNsPerMs = 1e6;
-        row.nsPerCoveredPixel = covered > 0 ? row.ms.median * kNsPerMs / covered : 0;
+        row.nsPerCoveredPixel = m_covered > 0 ? row.ms.median * kNsPerMs / m_covered : 0;
         row.mtriPerS = static_cast<double>(m_scene.mesh.faceCount()) / row.ms.median / 1000;
+        if (i > 0)
+            row.ratio = pairedRatio(row, m_rows.front());
     }
 
     void step(std::size_t changed)
@@ -175,8 +296,11 @@ private:
     const std::function<void(const ExperimentProgress&)>& m_progress;
     std::stop_token m_stop;
     std::vector<ExperimentRow> m_rows;
-    std::vector<std::vector<double>> m_times; // sorted
+    std::vector<Measured> m_measured; ///< of the same rows
+    std::vector<std::unique_ptr<OtherRenderer>> m_others;
     std::map<std::pair<Algorithm, int>, Frame> m_frames;
+    Frame m_otherFrame;
+    double m_covered = 0;
     int m_done = 0;
     int m_total = 0;
 };
@@ -195,6 +319,12 @@ std::vector<ExperimentRow> runExperiment(const Scene& scene, const Settings& bas
                                          std::stop_token stop)
 {
     return Experiment(scene, base, variants, options, progress, std::move(stop)).run();
+}
+
+int batchOf(double frameMs)
+{
+    constexpr double kLargest = 1000;
+    return static_cast<int>(std::clamp(std::ceil(kShortestTiming / frameMs), 1.0, kLargest));
 }
 
 const char* idOf(ReferenceSpace space) { return space == ReferenceSpace::Object ? "exact-object" : "exact"; }
@@ -221,14 +351,39 @@ std::optional<double> errorOf(const ExperimentRow& row, ErrorMeasure measure)
     return std::nullopt;
 }
 
+bool isExactThroughout(std::span<const ExperimentRow> rows, ErrorMeasure measure)
+{
+    bool isMeasured = false;
+    for (const ExperimentRow& row : rows) {
+        const auto error = errorOf(row, measure);
+        if (error.value_or(0) > 0)
+            return false;
+        isMeasured = isMeasured || error;
+    }
+    return isMeasured;
+}
+
+std::optional<TimeRatio> pairedRatio(const ExperimentRow& row, const ExperimentRow& other)
+{
+    std::vector<double> ratios;
+    for (std::size_t round = 0; round < std::min(row.rounds.size(), other.rounds.size()); ++round)
+        if (other.rounds[round] > 0)
+            ratios.push_back(row.rounds[round] / other.rounds[round]);
+    if (ratios.empty())
+        return std::nullopt;
+    std::ranges::sort(ratios);
+    return TimeRatio{other.variant, quantile(ratios, 0.5), quantile(ratios, 0.1), quantile(ratios, 0.9),
+                     static_cast<int>(ratios.size())};
+}
+
 void markFrontier(std::span<ExperimentRow> rows, ErrorMeasure measure)
 {
     const auto beats = [&](const ExperimentRow& a, const ExperimentRow& b) {
         const auto errorA = errorOf(a, measure);
-        if (a.scene != b.scene || a.ms.frames == 0 || !errorA)
+        if (a.scene != b.scene || !errorA || *errorA > *errorOf(b, measure) || a.ms.median >= b.ms.median)
             return false;
-        const double errorB = *errorOf(b, measure);
-        return a.ms.median <= b.ms.median && *errorA <= errorB && (a.ms.median < b.ms.median || *errorA < errorB);
+        const auto ratio = pairedRatio(a, b);
+        return ratio && ratio->p90 < 1;
     };
     for (ExperimentRow& row : rows)
         row.frontier =
@@ -238,17 +393,34 @@ void markFrontier(std::span<ExperimentRow> rows, ErrorMeasure measure)
 
 std::optional<TimeRatio> walkingAdvantage(std::span<const ExperimentRow> rows)
 {
-    const auto timesOf = [&](const char* id) -> const FrameTimes* {
-        const auto row = std::find_if(rows.begin(), rows.end(), [&](const ExperimentRow& r) {
-            return r.variant == QLatin1String(id) && r.ms.frames > 0;
-        });
-        return row == rows.end() || !(row->ms.p10 > 0) ? nullptr : &row->ms;
+    const auto rowOf = [&](const char* id) {
+        return std::ranges::find(rows, QLatin1String(id), &ExperimentRow::variant);
     };
-    const FrameTimes* equation = timesOf("edge-equation");
-    const FrameTimes* walking = timesOf("edge-walking");
-    if (equation == nullptr || walking == nullptr)
+    const auto equation = rowOf("edge-equation");
+    const auto walking = rowOf("edge-walking");
+    if (equation == rows.end() || walking == rows.end())
         return std::nullopt;
-    return TimeRatio{equation->median / walking->median, equation->p10 / walking->p90, equation->p90 / walking->p10};
+    return pairedRatio(*equation, *walking);
+}
+
+MachineNoise noiseOf(std::span<const ExperimentRow> rows)
+{
+    MachineNoise noise;
+    std::vector<double> spreads;
+    std::vector<double> shares;
+    for (const ExperimentRow& row : rows) {
+        if (row.ms.frames == 0)
+            continue;
+        spreads.push_back((row.ms.p90 - row.ms.p10) / row.ms.median);
+        if (row.threads == 1 && !row.other)
+            shares.push_back(row.ms.processor / row.ms.median);
+        noise.largestBatch = std::max(noise.largestBatch, row.ms.batch);
+    }
+    if (!spreads.empty())
+        noise.spread = medianOf(std::move(spreads));
+    if (!shares.empty())
+        noise.own = std::min(1.0, medianOf(std::move(shares)));
+    return noise;
 }
 
 } // namespace rasterlens

@@ -12,8 +12,9 @@ namespace rasterlens
 namespace
 {
 
-constexpr const char* kColumns[] = {"scene",      "variant", "threads",   "simd",     "ms",      "ns_per_covered_pixel",
-                                    "mtri_per_s", "error",   "reference", "frontier", "settings"};
+constexpr const char* kColumns[] = {
+    "scene", "variant",    "renderer", "threads",   "simd",     "ms",      "ns_per_covered_pixel",
+    "ratio", "mtri_per_s", "error",    "reference", "frontier", "settings"};
 
 template <class Part, class Value>
 QJsonValue valueOf(const std::optional<Part>& part, Value Part::*member)
@@ -37,6 +38,28 @@ QJsonObject errorJson(const VariantError& error)
             {"psnr", psnr}};
 }
 
+QJsonObject ratioJson(const std::optional<TimeRatio>& ratio)
+{
+    return {{"to", ratio ? QJsonValue(ratio->to) : QJsonValue()},
+            {"median", valueOf(ratio, &TimeRatio::median)},
+            {"p10", valueOf(ratio, &TimeRatio::p10)},
+            {"p90", valueOf(ratio, &TimeRatio::p90)}};
+}
+
+QJsonObject rendererJson(const std::optional<RendererFacts>& other)
+{
+    if (!other)
+        return {{"name", "RasterLens"},
+                {"subpixel_bits", QJsonValue()},
+                {"snaps", QJsonValue()},
+                {"tie_rule", QJsonValue()}};
+    const RendererTraits& traits = other->traits;
+    return {{"name", other->name},
+            {"subpixel_bits", traits.subpixelBits},
+            {"snaps", traits.nearest ? "nearest" : "down"},
+            {"tie_rule", QLatin1String(idOf(traits.sides))}};
+}
+
 QJsonObject rowJson(const ExperimentRow& row)
 {
     Settings instructions;
@@ -51,7 +74,11 @@ QJsonObject rowJson(const ExperimentRow& row)
             {"ms", QJsonObject{{"median", ifTimed(row.ms.median)},
                                {"p10", ifTimed(row.ms.p10)},
                                {"p90", ifTimed(row.ms.p90)},
-                               {"min", ifTimed(row.ms.min)}}},
+                               {"min", ifTimed(row.ms.min)},
+                               {"processor", ifTimed(row.ms.processor)},
+                               {"batch", row.ms.batch}}},
+            {"ratio", ratioJson(row.ratio)},
+            {"renderer", rendererJson(row.other)},
             {"ns_per_covered_pixel", row.nsPerCoveredPixel > 0 ? QJsonValue(row.nsPerCoveredPixel) : QJsonValue()},
             {"mtri_per_s", ifTimed(row.mtriPerS)},
             {"error", errorJson(row.error)},

@@ -125,15 +125,10 @@ Reasons toleranceReasons(const CoverageDifference& d)
 namespace
 {
 
-bool showsNearestTexels(const Settings& settings)
-{
-    return settings.shading == Shading::Texture && settings.textureFilter == TextureFilter::Nearest;
-}
-
 /// Whether the colours of the truth are what the case shows.
 bool knowsColors(const Scene& scene)
 {
-    return scene.defaults.shading == Shading::Gouraud || showsNearestTexels(scene.defaults);
+    return scene.defaults.shading == Shading::Gouraud || scene.defaults.shading == Shading::Texture;
 }
 
 } // namespace
@@ -155,8 +150,9 @@ ExactFrame caseTruth(const Scene& scene, Samples samples)
     settings.samples = samples;
     ExactOptions options = exactOptions(scene, settings);
     options.edgeDistance = scene.exact;
+    options.textured = settings.shading == Shading::Texture;
     ExactFrame truth = exactReference(exactTriangles(scene, settings), options);
-    if (showsNearestTexels(scene.defaults))
+    if (options.textured)
         textureExactly(scene, settings, truth);
     return truth;
 }

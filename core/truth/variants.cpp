@@ -30,6 +30,7 @@ constexpr Variant kVariants[] = {
     {"edge-equation-unorm16", "algorithm=edge-equation depth-format=unorm16"},
     {"edge-equation-2x2", "algorithm=edge-equation samples=2x2"},
     {"edge-equation-4x4", "algorithm=edge-equation samples=4x4"},
+    {"edge-equation-msaa4", "algorithm=edge-equation samples=msaa4"},
 
     {"edge-walking", "algorithm=edge-walking"},
     {"edge-walking-direct", "algorithm=edge-walking stepping=direct"},
@@ -41,6 +42,8 @@ constexpr Variant kVariants[] = {
     {"edge-walking-bits-4", "algorithm=edge-walking subpixel-bits=4"},
     {"edge-walking-spans", "algorithm=edge-walking attribute-path=edge-then-span"},
     {"edge-walking-spans-float32", "algorithm=edge-walking attribute-path=edge-then-span number-type=float32"},
+    {"edge-walking-spans-every-16", "algorithm=edge-walking attribute-path=edge-then-span interpolation=every-16"},
+    {"edge-walking-spans-every-8", "algorithm=edge-walking attribute-path=edge-then-span interpolation=every-8"},
     {"edge-walking-spans-affine", "algorithm=edge-walking attribute-path=edge-then-span interpolation=affine"},
     {"edge-walking-affine", "algorithm=edge-walking interpolation=affine"},
     {"edge-walking-unorm16", "algorithm=edge-walking depth-format=unorm16"},
@@ -60,6 +63,10 @@ constexpr Variant kVariants[] = {
     {"tiled-unorm16", "algorithm=tiled depth-format=unorm16"},
     {"tiled-2x2", "algorithm=tiled samples=2x2"},
     {"tiled-4x4", "algorithm=tiled samples=4x4"},
+    {"tiled-msaa2", "algorithm=tiled samples=msaa2"},
+    {"tiled-msaa4", "algorithm=tiled samples=msaa4"},
+    {"tiled-msaa8", "algorithm=tiled samples=msaa8"},
+    {"tiled-msaa16", "algorithm=tiled samples=msaa16"},
 };
 
 constexpr Variant kAsGiven{"as-given", ""};

@@ -2596,8 +2596,26 @@
         <translation>每秒百万三角形</translation>
     </message>
     <message>
-        <source>frontier</source>
-        <translation>前沿</translation>
+        <source>other renderers</source>
+        <translation>其他渲染器</translation>
+    </message>
+    <message>
+        <source>Every variant is exact here:
+all of these errors are 0.</source>
+        <translation>这里每个变体都是精确的：
+这种误差全部为 0。</translation>
+    </message>
+    <message>
+        <source>this program was built without OpenGL: the headers of EGL (Debian: libegl-dev) were missing</source>
+        <translation>本程序构建时不带 OpenGL：缺少 EGL 的头文件（Debian：libegl-dev）</translation>
+    </message>
+    <message>
+        <source>there is no libEGL.so.1 on this machine (Debian: libegl1, libgl1-mesa-dri)</source>
+        <translation>这台机器上没有 libEGL.so.1（Debian：libegl1、libgl1-mesa-dri）</translation>
+    </message>
+    <message>
+        <source>no device of this machine draws by OpenGL 3.3 without a display (Debian: libgl1-mesa-dri)</source>
+        <translation>这台机器上没有设备能在无显示器时用 OpenGL 3.3 绘图（Debian：libgl1-mesa-dri）</translation>
     </message>
 </context>
 <context>
@@ -6999,10 +7017,6 @@
         <translation>插值</translation>
     </message>
     <message>
-        <source>Attributes divided by w on the way, or straight across the screen.</source>
-        <translation>属性先除以 w 再插值，或直接在屏幕上线性插值。</translation>
-    </message>
-    <message>
         <source>Attribute path</source>
         <translation>属性插值路径</translation>
     </message>
@@ -7229,6 +7243,18 @@
     <message>
         <source>By each face</source>
         <translation>每个面都画</translation>
+    </message>
+    <message>
+        <source>Divided every 8 pixels</source>
+        <translation>每 8 像素除一次</translation>
+    </message>
+    <message>
+        <source>Divided every 16 pixels</source>
+        <translation>每 16 像素除一次</translation>
+    </message>
+    <message>
+        <source>Attributes divided by w at every pixel, never, or at every 8th or 16th pixel of a span and straight in between (edge, then span only).</source>
+        <translation>属性在每个像素处除以 w、从不除，或沿扫描段每 8 或 16 个像素除一次、其间按直线插值（仅限先边后扫描段）。</translation>
     </message>
 </context>
 <context>
@@ -8160,6 +8186,54 @@
         <source>clipping cohen-sutherland here joins the outlines of faces, and this scene has lines; clipping frustum and guard-band cut them</source>
         <translation>这里的 Cohen-Sutherland 裁剪会把面的轮廓连接起来，而这个场景里有线；视锥体裁剪和保护带裁剪可以裁剪它们</translation>
     </message>
+    <message>
+        <source>interpolation every-8 and every-16 divide along spans: they need algorithm edge-walking, fill solid and attribute-path edge-then-span</source>
+        <translation>interpolation every-8 与 every-16 沿扫描段做除法：需要 algorithm edge-walking、fill solid 与 attribute-path edge-then-span</translation>
+    </message>
+    <message>
+        <source>OpenGL is asked for filled faces only</source>
+        <translation>这里只让 OpenGL 绘制填充的面</translation>
+    </message>
+    <message>
+        <source>OpenGL is asked for shading gouraud and texture only</source>
+        <translation>这里只让 OpenGL 用 shading gouraud 与 texture</translation>
+    </message>
+    <message>
+        <source>OpenGL is asked for one sample a pixel, at its centre</source>
+        <translation>这里只让 OpenGL 每像素取一个样本，位于像素中心</translation>
+    </message>
+    <message>
+        <source>OpenGL does not sort faces: it needs visibility z-buffer</source>
+        <translation>OpenGL 不对面排序：需要 visibility z-buffer</translation>
+    </message>
+    <message>
+        <source>OpenGL clips by the view volume: it needs clipping frustum</source>
+        <translation>OpenGL 按视体裁剪：需要 clipping frustum</translation>
+    </message>
+    <message>
+        <source>OpenGL clips at z = -w: it needs clip-z gl</source>
+        <translation>OpenGL 在 z = -w 处裁剪：需要 clip-z gl</translation>
+    </message>
+    <message>
+        <source>OpenGL is asked for one pass, without depth bias and range</source>
+        <translation>这里只让 OpenGL 画一遍，不带深度偏移与深度范围</translation>
+    </message>
+    <message>
+        <source>OpenGL has no depth-format unorm8</source>
+        <translation>OpenGL 没有 depth-format unorm8</translation>
+    </message>
+    <message>
+        <source>OpenGL is not told of masks: it needs alpha-test off</source>
+        <translation>没有把遮罩告诉 OpenGL：需要 alpha-test off</translation>
+    </message>
+    <message>
+        <source>OpenGL makes none of these mistakes</source>
+        <translation>OpenGL 不会犯这些错误</translation>
+    </message>
+    <message>
+        <source>this OpenGL draws at most %1 pixels a side</source>
+        <translation>这个 OpenGL 每边最多画 %1 个像素</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::ActionSearch</name>
@@ -8802,10 +8876,6 @@
 <context>
     <name>rasterlens::ExperimentModel</name>
     <message>
-        <source>On the frontier: no other variant is at least as fast with less error</source>
-        <translation>在前沿上：没有别的变体误差更小且同样快</translation>
-    </message>
-    <message>
         <source>Variant</source>
         <translation>变体</translation>
     </message>
@@ -8825,6 +8895,78 @@
         <source>ns/px</source>
         <translation>ns/像素</translation>
     </message>
+    <message>
+        <source>On the frontier: no variant with as small an error was faster in nine of ten rounds</source>
+        <translation>在前沿上：误差不更大的变体中，没有一个在十轮里有九轮更快</translation>
+    </message>
+    <message>
+        <source>How many times as long as the first variant in the same round: median of the pairs; a row&apos;s tool-tip adds the tenth and ninetieth percentile</source>
+        <translation>同一轮中用时是第一个变体的多少倍：成对比值的中位数；行的提示中另有第 10 与第 90 百分位</translation>
+    </message>
+    <message>
+        <source>Milliseconds of processor time, of all threads that work on a frame: median</source>
+        <translation>处理器时间（毫秒），含参与一帧的所有线程：中位数</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>比值</translation>
+    </message>
+    <message>
+        <source>CPU ms</source>
+        <translation>CPU 毫秒</translation>
+    </message>
+    <message>
+        <source>tie rule: top-left</source>
+        <translation>边上归属：左上规则</translation>
+    </message>
+    <message>
+        <source>tie rule: top-right</source>
+        <translation>边上归属：右上</translation>
+    </message>
+    <message>
+        <source>tie rule: bottom-left</source>
+        <translation>边上归属：左下</translation>
+    </message>
+    <message>
+        <source>tie rule: bottom-right</source>
+        <translation>边上归属：右下</translation>
+    </message>
+    <message>
+        <source>tie rule: all edges own their points</source>
+        <translation>边上归属：所有边都拥有其上的点</translation>
+    </message>
+    <message>
+        <source>tie rule: no edge owns its points</source>
+        <translation>边上归属：没有边拥有其上的点</translation>
+    </message>
+    <message>
+        <source>tie rule: none that is known</source>
+        <translation>边上归属：不是已知的规则</translation>
+    </message>
+    <message>
+        <source>corners snap to 1/%1 pixel</source>
+        <translation>顶点对齐到 1/%1 像素</translation>
+    </message>
+    <message>
+        <source>corners snap to 1/%1 pixel or finer</source>
+        <translation>顶点对齐到 1/%1 像素或更细</translation>
+    </message>
+    <message>
+        <source>milliseconds of the clock: %1</source>
+        <translation>时钟时间（毫秒）：%1</translation>
+    </message>
+    <message>
+        <source>milliseconds of the processor, all threads: %1</source>
+        <translation>处理器时间（毫秒，所有线程）：%1</translation>
+    </message>
+    <message>
+        <source>times as long as the first variant: %1, in %2 pairs of frames</source>
+        <translation>用时为第一个变体的倍数：%1，共 %2 对帧</translation>
+    </message>
+    <message>
+        <source>timed in batches of %1 frames</source>
+        <translation>每 %1 帧一批计时</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::ExperimentPanel</name>
@@ -8839,10 +8981,6 @@
     <message>
         <source>Every variant of the pipeline on the present scene: how fast, and how far from the exact picture.</source>
         <translation>在当前场景上测量管线的每个变体：有多快，离精确画面有多远。</translation>
-    </message>
-    <message>
-        <source>%1 · edge equation takes %2 times as long as edge walking here (%3 to %4), 1.36 times in [002]</source>
-        <translation>%1 · 这里边方程用时是边步进的 %2 倍（%3 至 %4），[002] 中为 1.36 倍</translation>
     </message>
     <message>
         <source>Loaded: %1</source>
@@ -8901,16 +9039,48 @@
         <translation>双击或按回车载入该变体</translation>
     </message>
     <message>
-        <source>%1 · no variant has this error here: colours need Gouraud shading, depths a depth test</source>
-        <translation>%1 · 这里没有变体具有这种误差：颜色需要 Gouraud 着色，深度需要深度测试</translation>
-    </message>
-    <message>
         <source>There is not enough memory for a picture of this size.</source>
         <translation>内存不足，无法绘制这么大的图像。</translation>
     </message>
     <message>
         <source>The system does not start so many threads.</source>
         <translation>系统无法启动这么多线程。</translation>
+    </message>
+    <message>
+        <source>%1 · no variant has this error here: colours need Gouraud or texture shading, depths a depth test</source>
+        <translation>%1 · 这里没有变体具有这种误差：颜色需要 Gouraud 或纹理着色，深度需要深度测试</translation>
+    </message>
+    <message>
+        <source>No other renderer: %1</source>
+        <translation>没有其他渲染器：%1</translation>
+    </message>
+    <message>
+        <source>%1 is another program: there is nothing to load</source>
+        <translation>%1 是别的程序：没有可载入的设置</translation>
+    </message>
+    <message>
+        <source>Other renderers</source>
+        <translation>其他渲染器</translation>
+    </message>
+    <message>
+        <source>Measures what draws by OpenGL on this machine as well: Mesa&apos;s software renderer, and graphics processors. The exact reference judges them as it judges ours.</source>
+        <translation>同时测量这台机器上用 OpenGL 绘图的渲染器：Mesa 的软件渲染器和图形处理器。精确基准以同样的标准评判它们。</translation>
+    </message>
+    <message>
+        <source>%1 · edge equation takes %2 times as long as edge walking (%3 to %4); a blog measured 1.36 or more</source>
+        <translation>%1 · 边方程用时是边步进的 %2 倍（%3 至 %4）；一篇博客测得 1.36 倍或更多</translation>
+    </message>
+    <message>
+        <source>Frames vary by %1 %; times that overlap are not ranked.</source>
+        <translation>各帧相差 %1 %；时间范围重叠的不分先后。</translation>
+    </message>
+    <message>
+        <source>Frames vary by %1 %, those under %2 ms are timed in batches of up to %3; times that overlap are not ranked.</source>
+        <translation>各帧相差 %1 %，不足 %2 毫秒的成批计时，每批最多 %3 帧；时间范围重叠的不分先后。</translation>
+    </message>
+    <message>
+        <source>Ranges are the tenth and ninetieth percentile of pairs of frames, drawn one soon after the other. The blog, written for students: 72 frames in more than 8 s with edge equation, 71 in 5.8 s with edge walking; one model, one run, a debug build.</source>
+        <translation>范围是先后紧接绘制的成对帧的第 10 与第 90 百分位。那篇写给学生的博客：边方程 72 帧用 8 秒多，边步进 71 帧用 5.8 秒；一个模型，测一次，调试版。</translation>
     </message>
 </context>
 <context>

@@ -14,16 +14,14 @@ class ExperimentModel : public QAbstractTableModel
     Q_OBJECT
 
 public:
-    enum Column { Name, Speed, Error, Frontier, ColumnCount };
+    enum Column { Name, Speed, Ratio, Processor, Error, Frontier, ColumnCount };
     static constexpr int SortRole = Qt::UserRole;
 
     using QAbstractTableModel::QAbstractTableModel;
 
     void setRows(const std::vector<ExperimentRow>& rows, ErrorMeasure error, SpeedMeasure speed);
 
-    /// `Edge walking \u00b7 Float, 32 bit`, in the language in use.
-    [[nodiscard]] static QString titleOf(const ExperimentRow& row);
-    /// All errors and speeds with their spread, as rich text.
+    /// All errors and speeds with their spread, and what was found out about another renderer, as rich text.
     [[nodiscard]] static QString describe(const ExperimentRow& row);
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;

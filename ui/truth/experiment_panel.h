@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QMenu;
@@ -46,8 +47,12 @@ public:
     [[nodiscard]] QTableView& table() { return *m_table; }
     [[nodiscard]] QComboBox* errorBox() const { return m_errorBox; }
     [[nodiscard]] QComboBox* speedBox() const { return m_speedBox; }
-    /// `edge walking 1.21 times as fast as edge equation; [002]: 1.36`
+    /// Measures other renderers too, from the next run on.
+    [[nodiscard]] QCheckBox* othersBox() const { return m_withOthers; }
+    /// How edge equation and edge walking compare here, or why nothing is shown.
     [[nodiscard]] QString ratioText() const;
+    /// How far the numbers can be trusted, and which renderers are not there.
+    [[nodiscard]] QStringList remarks() const;
 
     /// Makes the settings of a row the present ones, seen from where the camera is now.
     void load(int row);
@@ -73,6 +78,7 @@ private:
     /// What has been measured so far.
     struct Measured {
         std::vector<ExperimentRow> rows;
+        std::vector<Reason> notMeasured; ///< other renderers
         int done = 1;
         int total = 1;
     };
@@ -87,9 +93,11 @@ private:
 
     Document& m_document;
     std::vector<ExperimentRow> m_rows;
+    std::vector<Reason> m_notMeasured; ///< why other renderers have no row
     QString m_sceneTitle;
     QPushButton* m_run = nullptr;
     QSpinBox* m_frames = nullptr;
+    QCheckBox* m_withOthers = nullptr;
     QProgressBar* m_progress = nullptr;
     QComboBox* m_errorBox = nullptr;
     QComboBox* m_speedBox = nullptr;

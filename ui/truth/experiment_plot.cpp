@@ -21,9 +21,9 @@ namespace rasterlens
 namespace
 {
 
-/// The dots of an algorithm.
+/// The dots of an algorithm, or of renderers that are not ours.
 struct DotLook {
-    Algorithm algorithm;
+    std::optional<Algorithm> algorithm;
     QCPScatterStyle::ScatterShape shape;
     QColor Inks::*ink;
 };
@@ -31,8 +31,21 @@ constexpr auto kDotLooks = std::to_array<DotLook>({
     {Algorithm::EdgeEquation, QCPScatterStyle::ssCircle, &Inks::plus},
     {Algorithm::EdgeWalking, QCPScatterStyle::ssSquare, &Inks::minus},
     {Algorithm::Tiled, QCPScatterStyle::ssTriangle, &Inks::third},
+    {std::nullopt, QCPScatterStyle::ssDiamond, nullptr},
 });
 constexpr double kDotSize = 8;
+constexpr int kLabelGap = 7; ///< pixels round a name
+
+std::size_t lookOf(const ExperimentRow& row)
+{
+    const auto algorithm = row.other ? std::nullopt : std::optional(row.settings.algorithm);
+    return static_cast<std::size_t>(std::ranges::find(kDotLooks, algorithm, &DotLook::algorithm) - kDotLooks.begin());
+}
+
+QColor colorOf(const DotLook& look, const QPalette& palette)
+{
+    return look.ink != nullptr ? inksFor(palette).*look.ink : palette.color(QPalette::Text);
+}
 
 /// Powers of ten, and a 0 where errors of zero are shown.
 class ErrorTicker : public QCPAxisTickerLog
@@ -75,10 +88,12 @@ private:
     std::optional<double> m_zero;
 };
 
-QString titleOfAlgorithm(Algorithm algorithm)
+QString titleOfLook(const DotLook& look)
 {
+    if (!look.algorithm)
+        return QCoreApplication::translate("Experiment", "other renderers");
     const SettingsField* field = findSettingsField(QStringLiteral("algorithm"));
-    return QCoreApplication::translate("Settings", field->choices[static_cast<std::size_t>(algorithm)].title);
+    return QCoreApplication::translate("Settings", field->choices[static_cast<std::size_t>(*look.algorithm)].title);
 }
 
 } // namespace
@@ -92,17 +107,26 @@ Speed speedOf(const ExperimentRow& row, SpeedMeasure measure)
     return {row.mtriPerS, row.mtriPerS / high, row.mtriPerS / low};
 }
 
-QPixmap algorithmMark(Algorithm algorithm)
+QString titleOf(const ExperimentRow& row)
+{
+    if (row.other)
+        return row.other->name;
+    const Variant* variant = findVariant(row.variant);
+    const auto translated = [](const char* text) { return QCoreApplication::translate("Settings", text); };
+    return variant != nullptr ? titleOf(*variant, translated) : row.variant;
+}
+
+QPixmap dotMark(const ExperimentRow& row)
 {
     constexpr int kSharper = 3;
     constexpr int kSide = static_cast<int>(kDotSize) + 4;
-    const DotLook& look = *std::ranges::find(kDotLooks, algorithm, &DotLook::algorithm);
+    const DotLook& look = kDotLooks[lookOf(row)];
     QPixmap mark(kSide * kSharper, kSide * kSharper);
     mark.setDevicePixelRatio(kSharper);
     mark.fill(Qt::transparent);
     QCPPainter painter(&mark);
     painter.setAntialiasing(true);
-    const QColor color = inksFor(QApplication::palette()).*look.ink;
+    const QColor color = colorOf(look, QApplication::palette());
     const QCPScatterStyle style(look.shape, QPen(color), QBrush(color), kDotSize);
     style.applyTo(&painter, style.pen());
     style.drawShape(&painter, QPointF(kSide, kSide) / 2);
@@ -130,16 +154,19 @@ ExperimentPlot::ExperimentPlot(QWidget* parent) : QWidget(parent), m_plot(new QC
     }
     m_plot->xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new ErrorTicker));
     m_plot->yAxis->setTicker(QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog));
-    m_frontier = m_plot->addGraph();
-    m_frontier->setScatterStyle(QCPScatterStyle::ssNone);
-    for (const DotLook& look : kDotLooks) {
-        QCPGraph* graph = m_plot->addGraph();
-        graph->setLineStyle(QCPGraph::lsNone);
-        auto* bars = new QCPErrorBars(m_plot->xAxis, m_plot->yAxis);
-        bars->removeFromLegend();
-        bars->setDataPlottable(graph);
-        m_series.push_back({look.algorithm, graph, bars});
-    }
+    for (std::size_t look = 0; look < kDotLooks.size(); ++look)
+        for (const bool frontier : {true, false}) {
+            QCPGraph* graph = m_plot->addGraph();
+            graph->setLineStyle(QCPGraph::lsNone);
+            auto* bars = new QCPErrorBars(m_plot->xAxis, m_plot->yAxis);
+            bars->removeFromLegend();
+            bars->setDataPlottable(graph);
+            m_series.push_back({look, frontier, graph, bars});
+        }
+    m_sentence = new QCPItemText(m_plot);
+    m_sentence->position->setType(QCPItemPosition::ptAxisRectRatio);
+    m_sentence->position->setCoords(0.5, 0.5);
+    m_sentence->setPositionAlignment(Qt::AlignCenter);
     m_ring = m_plot->addGraph();
     m_ring->setLineStyle(QCPGraph::lsNone);
     m_ring->removeFromLegend();
@@ -169,13 +196,16 @@ void ExperimentPlot::takeDots(const std::vector<ExperimentRow>& rows)
         }
     m_zeroPlace = std::isinf(smallest) ? 0.1 : std::pow(10, std::floor(std::log10(smallest)) - 1);
     m_dots.clear();
+    m_sentence->setVisible(isExactThroughout(rows, m_error));
+    if (m_sentence->visible())
+        return;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const auto error = errorOf(rows[i], m_error);
         if (!error || rows[i].ms.frames == 0)
             continue;
         const Speed speed = speedOf(rows[i], m_speed);
         m_dots.push_back({static_cast<int>(i), *error > 0 ? *error : m_zeroPlace, speed.median, speed.low, speed.high,
-                          rows[i].settings.algorithm, rows[i].frontier});
+                          lookOf(rows[i]), rows[i].frontier, titleOf(rows[i])});
     }
 }
 
@@ -197,7 +227,10 @@ void ExperimentPlot::setRanges()
     }
     constexpr double kRoom = 1.6;
     m_plot->xAxis->setRange(left / kRoom, std::max(right, left * 10) * kRoom);
-    m_plot->yAxis->setRange(bottom / 1.25, std::max(top, bottom * 2) * 1.25);
+    top = std::max(top, bottom * 2);
+    constexpr double kShare = 0.12; // of the height: names stand beside the lowest dots
+    const double room = std::pow(top / bottom, kShare) * 1.1;
+    m_plot->yAxis->setRange(bottom / room, top * room);
 }
 
 void ExperimentPlot::draw()
@@ -211,35 +244,97 @@ void ExperimentPlot::draw()
         series.graph->data()->clear();
         series.bars->data()->clear();
         for (const Dot* dot : sorted)
-            if (dot->algorithm == series.algorithm) {
+            if (dot->look == series.look && dot->frontier == series.frontier) {
                 series.graph->addData(dot->x, dot->y);
                 series.bars->addData(dot->y - dot->low, dot->high - dot->y);
             }
-        series.graph->setName(titleOfAlgorithm(series.algorithm));
+        series.graph->setName(titleOfLook(kDotLooks[series.look]));
+        const auto hasLook = [&](const Dot& dot) { return dot.look == series.look; };
+        series.graph->removeFromLegend();
+        if (series.frontier && (kDotLooks[series.look].algorithm || std::ranges::any_of(m_dots, hasLook)))
+            series.graph->addToLegend();
     }
-    drawFrontier();
+    m_sentence->setText(
+        QCoreApplication::translate("Experiment", "Every variant is exact here:\nall of these errors are 0."));
     setRanges();
     m_plot->xAxis->setLabel(errorTitle(m_error));
     m_plot->yAxis->setLabel(speedTitle(m_speed));
-    m_frontier->setName(QCoreApplication::translate("Experiment", "frontier"));
     qSharedPointerCast<ErrorTicker>(m_plot->xAxis->ticker())
         ->setZero(m_hasZero ? std::optional(m_zeroPlace) : std::nullopt);
     setChosen(m_chosen);
 }
 
-/// Stairs: to the right of a dot of the frontier everything as slow as it is worse.
-void ExperimentPlot::drawFrontier()
+/// Names the chosen dot, and those that are not beaten from the lowest on, as far as no name covers another or a dot
+/// that has one.
+void ExperimentPlot::drawLabels()
 {
-    std::vector<const Dot*> frontier;
+    for (QCPItemText* label : m_labels)
+        m_plot->removeItem(label);
+    m_labels.clear();
+    std::vector<const Dot*> named;
     for (const Dot& dot : m_dots)
-        if (dot.frontier)
-            frontier.push_back(&dot);
-    std::ranges::sort(frontier, {}, [](const Dot* dot) { return dot->x; });
-    m_frontier->data()->clear();
-    for (const Dot* dot : frontier)
-        m_frontier->addData(dot->x, dot->y);
-    m_frontier->setLineStyle(QCPGraph::lsStepLeft);
+        if (dot.frontier && dot.row != m_chosen)
+            named.push_back(&dot);
+    std::ranges::stable_sort(named, {}, [](const Dot* dot) { return dot->y; });
+    if (m_speed == SpeedMeasure::MtriPerS)
+        std::ranges::reverse(named); // the fastest first
+    for (const Dot& dot : m_dots)
+        if (dot.row == m_chosen)
+            named.insert(named.begin(), &dot);
+    std::vector<QRectF> taken; // by these dots, and by their names
+    for (const Dot* dot : named) {
+        const QPointF at(m_plot->xAxis->coordToPixel(dot->x), m_plot->yAxis->coordToPixel(dot->y));
+        taken.emplace_back(at - QPointF(kDotSize, kDotSize) / 2, QSizeF(kDotSize, kDotSize));
+    }
+    for (const Dot* dot : named)
+        if (const auto place = labelPlace(*dot, taken)) {
+            taken.push_back(place->area);
+            auto* label = new QCPItemText(m_plot);
+            label->setClipToAxisRect(false);
+            label->position->setCoords(dot->x, dot->y);
+            label->setPositionAlignment(place->alignment);
+            label->setPadding(QMargins(kLabelGap, kLabelGap / 2, kLabelGap, kLabelGap / 2));
+            label->setText(place->text);
+            label->setFont(font());
+            label->setColor(palette().color(QPalette::Text));
+            m_labels.push_back(label);
+        }
 }
+
+/// Beside the dot, above or below it, as there is room; nothing where there is none.
+std::optional<ExperimentPlot::LabelPlace> ExperimentPlot::labelPlace(const Dot& dot,
+                                                                     const std::vector<QRectF>& taken) const
+{
+    constexpr int kWidest = 230;
+    const QFontMetrics metrics(font());
+    const QPointF at(m_plot->xAxis->coordToPixel(dot.x), m_plot->yAxis->coordToPixel(dot.y));
+    const QString changes = dot.name.section(QStringLiteral("; "), 1); // the mark tells the algorithm
+    const QString text = metrics.elidedText(changes.isEmpty() ? dot.name : changes, Qt::ElideRight, kWidest);
+    const QSizeF size(metrics.horizontalAdvance(text) + 2 * kLabelGap, metrics.height() + kLabelGap);
+    for (const Qt::Alignment alignment :
+         {Qt::AlignLeft | Qt::AlignVCenter, Qt::AlignRight | Qt::AlignVCenter, Qt::AlignLeft | Qt::AlignBottom,
+          Qt::AlignRight | Qt::AlignBottom, Qt::AlignLeft | Qt::AlignTop, Qt::AlignRight | Qt::AlignTop}) {
+        const double left = alignment.testFlag(Qt::AlignLeft) ? 0 : size.width();
+        const double up = alignment.testFlag(Qt::AlignTop)      ? 0
+                          : alignment.testFlag(Qt::AlignBottom) ? size.height()
+                                                                : size.height() / 2;
+        const QRectF area = QRectF(at - QPointF(left, up), size).adjusted(kLabelGap, 0, -kLabelGap, 0);
+        const bool isFree = std::ranges::none_of(taken, [&](const QRectF& other) { return other.intersects(area); });
+        if (isFree && QRectF(m_plot->axisRect()->rect()).contains(area))
+            return LabelPlace{text, alignment, area};
+    }
+    return std::nullopt;
+}
+
+QStringList ExperimentPlot::labels() const
+{
+    QStringList texts;
+    for (const QCPItemText* label : m_labels)
+        texts << label->text();
+    return texts;
+}
+
+QString ExperimentPlot::sentence() const { return m_sentence->visible() ? m_sentence->text() : QString(); }
 
 void ExperimentPlot::setChosen(std::optional<int> row)
 {
@@ -248,6 +343,7 @@ void ExperimentPlot::setChosen(std::optional<int> row)
     for (const Dot& dot : m_dots)
         if (row && dot.row == *row)
             m_ring->addData(dot.x, dot.y);
+    drawLabels();
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
@@ -296,21 +392,21 @@ bool ExperimentPlot::eventFilter(QObject* watched, QEvent* event)
 void ExperimentPlot::applyColors()
 {
     const QColor text = palette().color(QPalette::Text);
-    const QColor muted = palette().color(QPalette::PlaceholderText);
-    const Inks inks = inksFor(palette());
     applyPlotTheme(*m_plot, palette());
     for (const Series& series : m_series) {
-        const DotLook& look = *std::ranges::find(kDotLooks, series.algorithm, &DotLook::algorithm);
-        const QColor color = inks.*look.ink;
-        series.graph->setScatterStyle(
-            QCPScatterStyle(look.shape, QPen(palette().color(QPalette::Base), 1), QBrush(color), kDotSize));
+        const DotLook& look = kDotLooks[series.look];
+        const QColor color = colorOf(look, palette());
+        const QColor ground = palette().color(QPalette::Base);
+        series.graph->setScatterStyle(QCPScatterStyle(look.shape, QPen(series.frontier ? ground : color, 1),
+                                                      QBrush(series.frontier ? color : ground), kDotSize));
         series.graph->setPen(QPen(color));
         QColor faint = color;
         faint.setAlpha(150);
         series.bars->setPen(QPen(faint, 1));
         series.bars->setWhiskerWidth(4);
     }
-    m_frontier->setPen(QPen(muted, 1.5, Qt::DashLine));
+    m_sentence->setColor(text);
+    m_sentence->setFont(font());
     m_ring->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(text, 2), Qt::NoBrush, kDotSize + 7));
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
@@ -329,6 +425,8 @@ void ExperimentPlot::paintTo(QPainter& painter, QSize size)
 void ExperimentPlot::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
+    m_plot->replot(QCustomPlot::rpImmediateRefresh); // lays the axes out, by which names are placed
+    drawLabels();
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
