@@ -23,7 +23,8 @@ FramePlanes clearedPlanes(const Rules& rules, const Pixel& clear, bool hasDepth,
     if (rules.depthPerPixel)
         assignInPieces(planes.ownDepth, samples, clear.depth, stop);
     assignInPieces(planes.owners, samples, std::int32_t(-1), stop);
-    planes.runs.resize((samples + FramePlanes::kRun - 1) / FramePlanes::kRun);
+    planes.layout = SampleRuns(samples / static_cast<std::size_t>(rules.patternSamples), rules.patternSamples);
+    planes.runs.resize(planes.layout.count());
     return planes;
 }
 

@@ -10,11 +10,37 @@
 namespace rasterlens
 {
 
+/// How the stored samples of a frame are taken together in runs: pixels that follow each other, with all samples of
+/// their pattern. Where there is no pattern, samples stand for pixels.
+struct SampleRuns {
+    static constexpr std::size_t kMostSamples = 256; ///< of a run
+
+    std::size_t frame = 0;  ///< samples of a frame
+    std::size_t frames = 1; ///< as many as the pattern has samples; they are stored one behind the other
+    int shift = 6;          ///< a run has 2^shift samples of each frame
+
+    SampleRuns() = default;
+    SampleRuns(std::size_t frameSize, int patternSamples)
+        : frame(frameSize), frames(static_cast<std::size_t>(patternSamples)), shift(patternSamples == 1 ? 6 : 4)
+    {
+    }
+
+    /// The run that holds a sample.
+    [[nodiscard]] std::size_t of(std::size_t sample) const { return (frames == 1 ? sample : sample % frame) >> shift; }
+    [[nodiscard]] std::size_t count() const { return (frame + (std::size_t(1) << shift) - 1) >> shift; }
+    /// The first sample of a run, in the first frame.
+    [[nodiscard]] std::size_t first(std::size_t run) const { return run << shift; }
+    /// How many samples of each frame a run has.
+    [[nodiscard]] std::size_t length(std::size_t run) const
+    {
+        return std::min(std::size_t(1) << shift, frame - first(run));
+    }
+};
+
 /// All samples of a frame at one moment, in the order they are stored. Planes that the rules do not call for are empty.
 struct FramePlanes {
-    static constexpr std::size_t kRun = 64;                 ///< samples of which it is known when they changed
     static constexpr std::uint32_t kNoVersion = 0xffffffff; ///< Run::version
-    /// What is known of so many samples that follow each other.
+    /// What is known of a run of samples.
     struct Run {
         std::uint32_t version = 0; ///< of a FrameHistory, if the run is still as it was restored; 0 as it was cleared
         std::uint32_t turn = 0;    ///< in which it changed last
@@ -25,11 +51,12 @@ struct FramePlanes {
     std::vector<std::uint16_t> coverCount; ///< overdraw only: how often the sample was covered
     std::vector<float> ownDepth;           ///< rules.depthPerPixel only: the depth last written for this sample alone
     std::vector<std::int32_t> owners;      ///< the face drawn last, -1 none
-    std::vector<Run> runs;
+    SampleRuns layout;
+    std::vector<Run> runs;  ///< layout.count()
     std::uint32_t turn = 0; ///< counts what is told apart by Run::turn
 
     /// A sample changes.
-    void touch(std::uint32_t sample) { runs[sample / kRun] = {kNoVersion, turn}; }
+    void touch(std::uint32_t sample) { runs[layout.of(sample)] = {kNoVersion, turn}; }
     /// What a sample stores.
     ///
     /// in  planes with depth

@@ -166,8 +166,16 @@ bool StepRecorder::skipsLine(int line)
     return false;
 }
 
+void StepRecorder::beginPass(int sample)
+{
+    m_isPassKnown = skipsLine(sample);
+    m_previousX = m_previousY = -2; // of another pass
+}
+
 bool StepRecorder::takeCall()
 {
+    if (m_isPassKnown)
+        return false;
     ++m_now.calls;
     if (m_isResuming && m_now.calls <= m_part.from.calls)
         return false;

@@ -1,8 +1,11 @@
 #pragma once
+#include "core/base/in_parallel.h"
 #include "core/observe/step_record.h"
 
 #include <QImage>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <vector>
 
@@ -52,6 +55,21 @@ public:
     /// Where image(), and what its samples store, may have changed since it was `turn`; of each row of pixels. Since 0
     /// all of them have.
     [[nodiscard]] std::vector<RowRange> changedSince(std::uint32_t turn) const;
+    /// Calls body(y, pixels) for each row that has any, in several threads where there are many.
+    template <class Body>
+    static void forEachRow(const std::vector<RowRange>& rows, Body&& body)
+    {
+        constexpr std::size_t kRowsOfThread = 64; // at least
+        const auto hasAny = [](const RowRange& row) { return row.left <= row.right; };
+        const auto top = std::ranges::find_if(rows, hasAny);
+        const auto bottom = std::find_if(rows.rbegin(), std::make_reverse_iterator(top), hasAny).base();
+        const auto part = [&](std::size_t first, std::size_t last) {
+            for (auto row = top + std::ptrdiff_t(first); row != top + std::ptrdiff_t(last); ++row)
+                if (hasAny(*row))
+                    body(static_cast<int>(row - rows.begin()), *row);
+        };
+        inParallel(static_cast<std::size_t>(bottom - top), kRowsOfThread, part);
+    }
     /// 0xffRRGGBB of each sample, row by row.
     [[nodiscard]] std::span<const std::uint32_t> sampleColors() const { return m_planes.color; }
     /// Depth of each sample, row by row.
@@ -61,8 +79,10 @@ public:
     [[nodiscard]] Statistics counters() const { return m_log->countersAt(positionInLog()); }
 
 private:
-    /// Makes pixels [left, right] of a row the means of their samples.
-    void writeMeans(int y, int left, int right);
+    /// Writes pixels of a row, the means of their samples.
+    ///
+    /// in  line  the row in the picture
+    void writeMeans(int y, RowRange range, QRgb* line) const;
     /// Gives pixels the colours of the finished picture, or takes them away.
     void resolveUpTo(std::size_t pixels);
     [[nodiscard]] const QImage& finishedImage() const

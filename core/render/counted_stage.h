@@ -26,7 +26,11 @@ public:
             m_stage(x, y, sample...);
     }
 
-    void beginSample(int sample) requires kDrawsPixels { m_stage.beginSample(sample); }
+    void beginSample(int sample) requires kDrawsPixels
+    {
+        m_recorder->beginPass(sample);
+        m_stage.beginSample(sample);
+    }
 
     void finish()
     {
