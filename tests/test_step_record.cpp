@@ -224,7 +224,10 @@ void TestStepRecord::isTheLog()
                                                 : log.position() - std::min<std::size_t>(log.position(), 3);
             log.moveTo(to);
             cursor.moveTo(to);
-            const char* wrong = difference(log, cursor);
+            // Looking at all samples unpacks them, so that is left out now and then.
+            const char* wrong = draws.upTo(2) > 0               ? difference(log, cursor)
+                                : log.image() == cursor.image() ? nullptr
+                                                                : "picture";
             QVERIFY2(wrong == nullptr, (what + " at " + QByteArray::number(qulonglong(to)) + ": " + wrong).constData());
         }
         log.moveTo(log.size());

@@ -68,12 +68,17 @@ struct RunOfPlane {
     T* first; ///< of its samples in the first frame
     std::size_t length;
     const SampleRuns& layout;
+    bool isFirstOnly = false; ///< samples of other frames are left as they are
 
     /// Makes the samples at places [begin, end) one value.
     void fill(std::size_t begin, std::size_t end, T value) const
     {
         if (layout.frames == 1) {
             std::fill(first + begin, first + end, value);
+        } else if (isFirstOnly) {
+            withKnown(layout.frames, [&](auto frames) {
+                std::fill(first + (begin + frames - 1) / frames, first + (end + frames - 1) / frames, value);
+            });
         } else if (begin == 0 && end == length * layout.frames) {
             for (std::size_t f = 0; f < layout.frames; ++f)
                 std::fill_n(first + f * layout.frame, length, value);
@@ -164,12 +169,24 @@ FrameHistory::Packed FrameHistory::pack(const FramePlanes& planes, std::size_t r
     return packed;
 }
 
-void FrameHistory::unpack(const std::byte* from, FramePlanes& planes, std::size_t run)
+void FrameHistory::unpack(const std::byte* from, FramePlanes& planes, std::size_t run, bool isFirstOnly)
 {
     const SampleRuns layout = planes.layout;
     FramePlanes::forEach(planes, [&]<class T>(std::vector<T>& plane) {
-        from = RunOfPlane<T>{plane.data() + layout.first(run), layout.length(run), layout}.unpack(from);
+        from = RunOfPlane<T>{plane.data() + layout.first(run), layout.length(run), layout, isFirstOnly}.unpack(from);
     });
+}
+
+void FramePlanes::unpack(std::size_t run)
+{
+    FrameHistory::unpack(history->bytesOf(runs[run].version), *this, run, false);
+    runs[run].isPacked = false;
+}
+
+void FrameHistory::takeColors(const FramePlanes& planes, std::size_t run, std::span<std::uint32_t> colors) const
+{
+    const SampleRuns flat; // one frame: place by place
+    RunOfPlane<std::uint32_t>{colors.data(), colors.size(), flat}.unpack(bytesOf(planes.runs[run].version));
 }
 
 std::size_t FrameHistory::store(std::span<const std::byte> bytes)
@@ -263,6 +280,7 @@ void FrameHistory::restore(std::uint32_t moment, FramePlanes& planes) const
         FramePlanes::forEach(planes, [&](auto& plane) { plane.resize(count, plane.front()); });
         planes.runs.resize(layout.count());
     }
+    planes.history = this;
     constexpr std::size_t kRunsOfThread = 1024; // at least
     inParallel(layout.count(), kRunsOfThread,
                [&](std::size_t first, std::size_t last) { restoreRuns(moment, planes, first, last); });
@@ -270,15 +288,17 @@ void FrameHistory::restore(std::uint32_t moment, FramePlanes& planes) const
 
 void FrameHistory::restoreRuns(std::uint32_t moment, FramePlanes& planes, std::size_t first, std::size_t last) const
 {
+    const SampleRuns& layout = m_clear.layout;
     for (std::size_t run = first; run < last; ++run) {
         std::uint32_t id = m_first[run + 1];
         while (id > m_first[run] && m_sealed[id - 1].moment > moment)
             --id;
-        const bool isCleared = id == m_first[run];
-        if (planes.runs[run].version == (isCleared ? 0 : id))
+        const std::uint32_t version = id == m_first[run] ? 0 : id;
+        if (planes.runs[run].version == version)
             continue;
-        unpack(isCleared ? m_cleared.bytes.data() : m_bytes.data() + m_sealed[id - 1].at, planes, run);
-        planes.runs[run] = {isCleared ? 0 : id, planes.turn};
+        const bool staysPacked = layout.frames > 1 && layout.hasPixels;
+        planes.runs[run] = {version, planes.turn, staysPacked};
+        unpack(bytesOf(version), planes, run, staysPacked);
     }
 }
 

@@ -33,10 +33,13 @@ public:
     void seal();
     /// Makes the planes those of a moment.
     ///
+    /// out   changed runs of a pattern have their first samples alone (FramePlanes::make())
     /// in    seal() has been called; planes of the cleared frame, or those of this history at another moment, drawn on
     ///       or not; or empty ones
     /// cost  a copy of the runs that are not as they were at this moment, in as many threads as there are processors
     void restore(std::uint32_t moment, FramePlanes& planes) const;
+    /// The colours of a packed run as they are at the moment that the planes were restored to, pixel by pixel.
+    void takeColors(const FramePlanes& planes, std::size_t run, std::span<std::uint32_t> colors) const;
     /// The memory of what is kept.
     [[nodiscard]] std::size_t bytes() const
     {
@@ -69,7 +72,14 @@ private:
     };
 
     [[nodiscard]] static Packed pack(const FramePlanes& planes, std::size_t run);
-    static void unpack(const std::byte* from, FramePlanes& planes, std::size_t run);
+    /// in  isFirstOnly  unpacks the samples of the first frame alone
+    static void unpack(const std::byte* from, FramePlanes& planes, std::size_t run, bool isFirstOnly);
+    /// The packed bytes of a version of a run.
+    [[nodiscard]] const std::byte* bytesOf(std::uint32_t version) const
+    {
+        return version == 0 ? m_cleared.bytes.data() : m_bytes.data() + m_sealed[version - 1].at;
+    }
+    friend void FramePlanes::unpack(std::size_t run);
     /// restore() of the runs [first, last).
     void restoreRuns(std::uint32_t moment, FramePlanes& planes, std::size_t first, std::size_t last) const;
     /// Stores bytes; where.

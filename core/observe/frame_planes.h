@@ -18,12 +18,10 @@ struct SampleRuns {
     std::size_t frame = 0;  ///< samples of a frame
     std::size_t frames = 1; ///< as many as the pattern has samples; they are stored one behind the other
     int shift = 6;          ///< a run has 2^shift samples of each frame
+    bool hasPixels = false; ///< the samples of a pixel lie in one run; false on a grid, and with a mistake in addresses
 
     SampleRuns() = default;
-    SampleRuns(std::size_t frameSize, int patternSamples)
-        : frame(frameSize), frames(static_cast<std::size_t>(patternSamples)), shift(patternSamples == 1 ? 6 : 4)
-    {
-    }
+    explicit SampleRuns(const Rules& rules);
 
     /// The run that holds a sample.
     [[nodiscard]] std::size_t of(std::size_t sample) const { return (frames == 1 ? sample : sample % frame) >> shift; }
@@ -37,6 +35,8 @@ struct SampleRuns {
     }
 };
 
+class FrameHistory;
+
 /// All samples of a frame at one moment, in the order they are stored. Planes that the rules do not call for are empty.
 struct FramePlanes {
     static constexpr std::uint32_t kNoVersion = 0xffffffff; ///< Run::version
@@ -44,6 +44,8 @@ struct FramePlanes {
     struct Run {
         std::uint32_t version = 0; ///< of a FrameHistory, if the run is still as it was restored; 0 as it was cleared
         std::uint32_t turn = 0;    ///< in which it changed last
+        /// The planes have samples of the first frame alone; those of other frames are packed in the history.
+        bool isPacked = false;
     };
 
     std::vector<std::uint32_t> color; ///< 0xffRRGGBB as it is shown: with overdraw, the colour of the count
@@ -55,6 +57,19 @@ struct FramePlanes {
     std::vector<Run> runs;  ///< layout.count()
     std::uint32_t turn = 0; ///< counts what is told apart by Run::turn
 
+    const FrameHistory* history = nullptr; ///< where packed runs are; it must outlive them
+
+    /// Unpacks a run. Call this before samples of it are read or written.
+    void make(std::size_t run)
+    {
+        if (runs[run].isPacked)
+            unpack(run);
+    }
+    void makeAll()
+    {
+        for (std::size_t run = 0; run < runs.size(); ++run)
+            make(run);
+    }
     /// A sample changes.
     void touch(std::uint32_t sample) { runs[layout.of(sample)] = {kNoVersion, turn}; }
     /// What a sample stores.
@@ -67,6 +82,9 @@ struct FramePlanes {
         owners[sample] = state.owner;
         touch(sample);
     }
+
+    /// make() of a packed run; frame_history.cpp has it.
+    void unpack(std::size_t run);
 
     /// Calls visit(plane) for each plane that is not empty.
     template <class Planes, class Visit>

@@ -192,9 +192,20 @@ bool StepRecorder::takeCall()
     return !m_full || !m_isWindow;
 }
 
+bool StepRecorder::takePixel(int x, int y)
+{
+    if (!takeCall())
+        return false;
+    const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(m_stride);
+    m_planes->make(m_planes->layout.of(first + static_cast<std::size_t>(x)));
+    return true;
+}
+
 void StepRecorder::beginPixel(std::size_t nth)
 {
     leaveFaces();
+    if (m_planes->layout.hasPixels)
+        m_planes->make(m_planes->layout.of(nth));
     m_now = {};
     m_now.resolves = true;
     m_now.calls = nth;

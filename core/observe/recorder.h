@@ -97,6 +97,8 @@ public:
     /// The algorithm calls for a sample. False: not now, for it was drawn before the resume point, or comes after the
     /// end.
     [[nodiscard]] bool takeCall();
+    /// takeCall() for a pixel of which any sample may be read and written.
+    [[nodiscard]] bool takePixel(int x, int y);
     /// All faces are drawn, and the n-th pixel is next, row by row, counted from 0.
     void beginPixel(std::size_t nth);
     /// The triangle is finished; the samples of a pixel are about to share their depth where the rules want it.

@@ -128,6 +128,43 @@ void StepCursor::resolveUpTo(std::size_t pixels)
 
 void StepCursor::writeMeans(int y, RowRange range, QRgb* line) const
 {
+    const SampleRuns& layout = m_planes.layout;
+    if (!layout.hasPixels) {
+        writeMadeMeans(y, range, line);
+        return;
+    }
+    const std::size_t row = std::size_t(y) * std::size_t(m_image.width());
+    const auto isPackedAt = [&](int x) { return m_planes.runs[layout.of(row + std::size_t(x))].isPacked; };
+    for (int x = range.left; x <= range.right;) {
+        const int left = x;
+        const bool isPacked = isPackedAt(x);
+        while (x <= range.right && isPackedAt(x) == isPacked) { // run by run
+            const std::size_t run = layout.of(row + std::size_t(x));
+            const auto end = static_cast<int>(layout.first(run) + layout.length(run) - row);
+            const RowRange part{x, std::min(end - 1, range.right)};
+            if (isPacked)
+                writePackedMeans(run, part, static_cast<int>(row + std::size_t(x) - layout.first(run)), line);
+            x = part.right + 1;
+        }
+        if (!isPacked)
+            writeMadeMeans(y, {left, x - 1}, line);
+    }
+}
+
+void StepCursor::writePackedMeans(std::size_t run, RowRange range, int place, QRgb* line) const
+{
+    const SampleRuns& layout = m_planes.layout;
+    std::array<std::uint32_t, SampleRuns::kMostSamples> colors;
+    m_planes.history->takeColors(m_planes, run, std::span(colors).first(layout.length(run) * layout.frames));
+    PixelSamples samples; // of the first pixel
+    for (std::size_t i = 0; i < layout.frames; ++i)
+        samples[i] = colors.data() + std::size_t(place) * layout.frames + i;
+    writeLine(samples, std::size_t(range.right - range.left + 1), m_log->rules().resolveLight, line + range.left,
+              layout.frames, layout.frames);
+}
+
+void StepCursor::writeMadeMeans(int y, RowRange range, QRgb* line) const
+{
     const Rules& rules = m_log->rules();
     const auto count = static_cast<std::size_t>(rules.samplesPerPixel());
     std::array<const std::uint32_t*, ResolvedPixel::kMostSamples> samples; // of the first pixel

@@ -36,7 +36,7 @@ public:
     {
         m_recorder->endTriangle();
         if constexpr (kDrawsPixels)
-            m_stage.finish([this] { return m_recorder->takeCall(); });
+            m_stage.finish([this](int x, int y) { return m_recorder->takePixel(x, y); });
         else
             m_stage.finish();
     }
