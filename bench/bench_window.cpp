@@ -238,7 +238,9 @@ int main(int argc, char** argv)
     QCommandLineParser parser;
     parser.addHelpOption();
     parser.addPositionalArgument("SCENE", "what is orbited and recorded, for example stanford-bunny.obj");
-    const QCommandLineOption records("records", "Records SCENE and all built-in scenes, a row each; nothing else.");
+    const QCommandLineOption records(
+        "records",
+        "Records every SCENE that is named, a row each; nothing else. \"all\" stands for the built-in ones.");
     parser.addOption(records);
     const QCommandLineOption windowSize("size-window", "Size of the window.", "WxH", "1920x1080");
     parser.addOption(windowSize);
@@ -257,10 +259,10 @@ int main(int argc, char** argv)
 
     constexpr QSize kSize(1920, 1080);
     if (parser.isSet(records)) {
-        QStringList scenes{scene};
-        for (const BuiltinScene& entry : builtinScenes())
-            scenes << QStringLiteral("builtin:") + QLatin1String(entry.name);
-        scenes.removeDuplicates();
+        QStringList scenes = parser.positionalArguments();
+        if (scenes.removeAll(QStringLiteral("all")) > 0)
+            for (const BuiltinScene& entry : builtinScenes())
+                scenes << QStringLiteral("builtin:") + QLatin1String(entry.name);
         measureRecords(window, scenes, kSize);
         return 0;
     }

@@ -9,7 +9,10 @@
 #include "tests/support.h"
 
 #include <QTest>
+
 #include <boost/multiprecision/cpp_int.hpp>
+
+#include <algorithm>
 
 using namespace rasterlens;
 using namespace rasterlens::test;
@@ -76,6 +79,7 @@ private Q_SLOTS:
     void bresenhamByHand();
     void perspectiveByRays();
     void fourZByHand();
+    void exchangedDistancesMayBeEqual();
     void depthCurveByHand();
     void cutsLieOnTheirPlanes();
     void cohenSutherlandByHand();
@@ -285,6 +289,21 @@ void TestDerivations::perspectiveByRays()
         const Rational depth = weights[0] * w[0] + weights[1] * w[1] + weights[2] * w[2];
         QVERIFY(isNear(valueOf(d, "w"), static_cast<double>(depth), 1e-13));
     }
+}
+
+/// Neither end is nearer where both lie equally far away.
+void TestDerivations::exchangedDistancesMayBeEqual()
+{
+    const auto saysNearEnd = [](const char* name) {
+        const Scene scene = builtin(name);
+        const Derivation d = derived(DerivationTopic::Perspective, scene, scene.defaults, {0, {}, 0, 0.25, {}});
+        const bool isEqual = valueOf(d, "n_swapped") == valueOf(d, "n");
+        const bool says = std::ranges::any_of(
+            d.lines, [](const DerivationLine& line) { return textOf(line.words).contains(QLatin1String("near end")); });
+        return std::pair(isEqual, says);
+    };
+    QCOMPARE(saysNearEnd("games101"), std::pair(true, false));
+    QCOMPARE(saysNearEnd("four-z"), std::pair(false, true));
 }
 
 void TestDerivations::fourZByHand()

@@ -192,6 +192,7 @@ private Q_SLOTS:
     void wholeScenes();
     void beginningIsTheBeginningOfTheWhole();
     void historyKeepsToItsMemory();
+    void keepsManyMomentsOfPatterns();
     void stoppedRecordSaysSo();
 };
 
@@ -223,7 +224,10 @@ void TestStepRecord::isTheLog()
                                                 : log.position() - std::min<std::size_t>(log.position(), 3);
             log.moveTo(to);
             cursor.moveTo(to);
-            const char* wrong = difference(log, cursor);
+            // Looking at all samples unpacks them, so that is left out now and then.
+            const char* wrong = draws.upTo(2) > 0               ? difference(log, cursor)
+                                : log.image() == cursor.image() ? nullptr
+                                                                : "picture";
             QVERIFY2(wrong == nullptr, (what + " at " + QByteArray::number(qulonglong(to)) + ": " + wrong).constData());
         }
         log.moveTo(log.size());
@@ -390,6 +394,20 @@ void TestStepRecord::historyKeepsToItsMemory()
         const char* wrong = difference(a, b);
         QVERIFY2(wrong == nullptr, wrong);
     }
+}
+
+/// Samples of a pixel are mostly alike, so there is room for a moment every few thousand samples, also where a picture
+/// has many times as many samples as pixels.
+void TestStepRecord::keepsManyMomentsOfPatterns()
+{
+    const auto scene = builtin("msaa-gradient"); // 8 samples a pixel
+    Settings settings = scene->defaults;
+    settings.size = {640, 360};
+    const RecordMemory memory{1 << 13, std::size_t(16) << 20, 1 << 13};
+    const auto record = recordSteps(scene, settings, {}, {}, memory);
+    const std::size_t moments = record->index().pointBefore(record->size()) + 1;
+    QVERIFY2(moments > 1000, qPrintable(QString::number(moments)));
+    QVERIFY(record->index().history().bytes() <= memory.history);
 }
 
 void TestStepRecord::stoppedRecordSaysSo()

@@ -72,10 +72,12 @@ private:
                       QT_TRANSLATE_NOOP("Derive", "Solved for n: the part of the way in space."), {m_edge.part()});
         m_writer.line(formula("{n_ratio}"), formula("{n} / (1 - {n})"), QT_TRANSLATE_NOOP("Derive", "Put in again."),
                       {m_edge.part()});
+        const bool areEqual = m_writer.valueOf(QStringLiteral("Z1")) == m_writer.valueOf(QStringLiteral("Z2"));
         m_writer.line(formula("{n_swapped}"), formula("{m} * {Z2} / ((1 - {m}) * {Z1} + {m} * {Z2})"),
-                      QT_TRANSLATE_NOOP("Derive",
-                                        "With Z1 and Z2 exchanged, a mistake often seen, the near end weighs too "
-                                        "little."),
+                      areEqual ? QT_TRANSLATE_NOOP("Derive", "Z1 and Z2 exchanged, a mistake often seen: with both "
+                                                             "equal nothing shows it.")
+                               : QT_TRANSLATE_NOOP("Derive", "With Z1 and Z2 exchanged, a mistake often seen, the "
+                                                             "near end weighs too little."),
                       {m_edge.part()});
         m_writer.line(formula("{Zn}"), formula("(1 - {n}) * {Z1} + {n} * {Z2}"),
                       QT_TRANSLATE_NOOP("Derive", "The distance of P: linear in n."), {m_edge.part()});

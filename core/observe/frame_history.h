@@ -21,7 +21,7 @@ public:
     explicit FrameHistory(const FramePlanes& cleared);
 
     /// The sample has changed since the last moment that was kept.
-    void touch(std::uint32_t sample) { m_isTouched[sample / FramePlanes::kRun] = 1; }
+    void touch(std::uint32_t sample) { m_isTouched[m_clear.layout.of(sample)] = 1; }
     /// Keeps the next moment.
     ///
     /// in  its number, one more than the last one
@@ -33,10 +33,13 @@ public:
     void seal();
     /// Makes the planes those of a moment.
     ///
+    /// out   changed runs of a pattern have their first samples alone (FramePlanes::make())
     /// in    seal() has been called; planes of the cleared frame, or those of this history at another moment, drawn on
     ///       or not; or empty ones
-    /// cost  a copy of the runs that are not as they were at this moment
+    /// cost  a copy of the runs that are not as they were at this moment, in as many threads as there are processors
     void restore(std::uint32_t moment, FramePlanes& planes) const;
+    /// The colours of a packed run as they are at the moment that the planes were restored to, pixel by pixel.
+    void takeColors(const FramePlanes& planes, std::size_t run, std::span<std::uint32_t> colors) const;
     /// The memory of what is kept.
     [[nodiscard]] std::size_t bytes() const
     {
@@ -44,34 +47,41 @@ public:
     }
 
 private:
-    static constexpr std::size_t kRun = FramePlanes::kRun;
     static constexpr std::size_t kBlock = std::size_t(1) << 20; ///< bytes
 
-    /// The samples of a run: of each plane one value where all have the same bits, else all of them.
+    /// The samples of a run, pixel by pixel: of each plane the number of stretches in which all values have the same
+    /// bits, these values, and where each stretch but the last one ends. Or 0 and all values, where that is shorter.
     struct Packed {
-        std::uint32_t uniform = 0; ///< one bit a plane
         std::uint32_t size = 0;
-        std::array<std::byte, 5 * kRun * sizeof(float)> bytes;
+        std::array<std::byte, 5 * (1 + SampleRuns::kMostSamples * sizeof(float))> bytes;
+
+        template <class T>
+        void add(std::span<const T> values);
     };
     /// What a run has become, in the order of the moments.
     struct Version {
         std::uint32_t run;
         std::uint32_t moment; ///< from which on the run is so
-        std::uint32_t uniform;
         std::uint32_t size;
         std::size_t at; ///< in the blocks
     };
     /// A version in the order of the runs. Its number and 1 tells it from all others; 0 stands for the cleared frame.
     struct Sealed {
         std::uint32_t moment;
-        std::uint32_t uniform;
         std::size_t at; ///< in m_bytes
     };
 
-    [[nodiscard]] std::size_t lengthOf(std::size_t run) const { return std::min(kRun, m_sampleCount - run * kRun); }
-    [[nodiscard]] static Packed pack(const FramePlanes& planes, std::size_t first, std::size_t count);
-    static void unpack(const std::byte* from, std::uint32_t uniform, FramePlanes& planes, std::size_t first,
-                       std::size_t count);
+    [[nodiscard]] static Packed pack(const FramePlanes& planes, std::size_t run);
+    /// in  isFirstOnly  unpacks the samples of the first frame alone
+    static void unpack(const std::byte* from, FramePlanes& planes, std::size_t run, bool isFirstOnly);
+    /// The packed bytes of a version of a run.
+    [[nodiscard]] const std::byte* bytesOf(std::uint32_t version) const
+    {
+        return version == 0 ? m_cleared.bytes.data() : m_bytes.data() + m_sealed[version - 1].at;
+    }
+    friend void FramePlanes::unpack(std::size_t run);
+    /// restore() of the runs [first, last).
+    void restoreRuns(std::uint32_t moment, FramePlanes& planes, std::size_t first, std::size_t last) const;
     /// Stores bytes; where.
     std::size_t store(std::span<const std::byte> bytes);
     [[nodiscard]] const std::byte* stored(const Version& version) const
@@ -81,9 +91,8 @@ private:
     /// Forgets versions that another one of the same run and moment stands for.
     void dropReplaced();
 
-    std::size_t m_sampleCount;
-    FramePlanes m_clear; ///< one sample of the cleared frame
-    Packed m_cleared;    ///< a run of it
+    FramePlanes m_clear; ///< one sample of the cleared frame, in the layout of all
+    Packed m_cleared;    ///< a run of the cleared frame
     std::vector<char> m_isTouched;
 
     // Until it is sealed.

@@ -6,6 +6,13 @@
 namespace rasterlens
 {
 
+SampleRuns::SampleRuns(const Rules& rules)
+    : frame(storedSamples(rules) / static_cast<std::size_t>(rules.patternSamples)),
+      frames(static_cast<std::size_t>(rules.patternSamples)), shift(rules.multiSampled() ? 4 : 6),
+      hasPixels(rules.sampleGrid == 1 && !rules.strideIsRows)
+{
+}
+
 Pixel clearedPixel(const Scene& scene, const Rules& rules)
 {
     return {rules.shading == Shading::Overdraw ? overdrawColor(0) : packColor(scene.background), rules.depthClear};
@@ -23,7 +30,8 @@ FramePlanes clearedPlanes(const Rules& rules, const Pixel& clear, bool hasDepth,
     if (rules.depthPerPixel)
         assignInPieces(planes.ownDepth, samples, clear.depth, stop);
     assignInPieces(planes.owners, samples, std::int32_t(-1), stop);
-    planes.runs.resize((samples + FramePlanes::kRun - 1) / FramePlanes::kRun);
+    planes.layout = SampleRuns(rules);
+    planes.runs.resize(planes.layout.count());
     return planes;
 }
 

@@ -166,8 +166,16 @@ bool StepRecorder::skipsLine(int line)
     return false;
 }
 
+void StepRecorder::beginPass(int sample)
+{
+    m_isPassKnown = skipsLine(sample);
+    m_previousX = m_previousY = -2; // of another pass
+}
+
 bool StepRecorder::takeCall()
 {
+    if (m_isPassKnown)
+        return false;
     ++m_now.calls;
     if (m_isResuming && m_now.calls <= m_part.from.calls)
         return false;
@@ -184,9 +192,20 @@ bool StepRecorder::takeCall()
     return !m_full || !m_isWindow;
 }
 
+bool StepRecorder::takePixel(int x, int y)
+{
+    if (!takeCall())
+        return false;
+    const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(m_stride);
+    m_planes->make(m_planes->layout.of(first + static_cast<std::size_t>(x)));
+    return true;
+}
+
 void StepRecorder::beginPixel(std::size_t nth)
 {
     leaveFaces();
+    if (m_planes->layout.hasPixels)
+        m_planes->make(m_planes->layout.of(nth));
     m_now = {};
     m_now.resolves = true;
     m_now.calls = nth;

@@ -92,9 +92,13 @@ public:
     [[nodiscard]] bool takeTriangle(std::size_t nth);
     /// The algorithm comes to a row or column of samples. True: all of its calls came before the resume point.
     [[nodiscard]] bool skipsLine(int line);
+    /// Multi-sampling: the algorithm is about to cover the triangle for a sample of the pattern.
+    void beginPass(int sample);
     /// The algorithm calls for a sample. False: not now, for it was drawn before the resume point, or comes after the
     /// end.
     [[nodiscard]] bool takeCall();
+    /// takeCall() for a pixel of which any sample may be read and written.
+    [[nodiscard]] bool takePixel(int x, int y);
     /// All faces are drawn, and the n-th pixel is next, row by row, counted from 0.
     void beginPixel(std::size_t nth);
     /// The triangle is finished; the samples of a pixel are about to share their depth where the rules want it.
@@ -129,7 +133,11 @@ public:
     void onHalves(const WalkedTriangle& walk, const WalkedHalves& halves);
     void onCrossing(const RowCrossings& row);
     void onSpan(int y, int xBegin, int xEnd, const SpanEnds& ends);
-    void onSample(int x, int y, const EdgeValues& values, bool covered);
+    void onSample(int x, int y, const EdgeValues& values, bool covered)
+    {
+        if (!m_isPassKnown)
+            takeSample(x, y, values, covered);
+    }
     void onColumn(const FilledColumn& column);
     void onLineDecision(const LineDecision& decision);
     void onLinePosition(const LinePosition& position);
@@ -203,6 +211,7 @@ private:
         }
         return bounds;
     }
+    void takeSample(int x, int y, const EdgeValues& values, bool covered);
     void addEffect(const StepEffect& effect);
     void writePixel(int x, int y, Pixel before, const StepEffect::State& after);
     void shareDepth(int x, int y);
@@ -242,9 +251,10 @@ private:
     bool m_gap = true;                ///< something was counted since the last stored event
     std::vector<StepEvent> m_pending; ///< for the index: what may have to be taken back
 
-    ResumePoint m_now;         ///< how far the drawing is, but for position and counters
-    bool m_isResuming = false; ///< the resume point is not reached
-    std::uint64_t m_work = 0;  ///< samples and faces
+    ResumePoint m_now;          ///< how far the drawing is, but for position and counters
+    bool m_isResuming = false;  ///< the resume point is not reached
+    bool m_isPassKnown = false; ///< all calls of the present pass of a pattern came before the resume point
+    std::uint64_t m_work = 0;   ///< samples and faces
 
     std::array<int, 3> m_previousSigns{};
     int m_previousX = -2;

@@ -230,9 +230,11 @@ void StepRecorder::onSpan(int y, int xBegin, int xEnd, const SpanEnds& ends)
     });
 }
 
-void StepRecorder::onSample(int x, int y, const EdgeValues& values, bool covered)
+void StepRecorder::takeSample(int x, int y, const EdgeValues& values, bool covered)
 {
     const bool isTaken = takeCall();
+    if (m_isResuming && m_now.calls < m_part.from.calls)
+        return; // the first that is taken asks for its neighbour, the one before it, and for no other
     if (isTaken)
         m_counter.onSample(x, y, values, covered);
     if (!isRowWanted(y)) {

@@ -34,6 +34,9 @@ void writeLine(const PixelSamples& samples, std::size_t pixels, ResolveLight lig
     }
 }
 
+/// The pixels of a picture of 32 bits a pixel; its rows follow each other without gaps.
+QRgb* colorsOf(QImage& image) { return reinterpret_cast<QRgb*>(image.bits()); }
+
 template <std::size_t kValue>
 using Known = std::integral_constant<std::size_t, kValue>;
 
@@ -109,34 +112,74 @@ void StepCursor::resolveUpTo(std::size_t pixels)
         return;
     touchAll();
     const auto width = static_cast<std::size_t>(m_image.width());
-    auto* const colors = reinterpret_cast<std::uint32_t*>(m_image.bits()); // rows of 32 bits follow without gaps
+    QRgb* const colors = colorsOf(m_image);
     const auto* const finished = reinterpret_cast<const std::uint32_t*>(finishedImage().constBits());
     for (std::size_t i = m_resolved; i < pixels; ++i)
         colors[i] = finished[i];
     for (std::size_t first = pixels; first < m_resolved;) {
         const std::size_t y = first / width;
         const std::size_t end = std::min(m_resolved, (y + 1) * width);
-        writeMeans(static_cast<int>(y), static_cast<int>(first - y * width), static_cast<int>(end - 1 - y * width));
+        const RowRange pixels{static_cast<int>(first - y * width), static_cast<int>(end - 1 - y * width)};
+        writeMeans(static_cast<int>(y), pixels, colors + y * width);
         first = end;
     }
     m_resolved = pixels;
 }
 
-void StepCursor::writeMeans(int y, int left, int right)
+void StepCursor::writeMeans(int y, RowRange range, QRgb* line) const
+{
+    const SampleRuns& layout = m_planes.layout;
+    if (!layout.hasPixels) {
+        writeMadeMeans(y, range, line);
+        return;
+    }
+    const std::size_t row = std::size_t(y) * std::size_t(m_image.width());
+    const auto isPackedAt = [&](int x) { return m_planes.runs[layout.of(row + std::size_t(x))].isPacked; };
+    for (int x = range.left; x <= range.right;) {
+        const int left = x;
+        const bool isPacked = isPackedAt(x);
+        while (x <= range.right && isPackedAt(x) == isPacked) { // run by run
+            const std::size_t run = layout.of(row + std::size_t(x));
+            const auto end = static_cast<int>(layout.first(run) + layout.length(run) - row);
+            const RowRange part{x, std::min(end - 1, range.right)};
+            if (isPacked)
+                writePackedMeans(run, part, static_cast<int>(row + std::size_t(x) - layout.first(run)), line);
+            x = part.right + 1;
+        }
+        if (!isPacked)
+            writeMadeMeans(y, {left, x - 1}, line);
+    }
+}
+
+void StepCursor::writePackedMeans(std::size_t run, RowRange range, int place, QRgb* line) const
+{
+    const SampleRuns& layout = m_planes.layout;
+    std::array<std::uint32_t, SampleRuns::kMostSamples> colors;
+    m_planes.history->takeColors(m_planes, run, std::span(colors).first(layout.length(run) * layout.frames));
+    PixelSamples samples; // of the first pixel
+    for (std::size_t i = 0; i < layout.frames; ++i)
+        samples[i] = colors.data() + std::size_t(place) * layout.frames + i;
+    writeLine(samples, std::size_t(range.right - range.left + 1), m_log->rules().resolveLight, line + range.left,
+              layout.frames, layout.frames);
+}
+
+void StepCursor::writeMadeMeans(int y, RowRange range, QRgb* line) const
 {
     const Rules& rules = m_log->rules();
     const auto count = static_cast<std::size_t>(rules.samplesPerPixel());
     std::array<const std::uint32_t*, ResolvedPixel::kMostSamples> samples; // of the first pixel
     for (std::size_t i = 0; i < count; ++i)
-        samples[i] = m_planes.color.data() + readIndex(rules, left, y, static_cast<int>(i));
+        samples[i] = m_planes.color.data() + readIndex(rules, range.left, y, static_cast<int>(i));
     const auto next = static_cast<std::size_t>(
         rules.multiSampled() ? 1 : rules.sampleGrid); // from a pixel's sample to that of the next pixel
-    auto* const line = reinterpret_cast<std::uint32_t*>(m_image.bits() + y * m_image.bytesPerLine()) + left;
-    const auto pixels = static_cast<std::size_t>(right - left + 1);
+    const auto pixels = static_cast<std::size_t>(range.right - range.left + 1);
+    line += range.left;
     if (count == 4 && next == 2)
         writeLine(samples, pixels, rules.resolveLight, line, Known<4>(), Known<2>());
     else if (count == 4 && next == 1)
         writeLine(samples, pixels, rules.resolveLight, line, Known<4>(), Known<1>());
+    else if (count == 8 && next == 1)
+        writeLine(samples, pixels, rules.resolveLight, line, Known<8>(), Known<1>());
     else
         writeLine(samples, pixels, rules.resolveLight, line, count, next);
 }
@@ -149,17 +192,23 @@ std::vector<StepCursor::RowRange> StepCursor::changedSince(std::uint32_t turn) c
     const auto height = static_cast<std::size_t>(m_log->rows()); // of the frame of one sample of a pattern
     const auto frames = static_cast<std::size_t>(m_log->rules().patternSamples);
     const std::size_t read = columns * height * frames; // others are stored, but not read
+    const SampleRuns& layout = m_planes.layout;
+    // But for a mistake in addresses a run lies at the same pixels of every frame.
+    const std::size_t pieces = layout.frame == columns * height ? 1 : layout.frames;
     for (std::size_t run = 0; run < m_planes.runs.size(); ++run) {
         if (m_planes.runs[run].turn <= turn)
             continue;
-        const std::size_t last = std::min((run + 1) * FramePlanes::kRun, read);
-        for (std::size_t first = run * FramePlanes::kRun; first < last;) {
-            const std::size_t line = first / columns;
-            const std::size_t end = std::min(last, (line + 1) * columns);
-            RowRange& row = rows[line % height / grid];
-            row.left = std::min(row.left, static_cast<int>((first - line * columns) / grid));
-            row.right = std::max(row.right, static_cast<int>((end - 1 - line * columns) / grid));
-            first = end;
+        for (std::size_t frame = 0; frame < pieces; ++frame) {
+            const std::size_t begin = frame * layout.frame + layout.first(run);
+            const std::size_t last = std::min(begin + layout.length(run), read);
+            for (std::size_t first = begin; first < last;) {
+                const std::size_t line = first / columns;
+                const std::size_t end = std::min(last, (line + 1) * columns);
+                RowRange& row = rows[line % height / grid];
+                row.left = std::min(row.left, static_cast<int>((first - line * columns) / grid));
+                row.right = std::max(row.right, static_cast<int>((end - 1 - line * columns) / grid));
+                first = end;
+            }
         }
     }
     return rows;
@@ -173,19 +222,16 @@ void StepCursor::touchAll()
 
 void StepCursor::show()
 {
-    const std::vector<RowRange> rows = changedSince(m_planes.turn - 1);
-    const auto columns = static_cast<std::size_t>(m_log->columns());
-    uchar* const bits = m_image.bits();
-    for (int y = 0; y < m_image.height(); ++y) {
-        const auto [left, right] = rows[std::size_t(y)];
-        if (left > right)
-            continue;
-        if (m_log->samplesPerPixel() > 1)
-            writeMeans(y, left, right);
-        else
-            std::copy_n(m_planes.color.data() + std::size_t(y) * columns + std::size_t(left), right - left + 1,
-                        reinterpret_cast<std::uint32_t*>(bits + y * m_image.bytesPerLine()) + left);
-    }
+    QRgb* const colors = colorsOf(m_image);
+    forEachRow(changedSince(m_planes.turn - 1), [&](int y, RowRange pixels) {
+        QRgb* const line = colors + std::size_t(y) * std::size_t(m_image.width());
+        if (m_log->samplesPerPixel() > 1) {
+            writeMeans(y, pixels, line);
+            return;
+        }
+        const std::uint32_t* const row = m_planes.color.data() + std::size_t(y) * std::size_t(m_log->columns());
+        std::copy(row + pixels.left, row + pixels.right + 1, line + pixels.left);
+    });
 }
 
 } // namespace rasterlens

@@ -1,8 +1,11 @@
 #pragma once
+#include "core/base/in_parallel.h"
 #include "core/observe/step_record.h"
 
 #include <QImage>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <vector>
 
@@ -52,17 +55,52 @@ public:
     /// Where image(), and what its samples store, may have changed since it was `turn`; of each row of pixels. Since 0
     /// all of them have.
     [[nodiscard]] std::vector<RowRange> changedSince(std::uint32_t turn) const;
-    /// 0xffRRGGBB of each sample, row by row.
-    [[nodiscard]] std::span<const std::uint32_t> sampleColors() const { return m_planes.color; }
-    /// Depth of each sample, row by row.
-    [[nodiscard]] std::span<const float> sampleDepths() const { return m_planes.depth; }
-    /// The face drawn last at each sample, row by row; -1 none.
-    [[nodiscard]] std::span<const std::int32_t> sampleOwners() const { return m_planes.owners; }
+    /// Calls body(y, pixels) for each row that has any, in several threads where there are many.
+    template <class Body>
+    static void forEachRow(const std::vector<RowRange>& rows, Body&& body)
+    {
+        constexpr std::size_t kRowsOfThread = 64; // at least
+        const auto hasAny = [](const RowRange& row) { return row.left <= row.right; };
+        const auto top = std::ranges::find_if(rows, hasAny);
+        const auto bottom = std::find_if(rows.rbegin(), std::make_reverse_iterator(top), hasAny).base();
+        const auto part = [&](std::size_t first, std::size_t last) {
+            for (auto row = top + std::ptrdiff_t(first); row != top + std::ptrdiff_t(last); ++row)
+                if (hasAny(*row))
+                    body(static_cast<int>(row - rows.begin()), *row);
+        };
+        inParallel(static_cast<std::size_t>(bottom - top), kRowsOfThread, part);
+    }
+    /// All samples, row by row. Packed samples are made now, which takes some tens of milliseconds.
+    [[nodiscard]] const FramePlanes& samples() const
+    {
+        m_planes.makeAll();
+        return m_planes;
+    }
+    /// 0xffRRGGBB of each sample, row by row; see samples().
+    [[nodiscard]] std::span<const std::uint32_t> sampleColors() const { return samples().color; }
+    /// Depth of each sample, row by row; see samples().
+    [[nodiscard]] std::span<const float> sampleDepths() const { return samples().depth; }
+    /// The face drawn last at each sample, row by row, -1 none; see samples().
+    [[nodiscard]] std::span<const std::int32_t> sampleOwners() const { return samples().owners; }
+    /// The samples of which one, with a pattern the first, stands for a pixel: those of the others may not be there.
+    [[nodiscard]] const FramePlanes& firstSamples() const { return m_planes; }
+    /// The colour and depth of a sample, by its place in the planes.
+    [[nodiscard]] Pixel sample(std::size_t at) const
+    {
+        m_planes.make(m_planes.layout.of(at));
+        return {m_planes.color[at], m_planes.depth[at]};
+    }
     [[nodiscard]] Statistics counters() const { return m_log->countersAt(positionInLog()); }
 
 private:
-    /// Makes pixels [left, right] of a row the means of their samples.
-    void writeMeans(int y, int left, int right);
+    /// Writes pixels of a row, the means of their samples.
+    ///
+    /// in  line  the row in the picture
+    void writeMeans(int y, RowRange range, QRgb* line) const;
+    /// writeMeans() of pixels whose samples the planes have.
+    void writeMadeMeans(int y, RowRange range, QRgb* line) const;
+    /// writeMeans() of pixels in a packed run, of which the first is the run's pixel number `place`.
+    void writePackedMeans(std::size_t run, RowRange range, int place, QRgb* line) const;
     /// Gives pixels the colours of the finished picture, or takes them away.
     void resolveUpTo(std::size_t pixels);
     [[nodiscard]] const QImage& finishedImage() const
@@ -83,8 +121,8 @@ private:
     std::shared_ptr<const StepLog> m_log;
     std::size_t m_position = 0;
     QImage m_image;
-    FramePlanes m_planes;
-    std::size_t m_resolved = 0; ///< pixels, row by row, that have the colours of the finished picture
+    mutable FramePlanes m_planes; ///< packed runs are made when they are asked for
+    std::size_t m_resolved = 0;   ///< pixels, row by row, that have the colours of the finished picture
 };
 
 } // namespace rasterlens

@@ -26,7 +26,8 @@ struct ResumePoint {
     std::size_t triangle = 0; ///< of that face: how many were drawn before it
     /// How often the algorithm had called for the triangle (CountedStage): 0 stands for the moment before the face.
     std::uint64_t calls = 0;
-    /// The row or column of samples at which the algorithm was (skipsLine()), and `calls` at its beginning.
+    /// The row or column of samples at which the algorithm was (skipsLine()), or which sample of a pattern it covered
+    /// the triangle for, and `calls` at its beginning.
     int line = std::numeric_limits<int>::min();
     std::uint64_t callsBeforeLine = 0;
     bool resolves = false; ///< all faces are drawn, and so many pixels as `calls` are made

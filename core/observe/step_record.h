@@ -37,7 +37,7 @@ public:
     /// change are not too many; at least one.
     ///
     /// in      first < size()
-    /// out     a window; the planes are those at its end
+    /// out     a window; the planes are those at its end, in which runs of a pattern may be packed
     /// cost    of 32,768 events some milliseconds; of the samples drawn since the last moment that was kept, and of the
     ///         planes, a copy
     /// errors  throws std::bad_alloc

@@ -15,7 +15,7 @@ ResolvedPixel storedSamples(const StepCursor& cursor, int x, int y)
     stored.isPattern = rules.multiSampled();
     for (int i = 0; i < stored.count; ++i) {
         const std::size_t at = readIndex(rules, x, y, i);
-        stored.samples[static_cast<std::size_t>(i)] = {cursor.sampleColors()[at], cursor.sampleDepths()[at]};
+        stored.samples[static_cast<std::size_t>(i)] = cursor.sample(at);
     }
     return stored;
 }

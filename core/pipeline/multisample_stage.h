@@ -58,18 +58,18 @@ public:
 
     /// Draws the pixels of the triangle.
     ///
-    /// in  take  asked before each pixel: whether to draw it
+    /// in  take(x, y)  asked before each pixel: whether to draw it
     template <class Take>
     void finish(Take&& take)
     {
         for (int y = m_box.y; y < m_box.y + m_box.height && !stopped(); ++y)
             for (int x = m_box.x; x < m_box.x + m_box.width; ++x)
-                if (const SampleMask covered = m_masks[maskIndex(x, y)]; covered != 0 && take())
+                if (const SampleMask covered = m_masks[maskIndex(x, y)]; covered != 0 && take(x, y))
                     draw(x, y, covered);
     }
     void finish()
     {
-        finish([] { return true; });
+        finish([](int, int) { return true; });
     }
 
 private:

@@ -26,13 +26,17 @@ public:
             m_stage(x, y, sample...);
     }
 
-    void beginSample(int sample) requires kDrawsPixels { m_stage.beginSample(sample); }
+    void beginSample(int sample) requires kDrawsPixels
+    {
+        m_recorder->beginPass(sample);
+        m_stage.beginSample(sample);
+    }
 
     void finish()
     {
         m_recorder->endTriangle();
         if constexpr (kDrawsPixels)
-            m_stage.finish([this] { return m_recorder->takeCall(); });
+            m_stage.finish([this](int x, int y) { return m_recorder->takePixel(x, y); });
         else
             m_stage.finish();
     }

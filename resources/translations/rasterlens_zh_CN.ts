@@ -1637,6 +1637,10 @@
         <source>face %1 is a line, and covers no area</source>
         <translation>面 %1 是一条线，不覆盖面积</translation>
     </message>
+    <message>
+        <source>Z1 and Z2 exchanged, a mistake often seen: with both equal nothing shows it.</source>
+        <translation>把 Z1 和 Z2 弄反（常见错误）：两者相等时看不出来。</translation>
+    </message>
 </context>
 <context>
     <name>Diagnostic</name>

@@ -50,16 +50,15 @@ void copyChanges(const StepCursor& cursor, std::uint32_t turn, Frame& frame)
         frame.image = QImage(image.size(), image.format());
     float* const depths = frame.depth.write(pixels);
     frame.ids.resize(pixels);
-    const std::vector<StepCursor::RowRange> rows = cursor.changedSince(turn);
-    for (int y = 0; y < image.height(); ++y) {
-        const StepCursor::RowRange changed = rows[std::size_t(y)];
-        if (changed.left > changed.right)
-            continue;
+    auto* const colors = reinterpret_cast<QRgb*>(frame.image.bits()); // rows follow each other without gaps
+    const FramePlanes& samples = cursor.firstSamples();
+    StepCursor::forEachRow(cursor.changedSince(turn), [&](int y, StepCursor::RowRange changed) {
         std::copy_n(reinterpret_cast<const QRgb*>(image.constScanLine(y)) + changed.left,
-                    changed.right - changed.left + 1, reinterpret_cast<QRgb*>(frame.image.scanLine(y)) + changed.left);
-        copyRow(cursor, cursor.sampleDepths(), y, changed, depths);
-        copyRow(cursor, cursor.sampleOwners(), y, changed, frame.ids.data());
-    }
+                    changed.right - changed.left + 1,
+                    colors + std::size_t(y) * std::size_t(image.width()) + changed.left);
+        copyRow<float>(cursor, samples.depth, y, changed, depths);
+        copyRow<std::int32_t>(cursor, samples.owners, y, changed, frame.ids.data());
+    });
 }
 
 } // namespace
