@@ -502,6 +502,7 @@ void TestStage::theFirstStartOpensTheFirstLesson()
     QCOMPARE(m_window->lessons().player().lesson().id, QStringLiteral("first-minute"));
     QCOMPARE(settings().size, QSize(16, 12));
     QVERIFY(m_window->stepMode().session().event()->has(StepEvent::kTie));
+    QVERIFY(!document().canUndo()); // to a window without a scene
     const std::size_t before = m_window->stepMode().session().position();
     key(Qt::Key_Right);
     QCOMPARE(m_window->stepMode().session().position(), before + 1);
