@@ -222,15 +222,18 @@ private:
         return taken | triangle.intersected(QPolygonF(band)).boundingRect();
     }
 
-    /// A place beside the triangle for a plate whose middle is at a height of the canvas; nothing where it has no room.
-    [[nodiscard]] std::optional<QPointF> placeBeside(QSizeF size, double middle) const
+    /// A place beside the triangle and the row for a plate whose middle is at a height of the canvas; nothing where it
+    /// has no room.
+    [[nodiscard]] std::optional<QPointF> placeBeside(QSizeF size, double middle, const QRectF& row) const
     {
         constexpr double kGap = 12;
         const QRectF canvas(m_view.canvas.adjusted(4, 4, -4, -4));
         const double top = middle - size.height() / 2;
         if (top < canvas.top() || top + size.height() > canvas.bottom())
             return std::nullopt;
-        const QRectF taken = takenBetween(top, top + size.height());
+        QRectF taken = takenBetween(top, top + size.height());
+        if (row.bottom() > top && row.top() < top + size.height())
+            taken |= row;
         if (taken.right() + kGap + size.width() <= canvas.right())
             return QPointF(taken.right() + kGap, top);
         if (taken.left() - kGap - size.width() >= canvas.left())
@@ -249,7 +252,7 @@ private:
             for (const QStringList& shown : {lines, narrow(lines)})
                 for (const int way : {-1, 1}) {
                     const QSizeF size = textPlate(canvas, canvas.topLeft(), shown, font).size();
-                    if (const auto place = placeBeside(size, row.center().y() + way * step * kStep))
+                    if (const auto place = placeBeside(size, row.center().y() + way * step * kStep, row))
                         return paintPlate(m_view.painter, canvas, *place, shown, font);
                 }
         return paintPlate(m_view.painter, canvas, row.bottomLeft() + QPointF(4, 6), lines, font);
