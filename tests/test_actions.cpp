@@ -41,10 +41,12 @@ private Q_SLOTS:
     void windowHasNoConflicts();
     void plantedConflictsAreFound();
     void textsWithoutMnemonics();
+    void helpHasEveryKey_data();
     void helpHasEveryKey();
     void helpOpensByBothKeys();
     void keysInMarkdown();
     void searchRunsByKeys();
+    void searchShowsWholeNames();
     void searchFindsBothLanguages();
     void searchDimsWhatCannotRun();
     void searchLeaves();
@@ -63,11 +65,20 @@ private:
         key(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
         return search().isVisible() && search().edit().hasFocus();
     }
+    /// The texts of all pages, in type that is not much smaller than elsewhere; the first page is shown, then the last.
     QString help()
     {
+        HelpOverlay& overlay = m_window->helpOverlay();
         QString all;
-        for (const QLabel* label : m_window->helpOverlay().findChildren<QLabel*>())
-            all += label->text();
+        do {
+            for (const QLabel* label : overlay.findChildren<QLabel*>()) {
+                all += label->text();
+                if (label->font().pointSizeF() < 0.7 * QApplication::font().pointSizeF())
+                    all += QStringLiteral("small type");
+            }
+            if (!m_window->rect().contains(overlay.geometry()))
+                all += QStringLiteral("larger than the window");
+        } while (overlay.turnPage());
         return all;
     }
 };
@@ -141,10 +152,21 @@ void TestActions::textsWithoutMnemonics()
     QCOMPARE(withoutMnemonic(QStringLiteral("A && B")), QStringLiteral("A & B"));
 }
 
-/// Every key of every action is in the help, in both languages, also in a window of 1024 x 768.
+void TestActions::helpHasEveryKey_data()
+{
+    QTest::addColumn<bool>("onStage");
+    QTest::newRow("window") << false;
+    QTest::newRow("stage") << true;
+}
+
+/// Every key of every action is in the help, in both languages, also in a window of 1024 x 768; and on the stage in the
+/// type of the stage.
 void TestActions::helpHasEveryKey()
 {
+    QFETCH(const bool, onStage);
     QVERIFY(openSmall(QStringLiteral("builtin:cube")));
+    m_window->setPresentation(onStage);
+    m_window->showNormal();
     m_window->resize(1024, 768);
     std::vector<const QAction*> together;
     for (const ActionRow& row : table().rows())
@@ -154,6 +176,9 @@ void TestActions::helpHasEveryKey()
         QCoreApplication::processEvents();
         key(Qt::Key_H);
         const QString shown = help();
+        QVERIFY2(!shown.contains(QStringLiteral("small type")), "it is not read from afar");
+        QVERIFY2(!shown.contains(QStringLiteral("larger than")), "it is larger than the window");
+        QCOMPARE(m_window->helpOverlay().pages() > 1, onStage);
         int lines = 0;
         for (const ActionRow& row : table().rows()) {
             const QString keys = ActionTable::keysOf(row, QKeySequence::NativeText);
@@ -169,7 +194,6 @@ void TestActions::helpHasEveryKey()
                      qPrintable(row.id));
         }
         QVERIFY(lines > 50);
-        QVERIFY2(m_window->rect().contains(m_window->helpOverlay().geometry()), "it is larger than the window");
         key(Qt::Key_H);
         QVERIFY(!m_window->helpOverlay().isVisible());
     }
@@ -222,6 +246,23 @@ void TestActions::searchRunsByKeys()
     QTest::keyClick(&search().edit(), Qt::Key_Return);
     QVERIFY2(m_window->findChild<QLineEdit*>(QStringLiteral("goToPixel"))->hasFocus(),
              "the action's field has the keys");
+}
+
+void TestActions::searchShowsWholeNames()
+{
+    QVERIFY(openSmall(QStringLiteral("builtin:cube")));
+    for (const LanguageKind kind : {LanguageKind::English, LanguageKind::Chinese}) {
+        m_window->setLanguage(kind);
+        QVERIFY(openSearch());
+        const QTreeView& view = search().view();
+        const QAbstractItemModel& model = *view.model();
+        QVERIFY(model.rowCount() > 200);
+        for (int row = 0; row < model.rowCount(); ++row) {
+            const QString name = model.index(row, 0).data().toString();
+            QVERIFY2(view.fontMetrics().horizontalAdvance(name) < view.columnWidth(0), qPrintable(name));
+        }
+        key(Qt::Key_Escape);
+    }
 }
 
 void TestActions::searchFindsBothLanguages()

@@ -347,6 +347,24 @@ private Q_SLOTS:
         QVERIFY(!QFile::exists(path("r.png")));
     }
 
+    void sessionsKeepTheirMoment()
+    {
+        writeFile(path("session.json"), "{\"rasterlens\": 1, \"scene\": \"builtin:square-diagonal\", \"settings\": {}, "
+                                        "\"step\": \"face 0 tie\", \"pixel\": [3, 4]}");
+        const auto draw = [this](const QStringList& words, const char* file) {
+            const Run made = figure(words + QStringList{QStringLiteral("-o"), path(file)});
+            return made.exitCode == 0 ? QImage(path(file)) : QImage();
+        };
+        const QString scene = QStringLiteral("builtin:square-diagonal");
+        const QStringList step{QStringLiteral("--step"), QStringLiteral("face 0 tie")};
+        const QStringList pixel{QStringLiteral("--pixel"), QStringLiteral("3,4")};
+        const QImage kept = draw({path("session.json")}, "kept.png");
+        QVERIFY(!kept.isNull());
+        QCOMPARE(kept, draw(QStringList{scene} + step + pixel, "said.png"));
+        QVERIFY(kept != draw({scene}, "plain.png"));
+        QVERIFY(kept != draw({path("session.json"), QStringLiteral("--step"), QStringLiteral("end")}, "end.png"));
+    }
+
     void aPageShowsWhatTheWindowShows()
     {
         QVERIFY(openSquare());

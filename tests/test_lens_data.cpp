@@ -1,5 +1,6 @@
 // The numbers overlays and boards show: edge values as text, vertices in every space, curves, the race.
 #include "core/io/case_file.h"
+#include "core/observe/names.h"
 #include "core/observe/step_text.h"
 #include "core/questions/race.h"
 #include "core/questions/vertex_table.h"
@@ -7,6 +8,7 @@
 #include "core/scenes/builtin_scenes.h"
 #include "core/truth/perspective_curves.h"
 
+#include <QRegularExpression>
 #include <QTest>
 
 #include <cmath>
@@ -29,6 +31,7 @@ class TestLensData : public QObject
 private Q_SLOTS:
     void edgeValuesAsText();
     void everyEventHasText();
+    void planesAreToldAsTheyCut();
     void verticesInEverySpace();
     void snappedVerticesAreThoseOfTheLog();
     void perspectiveCurves();
@@ -65,6 +68,36 @@ void TestLensData::everyEventHasText()
                 QCOMPARE(stepJson(*log, i).value(QStringLiteral("event")).toString(), id);
             }
         }
+}
+
+/// `x <= 1023 w` where the sides of a guard band cut: a corner made there has x = 1023 w.
+void TestLensData::planesAreToldAsTheyCut()
+{
+    const Scene scene = builtin("behind-camera");
+    static const QRegularExpression side(QStringLiteral("^([xy]) [\u2264\u2265] (\u2212?)(?:([0-9.]+) )?w$"));
+    for (const Clipping clipping : {Clipping::Frustum, Clipping::GuardBand, Clipping::CohenSutherland}) {
+        Settings settings = scene.defaults;
+        settings.size = {64, 48};
+        settings.clipping = clipping;
+        const auto log = renderSteps(scene, settings);
+        int cuts = 0;
+        for (const std::uint32_t i : log->eventsOf(StepKind::ClipPlane)) {
+            const ClipStep& step = log->payload<ClipStep>(log->event(i));
+            const auto told = side.match(clipPlaneFormula(step.plane, log->rules()));
+            if (!told.hasMatch())
+                continue; // near or far
+            const double factor =
+                (told.captured(2).isEmpty() ? 1 : -1) * (told.captured(3).isEmpty() ? 1 : told.captured(3).toDouble());
+            QCOMPARE(std::abs(factor) == 1, clipping == Clipping::Frustum);
+            for (const ClipCut& cut : step.cuts) {
+                ++cuts;
+                const glm::dvec4 p = step.after[std::size_t(cut.corner)].positionClip;
+                const double coordinate = told.captured(1) == QLatin1String("x") ? p.x : p.y;
+                QVERIFY(std::abs(coordinate - factor * p.w) <= 1e-5 * std::abs(coordinate));
+            }
+        }
+        QVERIFY(cuts >= 2);
+    }
 }
 
 void TestLensData::verticesInEverySpace()

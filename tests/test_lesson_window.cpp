@@ -40,6 +40,8 @@ private Q_SLOTS:
     void nothingIsToldOfThePixelsThatAreAsked();
     void theMistakeThatIsAskedIsNotNamed();
     void theLensKeepsWhatIsAsked();
+    void noSampleThatWaitsTellsANumberToCome_data();
+    void noSampleThatWaitsTellsANumberToCome();
     void theCardKeepsWhatIsAsked();
     void theTheatreTellsNoLaterPlane();
     void countedPixelsAreNotWipedAway();
@@ -305,7 +307,52 @@ void TestLessonWindow::theLensKeepsWhatIsAsked()
     QVERIFY(cell(3, 1).hasValues && !cell(4, 1).hasValues);
     QVERIFY(lensHoverLines(*m_window->stepMode().lens().model(), 4, 1).isEmpty());
     press(Qt::Key_PageDown);
+    QVERIFY(cell(4, 1).hasValues && cell(9, 8).hasValues);
+    press(Qt::Key_PageUp); // who was asked may look
     QVERIFY(cell(4, 1).hasValues);
+}
+
+void TestLessonWindow::noSampleThatWaitsTellsANumberToCome_data()
+{
+    QTest::addColumn<QString>("id");
+    for (const QString& id : lessonIds())
+        QTest::newRow(qPrintable(id)) << id;
+}
+
+/// The number that a question asks for stands at no sample before its turn, on the slides before and while it is open.
+void TestLessonWindow::noSampleThatWaitsTellsANumberToCome()
+{
+    QFETCH(QString, id);
+    QVERIFY(lessons().open(id));
+    const std::vector<Slide>& slides = player().lesson().slides;
+    player().setLevel(2);
+    const auto compare = [&](std::size_t at, std::size_t asking) {
+        const QString fact = slides[asking].question->answer->text;
+        const auto answer = std::ranges::find(slides[asking].expected, fact, &Expected::text);
+        const LensModel* model = m_window->stepMode().lens().model();
+        if (answer == slides[asking].expected.end() || !model || !model->hasSetup())
+            return;
+        const StepSetup& setup = model->triangle().setup;
+        for (int y = setup.bounds.y; y < setup.bounds.y + setup.bounds.height; ++y)
+            for (int x = setup.bounds.x; x < setup.bounds.x + setup.bounds.width; ++x) {
+                const LensCell cell = model->cell(x, y);
+                const double value = cell.values[std::size_t(cell.deciding)] / setup.unitsPerArea;
+                const bool tells = cell.hasValues && cell.state == LensCell::State::Waiting;
+                QVERIFY2(
+                    !tells || value != answer->is.toDouble(),
+                    qPrintable(QStringLiteral("slide %1 tells %2 of slide %3").arg(at + 1).arg(fact).arg(asking + 1)));
+            }
+    };
+    for (std::size_t asking = 0; asking < slides.size(); ++asking) {
+        const std::optional<Question>& question = slides[asking].question;
+        for (std::size_t at = 0; question && question->kind == QuestionKind::Number && at <= asking; ++at) {
+            if (slides[at].moment.scene != slides[asking].moment.scene)
+                continue;
+            player().goTo(at, LessonPlayer::Entry::Asks);
+            QVERIFY(complete());
+            compare(at, asking);
+        }
+    }
 }
 
 void TestLessonWindow::theCardKeepsWhatIsAsked()

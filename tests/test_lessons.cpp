@@ -172,6 +172,9 @@ void TestLessons::placesStayOnOneLine()
 {
     QCOMPARE(unbroken(QStringLiteral("at (3, 4), (\u22121.5, {x A 0}) and (one, two)")),
              QStringLiteral("at (3,\u00a04), (\u22121.5,\u00a0{x A 0}) and (one, two)"));
+    QCOMPARE(unbroken(QStringLiteral("p starts at 2 dx \u2212 dy = \u22121, if y < 3; alpha = {alpha} of it")),
+             QStringLiteral("p starts at 2\u00a0dx\u00a0\u2212\u00a0dy\u00a0=\u00a0\u22121, if y\u00a0<\u00a03; "
+                            "alpha\u00a0=\u00a0{alpha} of it"));
     const TwoTexts pixels = factInWords(std::vector<QPoint>{{7, 0}, {6, 1}});
     QCOMPARE(pixels.en, QStringLiteral("(7,\u00a00), (6,\u00a01)"));
     QCOMPARE(pixels.zh, QStringLiteral("(7,\u00a00)\u3001(6,\u00a01)"));

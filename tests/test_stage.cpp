@@ -2,9 +2,11 @@
 // show.
 #include "core/lessons/lesson.h"
 #include "tests/seed.h"
+#include "ui/base/inks.h"
 #include "ui/lessons/lesson_mode.h"
 #include "ui/lessons/lesson_panel.h"
 #include "ui/lessons/texts.h"
+#include "ui/pipeline/mistake_badge.h"
 #include "ui/steps/step_listing.h"
 #include "ui/steps/step_sentence.h"
 #include "ui/steps/transport_dock.h"
@@ -43,6 +45,10 @@ private Q_SLOTS:
     void panelsOfSlidesAreWhole();
     void thePictureStaysFromQuestionToAnswer_data();
     void thePictureStaysFromQuestionToAnswer();
+    void theBadgeCoversNoFace_data();
+    void theBadgeCoversNoFace();
+    void numbersCoverNoEdge_data();
+    void numbersCoverNoEdge();
     void sessionsKeepTheMoment();
     void oldSessionsLeaveTheViewAlone();
     void rOffersASmallPicture();
@@ -344,6 +350,79 @@ void TestStage::thePictureStaysFromQuestionToAnswer()
     QVERIFY(questions >= 3);
 }
 
+void TestStage::theBadgeCoversNoFace_data()
+{
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<std::size_t>("slide");
+    QTest::newRow("a part of the picture") << QStringLiteral("barycentric") << std::size_t(8);
+    QTest::newRow("two lines over a picture") << QStringLiteral("linear-z") << std::size_t(5);
+    QTest::newRow("up to the border") << QStringLiteral("number-types") << std::size_t(3);
+}
+
+void TestStage::theBadgeCoversNoFace()
+{
+    QFETCH(const QString, id);
+    QFETCH(const std::size_t, slide);
+    QVERIFY(m_window->lessons().open(id));
+    QVERIFY(openStage({1024, 768}));
+    m_window->lessons().player().goTo(slide - 1, LessonPlayer::Entry::Skips);
+    QVERIFY(complete());
+    QTest::qWait(50);
+    QVERIFY(complete());
+    const auto* badge = m_window->findChild<MistakeBadge*>();
+    QVERIFY(badge->isVisible());
+    const Frame& frame = viewport().frame()->frame;
+    int faces = 0;
+    for (int y = 0; y < frame.image.height(); ++y)
+        for (int x = 0; x < frame.image.width(); ++x)
+            if (frame.ids[std::size_t(y) * std::size_t(frame.image.width()) + std::size_t(x)] >= 0) {
+                ++faces;
+                const QRectF pixel = viewport().transform().toCanvas(QRectF(x, y, 1, 1));
+                QVERIFY2(!pixel.intersects(QRectF(badge->geometry())),
+                         qPrintable(QStringLiteral("%1, %2").arg(x).arg(y)));
+            }
+    QVERIFY(faces > 0);
+}
+
+void TestStage::numbersCoverNoEdge_data()
+{
+    QTest::addColumn<std::size_t>("slide");
+    QTest::addColumn<QSize>("size");
+    for (const std::size_t slide : {5, 6, 7})
+        for (const QSize size : {QSize(1024, 768), QSize(1920, 1080)})
+            QTest::addRow("%d, %d", int(slide), size.width()) << slide << size;
+}
+
+/// Edge walking: the plate with the numbers of a row, and the legend, leave the edges from B in sight.
+void TestStage::numbersCoverNoEdge()
+{
+    QFETCH(const std::size_t, slide);
+    QFETCH(const QSize, size);
+    QVERIFY(m_window->lessons().open(QStringLiteral("edge-walking")));
+    QVERIFY(openStage(size));
+    m_window->lessons().player().goTo(slide - 1, LessonPlayer::Entry::Skips);
+    QVERIFY(complete());
+    const QImage canvas = viewport().grab().toImage();
+    const auto isEdge = [&](QPointF at) {
+        for (int dy = -4; dy <= 4; ++dy)
+            for (int dx = -4; dx <= 4; ++dx)
+                if (canvas.pixel(at.toPoint() + QPoint(dx, dy)) == kCanvasBrokenEdge)
+                    return true;
+        return false;
+    };
+    for (const QPointF end : {QPointF(7, 1), QPointF(2, 10)}) { // C and A, see the lesson's first slides
+        const QLineF edge(viewport().transform().toCanvas(QPointF(15, 7)), viewport().transform().toCanvas(end));
+        constexpr double kNames = 70; // canvas pixels that the names of the corners may take
+        constexpr double kDash = 40;
+        for (double along = kNames; along + kDash < edge.length() - kNames; along += kDash) {
+            bool isSeen = false;
+            for (double s = along; s < along + kDash; s += 2)
+                isSeen = isSeen || isEdge(edge.pointAt(s / edge.length()));
+            QVERIFY2(isSeen, qPrintable(QStringLiteral("%1 of %2").arg(along).arg(edge.length())));
+        }
+    }
+}
+
 void TestStage::sessionsKeepTheMoment()
 {
     QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
@@ -423,6 +502,7 @@ void TestStage::theFirstStartOpensTheFirstLesson()
     QCOMPARE(m_window->lessons().player().lesson().id, QStringLiteral("first-minute"));
     QCOMPARE(settings().size, QSize(16, 12));
     QVERIFY(m_window->stepMode().session().event()->has(StepEvent::kTie));
+    QVERIFY(!document().canUndo()); // to a window without a scene
     const std::size_t before = m_window->stepMode().session().position();
     key(Qt::Key_Right);
     QCOMPARE(m_window->stepMode().session().position(), before + 1);

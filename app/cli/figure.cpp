@@ -8,12 +8,14 @@
 #include "core/base/typed_numbers.h"
 #include "core/io/gif_writer.h"
 #include "core/io/picture_file.h"
+#include "core/io/session.h"
 #include "core/lessons/moment.h"
 #include "core/lessons/step_run.h"
 #include "core/render/motion.h"
 #include "core/render/steps.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -42,7 +44,9 @@ Usage usage()
         QStringLiteral("Figure:"),
         {value("-o", "FILE", QStringLiteral("The figure: png, ppm, bmp, jpg, svg or pdf; gif with --steps. Required.")),
          value("--step", "WHERE",
-               QStringLiteral("Shows a step of the drawing with the signs of the edges: %1.").arg(stepPlaceHelp())),
+               QStringLiteral(
+                   "Shows a step of the drawing with the signs of the edges: %1. Default: that of the session.")
+                   .arg(stepPlaceHelp())),
          value("--steps", "FIRST-LAST",
                QStringLiteral("The figures of these steps, one after the other, as an animated GIF.")),
          value("--motion", "MOTION",
@@ -225,6 +229,42 @@ QRect regionOption(const Arguments& arguments, QSize size)
     return region;
 }
 
+/// What the window showed when a session was saved: it stands where the command line says nothing else.
+Moment viewOfSession(const QString& name)
+{
+    if (!isSession(name))
+        return {};
+    const SessionLoad load = loadSession(name);
+    return load.session ? sessionView(load.session->view, name).moment : Moment();
+}
+
+/// Step, pixel and overlays: those of the command line, else those of the session.
+QStringList momentWords(const Arguments& arguments, const Input& input)
+{
+    const Moment session = viewOfSession(arguments.operands.first());
+    QStringList words;
+    const bool isOneMoment =
+        std::ranges::none_of(std::array{"--steps", "--motion", "--before-after"},
+                             [&](const char* option) { return arguments.has(QLatin1String(option)); });
+    if (const auto text = arguments.value(QStringLiteral("--step")))
+        words << QStringLiteral("--step") << QString::number(stepOption(*text, input));
+    else if (session.step && isOneMoment)
+        words << QStringLiteral("--step") << QString::number(stepOption(textOf(*session.step), input));
+    const auto pixel = pixelOption(arguments, input.settings.size);
+    if (const auto shown = pixel ? pixel : session.pixel;
+        shown && QRect(QPoint(0, 0), input.settings.size).contains(*shown))
+        words << QStringLiteral("--pixel") << QStringLiteral("%1,%2").arg(shown->x()).arg(shown->y());
+    QStringList kept;
+    for (const QString& id : session.overlays)
+        if (id == QLatin1String("none") || overlayNames().contains(id))
+            kept << id;
+    if (const auto text = arguments.value(QStringLiteral("--overlay")))
+        words << QStringLiteral("--figure-overlay") << overlayOption(*text);
+    else if (!kept.isEmpty())
+        words << QStringLiteral("--figure-overlay") << kept.join(QLatin1Char(','));
+    return words;
+}
+
 int scaleFor(QSize size) { return std::clamp(kUsualWidth / std::max(size.width(), size.height()), 1, kLargestScale); }
 
 /// What the program with the window is told.
@@ -235,13 +275,8 @@ QStringList windowWords(const Arguments& arguments, const Input& input, const QS
     QStringList words = regionWords(region);
     words << QStringLiteral("--figure") << path << QStringLiteral("--figure-scale")
           << QString::number(scale ? int(*scale) : scaleFor(region.size()));
-    if (const auto text = arguments.value(QStringLiteral("--step")))
-        words << QStringLiteral("--step") << QString::number(stepOption(*text, input));
+    words << momentWords(arguments, input);
     words << runWords(arguments, input) << motionWords(arguments, input) << frameTimeWords(arguments);
-    if (const auto pixel = pixelOption(arguments, input.settings.size))
-        words << QStringLiteral("--pixel") << QStringLiteral("%1,%2").arg(pixel->x()).arg(pixel->y());
-    if (const auto text = arguments.value(QStringLiteral("--overlay")))
-        words << QStringLiteral("--figure-overlay") << overlayOption(*text);
     if (const auto text = arguments.value(QStringLiteral("--caption")))
         words << QStringLiteral("--caption") << *text;
     const QString language = arguments.value(QStringLiteral("--language")).value_or(QStringLiteral("en"));

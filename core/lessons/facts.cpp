@@ -84,6 +84,12 @@ std::optional<FactName> factFromText(const QString& text, Reason* why)
     return std::nullopt;
 }
 
+bool isEdgeValue(const FactName& name)
+{
+    const QLatin1String row(factRows()[name.row].name);
+    return row == QLatin1String("edge") || row == QLatin1String("step-edge");
+}
+
 MomentFacts::MomentFacts(const Moment& moment, const OpenMoment& open) : m_moment(moment), m_open(open) {}
 
 std::optional<FactValue> MomentFacts::find(const FactName& name)

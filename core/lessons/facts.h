@@ -88,6 +88,9 @@ private:
     std::shared_ptr<const StepLog> m_log;
 };
 
+/// Whether a fact is the value of an edge function at a sample, as the lens shows it.
+[[nodiscard]] bool isEdgeValue(const FactName& name);
+
 /// Whether a fact is what a lesson says. Whole numbers are to be equal; of others four digits.
 [[nodiscard]] bool agrees(const FactValue& value, const QJsonValue& said);
 

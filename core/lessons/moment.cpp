@@ -306,7 +306,14 @@ QString unbroken(QString text)
     // Each is a number, or the name in braces that stands for one.
     static const QRegularExpression pair(QStringLiteral("(\\((?:[\u2212-]?[0-9.]+|\\{[^{}]*\\}),) "
                                                         "((?:[\u2212-]?[0-9.]+|\\{[^{}]*\\})\\))"));
-    return text.replace(pair, QStringLiteral("\\1\u00a0\\2"));
+    static const QRegularExpression before(QStringLiteral(" (?=(?:==|[=<>+\u2264\u2265\u2212\u00d7]) )"));
+    static const QRegularExpression after(QStringLiteral("(?<=\u00a0)(==|[=<>+\u2264\u2265\u2212\u00d7]) "));
+    static const QRegularExpression factor(QStringLiteral("(?<=\\d) (?=[a-zA-Z]+\u00a0)"));
+    const QString blank(QChar(0xa0));
+    return text.replace(pair, QStringLiteral("\\1\u00a0\\2"))
+        .replace(before, blank)
+        .replace(after, QStringLiteral("\\1\u00a0"))
+        .replace(factor, blank);
 }
 
 TwoTexts readTexts(const JsonFields& fields, const QString& key, JsonFields::Need need)

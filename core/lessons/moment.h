@@ -75,7 +75,8 @@ struct Moment {
 [[nodiscard]] Moment readMoment(const JsonFields& fields, const QDir& folder, const Moment* before = nullptr,
                                 JsonFields::Need caption = JsonFields::Need::Required);
 
-/// A text in which the two numbers of a place, `(3, 4)`, stay on one line: with a no-break space between them.
+/// A text in which the two numbers of a place, `(3, 4)`, and what stands beside the signs of a formula, `p = -2`, stay
+/// on one line: with no-break spaces.
 [[nodiscard]] QString unbroken(QString text);
 
 /// Reads `{"en": .., "zh": ..}`, both of which are required, as unbroken() has them.

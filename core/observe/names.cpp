@@ -1,6 +1,7 @@
 #include "core/observe/names.h"
 
 #include "core/base/closed_list.h"
+#include "core/pipeline/clipping.h"
 #include "core/pipeline/shading.h"
 
 #include <QCoreApplication>
@@ -51,18 +52,21 @@ const char* edgeSideId(EdgeSide side)
 
 const ClipPlaneInfo& infoOf(ClipPlane plane) { return kPlanes[static_cast<std::size_t>(plane)]; }
 
-const char* clipPlaneFormula(ClipPlane plane, ClipZ clipZ)
+QString clipPlaneFormula(ClipPlane plane, const Rules& rules)
 {
+    const double side = clipVolume(rules).cut[static_cast<std::size_t>(plane)].normal.w;
+    const QString w = side == 1 ? QStringLiteral("w") : QStringLiteral("%1 w").arg(side);
     switch (plane) {
-    case ClipPlane::W: return "w \u2265 1e-5";
-    case ClipPlane::Right: return "x \u2264 w";
-    case ClipPlane::Left: return "x \u2265 \u2212w";
-    case ClipPlane::Top: return "y \u2264 w";
-    case ClipPlane::Bottom: return "y \u2265 \u2212w";
-    case ClipPlane::Near: return clipZ == ClipZ::Gl ? "z \u2265 \u2212w" : "z \u2265 0";
-    case ClipPlane::Far: return "z \u2264 w";
+    case ClipPlane::W: return QStringLiteral("w \u2265 1e-5");
+    case ClipPlane::Right: return QStringLiteral("x \u2264 ") + w;
+    case ClipPlane::Left: return QStringLiteral("x \u2265 \u2212") + w;
+    case ClipPlane::Top: return QStringLiteral("y \u2264 ") + w;
+    case ClipPlane::Bottom: return QStringLiteral("y \u2265 \u2212") + w;
+    case ClipPlane::Near:
+        return rules.clipZ == ClipZ::Gl ? QStringLiteral("z \u2265 \u2212w") : QStringLiteral("z \u2265 0");
+    case ClipPlane::Far: return QStringLiteral("z \u2264 w");
     }
-    return "";
+    return {};
 }
 
 QString planesText(std::uint32_t planes)

@@ -26,8 +26,8 @@ struct ClipPlaneInfo {
 constexpr int kClipPlanes = static_cast<int>(ClipPlane::Far) + 1;
 
 [[nodiscard]] inline const char* clipPlaneId(ClipPlane plane) { return infoOf(plane).id; }
-/// What holds for the coordinates of a vertex inside: `x <= w`.
-[[nodiscard]] const char* clipPlaneFormula(ClipPlane plane, ClipZ clipZ);
+/// What holds for the coordinates of a vertex inside: `x <= w`, with a guard band `x <= 1023 w`.
+[[nodiscard]] QString clipPlaneFormula(ClipPlane plane, const Rules& rules);
 [[nodiscard]] QString planesText(std::uint32_t planes); ///< ids of a set of planes, one bit each; `none` if empty
 [[nodiscard]] QString planeSigns(std::uint32_t planes); ///< their signs: `+x, -y`; empty if there are none
 

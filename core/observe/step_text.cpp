@@ -85,7 +85,7 @@ StepParts clipParts(const StepLog& log, const ClipStep& step, const FaceMoment& 
         cuts << QStringLiteral("%1->%2 t=%3")
                     .arg(cornerName(moment.before, std::size_t(cut.inside)),
                          cornerName(moment.before, std::size_t(cut.outside)), shortNumber(cut.t));
-    const QString holds = QString::fromUtf8(clipPlaneFormula(step.plane, log.rules().clipZ));
+    const QString holds = clipPlaneFormula(step.plane, log.rules());
     const Reason plane{"%1, %2", {clipPlaneId(step.plane), holds}};
     const Reason before = step.before.size();
     const Reason after = step.after.size();

@@ -11942,4 +11942,11 @@ all of these errors are 0.</source>
         <translation>在纹理中的足迹（%1 x %2）</translation>
     </message>
 </context>
+<context>
+    <name>rasterlens::HelpOverlay</name>
+    <message>
+        <source>Page %1 of %2 · F1: the next one</source>
+        <translation>第 %1 页，共 %2 页 · F1：下一页</translation>
+    </message>
+</context>
 </TS>

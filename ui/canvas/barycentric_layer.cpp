@@ -36,6 +36,26 @@ QPointF visibleMiddle(const QPolygonF& polygon, const QRect& canvas)
     return sum / static_cast<double>(shown.size());
 }
 
+/// What the frame of the pixel of a point takes of the canvas.
+QRectF frameOf(const CanvasTransform& transform, const glm::dvec2& point)
+{
+    constexpr double kFrame = 6; // canvas pixels beside the pixel
+    const QRectF pixel(std::floor(point.x), std::floor(point.y), 1, 1);
+    return transform.toCanvas(pixel).adjusted(-kFrame, -kFrame, kFrame, kFrame);
+}
+
+/// The shortest way along an axis that takes `plate` off `frame`; none where they do not touch.
+QPointF wayOut(const QRectF& plate, const QRectF& frame)
+{
+    if (!plate.intersects(frame))
+        return {};
+    const bool isLeft = plate.center().x() < frame.center().x();
+    const bool isAbove = plate.center().y() < frame.center().y();
+    const QPointF across(isLeft ? frame.left() - plate.right() : frame.right() - plate.left(), 0);
+    const QPointF along(0, isAbove ? frame.top() - plate.bottom() : frame.bottom() - plate.top());
+    return std::abs(across.x()) < std::abs(along.y()) ? across : along;
+}
+
 } // namespace
 
 std::array<QString, 3> BarycentricLayer::texts() const
@@ -121,6 +141,11 @@ void BarycentricLayer::paintTexts(QPainter& painter, const QRect& canvas, const 
         places[i] = visibleMiddle(QPolygonF{point, next, last}, canvas);
         plates[i] = plateOf(painter, canvas, places[i], texts[i]);
         middle += here / 3;
+    }
+    const QRectF frame = frameOf(transform, m_weights->point);
+    for (std::size_t i = 0; i < 3; ++i) {
+        places[i] += wayOut(plates[i], frame);
+        plates[i] = plateOf(painter, canvas, places[i], texts[i]);
     }
     const bool overlap =
         plates[0].intersects(plates[1]) || plates[1].intersects(plates[2]) || plates[2].intersects(plates[0]);

@@ -7,6 +7,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -111,8 +112,8 @@ void ViewportWidget::setAnswering(bool on)
 
 void ViewportWidget::setCovered(const QRect& part)
 {
-    if (std::exchange(m_covered, part) != part && m_fitted)
-        applyFit();
+    if (std::exchange(m_covered, part) != part)
+        placeAgain();
 }
 
 void ViewportWidget::setCompared(const FramePtr& left, const QString& tag)
@@ -215,31 +216,48 @@ void ViewportWidget::applyFit()
         shown = QRectF(m_fitPixels->x, m_fitPixels->y, m_fitPixels->width, m_fitPixels->height).intersected(shown);
     if (shown.isEmpty())
         return;
-    const auto zoomWith = [&](const QRect& place, int margin) {
-        return fittingZoom(shown.size(),
-                           QSizeF(std::max(1, place.width() - 2 * margin), std::max(1, place.height() - 2 * margin)),
-                           m_options.thickLines);
-    };
-    const auto fitted = [&](const QRect& place) {
+    setTransform(fittedBesideBadge(shown));
+}
+
+/// All of `shown`, in pixels of the picture, in the middle of a place on the canvas.
+CanvasTransform ViewportWidget::fitted(const QRectF& shown, const QRect& place, int margin) const
+{
+    const QSizeF room(std::max(1, place.width() - 2 * margin), std::max(1, place.height() - 2 * margin));
+    CanvasTransform transform;
+    transform.zoom = fittingZoom(shown.size(), room, m_options.thickLines);
+    transform.origin = QRectF(place).center() - shown.center() * transform.zoom;
+    return transform;
+}
+
+/// In the whole pane, or below the badge where the picture would lie under it and does not become much smaller.
+CanvasTransform ViewportWidget::fittedBesideBadge(const QRectF& shown) const
+{
+    const auto usual = [&](const QRect& place) {
         constexpr double kGain = 1.5; // whole pixels of the canvas make 1x into 2x, or 2x into 3x
-        CanvasTransform transform;
-        const double usual = zoomWith(place, kFitMargin);
-        const double narrow = zoomWith(place, kNarrowMargin);
-        transform.zoom = narrow >= kGain * usual ? narrow : usual;
-        transform.origin = QRectF(place).center() - shown.center() * transform.zoom;
-        return transform;
+        const CanvasTransform wide = fitted(shown, place, kFitMargin);
+        const CanvasTransform narrow = fitted(shown, place, kNarrowMargin);
+        return narrow.zoom >= kGain * wide.zoom ? narrow : wide;
     };
-    const CanvasTransform whole = fitted(pane());
-    const bool isCovered = whole.toCanvas(shown).toAlignedRect().intersects(m_covered);
-    // Its margin belongs to the picture as well, and so do the names of corners at its border, unless the numbers in
-    // the pixels would have to go.
+    const CanvasTransform whole = usual(pane());
+    if (!whole.toCanvas(shown).toAlignedRect().intersects(m_covered))
+        return whole;
+    // Its margin belongs to the picture as well, and so do the names of corners at its border, unless the picture, or
+    // the numbers in the pixels, would suffer.
     const int top = m_covered.bottom() + 1;
-    const CanvasTransform close = fitted(pane().adjusted(0, top - kFitMargin / 2, 0, 0));
-    const CanvasTransform apart = fitted(pane().adjusted(0, top + kNameRoom, 0, 0));
-    const bool losesNumbers = close.zoom >= kNumbersFromZoom && apart.zoom < kNumbersFromZoom;
-    const CanvasTransform& below = losesNumbers ? close : apart;
+    const auto below = [&](int gap) { return pane().adjusted(0, top + gap, 0, 0); };
+    const std::array places{usual(below(kNameRoom)), usual(below(-kFitMargin / 2)),
+                            fitted(shown, below(0), kNarrowMargin)};
+    const auto keepsNumbers = [&](const CanvasTransform& place) {
+        return place.zoom >= kNumbersFromZoom || whole.zoom < kNumbersFromZoom;
+    };
     constexpr double kWorth = 0.8; // of the size
-    setTransform(isCovered && below.zoom >= kWorth * whole.zoom ? below : whole);
+    const auto isLarge = [&](const CanvasTransform& place) { return place.zoom >= kWorth * whole.zoom; };
+    const auto best =
+        std::ranges::find_if(places, [&](const auto& place) { return keepsNumbers(place) && isLarge(place); });
+    if (best != places.end())
+        return *best;
+    const auto large = std::ranges::find_if(places, isLarge);
+    return large != places.end() ? *large : whole;
 }
 
 /// From here on the user decides what is in sight.
@@ -253,7 +271,12 @@ void ViewportWidget::showAround(QPointF image, double zoom)
 {
     m_fitted = false;
     m_centre = image;
-    setTransform({zoom, QRectF(rect()).center() - image * zoom});
+    setTransform({zoom, middle() - image * zoom});
+}
+
+QPointF ViewportWidget::middle() const
+{
+    return QRectF(rect().adjusted(0, m_covered.isEmpty() ? 0 : m_covered.bottom() + 1, 0, 0)).center();
 }
 
 void ViewportWidget::zoomAt(QPointF canvas, double zoom)
@@ -478,7 +501,10 @@ void ViewportWidget::paintStaleMark(QPainter& painter) const
     painter.drawText(box, Qt::AlignCenter, text);
 }
 
-void ViewportWidget::resizeEvent(QResizeEvent*)
+void ViewportWidget::resizeEvent(QResizeEvent*) { placeAgain(); }
+
+/// After the room for the picture has changed.
+void ViewportWidget::placeAgain()
 {
     if (m_fitted)
         applyFit();

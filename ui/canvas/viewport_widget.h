@@ -60,6 +60,8 @@ public:
     void fit(const std::optional<PixelRect>& pixels = std::nullopt);
     /// Shows the surroundings of a point of the picture, and keeps it in the middle when the widget is resized.
     void showAround(QPointF image, double zoom);
+    /// The middle of the canvas, or of what the badge leaves free.
+    [[nodiscard]] QPointF middle() const;
     void setZoom(double zoom) { zoomAt(pane().center(), zoom); }
     void zoomStep(int direction) { zoomAt(pane().center(), nextZoomStep(m_transform.zoom, direction)); }
     void zoomAt(QPointF canvas, double zoom);
@@ -141,7 +143,10 @@ private:
     [[nodiscard]] Drag dragFor(const QMouseEvent& event) const;
     [[nodiscard]] bool looksLikeTheShown(const RenderedFrame& frame) const;
     [[nodiscard]] QSize imageSize() const;
+    [[nodiscard]] CanvasTransform fitted(const QRectF& shown, const QRect& place, int margin) const;
+    [[nodiscard]] CanvasTransform fittedBesideBadge(const QRectF& shown) const;
     void applyFit();
+    void placeAgain();
     void leaveFit();
     void setTransform(CanvasTransform transform);
     void hover(std::optional<QPoint> pixel);

@@ -384,7 +384,8 @@ void Document::take(const Opening& opening, const Opened& opened)
 
 void Document::takeMoment(const Opened& opened)
 {
-    pushUndo(present(true));
+    if (m_scene->mesh.faceCount() > 0 || !m_scene->id.isEmpty()) // before a first scene there is nothing to go back to
+        pushUndo(present(true));
     m_redo.clear();
     m_inGesture = false;
     m_original = m_cleanScene = opened.original;

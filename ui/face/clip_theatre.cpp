@@ -480,7 +480,7 @@ void ClipTheatre::sync()
         const bool shown =
             m_stage > 0 && m_stage <= m_story->steps.size() && m_story->steps[m_stage - 1].plane == plane;
         tool->setChecked(shown);
-        const QString formula = QString::fromUtf8(clipPlaneFormula(plane, m_story ? m_story->rules.clipZ : ClipZ::Gl));
+        const QString formula = clipPlaneFormula(plane, m_story ? m_story->rules : Rules());
         tool->setToolTip(isKnown ? tr("Plane %1: %2 corners before, %3 after")
                                        .arg(formula)
                                        .arg(step->before.size())

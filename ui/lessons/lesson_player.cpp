@@ -110,6 +110,22 @@ const Question* LessonPlayer::openOrNextQuestion() const
     return isThere ? &*lesson().slides[at].question : nullptr;
 }
 
+bool LessonPlayer::willAskForEdgeValue() const
+{
+    if (!isOpen() || m_place.phase == Phase::Ended)
+        return false;
+    const auto& slides = lesson().slides;
+    for (std::size_t at = m_place.slide + 1; at < slides.size(); ++at) {
+        if (slides[at].moment.scene != slide().moment.scene)
+            return false;
+        const std::optional<Question>& question = slides[at].question;
+        if (question && question->kind == QuestionKind::Number && isEdgeValue(question->answer->fact) &&
+            isOfLevel(at) && !answered(at))
+            return true;
+    }
+    return false;
+}
+
 std::vector<std::size_t> LessonPlayer::leftOut() const
 {
     std::vector<std::size_t> slides;

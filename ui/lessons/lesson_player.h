@@ -53,6 +53,9 @@ public:
     /// The question that is open, or else that of the slide after the present one where it was not answered yet; null:
     /// neither.
     [[nodiscard]] const Question* openOrNextQuestion() const;
+    /// Whether a later slide with the same scene, whose question was not answered yet, asks for the value of an edge
+    /// function: the lens would tell it before the sample has its turn.
+    [[nodiscard]] bool willAskForEdgeValue() const;
 
     /// in  slide: counted from 0
     void goTo(std::size_t slide, Entry entry = Entry::Asks);

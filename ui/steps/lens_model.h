@@ -30,8 +30,8 @@ struct LensCell {
     std::array<bool, 3> ours{}; ///< the value counts as inside
 };
 
-/// What the lens keeps to itself while a question is open, for it would be the answer: what samples are before their
-/// turn, and the pixel that is asked about.
+/// What the lens keeps to itself while a question is open or to come, for it would be the answer: what samples are
+/// before their turn, and the pixel that is asked about.
 struct LensSecret {
     std::optional<glm::ivec2> pixel; ///< nothing: the question is not about one
 

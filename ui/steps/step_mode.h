@@ -58,7 +58,7 @@ public:
     [[nodiscard]] static bool isPlace(const QString& where);
     /// Nothing is being recorded.
     [[nodiscard]] bool isSettled() const { return !m_session.isRecording(); }
-    /// What the lens does not tell while a question is open; nothing: no question is.
+    /// What the lens does not tell, for it would answer a question; nothing: there is no such question.
     void setSecret(const std::optional<LensSecret>& secret);
 
     /// Starts to write one numbered PNG a position, at a whole zoom or as on the screen.

@@ -27,6 +27,28 @@ constexpr Qt::PenStyle kBrokenStyle = Qt::DashLine;
 
 QString translated(const char* text) { return QCoreApplication::translate("Lens", text); }
 
+/// What a row crosses, two numbers a line.
+QStringList crossingLines(const RowCrossings& row)
+{
+    return {QStringLiteral("alpha = %1   xa = %2").arg(shortNumber(row.alpha), shortNumber(row.xa)),
+            QStringLiteral("beta = %1   xb = %2").arg(shortNumber(row.beta), shortNumber(row.xb))};
+}
+
+/// One equation a line, for a narrow place. A function is of the name, whose number stands above it.
+QStringList narrow(const QStringList& lines)
+{
+    QStringList equations;
+    for (const QString& line : lines) {
+        const QStringList parts = line.split(QStringLiteral("   "));
+        const QString name = parts[0].section(QStringLiteral(" = "), 0, 0);
+        const QString number = parts[0].section(QStringLiteral(" = "), 1);
+        equations << parts[0];
+        for (QString part : parts.mid(1))
+            equations << part.replace(QLatin1Char('(') + number, QLatin1Char('(') + name);
+    }
+    return equations;
+}
+
 /// Paints the stages of one triangle.
 class WalkPainter
 {
@@ -52,7 +74,7 @@ public:
             paintHalfNames();
         QRectF numbers;
         if (m_now == StepKind::Crossing)
-            paintCrossings(*m_model.crossings());
+            numbers = paintCrossings(*m_model.crossings());
         else if (m_row >= 0 && m_model.span() != nullptr)
             numbers = paintSpan(*m_model.span());
         paintLegend(numbers);
@@ -151,13 +173,17 @@ private:
     }
 
     /// The centre line of the row, or where it is crossed instead, and where it crosses both edges.
-    void paintCrossings(const RowCrossings& row) const
+    ///
+    /// out  the plate with the numbers
+    QRectF paintCrossings(const RowCrossings& row) const
     {
         const double y = row.height;
         const double beyond = 24 / m_view.cell;
         m_view.line({std::min(row.xa, row.xb) - beyond, y}, {std::max(row.xa, row.xb) + beyond, y}, QColor(kCanvasInk),
                     1.4, Qt::SolidLine);
         paintEnds(y, row.xa, row.xb);
+        return paintNumbers(crossingLines(row), QRectF(m_view.at({std::min(row.xa, row.xb), y - 0.5}),
+                                                       m_view.at({std::max(row.xa, row.xb), y + 0.5})));
     }
 
     /// The samples of the row, and where the span begins and ends before and after ceil(v - 0.5).
@@ -180,26 +206,60 @@ private:
         return paintNumbers(spanLines(span, Digits::Few), row);
     }
 
-    /// Beside the triangle, where there is room; else below the row.
-    QRectF paintNumbers(const QStringList& lines, const QRectF& row) const
+    /// What lies between two heights of the canvas: the triangle, and the names of its corners.
+    [[nodiscard]] QRectF takenBetween(double top, double bottom) const
     {
-        constexpr double kGap = 12;
-        const QFont font = numberFont(0);
-        const QRectF canvas(m_view.canvas);
-        const QSizeF size = textPlate(canvas, canvas.topLeft(), lines, font).size();
-        QRectF triangle;
-        for (const ScreenVertex& vertex : m_model.triangle().screen.vertices)
-            triangle |= QRectF(m_view.at(vertex.position), QSizeF(1, 1));
-        QPointF corner = row.bottomLeft() + QPointF(4, 6);
-        if (triangle.right() + kGap + size.width() <= canvas.right())
-            corner = {triangle.right() + kGap, row.center().y() - size.height() / 2};
-        else if (triangle.left() - kGap - size.width() >= canvas.left())
-            corner = {triangle.left() - kGap - size.width(), row.center().y() - size.height() / 2};
-        return paintPlate(m_view.painter, canvas, corner, lines, font);
+        constexpr QMarginsF kName(90, 40, 90, 40); // around a corner
+        const QRectF band(m_view.canvas.left(), top, m_view.canvas.width(), bottom - top);
+        QPolygonF triangle;
+        QRectF taken;
+        for (const ScreenVertex& vertex : m_model.triangle().screen.vertices) {
+            const QPointF corner = m_view.at(vertex.position);
+            triangle << corner;
+            if (const QRectF name = QRectF(corner, QSizeF(0, 0)).marginsAdded(kName); name.intersects(band))
+                taken |= name;
+        }
+        return taken | triangle.intersected(QPolygonF(band)).boundingRect();
     }
 
-    /// What the two colours are, by the numbers of the sorted corners and the names of the edges; the half of the row,
-    /// and the numbers of its crossings. It leaves `numbers` free.
+    /// A place beside the triangle and the row for a plate whose middle is at a height of the canvas; nothing where it
+    /// has no room.
+    [[nodiscard]] std::optional<QPointF> placeBeside(QSizeF size, double middle, const QRectF& row) const
+    {
+        constexpr double kGap = 12;
+        const QRectF canvas(m_view.canvas.adjusted(4, 4, -4, -4));
+        const double top = middle - size.height() / 2;
+        if (top < canvas.top() || top + size.height() > canvas.bottom())
+            return std::nullopt;
+        QRectF taken = takenBetween(top, top + size.height());
+        if (row.bottom() > top && row.top() < top + size.height())
+            taken |= row;
+        if (taken.right() + kGap + size.width() <= canvas.right())
+            return QPointF(taken.right() + kGap, top);
+        if (taken.left() - kGap - size.width() >= canvas.left())
+            return QPointF(taken.left() - kGap - size.width(), top);
+        return std::nullopt;
+    }
+
+    /// Beside the triangle, one equation a line if need be, as near to the row as there is room; else below the row.
+    QRectF paintNumbers(const QStringList& lines, const QRectF& row) const
+    {
+        constexpr int kSteps = 30;
+        constexpr double kStep = 10; // canvas pixels up and down
+        const QFont font = numberFont(0);
+        const QRectF canvas(m_view.canvas);
+        for (int step = 0; step <= kSteps; ++step)
+            for (const QStringList& shown : {lines, narrow(lines)})
+                for (const int way : {-1, 1}) {
+                    const QSizeF size = textPlate(canvas, canvas.topLeft(), shown, font).size();
+                    if (const auto place = placeBeside(size, row.center().y() + way * step * kStep, row))
+                        return paintPlate(m_view.painter, canvas, *place, shown, font);
+                }
+        return paintPlate(m_view.painter, canvas, row.bottomLeft() + QPointF(4, 6), lines, font);
+    }
+
+    /// What the two colours are, by the numbers of the sorted corners and the names of the edges; and the half of the
+    /// row. It leaves `numbers` free.
     void paintLegend(const QRectF& numbers) const
     {
         const StepTriangle& triangle = m_model.triangle();
@@ -212,11 +272,6 @@ private:
         if (const auto upper = upperHalf())
             lines << (*upper ? translated(QT_TRANSLATE_NOOP("Lens", "upper half: short edge %1")).arg(name(0, 1))
                              : translated(QT_TRANSLATE_NOOP("Lens", "lower half: short edge %1")).arg(name(1, 2)));
-        if (m_now == StepKind::Crossing) {
-            const RowCrossings& row = *m_model.crossings();
-            lines << QStringLiteral("alpha = %1   xa = %2").arg(shortNumber(row.alpha), shortNumber(row.xa))
-                  << QStringLiteral("beta = %1   xb = %2").arg(shortNumber(row.beta), shortNumber(row.xb));
-        }
         const QFont font = textFont(0);
         const double spacing = QFontMetricsF(font).lineSpacing();
         constexpr double kSwatch = 34;

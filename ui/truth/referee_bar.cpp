@@ -75,7 +75,7 @@ QString RefereeBar::richText() const
         return text;
     if (judgement->wrong.empty())
         text.prepend(QStringLiteral("<b>\u2713</b> "));
-    const int side = fontMetrics().height();
+    const int side = fontMetrics().ascent(); // the line is no higher, and stands where the title does
     for (const PixelVerdict verdict : kVerdicts)
         if (const std::uint64_t count = countOf(judgement->difference, verdict); count > 0) {
             const QString plain = countText(verdict, count);
@@ -87,6 +87,8 @@ QString RefereeBar::richText() const
 void RefereeBar::setBrief(bool brief)
 {
     m_brief = brief;
+    m_text->setWordWrap(!brief); // a label that may wrap asks for two lines
+    m_text->setSizePolicy(brief ? QSizePolicy::Ignored : QSizePolicy::Preferred, QSizePolicy::Preferred);
     layout()->setContentsMargins(12, brief ? 0 : 2, 8, brief ? 0 : 2);
     sync();
 }

@@ -14,6 +14,8 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 namespace rasterlens
 {
@@ -62,7 +64,8 @@ public:
         switch (role) {
         case SearchText: return QString(ActionTable::pathOf(row) + QLatin1Char('\n') + m_table.pathInOther(row));
         case OwnText: return withoutMnemonic(row.words.text());
-        case Qt::DisplayRole: return text(row, index.column());
+        case Qt::DisplayRole:
+        case Qt::ToolTipRole: return text(row, index.column());
         case Qt::TextAlignmentRole:
             return int(Qt::AlignVCenter | (index.column() == Name ? Qt::AlignLeft : Qt::AlignRight));
         default: return {};
@@ -138,7 +141,8 @@ ActionSearch::ActionSearch(const ActionTable& table, QWidget& window)
     m_view->setHeaderHidden(true);
     m_view->setUniformRowHeights(true);
     m_view->setFrameShape(NoFrame);
-    m_view->setFocusPolicy(Qt::NoFocus); // the field keeps the keys
+    m_view->setTextElideMode(Qt::ElideLeft); // in a narrow window the name stays, of its menus the last
+    m_view->setFocusPolicy(Qt::NoFocus);     // the field keeps the keys
     m_view->setAllColumnsShowFocus(true);
     m_view->header()->setStretchLastSection(false);
     m_view->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -192,12 +196,26 @@ void ActionSearch::leave()
     hide();
 }
 
+/// The width in which no name, state or key is cut.
+int ActionSearch::widthOfTexts() const
+{
+    constexpr int kAround = 80; // margins of the cells, scroll bar, margins of the card
+    std::array<int, ActionModel::kColumns> widths{};
+    for (int row = 0; row < m_model->rowCount(); ++row)
+        for (int column = 0; column < ActionModel::kColumns; ++column) {
+            const QString text = m_model->index(row, column).data().toString();
+            int& width = widths[static_cast<std::size_t>(column)];
+            width = std::max(width, m_view->fontMetrics().horizontalAdvance(text));
+        }
+    return std::accumulate(widths.begin(), widths.end(), kAround);
+}
+
 void ActionSearch::place()
 {
-    constexpr QSize kMost(620, 420);
+    constexpr int kLines = 20;
     constexpr int kEdge = 24; // to the edges of the window
-    const QSize room = parentWidget()->size() - QSize(2 * kEdge, 2 * kEdge);
-    resize(kMost.boundedTo(room));
+    const QSize wanted(widthOfTexts(), kLines * fontMetrics().lineSpacing() * 5 / 4);
+    resize(wanted.boundedTo(parentWidget()->size() - QSize(2 * kEdge, 2 * kEdge)));
     move((parentWidget()->width() - width()) / 2, (parentWidget()->height() - height()) / 4);
 }
 

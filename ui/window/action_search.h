@@ -34,6 +34,7 @@ protected:
 private:
     void open();
     void leave();
+    [[nodiscard]] int widthOfTexts() const;
     void place();
     void chooseFirst();
     void run(const QModelIndex& index);

@@ -10,8 +10,8 @@ class QLabel;
 namespace rasterlens
 {
 
-/// A card over the window that lists the keys with the state each of them changes, in two columns or, where the window
-/// is low, in three.
+/// A card over the window that lists the keys with the state each of them changes, in columns; on several pages where
+/// the type would be too small on one.
 class HelpOverlay : public QFrame
 {
     Q_OBJECT
@@ -20,7 +20,11 @@ public:
     explicit HelpOverlay(QWidget* parent);
 
     void setSections(std::vector<KeySection> sections);
-    void place();
+    /// Shows the page after the present one.
+    ///
+    /// out  false: it was the last
+    bool turnPage();
+    [[nodiscard]] std::size_t pages() const { return m_pages.size(); }
 
 protected:
     void mousePressEvent(QMouseEvent* event) override;
@@ -29,12 +33,29 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void fill(std::size_t columns);
-    [[nodiscard]] bool fits(std::size_t columns);
+    using Page = std::vector<QString>; ///< a text for each column
+
+    /// How the sections are spread.
+    struct Spread {
+        std::size_t columns = 0; ///< 0: the card was never laid out
+        std::size_t rows = 0;    ///< of a column; 0: all of them on one page
+    };
+
+    [[nodiscard]] std::vector<Page> spreadOnOne(std::size_t columns) const;
+    [[nodiscard]] std::vector<Page> spreadOnSeveral(const Spread& spread) const;
+    [[nodiscard]] bool fits(const Spread& spread);
+    void setType(qreal points);
+    [[nodiscard]] std::size_t rowsWithRoom() const;
+    void choose();
+    void showPage(std::size_t page);
+    void place();
 
     std::vector<KeySection> m_sections;
     std::vector<QLabel*> m_columns;
-    std::size_t m_usedColumns = 0; ///< 0: the card was never laid out
+    QLabel* m_footer;
+    Spread m_spread;
+    std::vector<Page> m_pages;
+    std::size_t m_page = 0;
 };
 
 } // namespace rasterlens

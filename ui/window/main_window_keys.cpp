@@ -46,7 +46,7 @@ void MainWindow::leaveInnermost()
     if (focused && focused != m_viewport && focused->hasFocus())
         m_viewport->setFocus(Qt::OtherFocusReason);
     else if (m_help->isVisible())
-        toggleHelp();
+        m_help->hide();
     else if (m_look.presentation)
         setPresentation(false);
     else if (m_motion->motion())
@@ -61,6 +61,8 @@ void MainWindow::leaveInnermost()
 
 void MainWindow::toggleHelp()
 {
+    if (m_help->isVisible() && m_help->turnPage())
+        return;
     m_help->setVisible(!m_help->isVisible());
     syncHelp();
 }

@@ -149,8 +149,10 @@ void MainWindow::syncCompareBar()
                                                        : Full);
     const bool hasBar = m_truth->comparison().view() != CompareView::Off || m_truth->referee().isOn();
     m_canvasHeader->setVisible(!isAlone || !hasBar);
-    const int height = isAlone ? std::max(bar.sizeHint().height(), m_canvasHeader->sizeHint().height()) : 0;
-    for (QWidget* row : {static_cast<QWidget*>(&bar), static_cast<QWidget*>(&m_truth->refereeBar()), m_canvasHeader})
+    RefereeBar& referee = m_truth->refereeBar();
+    const int line = m_truth->referee().isOn() ? referee.sizeHint().height() : bar.sizeHint().height();
+    const int height = isAlone ? std::max(line, m_canvasHeader->sizeHint().height()) : 0;
+    for (QWidget* row : {static_cast<QWidget*>(&bar), static_cast<QWidget*>(&referee), m_canvasHeader})
         row->setMinimumHeight(height);
 }
 

@@ -118,7 +118,7 @@ void MainWindow::connectLessons()
     });
 }
 
-/// While a question is open, what would answer it is not shown.
+/// What would answer a question is not shown while it is open, nor what the lens would tell before.
 void MainWindow::keepAnswersSecret()
 {
     const LessonPlayer& player = m_lessons->player();
@@ -129,7 +129,7 @@ void MainWindow::keepAnswersSecret()
     LensSecret secret;
     if (asked)
         secret.pixel.emplace(asked->x(), asked->y());
-    m_stepMode->setSecret(player.isAsking() ? std::optional(secret) : std::nullopt);
+    m_stepMode->setSecret(player.isAsking() || player.willAskForEdgeValue() ? std::optional(secret) : std::nullopt);
     m_cards->setSecret(asked);
     syncSoon(Words::OfPixel);
 }

@@ -235,7 +235,7 @@ Moment WindowMoment::present() const
     moment.pixel = viewport.selectedPixel();
     if (!viewport.isFitted()) {
         moment.zoom = viewport.transform().zoom;
-        moment.centre = viewport.transform().toImage(QRectF(viewport.rect()).center());
+        moment.centre = viewport.transform().toImage(viewport.middle());
     }
     moment.panels = presentPanels();
     moment.overlays = presentOverlays();
