@@ -318,10 +318,10 @@ private Q_SLOTS:
         QTest::addColumn<QString>("panel");
         QTest::addColumn<QSize>("size");
         QTest::addColumn<bool>("below");
-        for (const char* panel : {"cases", "experiment"})
+        for (const QString& panel : {QStringLiteral("cases"), QStringLiteral("experiment")})
             for (const auto& [size, below] :
                  {std::pair(QSize(1024, 768), false), {QSize(1280, 800), false}, {QSize(1440, 960), true}})
-                QTest::addRow("%s %d", panel, size.width()) << QString::fromLatin1(panel) << size << below;
+                QTest::addRow("%s %d", qPrintable(panel), size.width()) << panel << size << below;
     }
     void panelsLeaveTheCanvasItsRoom()
     {
