@@ -21,6 +21,8 @@ Settings randomSettings(Random& random, Settings settings)
     settings.threads = integer(random, 0, 4);
     if (integer(random, 0, 3) > 0) // the other rules need one algorithm, one number type and one sample a pixel
         settings.coverageRule = CoverageRule::Centre;
+    if (dividedEvery(settings.interpolation) > 1 && integer(random, 0, 3) > 0) // one algorithm has it
+        settings.interpolation = Interpolation::Perspective;
     settings.size = {integer(random, 1, 60), integer(random, 1, 60)};
     return settings;
 }
