@@ -12,8 +12,8 @@ namespace rasterlens
 ///
 /// out     false: `stop` was requested in between, and there are fewer values
 /// errors  throws std::bad_alloc
-template <class T>
-bool assignInPieces(std::vector<T>& values, std::size_t count, T value, const std::stop_token& stop)
+template <class T, class Allocator>
+bool assignInPieces(std::vector<T, Allocator>& values, std::size_t count, T value, const std::stop_token& stop)
 {
     constexpr std::size_t kPiece = std::size_t(1) << 22;
     values.clear();

@@ -157,7 +157,7 @@ FrameHistory::Packed FrameHistory::pack(const FramePlanes& planes, std::size_t r
     const SampleRuns& layout = planes.layout;
     const std::size_t count = layout.length(run) * layout.frames;
     Packed packed;
-    FramePlanes::forEach(planes, [&]<class T>(const std::vector<T>& plane) {
+    FramePlanes::forEach(planes, [&]<class T>(const FramePlanes::Plane<T>& plane) {
         if (layout.frames == 1) {
             packed.add(std::span(plane).subspan(layout.first(run), count));
             return;
@@ -172,7 +172,7 @@ FrameHistory::Packed FrameHistory::pack(const FramePlanes& planes, std::size_t r
 void FrameHistory::unpack(const std::byte* from, FramePlanes& planes, std::size_t run, bool isFirstOnly)
 {
     const SampleRuns layout = planes.layout;
-    FramePlanes::forEach(planes, [&]<class T>(std::vector<T>& plane) {
+    FramePlanes::forEach(planes, [&]<class T>(FramePlanes::Plane<T>& plane) {
         from = RunOfPlane<T>{plane.data() + layout.first(run), layout.length(run), layout, isFirstOnly}.unpack(from);
     });
 }
@@ -271,15 +271,25 @@ void FrameHistory::seal()
     m_isTouched = {};
 }
 
+void FrameHistory::makeCleared(FramePlanes& planes) const
+{
+    const SampleRuns& layout = m_clear.layout;
+    const std::uint32_t turn = planes.turn;
+    planes = m_clear;
+    FramePlanes::forEach(planes, [&](auto& plane) {
+        const auto clear = plane.front();
+        plane.resize(layout.frame * layout.frames);
+        std::fill_n(plane.begin(), layout.areLeftPacked() ? layout.frame : plane.size(), clear);
+    });
+    planes.turn = turn;
+    planes.runs.assign(layout.count(), {0, turn, layout.areLeftPacked()});
+}
+
 void FrameHistory::restore(std::uint32_t moment, FramePlanes& planes) const
 {
     const SampleRuns& layout = m_clear.layout;
-    if (planes.runs.size() != layout.count()) {
-        planes = m_clear;
-        const std::size_t count = layout.frame * layout.frames;
-        FramePlanes::forEach(planes, [&](auto& plane) { plane.resize(count, plane.front()); });
-        planes.runs.resize(layout.count());
-    }
+    if (planes.runs.size() != layout.count())
+        makeCleared(planes);
     planes.history = this;
     constexpr std::size_t kRunsOfThread = 1024; // at least
     inParallel(layout.count(), kRunsOfThread,
@@ -296,9 +306,8 @@ void FrameHistory::restoreRuns(std::uint32_t moment, FramePlanes& planes, std::s
         const std::uint32_t version = id == m_first[run] ? 0 : id;
         if (planes.runs[run].version == version)
             continue;
-        const bool staysPacked = layout.frames > 1 && layout.hasPixels;
-        planes.runs[run] = {version, planes.turn, staysPacked};
-        unpack(bytesOf(version), planes, run, staysPacked);
+        planes.runs[run] = {version, planes.turn, layout.areLeftPacked()};
+        unpack(bytesOf(version), planes, run, layout.areLeftPacked());
     }
 }
 

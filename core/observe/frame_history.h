@@ -80,6 +80,8 @@ private:
         return version == 0 ? m_cleared.bytes.data() : m_bytes.data() + m_sealed[version - 1].at;
     }
     friend void FramePlanes::unpack(std::size_t run);
+    /// Makes empty planes those of the cleared frame, of which they are restored.
+    void makeCleared(FramePlanes& planes) const;
     /// restore() of the runs [first, last).
     void restoreRuns(std::uint32_t moment, FramePlanes& planes, std::size_t first, std::size_t last) const;
     /// Stores bytes; where.

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/unfilled.h"
 #include "core/observe/step_log.h"
 #include "core/scene/scene.h"
 
@@ -28,6 +29,8 @@ struct SampleRuns {
     [[nodiscard]] std::size_t count() const { return (frame + (std::size_t(1) << shift) - 1) >> shift; }
     /// The first sample of a run, in the first frame.
     [[nodiscard]] std::size_t first(std::size_t run) const { return run << shift; }
+    /// Runs are unpacked when somebody asks for their samples (FramePlanes::make()).
+    [[nodiscard]] bool areLeftPacked() const { return frames > 1 && hasPixels; }
     /// How many samples of each frame a run has.
     [[nodiscard]] std::size_t length(std::size_t run) const
     {
@@ -40,6 +43,9 @@ class FrameHistory;
 /// All samples of a frame at one moment, in the order they are stored. Planes that the rules do not call for are empty.
 struct FramePlanes {
     static constexpr std::uint32_t kNoVersion = 0xffffffff; ///< Run::version
+    /// Samples of packed runs need not have been written.
+    template <class T>
+    using Plane = std::vector<T, UnfilledAllocator<T>>;
     /// What is known of a run of samples.
     struct Run {
         std::uint32_t version = 0; ///< of a FrameHistory, if the run is still as it was restored; 0 as it was cleared
@@ -48,11 +54,11 @@ struct FramePlanes {
         bool isPacked = false;
     };
 
-    std::vector<std::uint32_t> color; ///< 0xffRRGGBB as it is shown: with overdraw, the colour of the count
-    std::vector<float> depth;
-    std::vector<std::uint16_t> coverCount; ///< overdraw only: how often the sample was covered
-    std::vector<float> ownDepth;           ///< rules.depthPerPixel only: the depth last written for this sample alone
-    std::vector<std::int32_t> owners;      ///< the face drawn last, -1 none
+    Plane<std::uint32_t> color; ///< 0xffRRGGBB as it is shown: with overdraw, the colour of the count
+    Plane<float> depth;
+    Plane<std::uint16_t> coverCount; ///< overdraw only: how often the sample was covered
+    Plane<float> ownDepth;           ///< rules.depthPerPixel only: the depth last written for this sample alone
+    Plane<std::int32_t> owners;      ///< the face drawn last, -1 none
     SampleRuns layout;
     std::vector<Run> runs;  ///< layout.count()
     std::uint32_t turn = 0; ///< counts what is told apart by Run::turn

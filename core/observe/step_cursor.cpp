@@ -42,23 +42,34 @@ using Known = std::integral_constant<std::size_t, kValue>;
 
 } // namespace
 
-StepCursor::StepCursor(std::shared_ptr<const StepLog> log) : m_log(std::move(log)) { clear(); }
+StepCursor::StepCursor(std::shared_ptr<const StepLog> log) : m_log(std::move(log))
+{
+    clearPicture();
+    clearPlanes();
+}
 
 StepCursor::StepCursor(std::shared_ptr<const StepRecord> record)
     : m_record(std::move(record)), m_log(m_record->emptyWindow())
 {
-    clear();
-    if (size() == 0)
+    clearPicture();
+    m_planes.turn = 1;
+    if (size() == 0) {
+        clearPlanes();
         return;
-    openWindow(0);
+    }
+    openWindow(0); // the record makes the planes
     moveTo(0);
 }
 
-void StepCursor::clear()
+void StepCursor::clearPicture()
 {
     const int grid = m_log->grid();
     m_image = QImage(m_log->columns() / grid, m_log->rows() / grid, QImage::Format_RGB32);
     m_image.fill(m_log->clear().color);
+}
+
+void StepCursor::clearPlanes()
+{
     m_planes = clearedPlanes(m_log->rules(), m_log->clear(), true, {});
     m_planes.turn = 1;
     touchAll();

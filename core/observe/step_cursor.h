@@ -111,7 +111,9 @@ private:
     /// The log holds the event before the position.
     [[nodiscard]] bool isInLog(std::size_t position) const;
     void openWindow(std::size_t position);
-    void clear();
+    void clearPicture();
+    /// Makes the planes of the cleared frame without a record.
+    void clearPlanes();
     /// All pixels are to be made anew.
     void touchAll();
     /// Makes pixels of the samples that this move has changed.
