@@ -6,8 +6,8 @@
 namespace rasterlens
 {
 
-/// The allocator of a vector whose resize(count) gives new elements no value: memory of megabytes that nobody writes
-/// takes no room in the machine. Read no element before it is written.
+/// The allocator of a vector whose resize(count) gives new elements no value: of megabytes of them, those that are
+/// never written take no room in the machine. Read no element before it is written.
 template <class T>
 struct UnfilledAllocator : std::allocator<T> {
     template <class Other>

@@ -29,7 +29,7 @@ struct SampleRuns {
     [[nodiscard]] std::size_t count() const { return (frame + (std::size_t(1) << shift) - 1) >> shift; }
     /// The first sample of a run, in the first frame.
     [[nodiscard]] std::size_t first(std::size_t run) const { return run << shift; }
-    /// Runs are unpacked when somebody asks for their samples (FramePlanes::make()).
+    /// Runs are unpacked when their samples are asked for (FramePlanes::make()).
     [[nodiscard]] bool areLeftPacked() const { return frames > 1 && hasPixels; }
     /// How many samples of each frame a run has.
     [[nodiscard]] std::size_t length(std::size_t run) const
