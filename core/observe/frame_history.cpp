@@ -189,6 +189,24 @@ void FrameHistory::takeColors(const FramePlanes& planes, std::size_t run, std::s
     RunOfPlane<std::uint32_t>{colors.data(), colors.size(), flat}.unpack(bytesOf(planes.runs[run].version));
 }
 
+bool FrameHistory::takePixelColors(const FramePlanes& planes, std::size_t run, std::span<std::uint32_t> colors) const
+{
+    const std::size_t frames = m_clear.layout.frames;
+    const std::byte* from = bytesOf(planes.runs[run].version);
+    const std::size_t stretches = taken<std::uint8_t>(from);
+    const std::byte* ends = from + stretches * sizeof(std::uint32_t);
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < stretches; ++i) {
+        const std::size_t end = i + 1 < stretches ? taken<std::uint8_t>(ends) : colors.size() * frames;
+        if (end % frames != 0)
+            return false;
+        std::fill(colors.begin() + std::ptrdiff_t(begin / frames), colors.begin() + std::ptrdiff_t(end / frames),
+                  taken<std::uint32_t>(from));
+        begin = end;
+    }
+    return stretches > 0;
+}
+
 std::size_t FrameHistory::store(std::span<const std::byte> bytes)
 {
     if (m_end % kBlock + bytes.size() > kBlock || m_end == m_blocks.size() * kBlock)

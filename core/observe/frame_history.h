@@ -40,6 +40,11 @@ public:
     void restore(std::uint32_t moment, FramePlanes& planes) const;
     /// The colours of a packed run as they are at the moment that the planes were restored to, pixel by pixel.
     void takeColors(const FramePlanes& planes, std::size_t run, std::span<std::uint32_t> colors) const;
+    /// The same where all samples of each of its pixels have one colour: a colour a pixel.
+    ///
+    /// out  false: they have not, and the colours say nothing
+    [[nodiscard]] bool takePixelColors(const FramePlanes& planes, std::size_t run,
+                                       std::span<std::uint32_t> colors) const;
     /// The memory of what is kept.
     [[nodiscard]] std::size_t bytes() const
     {

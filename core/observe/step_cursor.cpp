@@ -166,12 +166,25 @@ void StepCursor::writePackedMeans(std::size_t run, RowRange range, int place, QR
 {
     const SampleRuns& layout = m_planes.layout;
     std::array<std::uint32_t, SampleRuns::kMostSamples> colors;
+    const auto pixels = std::size_t(range.right - range.left + 1);
+    if (m_planes.history->takePixelColors(m_planes, run, std::span(colors).first(layout.length(run)))) {
+        for (std::size_t i = 0; i < pixels; ++i)
+            line[std::size_t(range.left) + i] = 0xff000000U | colors[std::size_t(place) + i];
+        return;
+    }
     m_planes.history->takeColors(m_planes, run, std::span(colors).first(layout.length(run) * layout.frames));
     PixelSamples samples; // of the first pixel
     for (std::size_t i = 0; i < layout.frames; ++i)
         samples[i] = colors.data() + std::size_t(place) * layout.frames + i;
-    writeLine(samples, std::size_t(range.right - range.left + 1), m_log->rules().resolveLight, line + range.left,
-              layout.frames, layout.frames);
+    const auto write = [&](auto frames) {
+        writeLine(samples, pixels, m_log->rules().resolveLight, line + range.left, frames, frames);
+    };
+    if (layout.frames == 4)
+        write(Known<4>());
+    else if (layout.frames == 8)
+        write(Known<8>());
+    else
+        write(layout.frames);
 }
 
 void StepCursor::writeMadeMeans(int y, RowRange range, QRgb* line) const
