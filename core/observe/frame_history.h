@@ -40,7 +40,7 @@ public:
     void restore(std::uint32_t moment, FramePlanes& planes) const;
     /// The colours of a packed run as they are at the moment that the planes were restored to, pixel by pixel.
     void takeColors(const FramePlanes& planes, std::size_t run, std::span<std::uint32_t> colors) const;
-    /// The same where all samples of each of its pixels have one colour: a colour a pixel.
+    /// Colours of a packed run in which all samples of each pixel have one colour: a colour a pixel.
     ///
     /// out  false: they have not, and the colours say nothing
     [[nodiscard]] bool takePixelColors(const FramePlanes& planes, std::size_t run,
