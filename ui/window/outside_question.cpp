@@ -5,6 +5,7 @@
 #include "ui/document/document.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
@@ -20,7 +21,7 @@ QString listed(const QStringList& files)
 {
     QStringList lines;
     for (const QString& file : files.mid(0, kShown))
-        lines << readablePath(file);
+        lines << readablePath(QDir::cleanPath(file));
     if (files.size() > kShown)
         lines << QCoreApplication::translate("OutsideQuestion", "and %1 more").arg(files.size() - kShown);
     return lines.join(QLatin1Char('\n'));
