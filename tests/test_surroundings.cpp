@@ -1,17 +1,11 @@
-// The window's program in odd surroundings: without fonts, without a home, with settings that are damaged or of a newer
-// version, and twice at once.
-#include <QDir>
+// The window's program in odd surroundings: without fonts, without a home or with one that cannot be written.
 #include <QFile>
 #include <QFileInfo>
 #include <QImage>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
-#include <csignal>
 #include <memory>
 #include <vector>
 
@@ -56,56 +50,6 @@ class TestSurroundings : public QObject
         process->setProcessChannelMode(QProcess::MergedChannels);
         process->start(QStringLiteral(RASTERLENS), words);
         return process;
-    }
-
-    /// Whether the program has come so far that it ends in order when it is told to.
-    static bool hearsSignals(const QProcess& process)
-    {
-        QFile status(QStringLiteral("/proc/%1/status").arg(process.processId()));
-        if (!status.open(QIODevice::ReadOnly))
-            return false;
-        for (const QByteArray& line : status.readAll().split('\n'))
-            if (line.startsWith("SigCgt:"))
-                return ((line.mid(7).trimmed().toULongLong(nullptr, 16) >> (SIGTERM - 1)) & 1U) != 0;
-        return false;
-    }
-
-    /// Runs a window until it hears signals, ends it, and says what went wrong.
-    static QString ended(QProcess& process)
-    {
-        if (!QTest::qWaitFor([&] { return process.state() == QProcess::NotRunning || hearsSignals(process); },
-                             kPatienceMs))
-            return QStringLiteral("it did not start");
-        if (process.state() == QProcess::NotRunning)
-            return QStringLiteral("it ended by itself: ") + QString::fromUtf8(process.readAll());
-        QTest::qWait(100); // signals are held for a moment while it looks whether files can be written
-        if (!QTest::qWaitFor([&] { return hearsSignals(process); }, kPatienceMs))
-            return QStringLiteral("it does not hear signals");
-        ::kill(static_cast<pid_t>(process.processId()), SIGTERM);
-        if (!process.waitForFinished(kPatienceMs))
-            return QStringLiteral("it did not end");
-        if (process.exitStatus() != QProcess::NormalExit || process.exitCode() != 128 + SIGTERM)
-            return QStringLiteral("exit code %1: ").arg(process.exitCode()) + QString::fromUtf8(process.readAll());
-        return {};
-    }
-
-    [[nodiscard]] QString settingsFile() const
-    {
-        return path(QStringLiteral("XDG_CONFIG_HOME/RasterLens/RasterLens.json"));
-    }
-
-    void writeSettings(const QByteArray& bytes) const
-    {
-        QDir().mkpath(QFileInfo(settingsFile()).path());
-        QFile file(settingsFile());
-        if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
-            qFatal("the settings cannot be written");
-    }
-
-    [[nodiscard]] QJsonObject settings() const
-    {
-        QFile file(settingsFile());
-        return file.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(file.readAll()).object() : QJsonObject();
     }
 
 private Q_SLOTS:
@@ -163,57 +107,6 @@ private Q_SLOTS:
         const QByteArray said = picture->readAll();
         QVERIFY2(picture->exitStatus() == QProcess::NormalExit && picture->exitCode() == 0, said.constData());
         QCOMPARE(QImage(path(QStringLiteral("w.png"))).size(), QSize(1440, 900));
-        const auto window = start({QStringLiteral("builtin:cube")}, environment);
-        QCOMPARE(ended(*window), QString());
-    }
-
-    void damagedSettingsAreLikeNone_data()
-    {
-        QTest::addColumn<QByteArray>("text");
-        QTest::newRow("empty") << QByteArray("");
-        QTest::newRow("cut off") << QByteArray("{\"window/dark\": tr");
-        QTest::newRow("no JSON") << QByteArray("\0\xff\x80 garbage\n", 12);
-        QTest::newRow("a list") << QByteArray("[1, 2]");
-        QTest::newRow("deep") << QByteArray(100000, '[');
-    }
-
-    void damagedSettingsAreLikeNone()
-    {
-        QFETCH(QByteArray, text);
-        writeSettings(text);
-        const auto window = start({QStringLiteral("builtin:cube")}, usual());
-        QCOMPARE(ended(*window), QString());
-        QVERIFY2(!settings().isEmpty(), "they are written anew");
-    }
-
-    void settingsOfOtherKinds_data()
-    {
-        QTest::addColumn<QJsonValue>("value");
-        QTest::newRow("null") << QJsonValue();
-        QTest::newRow("number") << QJsonValue(-1e300);
-        QTest::newRow("text") << QJsonValue(QString(5000, QLatin1Char('x')));
-        QTest::newRow("list") << QJsonValue(QJsonArray{1, QJsonObject{}, QStringLiteral("builtin:none")});
-        QTest::newRow("bytes") << QJsonValue(QJsonObject{{QStringLiteral("base64"), QStringLiteral("AAAA////")}});
-        QTest::newRow("object") << QJsonValue(QJsonObject{{QStringLiteral("a"), QJsonArray{}}});
-    }
-
-    /// As a newer version might keep them: every key with a value of another kind, and one that this version lacks,
-    /// which stays.
-    void settingsOfOtherKinds()
-    {
-        QFETCH(QJsonValue, value);
-        const auto first = start({QStringLiteral("builtin:cube")}, usual());
-        QCOMPARE(ended(*first), QString());
-        QJsonObject kept = settings();
-        QVERIFY(kept.size() >= 3);
-        const QStringList keys = kept.keys();
-        for (const QString& key : keys)
-            kept[key] = value;
-        kept[QStringLiteral("window/of-a-newer-version")] = QStringLiteral("stays");
-        writeSettings(QJsonDocument(kept).toJson());
-        const auto second = start({}, usual());
-        QCOMPARE(ended(*second), QString());
-        QCOMPARE(settings()[QStringLiteral("window/of-a-newer-version")].toString(), QStringLiteral("stays"));
     }
 
     void screenshotsLeaveDevicesAlone()
@@ -231,16 +124,6 @@ private Q_SLOTS:
         QVERIFY(piped->waitForFinished(kPatienceMs));
         QVERIFY(piped->readAll().startsWith("\x89PNG"));
         QVERIFY(!QFile::exists(path(QStringLiteral("-"))));
-    }
-
-    /// Both write the same settings when they end.
-    void twoAtOnce()
-    {
-        const auto one = start({QStringLiteral("builtin:cube")}, usual());
-        const auto two = start({QStringLiteral("builtin:tile-square")}, usual());
-        QCOMPARE(ended(*one), QString());
-        QCOMPARE(ended(*two), QString());
-        QVERIFY(!settings().isEmpty());
     }
 };
 
