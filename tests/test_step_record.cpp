@@ -354,7 +354,8 @@ void TestStepRecord::beginningIsTheBeginningOfTheWhole()
         const Settings settings = draws.settings(*scene);
         StepFilter filter = draws.filter(*scene, settings.size);
         const auto whole = recordSteps(scene, settings, filter, {}, kLittle);
-        filter.cap = 1 + draws.below(2 * whole->size());
+        // Every other one is cut off, if it has any length; of the rest some are.
+        filter.cap = 1 + draws.below(i % 2 == 0 ? std::max<std::size_t>(1, whole->size() / 2) : 2 * whole->size());
         const auto beginning = recordBeginning(scene, settings, filter);
         const QByteArray what = QStringLiteral("%1 of seed %2, %3").arg(i).arg(seed).arg(scene->id).toUtf8();
         QVERIFY2(beginning->truncated() == (filter.cap < whole->size() - 1),
