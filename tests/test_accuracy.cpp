@@ -156,10 +156,8 @@ void TestAccuracy::depthsAndColors()
     const Worst worst = measure(settings, kShapes[shape], ratio);
     QVERIFY(worst.samples > 500);
     QVERIFY(worst.depthUlps <= 2);
-    // Without perspective tiled rounds the slopes of colours, as core/tiled/gouraud-inl.h tells.
-    const bool hasRoundedSlopes = settings.algorithm == Algorithm::Tiled && ratio == 1;
     if (ratio <= 100)
-        QVERIFY(worst.colorSteps <= (hasRoundedSlopes ? 0.57 : 0.51));
+        QVERIFY(worst.colorSteps <= 0.51);
 }
 
 QTEST_APPLESS_MAIN(TestAccuracy)

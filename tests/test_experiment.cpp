@@ -224,7 +224,7 @@ void TestExperiment::exactVariantsHaveNoError()
         QCOMPARE(row.error.coverage->wrong(), 0U);
         QVERIFY2(row.error.depth->max < (s.depthFormat == DepthFormat::Unorm16 ? 1.0 / 0xffff : 1e-7), qPrintable(id));
         if (s.interpolation == Interpolation::Perspective && s.samples == Samples::One)
-            QVERIFY2(row.error.color->max <= (s.algorithm == Algorithm::Tiled ? 0.57 : 0.51), qPrintable(id));
+            QVERIFY2(row.error.color->max <= 0.51, qPrintable(id));
     }
 }
 

@@ -42,27 +42,27 @@ struct alignas(64) SetupQueue {
 /// Corners of a batch of faces.
 struct alignas(64) FaceBatch {
     std::array<std::array<ScreenXY, kFaceBatch>, 3> position;
-    std::array<std::array<double, kFaceBatch>, 3> depth;
+    const std::uint32_t* indices;
     std::array<ScreenPoint, 3 * kFaceBatch> corners; ///< where the frame keeps none
+
+    HWY_INLINE const ScreenPoint& point(const FrameJob& job, std::size_t face, std::size_t corner) const
+    {
+        const std::size_t at = 3 * face + corner;
+        return job.points != nullptr ? job.points[indices[at]] : corners[at];
+    }
 };
 
 HWY_INLINE void GatherFaces(const FrameJob& job, std::uint32_t first, std::uint32_t count, FaceBatch& batch)
 {
-    const std::uint32_t* indices = job.scene->mesh.indices.data() + 3 * std::size_t(first);
+    batch.indices = job.scene->mesh.indices.data() + 3 * std::size_t(first);
     if (job.points == nullptr)
-        ProcessCorners(job, indices, 3 * std::size_t(count), batch.corners.data());
+        ProcessCorners(job, batch.indices, 3 * std::size_t(count), batch.corners.data());
     for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t at = 3 * i + k;
-            const ScreenPoint& point = job.points != nullptr ? job.points[indices[at]] : batch.corners[at];
-            batch.position[k][i] = point.position;
-            batch.depth[k][i] = point.depth;
-        }
+        for (std::size_t k = 0; k < 3; ++k)
+            batch.position[k][i] = batch.point(job, i, k).position;
     for (std::size_t i = count; i < kFaceBatch && i % kDoubles != 0; ++i)
-        for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t k = 0; k < 3; ++k)
             batch.position[k][i] = {0, 0};
-            batch.depth[k][i] = 0;
-        }
 }
 
 /// What becomes of the faces in the lanes of a vector, a bit each.
@@ -97,38 +97,6 @@ HWY_INLINE FaceVerdicts JudgeFaces(const FrameJob& job, const FaceBatch& batch, 
     verdicts.front = BitsOf(wide, hn::Gt(hn::Mul(area, hn::Set(wide, rules.frontSign)), hn::Zero(wide)));
     verdicts.holdsSamples = ~BitsOf(tag, hn::Or(hn::Lt(columns.last, columns.first), hn::Lt(rows.last, rows.first)));
     return verdicts;
-}
-
-/// Appends faces of a vector of a batch, a bit each. Whole vectors may be written: the queue has room for one more.
-HWY_INLINE void QueueFaces(const FaceBatch& batch, std::uint32_t firstFace, std::size_t at, std::uint32_t lanes,
-                           SetupQueue& queue)
-{
-#if HWY_TARGET <= HWY_AVX3
-    // Without a loop, whose end would be guessed wrong. Not hn::Compress(), whose table of 2 KB GCC copies each time.
-    const auto mask = static_cast<__mmask8>(lanes);
-    const auto append = [&](const auto* from, auto* to) HWY_ATTR {
-        _mm512_storeu_si512(to + queue.count, _mm512_maskz_compress_epi64(mask, _mm512_load_si512(from + at)));
-    };
-    for (std::size_t k = 0; k < 3; ++k) {
-        append(batch.position[k].data(), queue.position[k].data());
-        append(batch.depth[k].data(), queue.depth[k].data());
-    }
-    constexpr hn::RebindToUnsigned<HalfIntTag> tag;
-    const auto faces =
-        hn::Add(hn::LoadU(tag, kPattern.place.data()), hn::Set(tag, static_cast<std::uint32_t>(firstFace + at)));
-    hn::StoreU(hn::Compress(faces, MaskOf(tag, lanes)), tag, queue.source.data() + queue.count);
-    queue.count += static_cast<std::size_t>(std::popcount(lanes));
-#else
-    for (; lanes != 0; lanes &= lanes - 1) {
-        const std::size_t i = at + static_cast<std::size_t>(std::countr_zero(lanes));
-        const std::size_t slot = queue.count++;
-        for (std::size_t k = 0; k < 3; ++k) {
-            queue.position[k][slot] = batch.position[k][i];
-            queue.depth[k][slot] = batch.depth[k][i];
-        }
-        queue.source[slot] = static_cast<std::uint32_t>(firstFace + i);
-    }
-#endif
 }
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE

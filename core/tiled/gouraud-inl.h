@@ -133,24 +133,49 @@ HWY_INLINE Uints HeldColor(const ColorPlanes& planes, int x, int y, std::size_t 
     return squares.held(0, lane);
 }
 
-/// Colours of ColorWay::Affine of a vector of samples, two channels to a number, in 2^-8 of a step modulo 256 steps:
-/// red and blue, alpha and green.
+/// Colours of ColorWay::Affine of 16 samples, two channels to a number, in 2^-8 of a step: red and blue, alpha and
+/// green. Adding two ChannelPairs gives a valid ChannelPairs: no channel carries into the other.
 struct ChannelPairs {
-    Uints redBlue;
-    Uints alphaGreen;
+    Ints redBlue;
+    Ints alphaGreen;
 };
-
-HWY_INLINE ChannelPairs Add(const ChannelPairs& a, const ChannelPairs& b)
-{
-    return {AddHalves(a.redBlue, b.redBlue), AddHalves(a.alphaGreen, b.alphaGreen)};
-}
 
 HWY_INLINE Uints ColorOf(const ChannelPairs& pairs)
 {
-    return hn::OrAnd(UpperBytes(pairs.redBlue), pairs.alphaGreen, hn::Set(UintTag(), 0xff00ff00U));
+    constexpr UintTag tag;
+    return hn::OrAnd(UpperBytes(hn::BitCast(tag, pairs.redBlue)), hn::BitCast(tag, pairs.alphaGreen),
+                     hn::Set(tag, 0xff00ff00U));
 }
 
-/// Opaque alpha plus half a step: what greens lose below 0 they borrow from it.
+/// What a triangle's channels change by from lane to lane, in the units of its planes.
+struct ColorSlopes {
+    std::array<std::array<Ints, kVectors>, 3> channel;
+};
+
+HWY_INLINE ColorSlopes SpreadColors(const ColorPlanes& planes)
+{
+    constexpr IntTag tag;
+    ColorSlopes slopes;
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        const Ints x = hn::Load(tag, kPattern.x.data() + v * kPerVector);
+        const Ints y = hn::Load(tag, kPattern.y.data() + v * kPerVector);
+        for (std::size_t i = 0; i < 3; ++i)
+            slopes.channel[i][v] =
+                hn::Add(hn::Mul(x, hn::Set(tag, planes.perX[i + 1])), hn::Mul(y, hn::Set(tag, planes.perY[i + 1])));
+    }
+    return slopes;
+}
+
+/// From the first sample of a block to the others.
+HWY_INLINE ChannelPairs PairsInBlock(const ColorSlopes& slopes, std::size_t v)
+{
+    constexpr IntTag tag;
+    const auto& [red, green, blue] = slopes.channel;
+    const Ints high = hn::Set(tag, static_cast<std::int32_t>(0xffff0000U));
+    return {hn::Add(hn::And(red[v], high), hn::ShiftRight<16>(blue[v])), hn::ShiftRight<16>(green[v])};
+}
+
+/// Opaque alpha plus half a step, because a negative green borrows from it.
 constexpr std::uint32_t kOpaque = 0xff800000U;
 
 /// A channel of ColorWay::Affine at (x, y) relative to the anchor.
@@ -161,69 +186,28 @@ HWY_INLINE std::uint32_t ChannelAt(const ColorPlanes& planes, std::size_t channe
            bits(planes.perY[channel + 1]) * bits(y);
 }
 
-/// One ChannelPairs: what a lane has.
-struct ChannelPair {
-    std::uint32_t redBlue;
-    std::uint32_t alphaGreen;
-
-    /// The pair of channels that are in the units of the planes. Their lower halves are cut off.
-    static HWY_INLINE ChannelPair of(std::uint32_t red, std::uint32_t green, std::uint32_t blue)
-    {
-        return {(red & 0xffff0000U) | blue >> 16, kOpaque | green >> 16};
-    }
-};
-
-/// What colours of a triangle change by from sample to sample, rounded to 2^-8 of a step. From the first sample of a
-/// square of 16 x 16 to the others, by which colours are found, that loses at most 30 halves of it: 0.06 steps.
-struct ColorSlopes {
-    std::uint32_t redBluePerX, redBluePerY;
-    std::uint32_t green; ///< per column in the lower half, per row in the upper
-
-    explicit HWY_INLINE ColorSlopes(const ColorPlanes& planes)
-    {
-        constexpr std::uint32_t kUpper = 0xffff0000U;
-        const auto rounded = [](std::int32_t slope) { return static_cast<std::uint32_t>(slope) + 0x8000U; };
-        redBluePerX = (rounded(planes.perX[1]) & kUpper) | rounded(planes.perX[3]) >> 16;
-        redBluePerY = (rounded(planes.perY[1]) & kUpper) | rounded(planes.perY[3]) >> 16;
-        green = (rounded(planes.perY[2]) & kUpper) | rounded(planes.perX[2]) >> 16;
-    }
-
-    /// From the first sample of a block to the others.
-    HWY_INLINE ChannelPairs inBlock(std::size_t lane) const
-    {
-        constexpr UintTag tag;
-        const Uints alongX = MulHalves(hn::Load(tag, kPattern.xx.data() + lane), hn::Set(tag, redBluePerX));
-        const Uints alongY = MulHalves(hn::Load(tag, kPattern.yy.data() + lane), hn::Set(tag, redBluePerY));
-        const Ints greens = PairProducts(hn::Set(IntTag(), static_cast<std::int32_t>(green)),
-                                         hn::Load(IntTag(), kPattern.xy.data() + lane));
-        return {AddHalves(alongX, alongY), hn::BitCast(tag, greens)};
-    }
-};
-
-/// From the first of 4 x 4 blocks to the first samples of the others.
-HWY_INLINE ChannelPairs BetweenBlocks(const ChannelPairs& inBlock)
+/// At the first samples of 4 x 4 blocks, the first of them at (x, y) relative to the anchor.
+HWY_INLINE ChannelPairs PairsOfBlocks(const ColorPlanes& planes, const ColorSlopes& slopes, int x, int y, std::size_t v)
 {
-    return {QuadrupleHalves(inBlock.redBlue), QuadrupleHalves(inBlock.alphaGreen)};
+    constexpr UintTag tag;
+    const auto channel = [&](std::size_t i) HWY_ATTR {
+        return hn::Add(hn::ShiftLeft<2>(hn::BitCast(UintTag(), slopes.channel[i][v])),
+                       hn::Set(UintTag(), ChannelAt(planes, i, x, y)));
+    };
+    const Uints redBlue = hn::OrAnd(hn::ShiftRight<16>(channel(2)), channel(0), hn::Set(tag, 0xffff0000U));
+    const Uints alphaGreen = hn::Or(hn::ShiftRight<16>(channel(1)), hn::Set(tag, kOpaque));
+    return {hn::BitCast(IntTag(), redBlue), hn::BitCast(IntTag(), alphaGreen)};
 }
 
 /// ChannelPairs in memory.
 struct alignas(64) StoredPairs {
-    std::array<std::uint32_t, kLanes> redBlue;
-    std::array<std::uint32_t, kLanes> alphaGreen;
+    std::array<std::int32_t, kLanes> redBlue;
+    std::array<std::int32_t, kLanes> alphaGreen;
 
-    HWY_INLINE void store(const ChannelPairs& pairs, std::size_t lane)
+    HWY_INLINE void store(const ChannelPairs& pairs, std::size_t v)
     {
-        hn::Store(pairs.redBlue, UintTag(), redBlue.data() + lane);
-        hn::Store(pairs.alphaGreen, UintTag(), alphaGreen.data() + lane);
-    }
-    HWY_INLINE ChannelPairs load(std::size_t lane) const
-    {
-        return {hn::Load(UintTag(), redBlue.data() + lane), hn::Load(UintTag(), alphaGreen.data() + lane)};
-    }
-    /// One of them in all lanes.
-    HWY_INLINE ChannelPairs spread(std::size_t at) const
-    {
-        return {hn::Set(UintTag(), redBlue[at]), hn::Set(UintTag(), alphaGreen[at])};
+        hn::Store(pairs.redBlue, IntTag(), redBlue.data() + v * kPerVector);
+        hn::Store(pairs.alphaGreen, IntTag(), alphaGreen.data() + v * kPerVector);
     }
 };
 
@@ -234,70 +218,47 @@ struct ColorSquares {
     const ColorPlanes* planes;
     int x, y; ///< the first sample, relative to the anchor
 
-    HWY_INLINE void fill(const ColorPlanes& triangle, int firstX, int firstY)
+    HWY_INLINE void fill(const ColorPlanes& triangle, const ColorSlopes& slopes, int firstX, int firstY)
     {
-        const auto channel = [&](std::size_t i) HWY_ATTR { return ChannelAt(triangle, i, firstX, firstY); };
-        fillFrom(ChannelPair::of(channel(0), channel(1), channel(2)), triangle, firstX, firstY);
-    }
-    /// Blocks from the anchor of the triangle's record on, where the planes of affine colours begin.
-    HWY_INLINE void fillFromAnchor(const ColorPlanes& triangle, int firstX, int firstY)
-    {
-        const auto channel = [&](std::size_t i) HWY_ATTR { return static_cast<std::uint32_t>(triangle.origin[i + 1]); };
-        fillFrom(ChannelPair::of(channel(0), channel(1), channel(2)), triangle, firstX, firstY);
+        planes = &triangle;
+        x = firstX;
+        y = firstY;
+        for (std::size_t v = 0; v < kVectors; ++v) {
+            corners.store(PairsOfBlocks(triangle, slopes, firstX, firstY, v), v);
+            offsets.store(PairsInBlock(slopes, v), v);
+        }
     }
 
     /// Colours of the square-th block: the vector of samples that starts at `lane`. Not for ColorWay::Exact.
     HWY_INLINE Uints color(std::size_t square, std::size_t lane) const
     {
-        return HWY_LIKELY(planes->way == ColorWay::Affine) ? affineColor(square, lane) : perspectiveColor(square, lane);
-    }
-    HWY_INLINE Uints affineColor(std::size_t square, std::size_t lane) const
-    {
-        return ColorOf(Add(corners.spread(square), offsets.load(lane)));
-    }
-    HWY_INLINE Uints perspectiveColor(std::size_t square, std::size_t lane) const
-    {
-        const auto at = static_cast<int>(square);
-        return PerspectiveColor(*planes, x + at % 4 * kBlockSide, y + at / 4 * kBlockSide, lane);
-    }
-
-private:
-    HWY_INLINE void fillFrom(ChannelPair first, const ColorPlanes& triangle, int firstX, int firstY)
-    {
-        planes = &triangle;
-        x = firstX;
-        y = firstY;
-        const ColorSlopes slopes(triangle);
-        const ChannelPairs firsts{hn::Set(UintTag(), first.redBlue), hn::Set(UintTag(), first.alphaGreen)};
-        for (std::size_t lane = 0; lane < kLanes; lane += kPerVector) {
-            const ChannelPairs inBlock = slopes.inBlock(lane);
-            corners.store(Add(firsts, BetweenBlocks(inBlock)), lane);
-            offsets.store(inBlock, lane);
+        constexpr IntTag tag;
+        if (HWY_UNLIKELY(planes->way != ColorWay::Affine)) {
+            const auto at = static_cast<int>(square);
+            return PerspectiveColor(*planes, x + at % 4 * kBlockSide, y + at / 4 * kBlockSide, lane);
         }
+        return ColorOf(
+            {hn::Add(hn::Set(tag, corners.redBlue[square]), hn::Load(tag, offsets.redBlue.data() + lane)),
+             hn::Add(hn::Set(tag, corners.alphaGreen[square]), hn::Load(tag, offsets.alphaGreen.data() + lane))});
     }
 };
 
-/// Colours the samples of one block of a tile. Not for ColorWay::Exact.
+/// Colours the samples of one block whose first is at (x, y) of the target. Not for ColorWay::Exact.
 ///
-/// in     held: multi-sampling
-/// exact  counted from the same sample as where coverage colours the block at once: the first of its 4 x 4 blocks there
-inline HWY_NOINLINE Uints BlockColor(const ColorPlanes& planes, const TileTriangle& triangle, TileOrigin origin,
-                                     int block, std::size_t v, bool held)
+/// in   held: multi-sampling
+HWY_INLINE Uints BlockColor(const ColorPlanes& planes, int x, int y, std::size_t v, bool held)
 {
-    constexpr int kSquareSide = 4 * kBlockSide;
-    const int x = blockColumn(block) * kBlockSide;
-    const int y = blockRow(block) * kBlockSide;
-    const int toX = origin.x - planes.x0;
-    const int toY = origin.y - planes.y0;
     if (held)
-        return HeldColor(planes, toX + x, toY + y, v * kPerVector);
+        return HeldColor(planes, x - planes.x0, y - planes.y0, v * kPerVector);
     if (HWY_UNLIKELY(planes.way != ColorWay::Affine))
-        return PerspectiveColor(planes, toX + x, toY + y, v * kPerVector);
-    const int inX = (triangle.isLarge() ? x : x - triangle.anchorX()) & (kSquareSide - 1);
-    const int inY = (triangle.isLarge() ? y : y - triangle.anchorY()) & (kSquareSide - 1);
-    ColorSquares squares;
-    squares.fill(planes, toX + x - inX, toY + y - inY);
-    return squares.affineColor(static_cast<std::size_t>(inY + inX / kBlockSide), v * kPerVector);
+        return PerspectiveColor(planes, x - planes.x0, y - planes.y0, v * kPerVector);
+    constexpr IntTag tag;
+    const ChannelPairs offsets = PairsInBlock(SpreadColors(planes), v);
+    const auto channel = [&](std::size_t i) HWY_ATTR { return ChannelAt(planes, i, x - planes.x0, y - planes.y0); };
+    const std::uint32_t redBlue = (channel(0) & 0xffff0000U) | channel(2) >> 16;
+    const std::uint32_t alphaGreen = kOpaque | channel(1) >> 16;
+    return ColorOf({hn::Add(hn::Set(tag, static_cast<std::int32_t>(redBlue)), offsets.redBlue),
+                    hn::Add(hn::Set(tag, static_cast<std::int32_t>(alphaGreen)), offsets.alphaGreen)});
 }
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE

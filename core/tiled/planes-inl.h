@@ -218,8 +218,8 @@ HWY_INLINE PlaneSet ScreenPlanes(const WeightLanes<HalfFloats>& weights, const C
 /// Planes as ColorPlanes has them for ColorWay::Affine, as bits.
 HWY_INLINE PlaneSet AffinePlanes(const WeightLanes<HalfFloats>& weights, const ColorLanes3& colors)
 {
-    // Rounding to the nearest step, and what is lost on the average where 24 bits of fraction become 8.
-    constexpr double kRounding = 0x1p23 + 0x1p15;
+    // Rounding to the nearest step, and what is lost on the average where 24 bits of fraction become 8, twice.
+    constexpr double kRounding = 0x1p23 + 0x1p16;
     const auto fixed = [](HalfFloats steps, int rounded) HWY_ATTR {
         // Above 2^52 a double counts in ones: its lowest 32 bits are the number modulo 2^32.
         const Doubles sum =

@@ -207,10 +207,10 @@ inline void ShadeColors(const FrameJob& job, Worker& worker, TileOrigin origin)
             FinishShare(job, share, worker);
             continue;
         }
-        const TileTriangle& triangle = worker.triangle(visible.number);
+        const int x = origin.x + blockColumn(share.block) * kBlockSide;
+        const int y = origin.y + blockRow(share.block) * kBlockSide;
         for (std::size_t v = 0; v < kVectors; ++v)
-            BlendColor(BlockColor(planes, triangle, origin, share.block, v, job.pattern.isOn()), share, v,
-                       worker.samples);
+            BlendColor(BlockColor(planes, x, y, v, job.pattern.isOn()), share, v, worker.samples);
         FinishShare(job, share, worker);
     }
 }
