@@ -2,12 +2,14 @@
 """Times the tiled algorithm against Mesa's llvmpipe: passes of the two in turn, scene by scene.
 
 What disturbs the machine for a while then disturbs both; still, let it be quiet. The peer harness's llvmpipe_bench draws
-the same scenes with Mesa. Columns are the median of the passes' medians and the least frame of all, in ms.
+the same scenes with Mesa. Columns are the median of the passes' medians and the least frame of all, in ms; the ratio is the
+median of the ratios of the passes, each of two medians taken one after the other, then their least and their most.
 
     scripts/compare_llvmpipe.py --harness HARNESS/llvmpipe_bench --models MODELS
     scripts/compare_llvmpipe.py --harness HARNESS/llvmpipe_bench --threads 2 --mode tex --only large
 """
 import argparse
+import dataclasses
 import math
 import os
 import re
@@ -103,14 +105,41 @@ def tiled_pass(given, scene):
     return float(columns[1]), float(columns[3])
 
 
+@dataclasses.dataclass
+class Side:
+    """What one renderer took over all passes, ms."""
+
+    median: float  # of the medians of the passes
+    least: float  # frame of all
+
+
+@dataclasses.dataclass
+class Comparison:
+    """How many times as long llvmpipe takes as tiled."""
+
+    llvmpipe: Side
+    tiled: Side
+    ratios: list[float]  # pass by pass, ascending
+
+    @property
+    def ratio(self):
+        return statistics.median(self.ratios)
+
+    @property
+    def of_minima(self):
+        return self.llvmpipe.least / self.tiled.least
+
+
+def side_of(passes):
+    medians, minima = zip(*passes)
+    return Side(statistics.median(medians), min(minima))
+
+
 def compare(given, ours, theirs):
-    """The median of the medians and the least of the minima, of either side."""
+    """Passes of the two in turn."""
     passes = [(llvmpipe_pass(given, theirs), tiled_pass(given, ours)) for _ in range(given.passes)]
-    sides = []
-    for side in zip(*passes):
-        medians, minima = zip(*side)
-        sides.append((statistics.median(medians), min(minima)))
-    return sides
+    llvmpipe, tiled = zip(*passes)
+    return Comparison(side_of(llvmpipe), side_of(tiled), sorted(a[0] / b[0] for a, b in passes))
 
 
 def geometric_mean(ratios):
@@ -120,16 +149,18 @@ def geometric_mean(ratios):
 def main():
     given = arguments()
     print(f"{given.mode}, {given.size}, {given.threads} thread(s), {given.passes} passes of {given.frames} frames, ms")
-    print(f"{'':22} {'llvmpipe':>9} {'min':>9} {'tiled':>9} {'min':>9} {'ratio':>7} {'of min':>7}")
-    ratios = []
+    columns = (("llvmpipe", 9), ("min", 9), ("tiled", 9), ("min", 9), ("ratio", 7), ("least", 6), ("most", 6), ("of min", 7))
+    print(f"{'':22} " + " ".join(f"{name:>{width}}" for name, width in columns))
+    found = []
     for ours, theirs in scenes(given):
-        (median, least), (tiled_median, tiled_least) = compare(given, ours, theirs)
-        ratios.append((median / tiled_median, least / tiled_least))
-        times = f"{median:9.2f} {least:9.2f} {tiled_median:9.3f} {tiled_least:9.3f}"
-        print(f"{short_name(ours):22} {times} {ratios[-1][0]:7.2f} {ratios[-1][1]:7.2f}", flush=True)
-    if ratios:
-        of_medians, of_minima = map(geometric_mean, zip(*ratios))
-        print(f"{'geometric mean':22} {'':39} {of_medians:7.2f} {of_minima:7.2f}")
+        it = compare(given, ours, theirs)
+        found.append(it)
+        times = f"{it.llvmpipe.median:9.2f} {it.llvmpipe.least:9.2f} {it.tiled.median:9.3f} {it.tiled.least:9.3f}"
+        ratios = f"{it.ratio:7.2f} {it.ratios[0]:6.2f} {it.ratios[-1]:6.2f} {it.of_minima:7.2f}"
+        print(f"{short_name(ours):22} {times} {ratios}", flush=True)
+    if found:
+        means = [geometric_mean(getattr(it, name) for it in found) for name in ("ratio", "of_minima")]
+        print(f"{'geometric mean':22} {'':39} {means[0]:7.2f} {'':13} {means[1]:7.2f}")
 
 
 if __name__ == "__main__":

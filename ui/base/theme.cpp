@@ -137,7 +137,7 @@ StyleSheet styleSheetOf(const Look& look)
     return fillPlaceholders(QString::fromUtf8(file.readAll()), values);
 }
 
-void applyLook(QApplication& application, const Look& look)
+void applyPlainLook(QApplication& application, const Look& look)
 {
     application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QFont font;
@@ -145,7 +145,17 @@ void applyLook(QApplication& application, const Look& look)
     font.setPointSizeF(pointSizeOf(look));
     application.setFont(font);
     application.setPalette(paletteOf(look.kind));
+}
+
+void applyStyleSheet(QApplication& application, const Look& look)
+{
     application.setStyleSheet(styleSheetOf(look).text);
+}
+
+void applyLook(QApplication& application, const Look& look)
+{
+    applyPlainLook(application, look);
+    applyStyleSheet(application, look);
 }
 
 QFont numberFont(qreal pointDelta)

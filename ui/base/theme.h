@@ -32,6 +32,11 @@ struct Look {
 /// accent.
 void applyLook(QApplication& application, const Look& look);
 
+/// The two halves of applyLook(). A large window takes the style sheet once it is built: under a style sheet Qt goes
+/// through all children of a widget anew whenever the widget gets another parent.
+void applyPlainLook(QApplication& application, const Look& look);
+void applyStyleSheet(QApplication& application, const Look& look);
+
 /// Digits of equal width, at the application's size plus `pointDelta`.
 [[nodiscard]] QFont numberFont(qreal pointDelta = 0);
 

@@ -262,7 +262,7 @@ void ExperimentPanel::show()
 void ExperimentPanel::syncState()
 {
     m_run->setEnabled(true);
-    m_run->setText(isRunning() ? tr("Cancel") : tr("Measure"));
+    m_run->setText(runText());
     m_progress->setVisible(isRunning());
     m_export->setEnabled(!m_rows.empty());
 }
@@ -368,14 +368,23 @@ void ExperimentPanel::chooseFile(const QString& suffix)
     dialog->open();
 }
 
-void ExperimentPanel::retranslate()
+QString ExperimentPanel::runText() const { return isRunning() ? tr("Cancel") : tr("Measure"); }
+
+/// The button keeps its width whether it starts or cancels.
+void ExperimentPanel::keepRunWidth()
 {
-    int widest = 0; // so that the button keeps its width
+    int widest = 0;
     for (const QString& text : {tr("Cancel"), tr("Measure")}) {
         m_run->setText(text);
         widest = std::max(widest, m_run->sizeHint().width());
     }
     m_run->setMinimumWidth(widest);
+    m_run->setText(runText());
+}
+
+void ExperimentPanel::retranslate()
+{
+    keepRunWidth();
     m_withOthers->setText(tr("Other renderers"));
     m_withOthers->setToolTip(tr("Measures what draws by OpenGL on this machine as well: Mesa's software renderer, and "
                                 "graphics processors. The exact reference judges them as it judges ours."));
@@ -409,6 +418,8 @@ void ExperimentPanel::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslate();
+    else if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange)
+        keepRunWidth();
 }
 
 } // namespace rasterlens

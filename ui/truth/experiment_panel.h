@@ -89,6 +89,8 @@ private:
     void choose(int row);
     void chooseFile(const QString& suffix);
     void syncState();
+    [[nodiscard]] QString runText() const;
+    void keepRunWidth();
     void retranslate();
 
     Document& m_document;

@@ -74,11 +74,17 @@ QToolButton* canvasLink(QAction* action)
     return button;
 }
 
+/// A widget has the application's font from when it is made, so the look comes before the window.
+QWidget* afterPlainLook(QWidget* parent)
+{
+    applyPlainLook(*qApp, {});
+    return parent;
+}
+
 } // namespace
 
-MainWindow::MainWindow(Memory memory, QWidget* parent) : QMainWindow(parent), m_memory(memory)
+MainWindow::MainWindow(Memory memory, QWidget* parent) : QMainWindow(afterPlainLook(parent)), m_memory(memory)
 {
-    applyLook(*qApp, m_look);
     m_placement = new WindowPlacement(*this);
     m_placement->start({});
     setAcceptDrops(true);
@@ -94,6 +100,7 @@ MainWindow::MainWindow(Memory memory, QWidget* parent) : QMainWindow(parent), m_
     m_search = new ActionSearch(m_actions, *this);
     connectParts();
     buildFocus();
+    applyStyleSheet(*qApp, m_look);
     m_defaultState = saveState(kLayoutVersion);
     if (m_memory == Memory::Remember)
         restoreMemory();
