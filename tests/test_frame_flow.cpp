@@ -4,6 +4,7 @@
 #include "tests/window_fixture.h"
 #include "ui/base/dock.h"
 #include "ui/base/numbers.h"
+#include "ui/canvas/pixel_overlay.h"
 #include "ui/document/picture_memory.h"
 #include "ui/face/cards.h"
 #include "ui/face/clip_story.h"
@@ -21,6 +22,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QMimeData>
+#include <QPainter>
 #include <QSignalSpy>
 #include <QUrl>
 
@@ -206,6 +208,82 @@ private Q_SLOTS:
         QVERIFY(complete());
         QTest::qWait(50);
         QVERIFY2(paints.events <= 2, qPrintable(QString::number(paints.events)));
+    }
+
+    /// While the camera moves a picture is made smaller quickly, and once it rests anew, as ever.
+    void aMovingPictureIsScaledWellAtRest_data()
+    {
+        QTest::addColumn<QString>("algorithm");
+        QTest::newRow("tiled first") << QStringLiteral("edge-equation");
+        QTest::newRow("tiled alone") << QStringLiteral("tiled");
+    }
+
+    void aMovingPictureIsScaledWellAtRest()
+    {
+        QFETCH(QString, algorithm);
+        m_window->document().open(QStringLiteral("builtin:cube"));
+        QVERIFY(complete());
+        QVERIFY(change([&](Settings& s) {
+            s.size = viewport().size() * 3 / 2;
+            s.algorithm = algorithm == QLatin1String("tiled") ? Algorithm::Tiled : Algorithm::EdgeEquation;
+        }));
+        viewport().fit();
+        const double zoom = viewport().transform().zoom;
+        QVERIFY2(zoom >= 0.5 && zoom < 1, qPrintable(QString::number(zoom)));
+        std::vector<bool> moving;
+        const auto watch = connect(&viewport(), &ViewportWidget::frameShown, this,
+                                   [&](const FramePtr& frame) { moving.push_back(frame->moving); });
+        QVERIFY(change([](Settings& s) { s.view.yaw += 20; }));
+        QTRY_VERIFY(moving.size() >= 2);
+        disconnect(watch);
+        QVERIFY(moving.front());
+        QVERIFY(!moving.back());
+    }
+
+    /// Thin lines, small pictures of large ones, and whatever rests are means over areas.
+    void thinLinesAreNotScaledQuickly()
+    {
+        RenderedFrame frame;
+        frame.moving = true;
+        CanvasTransform transform;
+        transform.zoom = 0.6;
+        QVERIFY(isScaledQuickly(frame, transform));
+        frame.settings.fill = Fill::Wireframe;
+        QVERIFY(!isScaledQuickly(frame, transform));
+        frame.settings.fill = Fill::Solid;
+        for (const double zoom : {0.49, 1.0, 2.0}) {
+            transform.zoom = zoom;
+            QVERIFY(!isScaledQuickly(frame, transform));
+        }
+        transform.zoom = 0.6;
+        frame.moving = false;
+        QVERIFY(!isScaledQuickly(frame, transform));
+    }
+
+    /// The quick filter puts the picture where the mean over areas does: a field of equal pixels is as large.
+    void quickScalingKeepsThePlace()
+    {
+        RenderedFrame frame;
+        frame.frame.image = QImage(200, 40, QImage::Format_RGB32);
+        frame.frame.image.fill(Qt::black);
+        for (int y = 10; y < 30; ++y)
+            for (int x = 40; x < 160; ++x)
+                frame.frame.image.setPixel(x, y, 0xFFFFFFFF);
+        CanvasTransform transform;
+        transform.zoom = 0.6;
+        transform.origin = {7, 5};
+        QImage canvases[2] = {QImage(200, 40, QImage::Format_RGB32), QImage(200, 40, QImage::Format_RGB32)};
+        for (const bool moving : {false, true}) {
+            frame.moving = moving;
+            QImage& canvas = canvases[moving ? 1 : 0];
+            canvas.fill(Qt::black);
+            QPainter painter(&canvas);
+            paintPicture(painter, canvas.rect(), transform, frame, {});
+        }
+        for (int y = 0; y < 40; ++y)
+            for (int x = 0; x < 200; ++x)
+                QVERIFY2(std::abs(qRed(canvases[0].pixel(x, y)) - qRed(canvases[1].pixel(x, y))) <= 128,
+                         qPrintable(QStringLiteral("%1, %2").arg(x).arg(y)));
     }
 
     /// What pixels show of the counted picture is painted as soon as it is there.

@@ -108,8 +108,9 @@ void paintRuns(QPainter& painter, const QRect& pixels, const CanvasTransform& tr
         }
 }
 
-void paintImage(QPainter& painter, const QRect& pixels, const CanvasTransform& transform, const QImage& image)
+void paintImage(QPainter& painter, const QRect& pixels, const CanvasTransform& transform, const RenderedFrame& frame)
 {
+    const QImage& image = frame.frame.image;
     if (isDrawing(painter) && transform.zoom > 1) {
         paintRuns(painter, pixels, transform, image);
         return;
@@ -117,6 +118,12 @@ void paintImage(QPainter& painter, const QRect& pixels, const CanvasTransform& t
     const QRectF target = transform.toCanvas(QRectF(pixels));
     if (transform.zoom >= 1) {
         painter.drawImage(target, image, QRectF(pixels));
+        return;
+    }
+    if (isScaledQuickly(frame, transform)) {
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.drawImage(target, image, QRectF(pixels));
+        painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
         return;
     }
     // Every pixel has its share of what is shown: the painter's own filter would skip some, and thin lines with them.
@@ -203,13 +210,18 @@ void paintBorder(QPainter& painter, const QRect& picture)
 
 } // namespace
 
+bool isScaledQuickly(const RenderedFrame& frame, const CanvasTransform& transform)
+{
+    return frame.moving && frame.settings.fill == Fill::Solid && transform.zoom >= 0.5 && transform.zoom < 1;
+}
+
 void paintPicture(QPainter& painter, const QRect& canvas, const CanvasTransform& transform, const RenderedFrame& frame,
                   const OverlayOptions& options, const PixelLines& linesAt)
 {
     const QRect pixels = transform.pixelsIn(canvas, frame.frame.image.size());
     if (pixels.isEmpty())
         return;
-    paintImage(painter, pixels, transform, frame.frame.image);
+    paintImage(painter, pixels, transform, frame);
     if (transform.zoom >= kGridFromZoom)
         paintCells(painter, pixels, transform, frame.settings.samples, options);
     const bool numbersHidden =

@@ -56,6 +56,12 @@ struct OverlayOptions {
 
 /// Whether the painter makes a drawing of lines and areas (SVG, PDF) and not of pixels.
 [[nodiscard]] bool isDrawing(const QPainter& painter);
+
+/// Whether a picture is made smaller by the painter's filter, which takes a quarter of the time of means over areas:
+/// filled triangles while the camera moves, from half the size on. The filter takes four pixels into account; of a line
+/// that is one pixel wide it may leave as little as 1 - 1 / (2 zoom).
+[[nodiscard]] bool isScaledQuickly(const RenderedFrame& frame, const CanvasTransform& transform);
+
 /// Paints a picture with its grid, sample positions and pixel values, without other layers.
 ///
 /// in  `linesAt`: what stands in a pixel; empty: what the frame's shading shows

@@ -71,11 +71,12 @@ void ViewportWidget::setFrame(const FramePtr& frame)
 }
 
 /// Whether the frame is another one of the same change, with the same picture: the counted one after the first. Where
-/// the pixels show depths and faces the counted one looks different.
+/// the pixels show depths and faces the counted one looks different; so does one after a picture that was scaled
+/// quickly.
 bool ViewportWidget::looksLikeTheShown(const RenderedFrame& frame) const
 {
     const bool showsCounts = (m_options.numbers && m_transform.zoom >= kNumbersFromZoom) || m_options.depthBeside;
-    if (!m_frame || showsCounts || m_frame->requested != frame.requested)
+    if (!m_frame || showsCounts || m_frame->requested != frame.requested || isScaledQuickly(*m_frame, m_transform))
         return false;
     const QImage& shown = m_frame->frame.image;
     const QImage& next = frame.frame.image;

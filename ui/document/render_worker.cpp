@@ -77,7 +77,7 @@ void RenderWorker::request(std::shared_ptr<const Scene> scene, const Settings& s
 {
     const bool moves = onlyCameraMoves(scene, settings);
     const bool goesLarge = isLarge(settings) && (!m_scene || samplesOf(m_settings) != samplesOf(settings));
-    Request request{scene, settings, std::nullopt, false, std::chrono::steady_clock::now()};
+    Request request{scene, settings, std::nullopt, moves, false, std::chrono::steady_clock::now()};
     if (m_fastMotion && !m_continuous && (moves || takesLong(*scene)))
         request.fast = fastSettings(*scene, settings);
     if (!m_scene || m_scene->id != scene->id)
@@ -166,6 +166,7 @@ std::shared_ptr<RenderedFrame> RenderWorker::newFrame(const Request& request)
     picture->settings = request.settings;
     picture->counted = false;
     picture->fast = false;
+    picture->moving = false;
     picture->timed = true;
     picture->requested = request.time;
     return picture;
@@ -197,6 +198,7 @@ FramePtr RenderWorker::drawFast(const Request& request, const std::stop_token& s
 {
     const std::shared_ptr<RenderedFrame> picture = newFrame(request);
     picture->fast = true;
+    picture->moving = request.moves;
     picture->timed = m_tiled != nullptr;
     withTiled(picture->frame, [&] { render(*request.scene, *request.fast, picture->frame, {}, stop); });
     return picture;
@@ -205,6 +207,7 @@ FramePtr RenderWorker::drawFast(const Request& request, const std::stop_token& s
 FramePtr RenderWorker::drawPlain(const Request& request, const std::stop_token& stop)
 {
     const std::shared_ptr<RenderedFrame> picture = newFrame(request);
+    picture->moving = request.moves && !request.fast;
     picture->timed = request.settings.algorithm != Algorithm::Tiled || m_tiled != nullptr;
     withTiled(picture->frame, [&] { render(*request.scene, request.settings, picture->frame, {}, stop); });
     if (isLarge(request.settings))
@@ -258,7 +261,8 @@ void RenderWorker::take(const FramePtr& frame)
     Q_EMIT frameReady(frame);
     syncBusy();
     if (m_continuous && !m_result.isBusy())
-        ask({m_scene, m_settings, std::nullopt, true, std::chrono::steady_clock::now()}, LatestJob::Running::Finish);
+        ask({m_scene, m_settings, std::nullopt, false, true, std::chrono::steady_clock::now()},
+            LatestJob::Running::Finish);
 }
 
 void RenderWorker::giveUp(const QString& why)

@@ -23,6 +23,7 @@ struct RenderedFrame : CountedPicture {
     Settings settings;
     bool counted = false;         ///< it has statistics, depth and ids
     bool fast = false;            ///< drawn by the tiled algorithm in place of the chosen one
+    bool moving = false;          ///< the first picture of a move of the camera: soon there is another one
     bool timed = false;           ///< its times are worth telling: the algorithm had its threads and memory before
     std::int64_t warmSamples = 0; ///< how many samples its memory was written for before it was drawn
     std::chrono::steady_clock::time_point requested; ///< when the change it shows was made
@@ -82,6 +83,7 @@ private:
         std::shared_ptr<const Scene> scene;
         Settings settings;
         std::optional<Settings> fast; ///< draw with these first
+        bool moves = false;           ///< of the last one it differs by the camera alone
         bool repeats = false;         ///< the same as the last one, to measure the rate
         std::chrono::steady_clock::time_point time;
     };
