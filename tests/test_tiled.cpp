@@ -108,7 +108,7 @@ void TestTiled::drawsBuiltinScenesAlike()
         settings.size = {140, 100};
         settings.algorithm = Algorithm::Tiled;
         if (const auto reason = unsupported(*load.scene, settings))
-            QSKIP(qPrintable(textOf(*reason))); // two passes
+            QSKIP(qPrintable(textOf(*reason))); // lines
         const QString d =
             compareAll(*load.scene, settings, samples == Samples::One ? simds() : std::vector{Simd::Auto});
         QVERIFY2(d.isEmpty(), qPrintable(d));

@@ -6,6 +6,7 @@
 #define RASTERLENS_TILED_BLOCKS_INL_H
 #endif
 
+#include "core/pipeline/depth_test.h"
 #include "core/tiled/exact_path.h"
 #include "core/tiled/frame_job.h"
 #include "core/tiled/gouraud-inl.h"
@@ -43,16 +44,13 @@ struct AnyDepth {
     static constexpr Keeps kKeeps = Keeps::Number;
     static constexpr bool kPattern = kHasPattern;
     AnyDepth(const FrameJob& j, TileOrigin o)
-        : job(j), origin(o), flip(depthFlip(job.rules.depthCompare)), handicap(depthHandicap(job.rules)),
-          format(job.rules.depthFormat), countsCoverage(job.countsCoverage()), width(job.rules.columns() - origin.x),
-          height(job.rules.rows() - origin.y)
+        : job(j), origin(o), store(job.rules), countsCoverage(job.countsCoverage()),
+          width(job.rules.columns() - origin.x), height(job.rules.rows() - origin.y)
     {
     }
     const FrameJob& job;
     TileOrigin origin;
-    std::int32_t flip;
-    std::int32_t handicap;
-    DepthFormat format;
+    DepthStore store;
     bool countsCoverage;
     int width; ///< samples of the tile that belong to the target
     int height;
@@ -104,7 +102,8 @@ struct TriangleLanes {
     double depthReach;                 ///< multi-sampling: no sample's depth differs more from the pixel's
     double perX;
     double perY;
-    std::uint32_t number; ///< in the tile
+    std::uint32_t number;    ///< in the tile
+    PassingDifferences test; ///< AnyDepth only
     const ColorPlanes* planes;
     ColorSlopes colors; ///< only if wanted
 };
@@ -205,13 +204,13 @@ HWY_INLINE Ints KeyOf(const WideDoubles& depth)
     return hn::Min(hn::Max(bits, hn::Zero(tag)), hn::Set(tag, kKeyOfOne));
 }
 
-/// The nearest values a unorm format stores.
-HWY_INLINE WideDoubles RoundToUnorm(const WideDoubles& depth, double steps)
+/// storedDepth(), operation by operation: in double, for a format of so many steps.
+HWY_INLINE WideDoubles RoundToUnorm(const WideDoubles& depth, const DepthStore& store, double steps)
 {
     constexpr DoubleTag tag;
     WideDoubles rounded;
     for (std::size_t p = 0; p < kParts; ++p) {
-        const Doubles held = hn::Min(hn::Max(depth.part[p], hn::Zero(tag)), hn::Set(tag, 1.0));
+        const Doubles held = hn::Min(hn::Max(depth.part[p], hn::Set(tag, store.low)), hn::Set(tag, store.high));
         rounded.part[p] = hn::Div(hn::Round(hn::Mul(held, hn::Set(tag, steps))), hn::Set(tag, steps));
     }
     return rounded;
@@ -221,9 +220,13 @@ template <bool kPattern>
 HWY_INLINE Ints StoredKey(const WideDoubles& depth, const AnyDepth<kPattern>& policy)
 {
     constexpr IntTag tag;
-    const int largest = largestDepthCode(policy.format);
-    const Ints key = largest > 0 ? KeyOf(RoundToUnorm(depth, largest)) : KeyOf(depth);
-    return hn::Xor(key, hn::Set(tag, policy.flip));
+    const DepthStore& store = policy.store;
+    if (const int largest = largestDepthCode(store.format); largest > 0)
+        return KeyOf(RoundToUnorm(depth, store, largest));
+    // Rounding to float32 keeps order: what is held afterwards is what is held before.
+    const Ints low = hn::Set(tag, depthKey(static_cast<float>(store.low)));
+    const Ints high = hn::Set(tag, depthKey(static_cast<float>(store.high)));
+    return hn::Min(hn::Max(KeyOf(depth), low), high);
 }
 
 /// The key of a depth in the usual depth test. Depths beyond 1 need not be clamped: they lose against every stored one.
@@ -232,6 +235,21 @@ HWY_INLINE Ints StoredKey(const WideDoubles& depth, const UsualDepth<kKeep, kPat
 {
     constexpr IntTag tag;
     return hn::Max(hn::BitCast(tag, ToFloats(depth)), hn::Zero(tag));
+}
+
+/// The covered lanes that pass the depth test.
+///
+/// in   test: of AnyDepth
+template <class Policy>
+HWY_INLINE hn::Mask<IntTag> Passed(const Policy&, hn::Mask<IntTag> inside, Ints key, Ints stored,
+                                   const PassingDifferences& test)
+{
+    constexpr IntTag tag;
+    if constexpr (Policy::kUsual)
+        return hn::And(inside, hn::Lt(key, stored));
+    else
+        return hn::AndNot(hn::Gt(hn::Sub(hn::Sub(key, stored), hn::Set(tag, test.offset)), hn::Set(tag, test.largest)),
+                          inside);
 }
 
 /// Lanes of a block that are samples of the target: only those are counted.
@@ -286,6 +304,7 @@ struct alignas(64) BlockQueue {
         PatternLanes pattern; ///< multi-sampling only
         HeldSquares held;     ///< multi-sampling, ColorWay::Affine
         std::uint32_t number;
+        PassingDifferences test; ///< AnyDepth only
     };
     std::array<Group, kGroups> groups;
     /// Block of the tile, group, place in its 16: a byte each from the top. Whole vectors are written at the end.
@@ -324,10 +343,7 @@ HWY_INLINE void CoverBlock(const BlockQueue::Group& group, std::size_t square, s
         const Ints key = StoredKey(Add(LoadWide(group.offsets.depth.data() + lane), depth), policy);
         std::int32_t* keys = worker.samples.key.data() + at;
         const Ints stored = hn::Load(tag, keys);
-        Ints compared = key;
-        if constexpr (!Policy::kUsual)
-            compared = hn::Sub(key, hn::Set(tag, policy.handicap));
-        const auto passed = hn::And(inside, hn::Lt(compared, stored));
+        const auto passed = Passed(policy, inside, key, stored, group.test);
         hn::Store(hn::IfThenElse(passed, key, stored), tag, keys);
         const auto won = hn::RebindMask(unsignedTag, passed);
         if constexpr (Policy::kKeeps == Keeps::Color) {
@@ -397,10 +413,7 @@ HWY_INLINE void CoverPatternBlock(const BlockQueue::Group& group, std::size_t sq
                 inside = hn::And(inside, OnTarget(policy, block, lane));
             const Ints key = StoredKey(Add(depth, hn::Set(DoubleTag(), group.pattern.depth[s])), policy);
             const Ints stored = hn::Load(tag, keys);
-            Ints compared = key;
-            if constexpr (!Policy::kUsual)
-                compared = hn::Sub(key, hn::Set(tag, policy.handicap));
-            const auto passed = hn::And(inside, hn::Lt(compared, stored));
+            const auto passed = Passed(policy, inside, key, stored, group.test);
             hn::Store(hn::IfThenElse(passed, key, stored), tag, keys);
             if constexpr (Policy::kKeeps != Keeps::Nothing)
                 hn::BlendedStore(color, hn::RebindMask(unsignedTag, passed), unsignedTag, kept);
@@ -445,6 +458,8 @@ HWY_INLINE void AppendGroup(const Policy&, const TriangleLanes& t, std::uint32_t
     const auto index = static_cast<std::uint32_t>(queue.groupCount++);
     BlockQueue::Group& group = queue.groups[index];
     group.number = t.number;
+    if constexpr (!Policy::kUsual)
+        group.test = t.test;
     if constexpr (Policy::kPattern)
         group.pattern = t.pattern;
     for (std::size_t v = 0; v < kVectors; ++v) {

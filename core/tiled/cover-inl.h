@@ -404,7 +404,9 @@ HWY_INLINE void CoverTriangle(const TileTriangle& t, const ColorPlanes& planes, 
                               std::uint32_t number, Worker& worker, TileDepth& tile, BlockQueue& queue)
 {
     constexpr int kSmall = 8; // blocks
-    const TriangleLanes lanes = SpreadTriangle(policy, t, planes, number);
+    TriangleLanes lanes = SpreadTriangle(policy, t, planes, number);
+    if constexpr (!Policy::kUsual)
+        lanes.test = passingDifferences(policy.job.rules, faceOf(worker.chunkOf(number), t.source));
     const BlockBounds bounds = BoundsInBlocks(t);
     if (bounds.columns > kSmall || bounds.rows > kSmall)
         CoverSubtiles(lanes, t, policy, worker, tile, queue);
@@ -548,9 +550,8 @@ inline void CoverWithPattern(const FrameJob& job, Worker& worker, TileOrigin ori
 /// Fills the samples of a tile from the triangles in worker.blocks.
 inline void CoverTile(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
-    const Rules& rules = job.rules;
     TileSamples& samples = worker.samples;
-    const std::int32_t clear = std::bit_cast<std::int32_t>(rules.depthClear) ^ depthFlip(rules.depthCompare);
+    const auto clear = std::bit_cast<std::int32_t>(job.rules.depthClear);
     samples.clearKey = clear;
     samples.farthest.fill(clear);
     samples.nearest.fill(clear);

@@ -6,6 +6,8 @@
 #define RASTERLENS_TILED_FACES_INL_H
 #endif
 
+#include "core/pipeline/depth_bias.h"
+#include "core/settings/depth_rules.h"
 #include "core/tiled/batch-inl.h"
 #include "core/tiled/exact_path.h"
 #include "core/tiled/frame_job.h"
@@ -229,9 +231,36 @@ inline std::uint32_t LanesWithMasks(const FrameJob& job, const Chunk& chunk, con
     return masked;
 }
 
+/// Adds the depth bias of faces to the depths of their corners. Pieces have it already, from the scalar stages.
+inline void AddBias(const Rules& rules, const SetupQueue& queue, std::size_t at, std::uint32_t present,
+                    std::array<CornerLanes, 3>& corner)
+{
+    constexpr DoubleTag tag;
+    alignas(64) std::array<std::array<double, kDoubles>, 3> depth;
+    for (std::size_t k = 0; k < 3; ++k)
+        hn::Store(corner[k].depth, tag, depth[k].data());
+    for (; present != 0; present &= present - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(present));
+        const std::uint32_t source = queue.source[at + lane];
+        if ((source & kPiece) != 0 || !isBiased(rules, source))
+            continue;
+        std::array<ScreenVertex, 3> vertices;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const ScreenXY& units = queue.position[k][at + lane];
+            vertices[k].position = glm::dvec2(units.x, units.y) / double(kUnit);
+            vertices[k].depth = depth[k][lane];
+        }
+        const double bias = depthBias(vertices, rules);
+        for (std::size_t k = 0; k < 3; ++k)
+            depth[k][lane] += bias;
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+        corner[k].depth = hn::Load(tag, depth[k].data());
+}
+
 /// Fetches a vector of triangles from the queue, corner by corner: in units, and in samples with the depth.
-HWY_INLINE void LoadCorners(const SetupQueue& queue, std::size_t at, std::array<HalfInts, 3>& x,
-                            std::array<HalfInts, 3>& y, std::array<CornerLanes, 3>& corner)
+HWY_INLINE void LoadCorners(const Rules& rules, const SetupQueue& queue, std::size_t at, std::uint32_t present,
+                            std::array<HalfInts, 3>& x, std::array<HalfInts, 3>& y, std::array<CornerLanes, 3>& corner)
 {
     constexpr DoubleTag wide;
     const Doubles samplesPerUnit = hn::Set(wide, 1.0 / kUnit);
@@ -240,6 +269,8 @@ HWY_INLINE void LoadCorners(const SetupQueue& queue, std::size_t at, std::array<
         corner[k] = {hn::Mul(hn::PromoteTo(wide, x[k]), samplesPerUnit),
                      hn::Mul(hn::PromoteTo(wide, y[k]), samplesPerUnit), hn::LoadU(wide, queue.depth[k].data() + at)};
     }
+    if (HWY_UNLIKELY(rules.depthBias.isOn()))
+        AddBias(rules, queue, at, present, corner);
 }
 
 /// Lays down the edges' gradients, their values at the anchor, and the nearest depth.
@@ -296,7 +327,7 @@ HWY_INLINE void SetUpLanes(const FrameJob& job, Chunk& chunk, const SetupQueue& 
     const Rules& rules = job.rules;
     std::array<HalfInts, 3> x, y;
     std::array<CornerLanes, 3> corner;
-    LoadCorners(queue, at, x, y, corner);
+    LoadCorners(rules, queue, at, present, x, y, corner);
     const Doubles area = TwiceArea(hn::Sub(corner[1].x, corner[0].x), hn::Sub(corner[1].y, corner[0].y),
                                    hn::Sub(corner[2].x, corner[0].x), hn::Sub(corner[2].y, corner[0].y));
     const auto swapped =

@@ -278,7 +278,7 @@ private:
 
 /// The samples of a tile while it is drawn, block by block.
 struct alignas(64) TileSamples {
-    /// Depth as its bits, which order like it from 0 to 1; turned round where the larger depth wins. Smaller is nearer.
+    /// Depth as its bits, which order like it from 0 to 1.
     std::array<std::int32_t, kTileSamples> key;
     std::array<std::uint32_t, kTileSamples> ids; ///< number of the triangle in the tile, or kNobody
     std::array<std::uint32_t, kTileSamples> color;
