@@ -70,6 +70,8 @@ Scene randomScene(std::mt19937& random, QSize size)
         dress(scene, random);
     if (oneOf(random, 4))
         spoil(scene.mesh, random);
+    if (oneOf(random, 4))
+        scene.secondPassFrom = 1 + static_cast<std::uint32_t>(random() % scene.mesh.faceCount());
     return scene;
 }
 
@@ -107,6 +109,10 @@ Settings randomSettings(const Scene& scene, QSize size, std::mt19937& random)
         settings.light.towards = glm::dvec3(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1));
     else if (oneOf(random, 2))
         settings.light.towards.reset();
+    if (oneOf(random, 3))
+        settings.depthBias = {uniform(random, -1e3, 1e3), uniform(random, -9, 9), uniform(random, -0.1, 0.1)};
+    if (oneOf(random, 3))
+        settings.depthRange = {uniform(random, 0, 1), uniform(random, 0, 1)};
     return settings;
 }
 

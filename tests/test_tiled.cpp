@@ -71,6 +71,7 @@ private Q_SLOTS:
     void drawsModesAlike();
     void drawsSoupsAlike_data();
     void drawsSoupsAlike();
+    void drawsAtTheLimitsOf14And16Bits();
     void drawsAtTheLimitOf32Bits();
     void drawsHugeTrianglesOnSmallTargets();
     void keepsTheOrderOfEqualDepths();
@@ -108,7 +109,7 @@ void TestTiled::drawsBuiltinScenesAlike()
         settings.size = {140, 100};
         settings.algorithm = Algorithm::Tiled;
         if (const auto reason = unsupported(*load.scene, settings))
-            QSKIP(qPrintable(textOf(*reason))); // two passes
+            QSKIP(qPrintable(textOf(*reason))); // lines
         const QString d =
             compareAll(*load.scene, settings, samples == Samples::One ? simds() : std::vector{Simd::Auto});
         QVERIFY2(d.isEmpty(), qPrintable(d));
@@ -184,6 +185,37 @@ void TestTiled::drawsSoupsAlike()
         const QString d = compareAll(scene, settings, {all[random() % all.size()]});
         QVERIFY2(d.isEmpty(), qPrintable(d));
     }
+}
+
+void TestTiled::drawsAtTheLimitsOf14And16Bits()
+{
+    // Edges of triangles below 64 pixels are made in 32 bits, those below 128 pixels are spread from pairs of 16 bits.
+    // Whole vectors of triangles lie on the limits, one unit below them and one above.
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> place(-20, 180);
+    std::uniform_real_distribution<double> unit(0, 1);
+    const QSize size(300, 300);
+    constexpr double kUnitInPixels = 1.0 / 256;
+    for (const double limit : {64.0, 128.0})
+        for (const double reach : {limit - kUnitInPixels, limit, limit + kUnitInPixels}) {
+            Scene scene = clipScene(size);
+            for (int i = 0; i < 32; ++i) {
+                const double x = std::floor(place(random) / kUnitInPixels) * kUnitInPixels;
+                const double y = std::floor(place(random) / kUnitInPixels) * kUnitInPixels;
+                const auto corner = [&](double toX, double toY) {
+                    return fromScreen(x + toX * reach, y + toY * reach, 0.1 + 0.8 * unit(random), 1, size);
+                };
+                if (i % 2 == 0)
+                    addTriangle(scene, {corner(0, 0), corner(1, unit(random)), corner(unit(random), 1)}, random);
+                else
+                    addTriangle(scene, {corner(0, 1), corner(1, 0), corner(1, 1)}, random);
+            }
+            Settings settings;
+            settings.size = size;
+            settings.culling = Culling::None;
+            const QString d = compareAll(scene, settings, simds());
+            QVERIFY2(d.isEmpty(), qPrintable(d));
+        }
 }
 
 void TestTiled::drawsAtTheLimitOf32Bits()

@@ -94,7 +94,7 @@ private:
         if (fate == FaceFate::Rasterized) {
             out.push_back({{a.screen, b.screen, c.screen}, face, area2, false, 0});
             ScreenTriangle& triangle = out.back();
-            if (isBiased(face))
+            if (isBiased(m_rules, face))
                 bias(triangle.vertices, std::span(&triangle, 1));
         }
         return fate;
@@ -125,7 +125,7 @@ private:
         const FaceFate fate = facing(face, corners, area2, observer);
         const int pieces = fate == FaceFate::Rasterized ? appendFan(face, polygon, area2, out) : 0;
         observer.onClipped(face, pieces);
-        if (isBiased(face))
+        if (isBiased(m_rules, face))
             bias(polygon, std::span(out).last(static_cast<std::size_t>(pieces)));
         if (!m_rules.clipUpdatesW)
             giveWOfCorners(corners, std::span(out).last(static_cast<std::size_t>(pieces)));
@@ -188,11 +188,6 @@ private:
     [[nodiscard]] static ScreenVertex unwrittenVertex(const ClipVertex& vertex)
     {
         return {{0, 0}, 0, 1 / vertex.positionClip.w, {}};
-    }
-
-    [[nodiscard]] bool isBiased(std::uint32_t face) const
-    {
-        return m_rules.depthBias.isOn() && !isFirstPass(m_rules, face);
     }
 
     [[nodiscard]] bool isLine(std::uint32_t face) const { return m_scene->mesh.isLine(face); }

@@ -29,7 +29,7 @@ public:
     MultisampleStage(const Scene& scene, const Rules& rules, const SampleBuffer& samples, const glm::vec3& eyeWorld,
                      Observer& observer)
         : m_scene(&scene), m_rules(&rules), m_samples(samples), m_eyeWorld(eyeWorld), m_observer(&observer),
-          m_pattern(samplePattern(rules.patternSamples)),
+          m_pattern(samplePattern(rules.patternSamples)), m_store(rules),
           m_readsDepth(kReadsFragments<Observer> || samples.depth != nullptr || rules.shading == Shading::Depth)
     {
     }
@@ -41,6 +41,7 @@ public:
     void begin(const ScreenTriangle& triangle)
     {
         m_interpolation.emplace(triangle, triangle.area2, *m_rules, m_readsDepth ? DepthUse::Read : DepthUse::Ignored);
+        m_compare = depthCompareOf(*m_rules, triangle.face);
         m_uniforms = faceUniforms(*m_scene, triangle.face, *m_rules);
         m_mask = maskTest(*m_scene, triangle.face, *m_rules);
         m_box = boxOf(triangle);
@@ -154,9 +155,9 @@ private:
         const std::size_t at = m_samples.index(x, y, sample);
         if (m_samples.coverage != nullptr && m_samples.coverage[at] != 0xffff)
             ++m_samples.coverage[at];
-        depth = m_readsDepth ? storedDepth(m_interpolation->depthAt(x, y, offsetOf(sample)), m_rules->depthFormat) : 0;
+        depth = m_readsDepth ? storedDepth(m_interpolation->depthAt(x, y, offsetOf(sample)), m_store) : 0;
         const float stored = m_samples.depth != nullptr ? m_samples.depth[at] : m_rules->depthClear;
-        const bool passed = !m_rules->depthTested || depthPasses(depth, stored, m_rules->depthCompare);
+        const bool passed = !m_rules->depthTested || depthPasses(depth, stored, m_compare);
         if constexpr (kReadsFragments<Observer>) {
             m_observer->onPatternSample(sample);
             Fragment fragment = fragmentAt(x, y, place);
@@ -176,10 +177,10 @@ private:
         fragment.x = x;
         fragment.y = y;
         fragment.face = m_interpolation->triangle().face;
-        fragment.depth = m_readsDepth
-                             ? storedDepth(m_interpolation->depthAt(x, y, place.point - glm::dvec2(x + 0.5, y + 0.5)),
-                                           m_rules->depthFormat)
-                             : 0;
+        fragment.depth =
+            m_readsDepth
+                ? storedDepth(m_interpolation->depthAt(x, y, place.point - glm::dvec2(x + 0.5, y + 0.5)), m_store)
+                : 0;
         fragment.screen = place.screen;
         fragment.weights = place.weights;
         m_interpolation->varyings(place.weights, fragment.varyings);
@@ -250,6 +251,8 @@ private:
     glm::vec3 m_eyeWorld;
     Observer* m_observer;
     std::span<const SampleOffset> m_pattern;
+    DepthStore m_store;
+    DepthCompare m_compare = DepthCompare::Always; ///< of the face that the samples belong to
     bool m_readsDepth;
     std::optional<FaceInterpolation> m_interpolation; ///< of the triangle the samples belong to
     FaceUniforms m_uniforms;                          ///< of its face

@@ -24,6 +24,12 @@ namespace rasterlens
 /// Whether a face belongs to the first pass of two.
 [[nodiscard]] constexpr bool isFirstPass(const Rules& rules, std::uint32_t face) { return face < rules.firstPassFaces; }
 
+/// Whether the depths of a face's corners are biased.
+[[nodiscard]] inline bool isBiased(const Rules& rules, std::uint32_t face)
+{
+    return rules.depthBias.isOn() && !isFirstPass(rules, face);
+}
+
 /// Whether a face is a line: Mesh::lines.
 [[nodiscard]] inline bool isLineFace(const Rules& rules, std::uint32_t face)
 {

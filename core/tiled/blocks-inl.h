@@ -6,6 +6,7 @@
 #define RASTERLENS_TILED_BLOCKS_INL_H
 #endif
 
+#include "core/pipeline/depth_test.h"
 #include "core/tiled/exact_path.h"
 #include "core/tiled/frame_job.h"
 #include "core/tiled/gouraud-inl.h"
@@ -43,16 +44,13 @@ struct AnyDepth {
     static constexpr Keeps kKeeps = Keeps::Number;
     static constexpr bool kPattern = kHasPattern;
     AnyDepth(const FrameJob& j, TileOrigin o)
-        : job(j), origin(o), flip(depthFlip(job.rules.depthCompare)), handicap(depthHandicap(job.rules)),
-          format(job.rules.depthFormat), countsCoverage(job.countsCoverage()), width(job.rules.columns() - origin.x),
-          height(job.rules.rows() - origin.y)
+        : job(j), origin(o), store(job.rules), countsCoverage(job.countsCoverage()),
+          width(job.rules.columns() - origin.x), height(job.rules.rows() - origin.y)
     {
     }
     const FrameJob& job;
     TileOrigin origin;
-    std::int32_t flip;
-    std::int32_t handicap;
-    DepthFormat format;
+    DepthStore store;
     bool countsCoverage;
     int width; ///< samples of the tile that belong to the target
     int height;
@@ -96,6 +94,7 @@ HWY_INLINE std::uint32_t* SampleColorsOf(const Policy& policy, Worker& worker, s
 /// the others.
 struct TriangleLanes {
     std::array<std::array<Ints, kVectors>, 3> edge;
+    std::array<Ints, 3> toHighest; ///< from the first sample of a block to the highest edge value in it, in all lanes
     std::array<WideDoubles, kVectors> depth;
     std::array<std::int32_t, 3> a;
     std::array<std::int32_t, 3> b;
@@ -104,9 +103,9 @@ struct TriangleLanes {
     double depthReach;                 ///< multi-sampling: no sample's depth differs more from the pixel's
     double perX;
     double perY;
-    std::uint32_t number; ///< in the tile
+    std::uint32_t number;    ///< in the tile
+    PassingDifferences test; ///< AnyDepth only
     const ColorPlanes* planes;
-    ColorSlopes colors; ///< only if wanted
 };
 
 /// A triangle at a sample: the first of a square of squares.
@@ -147,9 +146,10 @@ HWY_INLINE void SpreadPattern(const PixelPattern& pattern, const TileTriangle& t
 {
     constexpr IntTag tag;
     constexpr std::int32_t kRest = 15;
-    lanes.a = {t.a[0] >> 4, t.a[1] >> 4, -((t.a[0] >> 4) + (t.a[1] >> 4))};
-    lanes.b = {t.b[0] >> 4, t.b[1] >> 4, -((t.b[0] >> 4) + (t.b[1] >> 4))};
-    const std::array<std::int32_t, 3> rest{t.a[0] & kRest, t.a[1] & kRest, t.b[0] & kRest};
+    const auto& g = t.gradients;
+    lanes.a = {g[0] >> 4, g[1] >> 4, -((g[0] >> 4) + (g[1] >> 4))};
+    lanes.b = {g[2] >> 4, g[3] >> 4, -((g[2] >> 4) + (g[3] >> 4))};
+    const std::array<std::int32_t, 3> rest{g[0] & kRest, g[1] & kRest, g[2] & kRest};
     for (std::size_t k = 0; k < 3; ++k) {
         lanes.reach[k] = ((std::abs(lanes.a[k]) + std::abs(lanes.b[k])) * pattern.reach + kRest) >> 4;
         for (std::size_t at = 0; at < kLanes; at += kPerVector) {
@@ -167,33 +167,62 @@ HWY_INLINE void SpreadPattern(const PixelPattern& pattern, const TileTriangle& t
             DoubleTag(), lanes.pattern.depth.data() + at);
 }
 
-template <class Policy>
-HWY_INLINE TriangleLanes SpreadTriangle(const Policy& policy, const TileTriangle& t, const ColorPlanes& planes,
-                                        std::uint32_t number)
+/// Edges of a triangle with gradients of 16 bits.
+HWY_INLINE void SpreadNarrowEdges(const TileTriangle& t, TriangleLanes& lanes)
 {
     constexpr IntTag tag;
-    TriangleLanes lanes;
-    lanes.number = number;
-    lanes.planes = &planes;
-    if constexpr (Policy::kKeeps == Keeps::Color && !Policy::kPattern)
-        lanes.colors = SpreadColors(planes);
-    if constexpr (Policy::kPattern) {
-        SpreadPattern(policy.job.pattern, t, lanes);
-    } else {
-        lanes.a = {t.a[0], t.a[1], -(t.a[0] + t.a[1])};
-        lanes.b = {t.b[0], t.b[1], -(t.b[0] + t.b[1])};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::int32_t pair = t.gradients[k];
+        const Ints pairs = hn::Set(tag, pair);
+        lanes.a[k] = static_cast<std::int16_t>(pair);
+        lanes.b[k] = pair >> 16;
+        lanes.toHighest[k] = PairProducts(PositiveHalves(pairs), hn::Set(tag, 0x10001 * (kBlockSide - 1)));
+        for (std::size_t v = 0; v < kVectors; ++v)
+            lanes.edge[k][v] = PairProducts(pairs, hn::Load(tag, kPattern.xy.data() + v * kPerVector));
     }
-    lanes.perX = t.depthPerX;
-    lanes.perY = t.depthPerY;
+}
+
+/// Edges of a triangle whose gradients stand in `lanes` already.
+HWY_INLINE void SpreadWideEdges(TriangleLanes& lanes)
+{
+    constexpr IntTag tag;
+    for (std::size_t k = 0; k < 3; ++k)
+        lanes.toHighest[k] =
+            hn::Set(tag, (kBlockSide - 1) * (std::max(lanes.a[k], 0) + std::max(lanes.b[k], 0)) + lanes.reach[k]);
     for (std::size_t v = 0; v < kVectors; ++v) {
-        const std::size_t at = v * kPerVector;
-        const Ints x = hn::Load(tag, kPattern.x.data() + at);
-        const Ints y = hn::Load(tag, kPattern.y.data() + at);
+        const Ints x = hn::Load(tag, kPattern.x.data() + v * kPerVector);
+        const Ints y = hn::Load(tag, kPattern.y.data() + v * kPerVector);
         for (std::size_t k = 0; k < 2; ++k)
             lanes.edge[k][v] = hn::Add(hn::Mul(x, hn::Set(tag, lanes.a[k])), hn::Mul(y, hn::Set(tag, lanes.b[k])));
         lanes.edge[2][v] = hn::Neg(hn::Add(lanes.edge[0][v], lanes.edge[1][v]));
-        lanes.depth[v] = DepthOffsets(t.depthPerX, t.depthPerY, at);
     }
+}
+
+template <class Policy>
+HWY_INLINE TriangleLanes SpreadTriangle(const Policy& policy, const TileTriangle& t, const ColorPlanes& planes,
+                                        std::uint32_t number, const Worker& worker)
+{
+    TriangleLanes lanes;
+    lanes.number = number;
+    if constexpr (!Policy::kUsual)
+        lanes.test = passingDifferences(policy.job.rules, faceOf(worker.chunkOf(number), t.source));
+    lanes.planes = &planes;
+    if constexpr (Policy::kPattern) {
+        SpreadPattern(policy.job.pattern, t, lanes);
+        SpreadWideEdges(lanes);
+    } else if (HWY_LIKELY(t.isNarrow())) {
+        SpreadNarrowEdges(t, lanes);
+    } else {
+        const auto& g = t.gradients;
+        lanes.a = {g[0], g[1], -(g[0] + g[1])};
+        lanes.b = {g[2], g[3], -(g[2] + g[3])};
+        lanes.reach = {};
+        SpreadWideEdges(lanes);
+    }
+    lanes.perX = t.depthPerX;
+    lanes.perY = t.depthPerY;
+    for (std::size_t v = 0; v < kVectors; ++v)
+        lanes.depth[v] = DepthOffsets(t.depthPerX, t.depthPerY, v * kPerVector);
     return lanes;
 }
 
@@ -205,13 +234,13 @@ HWY_INLINE Ints KeyOf(const WideDoubles& depth)
     return hn::Min(hn::Max(bits, hn::Zero(tag)), hn::Set(tag, kKeyOfOne));
 }
 
-/// The nearest values a unorm format stores.
-HWY_INLINE WideDoubles RoundToUnorm(const WideDoubles& depth, double steps)
+/// storedDepth(), operation by operation: in double, for a format of so many steps.
+HWY_INLINE WideDoubles RoundToUnorm(const WideDoubles& depth, const DepthStore& store, double steps)
 {
     constexpr DoubleTag tag;
     WideDoubles rounded;
     for (std::size_t p = 0; p < kParts; ++p) {
-        const Doubles held = hn::Min(hn::Max(depth.part[p], hn::Zero(tag)), hn::Set(tag, 1.0));
+        const Doubles held = hn::Min(hn::Max(depth.part[p], hn::Set(tag, store.low)), hn::Set(tag, store.high));
         rounded.part[p] = hn::Div(hn::Round(hn::Mul(held, hn::Set(tag, steps))), hn::Set(tag, steps));
     }
     return rounded;
@@ -221,9 +250,13 @@ template <bool kPattern>
 HWY_INLINE Ints StoredKey(const WideDoubles& depth, const AnyDepth<kPattern>& policy)
 {
     constexpr IntTag tag;
-    const int largest = largestDepthCode(policy.format);
-    const Ints key = largest > 0 ? KeyOf(RoundToUnorm(depth, largest)) : KeyOf(depth);
-    return hn::Xor(key, hn::Set(tag, policy.flip));
+    const DepthStore& store = policy.store;
+    if (const int largest = largestDepthCode(store.format); largest > 0)
+        return KeyOf(RoundToUnorm(depth, store, largest));
+    // Rounding to float32 keeps order: what is held afterwards is what is held before.
+    const Ints low = hn::Set(tag, depthKey(static_cast<float>(store.low)));
+    const Ints high = hn::Set(tag, depthKey(static_cast<float>(store.high)));
+    return hn::Min(hn::Max(KeyOf(depth), low), high);
 }
 
 /// The key of a depth in the usual depth test. Depths beyond 1 need not be clamped: they lose against every stored one.
@@ -278,21 +311,50 @@ struct alignas(64) SquareCorners {
 struct alignas(64) BlockQueue {
     static constexpr std::size_t kGroups = 8;
 
-    /// Up to 16 blocks of one triangle.
-    struct alignas(64) Group {
+    /// Up to 16 blocks of one triangle. The size is a power of two: places of groups take a shift to find.
+    struct alignas(1024) Group {
         SquareCorners corners;
         SquareCorners offsets; ///< from the first sample of a block to the others
         ColorSquares colors;
-        PatternLanes pattern; ///< multi-sampling only
-        HeldSquares held;     ///< multi-sampling, ColorWay::Affine
         std::uint32_t number;
+        PassingDifferences test; ///< AnyDepth only
+    };
+    static_assert(sizeof(Group) == 1024);
+    /// Multi-sampling: what groups have beside that.
+    struct alignas(64) PatternGroup {
+        PatternLanes lanes;
+        HeldSquares held; ///< ColorWay::Affine
     };
     std::array<Group, kGroups> groups;
+    std::array<PatternGroup, kGroups> patterns;
     /// Block of the tile, group, place in its 16: a byte each from the top. Whole vectors are written at the end.
     std::array<std::uint32_t, (kGroups + 1) * kLanes> items;
     std::size_t groupCount = 0;
     std::size_t itemCount = 0;
+    bool affine = true; ///< all colours of the groups are ColorWay::Affine
 };
+
+/// The depth test of a vector of samples.
+///
+/// in   the keys of a triangle, and what is stored so far; test: of AnyDepth
+/// out  which samples it wins; their keys are stored
+template <class Policy>
+HWY_INLINE hn::Mask<IntTag> TestDepth(const Policy&, hn::Mask<IntTag> inside, Ints key, Ints stored,
+                                      const PassingDifferences& test, std::int32_t* keys)
+{
+    constexpr IntTag tag;
+    if constexpr (Policy::kUsual) {
+        // Outside a key that never wins: so the next triangle in the same block waits for a minimum and nothing else.
+        const Ints covered = hn::IfThenElse(inside, key, hn::Set(tag, std::numeric_limits<std::int32_t>::max()));
+        hn::Store(hn::Min(covered, stored), tag, keys);
+        return hn::Lt(covered, stored);
+    } else {
+        const Ints moved = hn::Sub(hn::Sub(key, stored), hn::Set(tag, test.offset));
+        const auto passed = hn::AndNot(hn::Gt(moved, hn::Set(tag, test.largest)), inside);
+        hn::Store(hn::IfThenElse(passed, key, stored), tag, keys);
+        return passed;
+    }
+}
 
 /// Interpolated colours of samples in the scalar way, a bit each.
 inline void ColorExactly(const FrameJob& job, TileOrigin origin, std::uint32_t number, std::size_t block,
@@ -303,7 +365,9 @@ inline void ColorExactly(const FrameJob& job, TileOrigin origin, std::uint32_t n
 }
 
 /// The samples of one block: all of them are computed and those that win are blended in, without a branch.
-template <class Policy>
+///
+/// in   kAffine: all interpolated colours are ColorWay::Affine
+template <bool kAffine, class Policy>
 HWY_INLINE void CoverBlock(const BlockQueue::Group& group, std::size_t square, std::size_t block, const Policy& policy,
                            Worker& worker)
 {
@@ -324,24 +388,20 @@ HWY_INLINE void CoverBlock(const BlockQueue::Group& group, std::size_t square, s
         const Ints key = StoredKey(Add(LoadWide(group.offsets.depth.data() + lane), depth), policy);
         std::int32_t* keys = worker.samples.key.data() + at;
         const Ints stored = hn::Load(tag, keys);
-        Ints compared = key;
-        if constexpr (!Policy::kUsual)
-            compared = hn::Sub(key, hn::Set(tag, policy.handicap));
-        const auto passed = hn::And(inside, hn::Lt(compared, stored));
-        hn::Store(hn::IfThenElse(passed, key, stored), tag, keys);
+        const auto passed = TestDepth(policy, inside, key, stored, group.test, keys);
         const auto won = hn::RebindMask(unsignedTag, passed);
         if constexpr (Policy::kKeeps == Keeps::Color) {
             std::uint32_t* colors = worker.samples.color.data() + at;
-            if (HWY_UNLIKELY(group.colors.planes->way == ColorWay::Exact)) {
+            if constexpr (kAffine) {
+                StoreWhere(group.colors.affineColor(square, lane), won, colors);
+            } else if (group.colors.planes->way != ColorWay::Exact) {
+                StoreWhere(group.colors.color(square, lane), won, colors);
+            } else {
                 ColorExactly(policy.job, policy.origin, group.number, block, BitsOf(tag, passed) << lane, worker);
-                continue;
             }
-            hn::Store(hn::IfThenElse(won, group.colors.color(square, lane), hn::Load(unsignedTag, colors)), unsignedTag,
-                      colors);
         } else if constexpr (Policy::kKeeps == Keeps::Number) {
             std::uint32_t* ids = worker.samples.ids.data() + at;
-            hn::Store(hn::IfThenElse(won, hn::Set(unsignedTag, group.number), hn::Load(unsignedTag, ids)), unsignedTag,
-                      ids);
+            StoreWhere(hn::Set(unsignedTag, group.number), won, ids);
         }
         if constexpr (!Policy::kUsual)
             CountSamples(policy, inside, passed, at, worker);
@@ -350,12 +410,12 @@ HWY_INLINE void CoverBlock(const BlockQueue::Group& group, std::size_t square, s
 
 /// Multi-sampling: the colours of a block at the centres of pixels, whether the triangle covers them or not.
 template <class Policy>
-HWY_INLINE Uints CentreColors(const Policy& policy, const BlockQueue::Group& group, std::size_t square,
-                              std::size_t block, std::size_t lane, Worker& worker)
+HWY_INLINE Uints CentreColors(const Policy& policy, const BlockQueue::Group& group, const HeldSquares& held,
+                              std::size_t square, std::size_t block, std::size_t lane, Worker& worker)
 {
     const ColorSquares& colors = group.colors;
     if (HWY_LIKELY(colors.planes->way == ColorWay::Affine))
-        return group.held.held(square, lane);
+        return held.held(square, lane);
     if (colors.planes->way == ColorWay::Perspective) {
         const auto at = static_cast<int>(square);
         return PerspectiveColor(*colors.planes, colors.x + at % 4 * kBlockSide, colors.y + at / 4 * kBlockSide, lane);
@@ -367,8 +427,8 @@ HWY_INLINE Uints CentreColors(const Policy& policy, const BlockQueue::Group& gro
 
 /// Multi-sampling: the samples of one block, those of 16 pixels at a time.
 template <class Policy>
-HWY_INLINE void CoverPatternBlock(const BlockQueue::Group& group, std::size_t square, std::size_t block,
-                                  const Policy& policy, Worker& worker)
+HWY_INLINE void CoverPatternBlock(const BlockQueue::Group& group, const BlockQueue::PatternGroup& pattern,
+                                  std::size_t square, std::size_t block, const Policy& policy, Worker& worker)
 {
     constexpr IntTag tag;
     constexpr UintTag unsignedTag;
@@ -383,7 +443,7 @@ HWY_INLINE void CoverPatternBlock(const BlockQueue::Group& group, std::size_t sq
             Add(LoadWide(group.offsets.depth.data() + lane), hn::Set(DoubleTag(), group.corners.depth[square]));
         Uints color = hn::Zero(unsignedTag);
         if constexpr (Policy::kKeeps == Keeps::Color)
-            color = CentreColors(policy, group, square, block, lane, worker);
+            color = CentreColors(policy, group, pattern.held, square, block, lane, worker);
         if constexpr (Policy::kKeeps == Keeps::Number)
             color = hn::Set(unsignedTag, group.number);
         std::int32_t* keys = KeysOf(policy, worker, block) + lane;
@@ -391,17 +451,13 @@ HWY_INLINE void CoverPatternBlock(const BlockQueue::Group& group, std::size_t sq
                                                              : NumbersOf(policy, worker, block) + lane;
         for (std::size_t s = 0; s < sets; ++s, keys += kLanes, kept += kLanes) {
             const auto moved = [&](std::size_t k)
-                                   HWY_ATTR { return hn::Add(edge[k], hn::Set(tag, group.pattern.edge[k][s])); };
+                                   HWY_ATTR { return hn::Add(edge[k], hn::Set(tag, pattern.lanes.edge[k][s])); };
             auto inside = NotNegative(hn::Or3(moved(0), moved(1), moved(2)));
             if constexpr (!Policy::kUsual)
                 inside = hn::And(inside, OnTarget(policy, block, lane));
-            const Ints key = StoredKey(Add(depth, hn::Set(DoubleTag(), group.pattern.depth[s])), policy);
+            const Ints key = StoredKey(Add(depth, hn::Set(DoubleTag(), pattern.lanes.depth[s])), policy);
             const Ints stored = hn::Load(tag, keys);
-            Ints compared = key;
-            if constexpr (!Policy::kUsual)
-                compared = hn::Sub(key, hn::Set(tag, policy.handicap));
-            const auto passed = hn::And(inside, hn::Lt(compared, stored));
-            hn::Store(hn::IfThenElse(passed, key, stored), tag, keys);
+            const auto passed = TestDepth(policy, inside, key, stored, group.test, keys);
             if constexpr (Policy::kKeeps != Keeps::Nothing)
                 hn::BlendedStore(color, hn::RebindMask(unsignedTag, passed), unsignedTag, kept);
             if constexpr (!Policy::kUsual)
@@ -410,28 +466,40 @@ HWY_INLINE void CoverPatternBlock(const BlockQueue::Group& group, std::size_t sq
     }
 }
 
-/// Tests the blocks of the queue and empties it.
-template <class Policy>
-HWY_INLINE void FlushQueue(const Policy& policy, BlockQueue& queue, Worker& worker)
+/// Tests the blocks of the queue.
+template <bool kAffine, class Policy>
+HWY_INLINE void CoverBlocks(const Policy& policy, const BlockQueue& queue, Worker& worker)
 {
     for (std::size_t i = 0; i < queue.itemCount; ++i) {
         const std::uint32_t item = queue.items[i];
+        const std::uint32_t group = item >> 8 & 0xff;
         if constexpr (Policy::kPattern)
-            CoverPatternBlock(queue.groups[item >> 8 & 0xff], item & 0xff, item >> 16, policy, worker);
+            CoverPatternBlock(queue.groups[group], queue.patterns[group], item & 0xff, item >> 16, policy, worker);
         else
-            CoverBlock(queue.groups[item >> 8 & 0xff], item & 0xff, item >> 16, policy, worker);
+            CoverBlock<kAffine>(queue.groups[group], item & 0xff, item >> 16, policy, worker);
     }
-    queue.itemCount = 0;
-    queue.groupCount = 0;
 }
 
-/// The group that comes next, for its corners to be filled in.
+/// Tests the blocks of the queue and empties it. Where no colour needs more than a sum, the loop has no call: constants
+/// stay in registers.
 template <class Policy>
-HWY_INLINE BlockQueue::Group& NextGroup(const Policy& policy, BlockQueue& queue, Worker& worker)
+inline HWY_NOINLINE void FlushQueue(const Policy& policy, BlockQueue& queue, Worker& worker)
+{
+    if (HWY_LIKELY(queue.affine))
+        CoverBlocks<true>(policy, queue, worker);
+    else
+        CoverBlocks<false>(policy, queue, worker);
+    queue.itemCount = 0;
+    queue.groupCount = 0;
+    queue.affine = true;
+}
+
+/// Makes room for a group.
+template <class Policy>
+HWY_INLINE void MakeRoom(const Policy& policy, BlockQueue& queue, Worker& worker)
 {
     if (queue.groupCount == BlockQueue::kGroups)
         FlushQueue(policy, queue, worker);
-    return queue.groups[queue.groupCount];
 }
 
 /// Appends the next group.
@@ -445,8 +513,10 @@ HWY_INLINE void AppendGroup(const Policy&, const TriangleLanes& t, std::uint32_t
     const auto index = static_cast<std::uint32_t>(queue.groupCount++);
     BlockQueue::Group& group = queue.groups[index];
     group.number = t.number;
+    if constexpr (!Policy::kUsual)
+        group.test = t.test;
     if constexpr (Policy::kPattern)
-        group.pattern = t.pattern;
+        queue.patterns[index].lanes = t.pattern;
     for (std::size_t v = 0; v < kVectors; ++v) {
         const std::size_t lane = v * kPerVector;
         for (std::size_t k = 0; k < 3; ++k)

@@ -12,28 +12,17 @@
 #include "core/tiled/frame_job.h"
 #include "core/tiled/lanes-inl.h"
 #include "core/tiled/pattern-inl.h"
+#include "core/tiled/squares-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rasterlens::tiled::HWY_NAMESPACE
 {
 
-/// The state of a tile between its triangles.
-struct TileDepth {
-    std::int32_t farthest;     ///< a key no sample of the tile is farther than
-    std::int32_t nearestSmall; ///< a key no small triangle so far is nearer than
-    int updates = 0;           ///< blocks that came nearer since `farthest` was found
-    bool blank = true;         ///< there are blocks without any sample written yet
-    bool owners = false;       ///< there may be blocks that belong to one triangle
-};
-
 /// Clears all blocks that are still unwritten. This is done in one pass, because which blocks later triangles will
 /// touch cannot be predicted.
 template <class Policy>
-inline void WriteBlankBlocks(const Policy& policy, Worker& worker, TileDepth& tile)
+inline HWY_NOINLINE void WriteAllBlankBlocks(const Policy& policy, Worker& worker)
 {
-    if (!tile.blank)
-        return;
-    tile.blank = false;
     TileSamples& samples = worker.samples;
     for (std::size_t block = 0; block < kTileBlocks; ++block) {
         if (samples.owner[block] != kEmpty)
@@ -48,6 +37,15 @@ inline void WriteBlankBlocks(const Policy& policy, Worker& worker, TileDepth& ti
             if constexpr (Policy::kKeeps == Keeps::Number)
                 hn::Store(hn::Set(UintTag(), kNobody), UintTag(), NumbersOf(policy, worker, block) + at);
         }
+    }
+}
+
+template <class Policy>
+HWY_INLINE void WriteBlankBlocks(const Policy& policy, Worker& worker, TileDepth& tile)
+{
+    if (HWY_UNLIKELY(tile.blank)) {
+        tile.blank = false;
+        WriteAllBlankBlocks(policy, worker);
     }
 }
 
@@ -151,146 +149,25 @@ inline void WriteOwnedBlocks(const Policy& policy, Worker& worker, TileDepth& ti
     tile.owners = false;
 }
 
-/// Which of 16 squares of 2^kSideLog2 samples the triangle touches and covers, a bit each.
-struct SquareVerdicts {
-    std::uint32_t touched = 0;
-    std::uint32_t covered = 0;
-};
-
-/// Multi-sampling: touched are squares of which a sample may be covered, covered those of which all are.
-template <class Policy, int kSideLog2>
-HWY_INLINE SquareVerdicts JudgeSquares(const TriangleLanes& t, const std::array<std::int32_t, 3>& first,
-                                       SquareCorners& corners)
-{
-    constexpr IntTag tag;
-    constexpr int kLast = (1 << kSideLog2) - 1;
-    SquareVerdicts verdicts;
-    for (std::size_t v = 0; v < kVectors; ++v) {
-        std::array<Ints, 3> highest;
-        std::array<Ints, 3> lowest;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Ints corner = hn::Add(hn::Set(tag, first[k]), hn::ShiftLeft<kSideLog2>(t.edge[k][v]));
-            hn::Store(corner, tag, corners.edge[k].data() + v * kPerVector);
-            const std::int32_t reach = Policy::kPattern ? t.reach[k] : 0;
-            highest[k] = hn::Add(corner, hn::Set(tag, kLast * (std::max(t.a[k], 0) + std::max(t.b[k], 0)) + reach));
-            lowest[k] = hn::Add(corner, hn::Set(tag, kLast * (std::min(t.a[k], 0) + std::min(t.b[k], 0)) - reach));
-        }
-        const auto bits = [&](const std::array<Ints, 3>& e) HWY_ATTR {
-            return BitsOf(tag, NotNegative(hn::Or3(e[0], e[1], e[2]))) << (v * kPerVector);
-        };
-        verdicts.touched |= bits(highest);
-        verdicts.covered |= bits(lowest);
-    }
-    return verdicts;
-}
-
-inline void RefreshFarthest(const TileSamples& samples, TileDepth& tile)
-{
-    constexpr IntTag tag;
-    Ints farthest = hn::Zero(tag);
-    for (std::size_t i = 0; i < kTileBlocks; i += kPerVector)
-        farthest = hn::Max(farthest, hn::Load(tag, samples.farthest.data() + i));
-    tile.farthest = hn::GetLane(hn::MaxOfLanes(tag, farthest));
-    tile.updates = 0;
-}
-
-/// Depths at the first samples of 16 blocks.
-HWY_INLINE void StoreDepths(const TriangleLanes& t, double first, SquareCorners& corners)
-{
-    constexpr DoubleTag tag;
-    for (std::size_t v = 0; v < kVectors; ++v)
-        Store(Add(Mul(t.depth[v], hn::Set(tag, double(kBlockSide))), hn::Set(tag, first)),
-              corners.depth.data() + v * kPerVector);
-}
-
-/// What is to be done about the blocks of a subtile, a bit each.
-struct BlockWork {
-    std::uint32_t cover;       ///< sample by sample
-    std::uint32_t writeBefore; ///< the blocks to be tested that have an owner, whose samples are written first
-};
-
-template <bool kPattern>
-HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, double firstDepth, SquareVerdicts verdicts,
-                                  const AnyDepth<kPattern>&, std::size_t, TileSamples&, TileDepth&,
-                                  SquareCorners& corners)
-{
-    StoreDepths(t, firstDepth, corners);
-    return {verdicts.touched, 0};
-}
-
-/// Drops the blocks behind what is there, and gives those that the triangle covers wholly and in front of everything
-/// to it without looking at their samples.
-///
-/// exact  bounds are depths at corner samples, which the plane gives exactly; rounding to float32 keeps order, and so
-///        does adding what samples of a pattern may lie nearer or farther
-template <Keeps kKeep, bool kPattern>
-HWY_INLINE BlockWork DecideBlocks(const TriangleLanes& t, double firstDepth, SquareVerdicts verdicts,
-                                  const UsualDepth<kKeep, kPattern>&, std::size_t firstBlock, TileSamples& samples,
-                                  TileDepth& tile, SquareCorners& corners)
-{
-    constexpr IntTag tag;
-    constexpr UintTag unsignedTag;
-    constexpr DoubleTag wide;
-    const Ints nearestSmall = hn::Set(tag, tile.nearestSmall);
-    const Doubles first = hn::Set(wide, firstDepth);
-    const Doubles toNearest = hn::Set(wide, 3 * (std::min(t.perX, 0.0) + std::min(t.perY, 0.0)));
-    const Doubles toFarthest = hn::Set(wide, 3 * (std::max(t.perX, 0.0) + std::max(t.perY, 0.0)));
-    BlockWork work{0, 0};
-    for (std::size_t v = 0; v < kVectors; ++v) {
-        const std::size_t at = firstBlock + v * kPerVector;
-        const std::size_t shift = v * kPerVector;
-        const WideDoubles corner = Add(Mul(t.depth[v], hn::Set(wide, double(kBlockSide))), first);
-        Store(corner, corners.depth.data() + shift);
-        WideDoubles nearestDepth = Add(corner, toNearest);
-        WideDoubles farthestDepth = Add(corner, toFarthest);
-        if constexpr (kPattern) {
-            nearestDepth = Add(nearestDepth, hn::Set(wide, -t.depthReach));
-            farthestDepth = Add(farthestDepth, hn::Set(wide, t.depthReach));
-        }
-        const Ints nearest = KeyOf(nearestDepth);
-        const Ints farthest = KeyOf(farthestDepth);
-        const Ints nearestThere = hn::Min(hn::Load(tag, samples.nearest.data() + at), nearestSmall);
-        const Ints farthestThere = hn::Load(tag, samples.farthest.data() + at);
-        const auto shown = hn::And(MaskOf(tag, verdicts.touched >> shift), hn::Lt(nearest, farthestThere));
-        const auto covered = hn::And(MaskOf(tag, verdicts.covered >> shift), shown);
-        const auto owned = hn::And(covered, hn::Lt(farthest, nearestThere));
-        const Uints owner = hn::Load(unsignedTag, samples.owner.data() + at);
-        hn::Store(hn::IfThenElse(shown, hn::Min(nearest, nearestThere), nearestThere), tag,
-                  samples.nearest.data() + at);
-        hn::Store(hn::IfThenElse(covered, hn::Min(farthest, farthestThere), farthestThere), tag,
-                  samples.farthest.data() + at);
-        hn::Store(hn::IfThenElse(hn::RebindMask(unsignedTag, owned), hn::Set(unsignedTag, t.number), owner),
-                  unsignedTag, samples.owner.data() + at);
-        const std::uint32_t cover = BitsOf(tag, hn::AndNot(owned, shown));
-        work.cover |= cover << shift;
-        work.writeBefore |= (cover & BitsOf(unsignedTag, hn::Ne(owner, hn::Set(unsignedTag, kNobody)))) << shift;
-        tile.updates += std::popcount(BitsOf(tag, covered));
-        tile.owners |= !hn::AllFalse(tag, owned);
-    }
-    return work;
-}
-
-/// Bits of the squares, of 4 x 4, in these columns and rows.
-constexpr std::uint32_t SquaresBetween(int column0, int row0, int column1, int row1)
-{
-    const std::uint32_t columns = (2U << column1) - (1U << column0);
-    const std::uint32_t rows = (16U << row1 * 4) - (1U << row0 * 4);
-    return (columns * 0x1111U) & rows;
-}
-
 /// The colours of a triangle in 4 x 4 blocks from sample (x, y) of the tile on, if they are wanted.
-template <class Policy>
-HWY_INLINE void FillColors(const TriangleLanes& lanes, int x, int y, const Policy& policy, BlockQueue::Group& group)
+template <bool kFromAnchor, class Policy>
+HWY_INLINE void FillColors(const TriangleLanes& lanes, int x, int y, const Policy& policy, BlockQueue& queue)
 {
+    BlockQueue::Group& group = queue.groups[queue.groupCount];
     if constexpr (Policy::kKeeps == Keeps::Color && Policy::kPattern) {
         group.colors.planes = lanes.planes;
         group.colors.x = policy.origin.x + x - lanes.planes->x0;
         group.colors.y = policy.origin.y + y - lanes.planes->y0;
         if (HWY_LIKELY(lanes.planes->way == ColorWay::Affine))
-            group.held.fill(*lanes.planes, group.colors.x, group.colors.y);
+            queue.patterns[queue.groupCount].held.fill(*lanes.planes, group.colors.x, group.colors.y);
     } else if constexpr (Policy::kKeeps == Keeps::Color) {
-        group.colors.fill(*lanes.planes, lanes.colors, policy.origin.x + x - lanes.planes->x0,
-                          policy.origin.y + y - lanes.planes->y0);
+        queue.affine &= lanes.planes->way == ColorWay::Affine;
+        const int toX = policy.origin.x + x - lanes.planes->x0;
+        const int toY = policy.origin.y + y - lanes.planes->y0;
+        if constexpr (kFromAnchor)
+            group.colors.fillFromAnchor(*lanes.planes, toX, toY);
+        else
+            group.colors.fill(*lanes.planes, toX, toY);
     }
 }
 
@@ -308,7 +185,8 @@ HWY_INLINE void CoverSubtiles(const TriangleLanes& lanes, const TileTriangle& t,
         const int subtile = std::countr_zero(subtiles);
         const int x = subtile % 4 * 16;
         const int y = subtile / 4 * 16;
-        BlockQueue::Group& group = NextGroup(policy, queue, worker);
+        MakeRoom(policy, queue, worker);
+        BlockQueue::Group& group = queue.groups[queue.groupCount];
         const std::size_t firstBlock = static_cast<std::size_t>(subtile) * 16;
         const SampleValues first = ValuesAt(lanes, t, x, y);
         const SquareVerdicts verdicts = JudgeSquares<Policy, 2>(lanes, first.edge, group.corners);
@@ -319,7 +197,7 @@ HWY_INLINE void CoverSubtiles(const TriangleLanes& lanes, const TileTriangle& t,
             WriteOwnedBlocks(policy, worker, firstBlock, work.writeBefore);
         }
         if (work.cover != 0) {
-            FillColors(lanes, x, y, policy, group);
+            FillColors<false>(lanes, x, y, policy, queue);
             AppendGroup(policy, lanes, work.cover, queue, [&](std::size_t lane) HWY_ATTR {
                 return PlacesFrom(static_cast<std::uint32_t>(firstBlock), lane);
             });
@@ -345,57 +223,78 @@ HWY_INLINE BlockBounds BoundsInBlocks(const TileTriangle& t)
 HWY_INLINE Uints BlocksFrom(int column, int row, std::size_t lane)
 {
     constexpr UintTag tag;
-    const auto along = [](const std::array<std::int32_t, kLanes>& pattern, std::size_t at, int first) HWY_ATTR {
-        return hn::BitCast(UintTag(), hn::Add(hn::Load(IntTag(), pattern.data() + at), hn::Set(IntTag(), first)));
-    };
-    const Uints x = along(kPattern.x, lane, column);
-    const Uints y = along(kPattern.y, lane, row);
-    const Uints three = hn::Set(tag, 3);
-    const Uints inSubtile = hn::Add(hn::ShiftLeft<2>(hn::And(y, three)), hn::And(x, three));
-    const Uints subtile = hn::Add(hn::ShiftLeft<2>(hn::ShiftRight<2>(y)), hn::ShiftRight<2>(x));
-    return hn::Add(hn::ShiftLeft<4>(subtile), inSubtile);
+    // Column and row take turns in the bits of a block's index. Where the bits of the other one are set, sums carry
+    // across them.
+    constexpr std::uint32_t kColumnBits = 0x33;
+    constexpr std::uint32_t kRowBits = 0xcc;
+    static_assert(blockIndex(15, 0) == kColumnBits && blockIndex(0, 15) == kRowBits);
+    const auto first = [](int index, std::uint32_t others)
+                           HWY_ATTR { return hn::Set(UintTag(), static_cast<std::uint32_t>(index) | others); };
+    const Uints places = hn::Load(tag, kPattern.place.data() + lane);
+    const Uints x = hn::Add(hn::And(places, hn::Set(tag, 3)), first(blockIndex(column, 0), kRowBits));
+    const Uints y = hn::Add(hn::And(places, hn::Set(tag, 12)), first(blockIndex(0, row), kColumnBits));
+    return hn::OrAnd(hn::And(x, hn::Set(tag, kColumnBits)), y, hn::Set(tag, kRowBits));
+}
+
+/// Writes the samples of blocks of a window, a bit each, if a triangle has them to itself.
+template <class Policy>
+inline HWY_NOINLINE void WriteOwnedInWindow(const Policy& policy, Worker& worker, BlockBounds window,
+                                            std::uint32_t blocks)
+{
+    for (; blocks != 0; blocks &= blocks - 1) {
+        const int square = std::countr_zero(blocks);
+        const auto block =
+            static_cast<std::size_t>(blockIndex(window.column + square % kBlockSide, window.row + square / kBlockSide));
+        WriteOwnedBlocks(policy, worker, block & ~std::size_t(kLanes - 1), 1U << block % kLanes);
+    }
 }
 
 /// Up to 4 x 4 blocks of a triangle: those that it touches, without asking what is in front.
 ///
-/// in   the triangle at the first sample of them
-template <class Policy>
+/// in   the triangle at the first sample of them; the queue has room for a group
+template <bool kFromAnchor, class Policy>
 HWY_INLINE void CoverWindow(const TriangleLanes& lanes, const SampleValues& first, const BlockBounds& window,
                             const Policy& policy, Worker& worker, const TileDepth& tile, BlockQueue& queue)
 {
-    BlockQueue::Group& group = NextGroup(policy, queue, worker);
+    BlockQueue::Group& group = queue.groups[queue.groupCount];
     StoreDepths(lanes, first.depth, group.corners);
-    const std::uint32_t inBounds = SquaresBetween(0, 0, window.columns - 1, window.rows - 1);
-    const std::uint32_t touched = JudgeSquares<Policy, 2>(lanes, first.edge, group.corners).touched & inBounds;
-    if (tile.owners)
-        for (std::uint32_t bits = touched; bits != 0; bits &= bits - 1) {
-            const int square = std::countr_zero(bits);
-            const auto block = static_cast<std::size_t>(
-                blockIndex(window.column + square % kBlockSide, window.row + square / kBlockSide));
-            WriteOwnedBlocks(policy, worker, block & ~std::size_t(kLanes - 1), 1U << block % kLanes);
-        }
-    FillColors(lanes, window.column * kBlockSide, window.row * kBlockSide, policy, group);
+    const std::uint32_t touched =
+        TouchedSquares(lanes, first.edge, group.corners) & SquaresBetween(0, 0, window.columns - 1, window.rows - 1);
+    FillColors<kFromAnchor>(lanes, window.column * kBlockSide, window.row * kBlockSide, policy, queue);
     AppendGroup(policy, lanes, touched, queue,
                 [&](std::size_t lane) HWY_ATTR { return BlocksFrom(window.column, window.row, lane); });
+    if (HWY_UNLIKELY(tile.owners)) // before the queue is tested; older triangles in it lose against the owners
+        WriteOwnedInWindow(policy, worker, window, touched);
 }
 
-/// A triangle that is small in the tile.
+/// What comes before the windows of a triangle.
 template <class Policy>
-HWY_INLINE void CoverWindows(const TriangleLanes& lanes, const TileTriangle& t, const BlockBounds& bounds,
-                             const Policy& policy, Worker& worker, TileDepth& tile, BlockQueue& queue)
+HWY_INLINE void PrepareWindows(const TileTriangle& t, const Policy& policy, Worker& worker, TileDepth& tile)
 {
     tile.nearestSmall = std::min(tile.nearestSmall, std::max(std::bit_cast<std::int32_t>(t.nearest), 0));
     WriteBlankBlocks(policy, worker, tile);
-    if (HWY_LIKELY(bounds.columns <= 4 && bounds.rows <= 4)) {
-        CoverWindow(lanes, {t.c, t.depthOrigin}, bounds, policy, worker, tile, queue);
+}
+
+/// A triangle of more than 4 x 4 blocks. A function of its own, as FlushQueue() is: where one could be called while the
+/// lanes of CoverTriangle() are in registers, these would be kept in memory instead.
+template <class Policy>
+inline HWY_NOINLINE void CoverLargerTriangle(const TileTriangle& t, const ColorPlanes& planes, const Policy& policy,
+                                             std::uint32_t number, Worker& worker, TileDepth& tile, BlockQueue& queue)
+{
+    const TriangleLanes lanes = SpreadTriangle(policy, t, planes, number, worker);
+    if (t.isLarge()) {
+        CoverSubtiles(lanes, t, policy, worker, tile, queue);
         return;
     }
+    PrepareWindows(t, policy, worker, tile);
+    const BlockBounds bounds = BoundsInBlocks(t);
     for (int row = 0; row < bounds.rows; row += 4)
         for (int column = 0; column < bounds.columns; column += 4) {
             const BlockBounds window{bounds.column + column, bounds.row + row, std::min(bounds.columns - column, 4),
                                      std::min(bounds.rows - row, 4)};
             const SampleValues first = ValuesAt(lanes, t, window.column * kBlockSide, window.row * kBlockSide);
-            CoverWindow(lanes, first, window, policy, worker, tile, queue);
+            MakeRoom(policy, queue, worker);
+            CoverWindow<false>(lanes, first, window, policy, worker, tile, queue);
         }
 }
 
@@ -403,13 +302,15 @@ template <class Policy>
 HWY_INLINE void CoverTriangle(const TileTriangle& t, const ColorPlanes& planes, const Policy& policy,
                               std::uint32_t number, Worker& worker, TileDepth& tile, BlockQueue& queue)
 {
-    constexpr int kSmall = 8; // blocks
-    const TriangleLanes lanes = SpreadTriangle(policy, t, planes, number);
     const BlockBounds bounds = BoundsInBlocks(t);
-    if (bounds.columns > kSmall || bounds.rows > kSmall)
-        CoverSubtiles(lanes, t, policy, worker, tile, queue);
-    else
-        CoverWindows(lanes, t, bounds, policy, worker, tile, queue);
+    if (HWY_UNLIKELY(bounds.columns > 4 || bounds.rows > 4)) {
+        CoverLargerTriangle(t, planes, policy, number, worker, tile, queue);
+        return;
+    }
+    PrepareWindows(t, policy, worker, tile);
+    MakeRoom(policy, queue, worker);
+    const TriangleLanes lanes = SpreadTriangle(policy, t, planes, number, worker);
+    CoverWindow<true>(lanes, {t.c, t.depthOrigin}, bounds, policy, worker, tile, queue);
 }
 
 /// Samples of a triangle beyond the numbers of the fast path, one by one.
@@ -447,10 +348,12 @@ template <class Policy>
 HWY_INLINE void FetchRecord(const TileBlock& block, std::size_t triangle)
 {
     __builtin_prefetch(block.bin->triangles.data() + triangle);
-    if (Policy::kKeeps == Keeps::Color || block.texels != nullptr)
+    if constexpr (Policy::kKeeps == Keeps::Color) {
         __builtin_prefetch(block.bin->colors.data() + triangle);
-    if (block.texels != nullptr)
+    } else if (block.texels != nullptr) {
+        __builtin_prefetch(block.bin->colors.data() + triangle);
         __builtin_prefetch(block.texels->data() + triangle);
+    }
 }
 
 template <class Policy>
@@ -493,7 +396,7 @@ inline bool HasOneForAll(const Policy& policy, const Worker& worker, const TileD
     const TileTriangle& t = worker.triangle(0);
     if ((t.x0 | t.y0) != 0 || t.x1 != kLast || t.y1 != kLast)
         return false;
-    const TriangleLanes lanes = SpreadTriangle(policy, t, worker.colors(0), 0);
+    const TriangleLanes lanes = SpreadTriangle(policy, t, worker.colors(0), 0, worker);
     double farthest = t.depthOrigin + kLast * (std::max(t.depthPerX, 0.0) + std::max(t.depthPerY, 0.0));
     bool covers = true;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -548,9 +451,8 @@ inline void CoverWithPattern(const FrameJob& job, Worker& worker, TileOrigin ori
 /// Fills the samples of a tile from the triangles in worker.blocks.
 inline void CoverTile(const FrameJob& job, Worker& worker, TileOrigin origin)
 {
-    const Rules& rules = job.rules;
     TileSamples& samples = worker.samples;
-    const std::int32_t clear = std::bit_cast<std::int32_t>(rules.depthClear) ^ depthFlip(rules.depthCompare);
+    const auto clear = std::bit_cast<std::int32_t>(job.rules.depthClear);
     samples.clearKey = clear;
     samples.farthest.fill(clear);
     samples.nearest.fill(clear);

@@ -1,5 +1,6 @@
 #include "core/tiled/exact_path.h"
 
+#include "core/pipeline/depth_bias.h"
 #include "core/pipeline/depth_test.h"
 #include "core/pipeline/fate_count.h"
 #include "core/pipeline/interpolation.h"
@@ -63,8 +64,8 @@ void coverSample(const FrameJob& job, const FaceInterpolation& interpolation, co
     const int yEnd = std::min({box.y + box.height, origin.y + job.grid.pitch, job.rules.rows()});
     const int xEnd = std::min({box.x + box.width, origin.x + job.grid.pitch, job.rules.columns()});
     const StoredSamples stored = storedSamples(job, worker);
-    const std::int32_t flip = depthFlip(job.rules.depthCompare);
-    const std::int32_t handicap = depthHandicap(job.rules);
+    const DepthStore store(job.rules);
+    const PassingDifferences test = passingDifferences(job.rules, moved.face);
     for (int y = std::max(box.y, origin.y); y < yEnd; ++y)
         for (int x = std::max(box.x, origin.x); x < xEnd; ++x) {
             const auto p = TriangleSetup<std::int64_t>::centre(x, y);
@@ -78,8 +79,8 @@ void coverSample(const FrameJob& job, const FaceInterpolation& interpolation, co
             const std::size_t at =
                 job.pattern.place(static_cast<std::size_t>(sampleIndex(x - origin.x, y - origin.y)), sample);
             const double depth = interpolation.depthAt(x, y, offset);
-            const std::int32_t key = std::bit_cast<std::int32_t>(storedDepth(depth, job.rules.depthFormat)) ^ flip;
-            const bool passed = key - handicap < stored.key[at];
+            const auto key = std::bit_cast<std::int32_t>(storedDepth(depth, store));
+            const bool passed = test.holds(key, stored.key[at]);
             ++worker.pixels.covered;
             ++(passed ? worker.pixels.depthPassed : worker.pixels.depthFailed);
             if (job.countsCoverage() && stored.coverage[at] != 0xffff)
@@ -134,6 +135,11 @@ ScreenTriangle screenTriangle(const FrameJob& job, const Chunk& chunk, std::uint
     }
     const auto& [a, b, c] = triangle.vertices;
     triangle.area2 = twiceArea(a.position, b.position, c.position);
+    if (isBiased(job.rules, source)) {
+        const double bias = depthBias(triangle.vertices, job.rules);
+        for (ScreenVertex& vertex : triangle.vertices)
+            vertex.depth += bias;
+    }
     return triangle;
 }
 
@@ -161,8 +167,8 @@ void shadeExactly(const FrameJob& job, const VisibleTriangle& visible, const Blo
         UvGradient gradient;
         // The centre of a pixel with a pattern has no stored depth.
         const float depth = job.pattern.isOn()
-                                ? storedDepth(interpolation.depthAt(x, y, glm::dvec2(0)), job.rules.depthFormat)
-                                : std::bit_cast<float>(samples.key[at] ^ depthFlip(job.rules.depthCompare));
+                                ? storedDepth(interpolation.depthAt(x, y, glm::dvec2(0)), DepthStore(job.rules))
+                                : std::bit_cast<float>(samples.key[at]);
         if (job.rules.varyingCount > 0) {
             const Weights screen = interpolation.weightsAt(x, y);
             const Weights weights = interpolation.perspective(screen);

@@ -1,5 +1,9 @@
 #pragma once
+#include "core/settings/depth_rules.h"
 #include "core/tiled/frame_job.h"
+
+#include <cstdint>
+#include <limits>
 
 namespace rasterlens::tiled
 {
@@ -41,29 +45,41 @@ void coverExactly(const FrameJob& job, const ScreenTriangle& piece, std::uint32_
 void shadeExactly(const FrameJob& job, const VisibleTriangle& triangle, const BlockShare& share, TileOrigin origin,
                   TileSamples& samples);
 
-/// What the bits of a depth are xored with in a tile, so that smaller is nearer.
-[[nodiscard]] inline std::int32_t depthFlip(DepthCompare compare)
-{
-    return compare == DepthCompare::Greater || compare == DepthCompare::GreaterEqual
-               ? std::numeric_limits<std::int32_t>::max()
-               : 0;
-}
+/// The differences of depth keys, new minus stored, with which a sample passes the depth test.
+///
+/// Each comparison holds for one run of differences, if the smallest number of 32 bits follows the largest: `notequal`
+/// for all from 1 round to -1. Differences are moved so that the run begins with the smallest number; then one
+/// comparison decides every test.
+///
+/// exact  keys are 0 to the bits of 1.0F, so no difference wraps round
+struct PassingDifferences {
+    std::int32_t offset;  ///< taken off the difference
+    std::int32_t largest; ///< that then passes
 
-/// What is taken off a depth before it is compared: 0 lets smaller ones pass, 1 equal ones too, more any.
-[[nodiscard]] inline std::int32_t depthHandicap(const Rules& rules)
+    [[nodiscard]] bool holds(std::int32_t key, std::int32_t stored) const
+    {
+        const auto bits = [](std::int32_t number) { return static_cast<std::uint32_t>(number); };
+        return static_cast<std::int32_t>(bits(key) - bits(stored) - bits(offset)) <= largest;
+    }
+};
+
+/// The differences with which samples of a face pass.
+[[nodiscard]] inline PassingDifferences passingDifferences(const Rules& rules, std::uint32_t face)
 {
+    constexpr std::int32_t kSmallest = std::numeric_limits<std::int32_t>::min();
+    constexpr std::int32_t kLargest = std::numeric_limits<std::int32_t>::max();
     if (!rules.depthTested)
-        return 1 << 30;
-    switch (rules.depthCompare) {
-    case DepthCompare::Less:
-    case DepthCompare::Greater: return 0;
-    case DepthCompare::LessEqual:
-    case DepthCompare::GreaterEqual: return 1;
-    case DepthCompare::Equal: // these two are not supported
-    case DepthCompare::NotEqual:
+        return {0, kLargest};
+    switch (depthCompareOf(rules, face)) {
+    case DepthCompare::Less: return {0, -1};
+    case DepthCompare::LessEqual: return {0, 0};
+    case DepthCompare::Equal: return {kSmallest, kSmallest};
+    case DepthCompare::GreaterEqual: return {kSmallest, -1};
+    case DepthCompare::Greater: return {kSmallest + 1, -2};
+    case DepthCompare::NotEqual: return {kSmallest + 1, kLargest - 1};
     case DepthCompare::Always: break;
     }
-    return 1 << 30;
+    return {0, kLargest};
 }
 
 } // namespace rasterlens::tiled

@@ -42,13 +42,13 @@ inline void QueueOutsideFace(const FrameJob& job, Chunk& chunk, std::uint32_t fa
 /// A vector of triangles ready for the bins.
 struct alignas(64) SetupLanes {
     // Records as they are in the tile of the triangle's first sample: lane after lane, so many numbers each.
-    std::array<std::int32_t, 4 * kDoubles> gradients;     ///< a, b
-    std::array<std::int32_t, 4 * kDoubles> fineGradients; ///< multi-sampling: what the record has in their place
-    std::array<std::int32_t, 4 * kDoubles> constants;     ///< c, nearest
-    std::array<double, 4 * kDoubles> depth;               ///< source and bounds as 64 bits, depth plane
+    std::array<std::int32_t, 4 * kDoubles> gradients; ///< as the record has them
+    std::array<std::int32_t, 4 * kDoubles> constants; ///< c, nearest
+    std::array<double, 4 * kDoubles> depth;           ///< source and bounds as 64 bits, depth plane
     ColorPlaneLanes colors;
     TexelPlaneLanes texels;
     // What it takes to move them to other tiles.
+    std::array<std::array<std::int32_t, kDoubles>, 3> a, b;
     std::array<std::array<double, kDoubles>, 3> c; ///< not held within 32 bits
     std::array<std::int32_t, kDoubles> x0, y0, x1, y1;
     std::array<std::int32_t, kDoubles> column0, row0, column1, row1; ///< of tiles
@@ -67,8 +67,7 @@ struct alignas(64) SetupLanes {
     HWY_INLINE void copyTo(std::size_t lane, const FrameJob& job, Chunk::Slot slot) const
     {
         TileTriangle& t = *slot.triangle;
-        const auto& ab = job.pattern.isOn() ? fineGradients : gradients;
-        std::memcpy(&t.a, ab.data() + 4 * lane, 4 * sizeof(std::int32_t));
+        std::memcpy(&t.gradients, gradients.data() + 4 * lane, 4 * sizeof(std::int32_t));
         std::memcpy(&t.c, constants.data() + 4 * lane, 4 * sizeof(std::int32_t));
         std::memcpy(&t.source, depth.data() + 4 * lane, 4 * sizeof(double));
         if (job.interpolatesColor() || job.hasTexels())
@@ -118,13 +117,6 @@ HWY_INLINE HalfInts StoreBounds(const TileGrid& grid, const SampleLanes& columns
     const HalfInts high = hn::Or(hn::Min(hn::Sub(columns.last, originX), last),
                                  hn::ShiftLeft<8>(hn::Min(hn::Sub(rows.last, originY), last)));
     return hn::Or(low, hn::ShiftLeft<16>(high));
-}
-
-/// Edge values at a sample of the target.
-HWY_INLINE Doubles EdgeAt(const EdgeLanes& edge, Doubles x, Doubles y)
-{
-    constexpr DoubleTag wide;
-    return hn::Add(edge.c, hn::Add(hn::Mul(hn::PromoteTo(wide, edge.a), x), hn::Mul(hn::PromoteTo(wide, edge.b), y)));
 }
 
 HWY_INLINE Doubles SourceAndBounds(const SetupQueue& queue, std::size_t at, HalfInts bounds)
@@ -229,42 +221,43 @@ inline std::uint32_t LanesWithMasks(const FrameJob& job, const Chunk& chunk, con
     return masked;
 }
 
-/// Fetches a vector of triangles from the queue, corner by corner: in units, and in samples with the depth.
-HWY_INLINE void LoadCorners(const SetupQueue& queue, std::size_t at, std::array<HalfInts, 3>& x,
-                            std::array<HalfInts, 3>& y, std::array<CornerLanes, 3>& corner)
-{
-    constexpr DoubleTag wide;
-    const Doubles samplesPerUnit = hn::Set(wide, 1.0 / kUnit);
-    for (std::size_t k = 0; k < 3; ++k) {
-        hn::LoadInterleaved2(HalfIntTag(), &queue.position[k][at].x, x[k], y[k]);
-        corner[k] = {hn::Mul(hn::PromoteTo(wide, x[k]), samplesPerUnit),
-                     hn::Mul(hn::PromoteTo(wide, y[k]), samplesPerUnit), hn::LoadU(wide, queue.depth[k].data() + at)};
-    }
-}
-
 /// Lays down the edges' gradients, their values at the anchor, and the nearest depth.
-HWY_INLINE void StoreEdges(const std::array<EdgeLanes, 3>& edges, Doubles anchorX, Doubles anchorY, HalfFloats nearest,
+HWY_INLINE void StoreEdges(const TriangleEdges& edges, HalfInts anchorX, HalfInts anchorY, HalfFloats nearest,
                            SetupLanes& out)
 {
     constexpr HalfIntTag tag;
-    hn::StoreInterleaved4(edges[0].a, edges[1].a, edges[0].b, edges[1].b, tag, out.gradients.data());
     std::array<HalfInts, 3> c;
     for (std::size_t k = 0; k < 3; ++k) {
-        const Doubles value = EdgeAt(edges[k], anchorX, anchorY);
-        hn::Store(value, DoubleTag(), out.c[k].data());
-        c[k] = HeldEdge(value);
+        hn::Store(edges.edge[k].a, tag, out.a[k].data());
+        hn::Store(edges.edge[k].b, tag, out.b[k].data());
+        c[k] = edges.heldAt(k, anchorX, anchorY);
+        hn::Store(edges.at(k, anchorX, anchorY), DoubleTag(), out.c[k].data());
     }
     hn::StoreInterleaved4(c[0], c[1], c[2], hn::BitCast(tag, nearest), tag, out.constants.data());
 }
 
+/// Lays down the gradients as TileTriangle has them.
+HWY_INLINE void StoreGradients(const std::array<EdgeLanes, 3>& edges, SetupLanes& out)
+{
+    constexpr HalfIntTag tag;
+    const auto narrow = hn::Lt(Steepest(edges), hn::Set(tag, 1 << 15));
+    const auto choose = [&](std::size_t k, HalfInts wide) HWY_ATTR {
+        const HalfInts lower = hn::And(edges[k].a, hn::Set(HalfIntTag(), 0xffff));
+        return hn::IfThenElse(narrow, hn::Or(lower, hn::ShiftLeft<16>(edges[k].b)), wide);
+    };
+    hn::StoreInterleaved4(choose(0, edges[0].a), choose(1, edges[1].a), choose(2, edges[0].b),
+                          hn::IfThenElse(narrow, hn::Set(tag, TileTriangle::kNarrow), edges[1].b), tag,
+                          out.gradients.data());
+}
+
 /// Multi-sampling: lays down the gradients as TileTriangle has them then.
-HWY_INLINE void StoreFineGradients(const std::array<EdgeLanes, 3>& edges, SetupLanes& out)
+HWY_INLINE void StoreFineGradients(const TriangleEdges& edges, SetupLanes& out)
 {
     const auto fine = [](HalfInts gradient, HalfInts rest)
                           HWY_ATTR { return hn::Or(hn::ShiftLeft<4>(gradient), rest); };
-    hn::StoreInterleaved4(fine(edges[0].a, edges[0].rest), fine(edges[1].a, edges[1].rest),
-                          fine(edges[0].b, edges[2].rest), hn::ShiftLeft<4>(edges[1].b), HalfIntTag(),
-                          out.fineGradients.data());
+    const auto& [ab, bc, ca] = edges.edge;
+    hn::StoreInterleaved4(fine(ab.a, edges.rest[0]), fine(bc.a, edges.rest[1]), fine(ab.b, edges.rest[2]),
+                          hn::ShiftLeft<4>(bc.b), HalfIntTag(), out.gradients.data());
 }
 
 /// in   the last samples of the bounds
@@ -287,6 +280,33 @@ HWY_INLINE PlaneGeometry GeometryOf(const PixelPattern& pattern, const std::arra
             static_cast<float>(pattern.reach) / 16};
 }
 
+/// The edges of a vector of triangles.
+///
+/// in   in units; where the winding is the other one
+/// out  the bounds, in samples; the edges (returned, they would be copied, which costs 4 % of the stage with GCC 12)
+HWY_INLINE void MakeTriangleEdges(const FrameJob& job, const std::array<HalfInts, 3>& x,
+                                  const std::array<HalfInts, 3>& y, hn::Mask<HalfIntTag> swapped, SampleLanes& columns,
+                                  SampleLanes& rows, TriangleEdges& edges)
+{
+    const Rules& rules = job.rules;
+    // Inside is where all three edges are positive: B and C change places where the triangle winds the other way.
+    const HalfInts bx = hn::IfThenElse(swapped, x[2], x[1]);
+    const HalfInts by = hn::IfThenElse(swapped, y[2], y[1]);
+    const HalfInts cx = hn::IfThenElse(swapped, x[1], x[2]);
+    const HalfInts cy = hn::IfThenElse(swapped, y[1], y[2]);
+    const HalfInts lowX = Min3(x[0], x[1], x[2]), highX = Max3(x[0], x[1], x[2]);
+    const HalfInts lowY = Min3(y[0], y[1], y[2]), highY = Max3(y[0], y[1], y[2]);
+    const int reach = ReachInUnits(job);
+    columns = SamplesBetween(lowX, highX, rules.columns(), reach);
+    rows = SamplesBetween(lowY, highY, rules.rows(), reach);
+    edges.edge = {MakeEdge(x[0], y[0], bx, by, rules), MakeEdge(bx, by, cx, cy, rules),
+                  MakeEdge(cx, cy, x[0], y[0], rules)};
+    edges.x = columns.first;
+    edges.y = rows.first;
+    edges.compact = !job.pattern.isOn() && IsCompact(lowX, lowY, highX, highY, edges.x, edges.y);
+    EvaluateEdges(rules, edges);
+}
+
 /// Sets up a vector of triangles from the queue; `present`: a bit for each lane that holds one.
 HWY_INLINE void SetUpLanes(const FrameJob& job, Chunk& chunk, const SetupQueue& queue, std::size_t at,
                            std::uint32_t present, SetupLanes& out)
@@ -296,23 +316,16 @@ HWY_INLINE void SetUpLanes(const FrameJob& job, Chunk& chunk, const SetupQueue& 
     const Rules& rules = job.rules;
     std::array<HalfInts, 3> x, y;
     std::array<CornerLanes, 3> corner;
-    LoadCorners(queue, at, x, y, corner);
+    LoadCorners(rules, queue, at, present, x, y, corner);
     const Doubles area = TwiceArea(hn::Sub(corner[1].x, corner[0].x), hn::Sub(corner[1].y, corner[0].y),
                                    hn::Sub(corner[2].x, corner[0].x), hn::Sub(corner[2].y, corner[0].y));
     const auto swapped =
         hn::Gt(hn::DemoteTo(tag, hn::IfThenElseZero(hn::Lt(area, hn::Zero(wide)), hn::Set(wide, 1.0))), hn::Zero(tag));
 
-    // Inside is where all three edges are positive: B and C change places where the triangle winds the other way.
-    const HalfInts bx = hn::IfThenElse(swapped, x[2], x[1]);
-    const HalfInts by = hn::IfThenElse(swapped, y[2], y[1]);
-    const HalfInts cx = hn::IfThenElse(swapped, x[1], x[2]);
-    const HalfInts cy = hn::IfThenElse(swapped, y[1], y[2]);
-    const std::array<EdgeLanes, 3> edges{MakeEdge(x[0], y[0], bx, by, rules), MakeEdge(bx, by, cx, cy, rules),
-                                         MakeEdge(cx, cy, x[0], y[0], rules)};
-    const int reach = ReachInUnits(job);
-    SampleLanes columns = SamplesBetween(Min3(x[0], x[1], x[2]), Max3(x[0], x[1], x[2]), rules.columns(), reach);
-    SampleLanes rows = SamplesBetween(Min3(y[0], y[1], y[2]), Max3(y[0], y[1], y[2]), rules.rows(), reach);
-    const auto tooSteep = TooSteep(edges);
+    SampleLanes columns, rows;
+    TriangleEdges edges;
+    MakeTriangleEdges(job, x, y, swapped, columns, rows, edges);
+    const auto tooSteep = TooSteep(edges.edge);
     if (!job.pattern.isOn())
         NarrowBounds(edges, tooSteep, columns, rows);
     out.used = present & ~BitsOf(tag, hn::Or(hn::Lt(columns.last, columns.first), hn::Lt(rows.last, rows.first)));
@@ -331,9 +344,11 @@ HWY_INLINE void SetUpLanes(const FrameJob& job, Chunk& chunk, const SetupQueue& 
     const Doubles nearestCorner = Min3(corner[0].depth, corner[1].depth, corner[2].depth);
     const HalfFloats nearest = hn::DemoteTo( // needles come out at any depth
         HalfFloatTag(), hn::IfThenElseZero(plane.plane, hn::Sub(nearestCorner, hn::Set(wide, kDepthSlack))));
-    StoreEdges(edges, wideX, wideY, nearest, out);
+    StoreEdges(edges, anchorX, anchorY, nearest, out);
     if (job.pattern.isOn())
         StoreFineGradients(edges, out);
+    else
+        StoreGradients(edges.edge, out);
     const Doubles depth = hn::Add(plane.origin, hn::Add(hn::Mul(plane.perX, wideX), hn::Mul(plane.perY, wideY)));
     hn::StoreInterleaved4(SourceAndBounds(queue, at, bounds), depth, plane.perX, plane.perY, wide, out.depth.data());
     out.needles = ~BitsOf(wide, plane.plane);
@@ -376,22 +391,39 @@ inline TilePart PartInTile(const FrameJob& job, const SetupLanes& lanes, std::si
                   y1 == std::min(last, job.rules.rows() - originY - 1);
     const double width = x1 - anchor(x0);
     const double height = y1 - anchor(y0);
-    const std::int32_t* gradients = lanes.gradients.data() + 4 * i;
-    const double a[3] = {double(gradients[0]), double(gradients[1]), -double(gradients[0]) - gradients[1]};
-    const double b[3] = {double(gradients[2]), double(gradients[3]), -double(gradients[2]) - gradients[3]};
+    const double a[3] = {double(lanes.a[0][i]), double(lanes.a[1][i]), double(lanes.a[2][i])};
+    const double b[3] = {double(lanes.b[0][i]), double(lanes.b[1][i]), double(lanes.b[2][i])};
     // Steep edges have values of up to 2^56, which double rounds a few times.
     const double rounded = (lanes.exact >> i & 1) != 0 ? 0x1p10 : 0;
     const double sides =
         job.pattern.reach / 16.0; // a sample of a pattern is so far from the centre, and c lacks its rest
     const double doubt = rounded + (job.pattern.isOn() ? 1 : 0);
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k)
         part.c[k] = lanes.c[k][i] + a[k] * toX + b[k] * toY;
+    // A triangle in a single row or column of tiles has samples in each of them, or next to none.
+    const bool alwaysTouches =
+        (lanes.column0[i] == lanes.column1[i] || lanes.row0[i] == lanes.row1[i]) && (lanes.exact >> i & 1) == 0;
+    if (HWY_LIKELY(alwaysTouches && !part.covers))
+        return part;
+    for (std::size_t k = 0; k < 3; ++k) {
         const double margin = doubt + sides * (std::abs(a[k]) + std::abs(b[k]));
         part.touches &= part.c[k] + std::max(a[k], 0.0) * width + std::max(b[k], 0.0) * height >= -margin;
         part.covers &= part.c[k] + std::min(a[k], 0.0) * width + std::min(b[k], 0.0) * height >= margin;
     }
     part.covers &= (lanes.needles >> i & 1) == 0;
     return part;
+}
+
+/// Moves the anchor of affine colours: sums of whole numbers are exact.
+inline void MoveAnchor(ColorPlanes& planes, int x, int y)
+{
+    for (std::size_t i = 1; i < 4; ++i) {
+        const auto alongX = static_cast<std::uint32_t>(planes.perX[i]) * static_cast<std::uint32_t>(x);
+        const auto alongY = static_cast<std::uint32_t>(planes.perY[i]) * static_cast<std::uint32_t>(y);
+        planes.origin[i] = static_cast<std::int32_t>(static_cast<std::uint32_t>(planes.origin[i]) + alongX + alongY);
+    }
+    planes.x0 += x;
+    planes.y0 += y;
 }
 
 /// Writes a triangle into the bin of a tile, if it may be seen there; what it hides leaves the bin.
@@ -427,14 +459,16 @@ inline void EmitToTile(const FrameJob& job, Chunk& chunk, const SetupLanes& lane
     t.y0 = static_cast<std::uint8_t>(part.y0);
     t.x1 = static_cast<std::uint8_t>(part.x1);
     t.y1 = static_cast<std::uint8_t>(part.y1);
+    if (job.interpolatesColor() && !job.pattern.isOn() && slot.colors->way == ColorWay::Affine && !t.isLarge())
+        MoveAnchor(*slot.colors, part.toX, part.toY); // CoverTriangle() counts from there
     if ((lanes.exact >> i & 1) == 0) {
         for (std::size_t k = 0; k < 3; ++k)
-            t.c[k] = static_cast<std::int32_t>(std::min(part.c[k], double(kFarInside)));
+            t.c[k] = static_cast<std::int32_t>(std::clamp(part.c[k], -double(kFarInside), double(kFarInside)));
         return;
     }
     t.source = kPiece | static_cast<std::uint32_t>(chunk.pieces.size() - 1);
     if (part.covers)
-        t.a = t.b = {}, t.c = {};
+        t.gradients = {}, t.c = {};
     else
         t.makeExact();
 }
@@ -508,24 +542,24 @@ HWY_INLINE void SortFaces(const FrameJob& job, Chunk& chunk, const FaceBatch& ba
             DrainQueue(job, chunk, queue, false);
     };
     makeRoom();
-    for (std::uint32_t bits = (drawn & verdicts.holdsSamples) | outside; bits != 0; bits &= bits - 1) {
+    const std::uint32_t wanted = drawn & verdicts.holdsSamples;
+    if (HWY_LIKELY(outside == 0)) {
+        QueueFaces(batch, firstFace, at, wanted, queue);
+        return;
+    }
+    for (std::uint32_t bits = wanted | outside; bits != 0; bits &= bits - 1) { // in the order of the faces
         const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
         const std::size_t i = at + lane;
-        const auto face = static_cast<std::uint32_t>(firstFace + i);
-        if ((outside >> lane & 1) != 0) {
-            const auto code = [&](std::size_t k) {
-                const ScreenXY& p = batch.position[k][i];
-                return p.x == kOutside ? p.y : 0;
-            };
-            QueueOutsideFace(job, chunk, face, {code(0), code(1), code(2)}, queue, makeRoom);
+        if ((outside >> lane & 1) == 0) {
+            QueueFaces(batch, firstFace, at, 1U << lane, queue);
             continue;
         }
-        const std::size_t slot = queue.count++;
-        for (std::size_t k = 0; k < 3; ++k) {
-            queue.position[k][slot] = batch.position[k][i];
-            queue.depth[k][slot] = batch.point(job, i, k).depth;
-        }
-        queue.source[slot] = face;
+        const auto code = [&](std::size_t k) {
+            const ScreenXY& p = batch.position[k][i];
+            return p.x == kOutside ? p.y : 0;
+        };
+        QueueOutsideFace(job, chunk, static_cast<std::uint32_t>(firstFace + i), {code(0), code(1), code(2)}, queue,
+                         makeRoom);
     }
 }
 

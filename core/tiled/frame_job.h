@@ -3,6 +3,7 @@
 #include "core/pipeline/geometry.h"
 #include "core/pipeline/shading.h"
 #include "core/scene/texel_border.h"
+#include "core/settings/depth_rules.h"
 #include "core/tiled/tile_data.h"
 
 #include <array>
@@ -78,12 +79,13 @@ struct FrameJob {
     {
         return counting || outputs.coverage || outputs.sampleCoverage || rules.shading == Shading::Overdraw;
     }
-    /// True for the usual depth test (float32, the smaller depth wins) if covered samples are not counted. Only then
-    /// may hidden samples be skipped.
+    /// True for the usual depth test (float32, 0 to 1, the smaller depth wins, in both passes of two) if covered
+    /// samples are not counted. Only then may hidden samples be skipped.
     [[nodiscard]] bool usualDepth() const
     {
         return rules.depthTested && rules.depthCompare == DepthCompare::Less &&
-               rules.depthFormat == DepthFormat::Float32 && !countsCoverage();
+               depthCompareOf(rules, 0) == DepthCompare::Less && rules.depthFormat == DepthFormat::Float32 &&
+               rules.depthRange.isWhole() && !countsCoverage();
     }
     [[nodiscard]] bool depthOnly() const { return usualDepth() && color == nullptr && ids == nullptr; }
     /// True if samples may be coloured at once: nothing but the colour depends on which triangle won.

@@ -133,49 +133,24 @@ HWY_INLINE Uints HeldColor(const ColorPlanes& planes, int x, int y, std::size_t 
     return squares.held(0, lane);
 }
 
-/// Colours of ColorWay::Affine of 16 samples, two channels to a number, in 2^-8 of a step: red and blue, alpha and
-/// green. Adding two ChannelPairs gives a valid ChannelPairs: no channel carries into the other.
+/// Colours of ColorWay::Affine of a vector of samples, two channels to a number, in 2^-8 of a step modulo 256 steps:
+/// red and blue, alpha and green.
 struct ChannelPairs {
-    Ints redBlue;
-    Ints alphaGreen;
+    Uints redBlue;
+    Uints alphaGreen;
 };
+
+HWY_INLINE ChannelPairs Add(const ChannelPairs& a, const ChannelPairs& b)
+{
+    return {AddHalves(a.redBlue, b.redBlue), AddHalves(a.alphaGreen, b.alphaGreen)};
+}
 
 HWY_INLINE Uints ColorOf(const ChannelPairs& pairs)
 {
-    constexpr UintTag tag;
-    return hn::OrAnd(UpperBytes(hn::BitCast(tag, pairs.redBlue)), hn::BitCast(tag, pairs.alphaGreen),
-                     hn::Set(tag, 0xff00ff00U));
+    return hn::OrAnd(UpperBytes(pairs.redBlue), pairs.alphaGreen, hn::Set(UintTag(), 0xff00ff00U));
 }
 
-/// What a triangle's channels change by from lane to lane, in the units of its planes.
-struct ColorSlopes {
-    std::array<std::array<Ints, kVectors>, 3> channel;
-};
-
-HWY_INLINE ColorSlopes SpreadColors(const ColorPlanes& planes)
-{
-    constexpr IntTag tag;
-    ColorSlopes slopes;
-    for (std::size_t v = 0; v < kVectors; ++v) {
-        const Ints x = hn::Load(tag, kPattern.x.data() + v * kPerVector);
-        const Ints y = hn::Load(tag, kPattern.y.data() + v * kPerVector);
-        for (std::size_t i = 0; i < 3; ++i)
-            slopes.channel[i][v] =
-                hn::Add(hn::Mul(x, hn::Set(tag, planes.perX[i + 1])), hn::Mul(y, hn::Set(tag, planes.perY[i + 1])));
-    }
-    return slopes;
-}
-
-/// From the first sample of a block to the others.
-HWY_INLINE ChannelPairs PairsInBlock(const ColorSlopes& slopes, std::size_t v)
-{
-    constexpr IntTag tag;
-    const auto& [red, green, blue] = slopes.channel;
-    const Ints high = hn::Set(tag, static_cast<std::int32_t>(0xffff0000U));
-    return {hn::Add(hn::And(red[v], high), hn::ShiftRight<16>(blue[v])), hn::ShiftRight<16>(green[v])};
-}
-
-/// Opaque alpha plus half a step, because a negative green borrows from it.
+/// Opaque alpha plus half a step: what greens lose below 0 they borrow from it.
 constexpr std::uint32_t kOpaque = 0xff800000U;
 
 /// A channel of ColorWay::Affine at (x, y) relative to the anchor.
@@ -186,28 +161,52 @@ HWY_INLINE std::uint32_t ChannelAt(const ColorPlanes& planes, std::size_t channe
            bits(planes.perY[channel + 1]) * bits(y);
 }
 
-/// At the first samples of 4 x 4 blocks, the first of them at (x, y) relative to the anchor.
-HWY_INLINE ChannelPairs PairsOfBlocks(const ColorPlanes& planes, const ColorSlopes& slopes, int x, int y, std::size_t v)
+/// Channels of ColorWay::Affine, red, green and blue, of a vector of samples, in the units of the planes.
+using ChannelLanes = std::array<Uints, 3>;
+
+/// From the first sample of a block to the others.
+HWY_INLINE ChannelLanes ChannelsInBlock(const ColorPlanes& planes, std::size_t lane)
+{
+    constexpr IntTag tag;
+    const Ints x = hn::Load(tag, kPattern.x.data() + lane);
+    const Ints y = hn::Load(tag, kPattern.y.data() + lane);
+    const auto channel = [&](std::size_t i) HWY_ATTR {
+        const Ints alongX = hn::Mul(x, hn::Set(IntTag(), planes.perX[i + 1]));
+        const Ints alongY = hn::Mul(y, hn::Set(IntTag(), planes.perY[i + 1]));
+        return hn::BitCast(UintTag(), hn::Add(alongX, alongY));
+    };
+    return {channel(0), channel(1), channel(2)};
+}
+
+/// Cuts off what channels have below 2^-8 of a step.
+///
+/// in   what stands above the greens
+HWY_INLINE ChannelPairs PairsOf(const ChannelLanes& channels, std::uint32_t alpha)
 {
     constexpr UintTag tag;
-    const auto channel = [&](std::size_t i) HWY_ATTR {
-        return hn::Add(hn::ShiftLeft<2>(hn::BitCast(UintTag(), slopes.channel[i][v])),
-                       hn::Set(UintTag(), ChannelAt(planes, i, x, y)));
-    };
-    const Uints redBlue = hn::OrAnd(hn::ShiftRight<16>(channel(2)), channel(0), hn::Set(tag, 0xffff0000U));
-    const Uints alphaGreen = hn::Or(hn::ShiftRight<16>(channel(1)), hn::Set(tag, kOpaque));
-    return {hn::BitCast(IntTag(), redBlue), hn::BitCast(IntTag(), alphaGreen)};
+    const auto& [red, green, blue] = channels;
+    return {hn::OrAnd(hn::ShiftRight<16>(blue), red, hn::Set(tag, 0xffff0000U)),
+            hn::Or(hn::ShiftRight<16>(green), hn::Set(tag, alpha))};
 }
 
 /// ChannelPairs in memory.
 struct alignas(64) StoredPairs {
-    std::array<std::int32_t, kLanes> redBlue;
-    std::array<std::int32_t, kLanes> alphaGreen;
+    std::array<std::uint32_t, kLanes> redBlue;
+    std::array<std::uint32_t, kLanes> alphaGreen;
 
-    HWY_INLINE void store(const ChannelPairs& pairs, std::size_t v)
+    HWY_INLINE void store(const ChannelPairs& pairs, std::size_t lane)
     {
-        hn::Store(pairs.redBlue, IntTag(), redBlue.data() + v * kPerVector);
-        hn::Store(pairs.alphaGreen, IntTag(), alphaGreen.data() + v * kPerVector);
+        hn::Store(pairs.redBlue, UintTag(), redBlue.data() + lane);
+        hn::Store(pairs.alphaGreen, UintTag(), alphaGreen.data() + lane);
+    }
+    HWY_INLINE ChannelPairs load(std::size_t lane) const
+    {
+        return {hn::Load(UintTag(), redBlue.data() + lane), hn::Load(UintTag(), alphaGreen.data() + lane)};
+    }
+    /// One of them in all lanes.
+    HWY_INLINE ChannelPairs spread(std::size_t at) const
+    {
+        return {hn::Set(UintTag(), redBlue[at]), hn::Set(UintTag(), alphaGreen[at])};
     }
 };
 
@@ -218,47 +217,69 @@ struct ColorSquares {
     const ColorPlanes* planes;
     int x, y; ///< the first sample, relative to the anchor
 
-    HWY_INLINE void fill(const ColorPlanes& triangle, const ColorSlopes& slopes, int firstX, int firstY)
+    HWY_INLINE void fill(const ColorPlanes& triangle, int firstX, int firstY)
     {
-        planes = &triangle;
-        x = firstX;
-        y = firstY;
-        for (std::size_t v = 0; v < kVectors; ++v) {
-            corners.store(PairsOfBlocks(triangle, slopes, firstX, firstY, v), v);
-            offsets.store(PairsInBlock(slopes, v), v);
-        }
+        const auto channel = [&](std::size_t i) HWY_ATTR { return ChannelAt(triangle, i, firstX, firstY); };
+        fillFrom({channel(0), channel(1), channel(2)}, triangle, firstX, firstY);
+    }
+    /// Blocks from the anchor of the triangle's record on, where the planes of affine colours begin.
+    HWY_INLINE void fillFromAnchor(const ColorPlanes& triangle, int firstX, int firstY)
+    {
+        const auto channel = [&](std::size_t i) HWY_ATTR { return static_cast<std::uint32_t>(triangle.origin[i + 1]); };
+        fillFrom({channel(0), channel(1), channel(2)}, triangle, firstX, firstY);
     }
 
     /// Colours of the square-th block: the vector of samples that starts at `lane`. Not for ColorWay::Exact.
     HWY_INLINE Uints color(std::size_t square, std::size_t lane) const
     {
-        constexpr IntTag tag;
-        if (HWY_UNLIKELY(planes->way != ColorWay::Affine)) {
-            const auto at = static_cast<int>(square);
-            return PerspectiveColor(*planes, x + at % 4 * kBlockSide, y + at / 4 * kBlockSide, lane);
+        return HWY_LIKELY(planes->way == ColorWay::Affine) ? affineColor(square, lane) : perspectiveColor(square, lane);
+    }
+    HWY_INLINE Uints affineColor(std::size_t square, std::size_t lane) const
+    {
+        return ColorOf(Add(corners.spread(square), offsets.load(lane)));
+    }
+    HWY_INLINE Uints perspectiveColor(std::size_t square, std::size_t lane) const
+    {
+        const auto at = static_cast<int>(square);
+        return PerspectiveColor(*planes, x + at % 4 * kBlockSide, y + at / 4 * kBlockSide, lane);
+    }
+
+private:
+    /// in   channels of affine colours at the first sample
+    HWY_INLINE void fillFrom(const std::array<std::uint32_t, 3>& first, const ColorPlanes& triangle, int firstX,
+                             int firstY)
+    {
+        planes = &triangle;
+        x = firstX;
+        y = firstY;
+        for (std::size_t lane = 0; lane < kLanes; lane += kPerVector) {
+            const ChannelLanes inBlock = ChannelsInBlock(triangle, lane);
+            ChannelLanes firsts; // of blocks
+            for (std::size_t i = 0; i < 3; ++i)
+                firsts[i] = hn::Add(hn::ShiftLeft<2>(inBlock[i]), hn::Set(UintTag(), first[i]));
+            corners.store(PairsOf(firsts, kOpaque), lane);
+            offsets.store(PairsOf(inBlock, 0), lane);
         }
-        return ColorOf(
-            {hn::Add(hn::Set(tag, corners.redBlue[square]), hn::Load(tag, offsets.redBlue.data() + lane)),
-             hn::Add(hn::Set(tag, corners.alphaGreen[square]), hn::Load(tag, offsets.alphaGreen.data() + lane))});
     }
 };
 
 /// Colours the samples of one block whose first is at (x, y) of the target. Not for ColorWay::Exact.
 ///
-/// in   held: multi-sampling
-HWY_INLINE Uints BlockColor(const ColorPlanes& planes, int x, int y, std::size_t v, bool held)
+/// in     held: multi-sampling
+/// exact  what ColorSquares has: wherever sums in the units of planes begin, they are the same
+inline HWY_NOINLINE Uints BlockColor(const ColorPlanes& planes, int x, int y, std::size_t v, bool held)
 {
+    const int toX = x - planes.x0;
+    const int toY = y - planes.y0;
+    const std::size_t lane = v * kPerVector;
     if (held)
-        return HeldColor(planes, x - planes.x0, y - planes.y0, v * kPerVector);
+        return HeldColor(planes, toX, toY, lane);
     if (HWY_UNLIKELY(planes.way != ColorWay::Affine))
-        return PerspectiveColor(planes, x - planes.x0, y - planes.y0, v * kPerVector);
-    constexpr IntTag tag;
-    const ChannelPairs offsets = PairsInBlock(SpreadColors(planes), v);
-    const auto channel = [&](std::size_t i) HWY_ATTR { return ChannelAt(planes, i, x - planes.x0, y - planes.y0); };
-    const std::uint32_t redBlue = (channel(0) & 0xffff0000U) | channel(2) >> 16;
-    const std::uint32_t alphaGreen = kOpaque | channel(1) >> 16;
-    return ColorOf({hn::Add(hn::Set(tag, static_cast<std::int32_t>(redBlue)), offsets.redBlue),
-                    hn::Add(hn::Set(tag, static_cast<std::int32_t>(alphaGreen)), offsets.alphaGreen)});
+        return PerspectiveColor(planes, toX, toY, lane);
+    ChannelLanes first;
+    for (std::size_t i = 0; i < 3; ++i)
+        first[i] = hn::Set(UintTag(), ChannelAt(planes, i, toX, toY));
+    return ColorOf(Add(PairsOf(first, kOpaque), PairsOf(ChannelsInBlock(planes, lane), 0)));
 }
 
 } // namespace rasterlens::tiled::HWY_NAMESPACE

@@ -44,6 +44,9 @@ struct alignas(64) LanePattern {
     std::array<std::uint32_t, kLanes> place{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
     std::array<std::int32_t, kLanes> x{0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
     std::array<std::int32_t, kLanes> y{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+    // Column and row, 16 bits each.
+    std::array<std::int32_t, kLanes> xy{0x00000, 0x00001, 0x00002, 0x00003, 0x10000, 0x10001, 0x10002, 0x10003,
+                                        0x20000, 0x20001, 0x20002, 0x20003, 0x30000, 0x30001, 0x30002, 0x30003};
     std::array<float, kLanes> floatX{0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
     std::array<float, kLanes> floatY{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
     std::array<double, kLanes> doubleX{0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
@@ -98,6 +101,37 @@ HWY_INLINE Uints MulHalvesHigh(Uints a, Uints b)
     return hn::BitCast(UintTag(), hn::MulHigh(hn::BitCast(HalvesTag(), a), hn::BitCast(HalvesTag(), b)));
 }
 #endif
+
+/// The halves of each lane as signed numbers of 16 bits.
+HWY_INLINE Ints LowerHalves(Ints pairs) { return hn::ShiftRight<16>(hn::ShiftLeft<16>(pairs)); }
+HWY_INLINE Ints UpperHalves(Ints pairs) { return hn::ShiftRight<16>(pairs); }
+
+/// The product of the lower halves plus that of the upper ones.
+HWY_INLINE Ints PairProducts(Ints a, Ints b)
+{
+#if HWY_TARGET == HWY_SCALAR
+    return hn::Add(hn::Mul(LowerHalves(a), LowerHalves(b)), hn::Mul(UpperHalves(a), UpperHalves(b)));
+#else
+    constexpr hn::Repartition<std::int16_t, IntTag> halves; // x86 has one instruction for all of it
+    Ints others = hn::Zero(IntTag());
+    const Ints some = hn::ReorderWidenMulAccumulate(IntTag(), hn::BitCast(halves, a), hn::BitCast(halves, b),
+                                                    hn::Zero(IntTag()), others);
+    return hn::RearrangeToOddPlusEven(some, others);
+#endif
+}
+
+/// Halves that are negative become 0.
+HWY_INLINE Ints PositiveHalves(Ints pairs)
+{
+#if HWY_TARGET == HWY_SCALAR
+    const std::int32_t both = hn::GetLane(pairs);
+    const std::int32_t lower = std::max(static_cast<std::int32_t>(static_cast<std::int16_t>(both)), 0);
+    return hn::Set(IntTag(), std::max(both >> 16, 0) * 0x10000 + lower);
+#else
+    constexpr hn::Repartition<std::int16_t, IntTag> halves;
+    return hn::BitCast(IntTag(), hn::Max(hn::BitCast(halves, pairs), hn::Zero(halves)));
+#endif
+}
 
 /// As many doubles as a vector of floats has lanes.
 struct WideDoubles {
@@ -203,6 +237,16 @@ HWY_INLINE hn::Mask<Tag> MaskOf(Tag tag, std::uint32_t bits)
     alignas(8) std::array<std::uint8_t, 8> bytes;
     std::memcpy(bytes.data(), &bits, sizeof bits);
     return hn::LoadMaskBits(tag, bytes.data());
+}
+
+/// Stores the chosen lanes; the others keep what is there.
+HWY_INLINE void StoreWhere(Uints v, hn::Mask<UintTag> chosen, std::uint32_t* to)
+{
+#if HWY_TARGET <= HWY_AVX3
+    hn::BlendedStore(v, chosen, UintTag(), to);
+#else // processors with AVX2 may take long for a store under a mask
+    hn::Store(hn::IfThenElse(chosen, v, hn::Load(UintTag(), to)), UintTag(), to);
+#endif
 }
 
 /// from[at] for the wanted lanes, 0 for the others.

@@ -39,33 +39,108 @@ HWY_INLINE Doubles TwiceArea(Doubles abX, Doubles abY, Doubles acX, Doubles acY)
     return hn::Sub(hn::Mul(abY, acX), hn::Mul(abX, acY));
 }
 
-/// The edge from one corner to the next, in units; c in 256ths of a unit, at the target's first sample.
+/// The edge from one corner to the next, in units.
 struct EdgeLanes {
     HalfInts a, b;
-    Doubles c;
-    HalfInts rest; ///< multi-sampling: sixteenths that c lacks
+    HalfInts fromX, fromY;
+    HalfInts threshold; ///< of the tie rule, in 256ths of a unit
 };
 
 HWY_INLINE EdgeLanes MakeEdge(HalfInts fromX, HalfInts fromY, HalfInts toX, HalfInts toY, const Rules& rules)
 {
     constexpr HalfIntTag tag;
-    constexpr DoubleTag wide;
     const HalfInts a = hn::Sub(toY, fromY);
     const HalfInts b = hn::Sub(fromX, toX);
     const HalfInts zero = hn::Zero(tag);
     const auto owner = hn::Or(hn::Gt(a, zero), hn::And(hn::Eq(a, zero), hn::Gt(b, zero)));
-    const Doubles threshold =
-        hn::PromoteTo(wide, hn::IfThenElse(owner, hn::Set(tag, rules.tie.owner), hn::Set(tag, rules.tie.other)));
-    const HalfInts half = hn::Set(tag, kUnit / 2);
-    const Doubles value = hn::Add(hn::Mul(hn::PromoteTo(wide, a), hn::PromoteTo(wide, hn::Sub(half, fromX))),
-                                  hn::Mul(hn::PromoteTo(wide, b), hn::PromoteTo(wide, hn::Sub(half, fromY))));
-    const Doubles above = hn::Sub(value, threshold);
-    EdgeLanes edge{a, b, hn::Floor(hn::Mul(above, hn::Set(wide, 1.0 / kUnit))), zero};
-    if (rules.multiSampled()) {
-        const Doubles sixteenths = hn::Floor(hn::Mul(above, hn::Set(wide, 16.0 / kUnit)));
-        edge.rest = hn::DemoteTo(tag, hn::Sub(sixteenths, hn::Mul(edge.c, hn::Set(wide, 16.0))));
+    return {a, b, fromX, fromY, hn::IfThenElse(owner, hn::Set(tag, rules.tie.owner), hn::Set(tag, rules.tie.other))};
+}
+
+/// Edge values in 32 bits: from kFarInside on they are held there, and so are those as far outside.
+HWY_INLINE HalfInts HeldEdge(Doubles value)
+{
+    const Doubles limit = hn::Set(DoubleTag(), double(kFarInside));
+    return hn::DemoteTo(HalfIntTag(), hn::Min(hn::Max(value, hn::Neg(limit)), limit));
+}
+
+/// The middle of samples, in units.
+HWY_INLINE HalfInts CentreOf(HalfInts samples)
+{
+    return hn::Add(hn::ShiftLeft<8>(samples), hn::Set(HalfIntTag(), kUnit / 2));
+}
+
+/// The edges of a vector of triangles, and their values with the threshold taken off, in 256ths of a unit rounded down.
+struct TriangleEdges {
+    std::array<EdgeLanes, 3> edge;
+    bool compact;                      ///< all triangles are small and near (x, y): IsCompact()
+    HalfInts x, y;                     ///< a sample, the first one of the bounds
+    std::array<HalfInts, 3> compactAt; ///< values there, of compact triangles
+    std::array<Doubles, 3> c;          ///< of other triangles: values at the first sample of the target
+    std::array<HalfInts, 3> rest;      ///< multi-sampling: sixteenths that c lacks
+
+    HWY_INLINE Doubles at(std::size_t k, HalfInts column, HalfInts row) const
+    {
+        return HWY_LIKELY(compact) ? hn::PromoteTo(DoubleTag(), nearAt(k, column, row)) : farAt(k, column, row);
     }
-    return edge;
+    HWY_INLINE HalfInts heldAt(std::size_t k, HalfInts column, HalfInts row) const
+    {
+        return HWY_LIKELY(compact) ? nearAt(k, column, row) : HeldEdge(farAt(k, column, row));
+    }
+
+private:
+    HWY_INLINE HalfInts nearAt(std::size_t k, HalfInts column, HalfInts row) const
+    {
+        const HalfInts alongX = hn::Mul(edge[k].a, hn::Sub(column, x));
+        const HalfInts alongY = hn::Mul(edge[k].b, hn::Sub(row, y));
+        return hn::Add(compactAt[k], hn::Add(alongX, alongY));
+    }
+    HWY_INLINE Doubles farAt(std::size_t k, HalfInts column, HalfInts row) const
+    {
+        const auto along = [](HalfInts slope, HalfInts samples) HWY_ATTR {
+            return hn::Mul(hn::PromoteTo(DoubleTag(), slope), hn::PromoteTo(DoubleTag(), samples));
+        };
+        return hn::Add(c[k], hn::Add(along(edge[k].a, column), along(edge[k].b, row)));
+    }
+};
+
+/// Whether edge values of all triangles of a vector may be computed in 32 bits near the sample (x, y).
+///
+/// in     bounds of the corners
+/// exact  gradients are less than 2^14, and no corner is farther from the sample along an axis than 2^15, so products
+///        are less than 2^29
+HWY_INLINE bool IsCompact(HalfInts lowX, HalfInts lowY, HalfInts highX, HalfInts highY, HalfInts x, HalfInts y)
+{
+    constexpr HalfIntTag tag;
+    const auto span = hn::Max(hn::Sub(highX, lowX), hn::Sub(highY, lowY));
+    const auto way = hn::Max(hn::Abs(hn::Sub(CentreOf(x), lowX)), hn::Abs(hn::Sub(CentreOf(y), lowY)));
+    return hn::AllTrue(tag, hn::Lt(hn::Max(span, way), hn::Set(tag, 1 << 14)));
+}
+
+/// Fills in the values of the edges.
+HWY_INLINE void EvaluateEdges(const Rules& rules, TriangleEdges& edges)
+{
+    constexpr HalfIntTag tag;
+    constexpr DoubleTag wide;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const EdgeLanes& edge = edges.edge[k];
+        if (HWY_LIKELY(edges.compact)) {
+            const HalfInts value = hn::Add(hn::Mul(edge.a, hn::Sub(CentreOf(edges.x), edge.fromX)),
+                                           hn::Mul(edge.b, hn::Sub(CentreOf(edges.y), edge.fromY)));
+            edges.compactAt[k] = hn::ShiftRight<8>(hn::Sub(value, edge.threshold));
+            continue;
+        }
+        const HalfInts half = hn::Set(tag, kUnit / 2);
+        const auto along = [&](HalfInts slope, HalfInts from) HWY_ATTR {
+            return hn::Mul(hn::PromoteTo(wide, slope), hn::PromoteTo(wide, hn::Sub(half, from)));
+        };
+        const Doubles above =
+            hn::Sub(hn::Add(along(edge.a, edge.fromX), along(edge.b, edge.fromY)), hn::PromoteTo(wide, edge.threshold));
+        edges.c[k] = hn::Floor(hn::Mul(above, hn::Set(wide, 1.0 / kUnit)));
+        if (rules.multiSampled()) {
+            const Doubles sixteenths = hn::Floor(hn::Mul(above, hn::Set(wide, 16.0 / kUnit)));
+            edges.rest[k] = hn::DemoteTo(tag, hn::Sub(sixteenths, hn::Mul(edges.c[k], hn::Set(wide, 16.0))));
+        }
+    }
 }
 
 /// Rounds to a multiple of a power of two, as depthPlane() does.
@@ -132,43 +207,36 @@ HWY_INLINE PlaneLanes MakeDepthPlane(const CornerLanes& a, const CornerLanes& b,
     return plane;
 }
 
-/// Edge values in 32 bits: from kFarInside on they are held there, and so are those as far outside.
-HWY_INLINE HalfInts HeldEdge(Doubles value)
+/// The largest gradients of triangles, without their signs.
+HWY_INLINE HalfInts Steepest(const std::array<EdgeLanes, 3>& edges)
 {
-    const Doubles limit = hn::Set(DoubleTag(), double(kFarInside));
-    return hn::DemoteTo(HalfIntTag(), hn::Min(hn::Max(value, hn::Neg(limit)), limit));
+    HalfInts steepest = hn::Zero(HalfIntTag());
+    for (const EdgeLanes& edge : edges)
+        steepest = Max3(steepest, hn::Abs(edge.a), hn::Abs(edge.b));
+    return steepest;
 }
 
 /// Lanes whose edges 32 bits cannot decide.
 HWY_INLINE hn::Mask<HalfIntTag> TooSteep(const std::array<EdgeLanes, 3>& edges)
 {
-    constexpr HalfIntTag tag;
-    HalfInts steepest = hn::Zero(tag);
-    for (const EdgeLanes& edge : edges)
-        steepest = Max3(steepest, hn::Abs(edge.a), hn::Abs(edge.b));
-    return hn::Gt(steepest, hn::Set(tag, kLargestGradient));
+    return hn::Gt(Steepest(edges), hn::Set(HalfIntTag(), kLargestGradient));
 }
 
 /// Narrows the bounds of triangles of at most 4 x 4 samples to the rows and columns they cover, to nothing if they
 /// cover none: it is cheaper to find that out here, many at a time, than in the tiles. Huge triangles that only a
 /// corner of the target meets stay as they are.
-HWY_INLINE void NarrowBounds(const std::array<EdgeLanes, 3>& edges, hn::Mask<HalfIntTag> tooSteep, SampleLanes& columns,
+HWY_INLINE void NarrowBounds(const TriangleEdges& edges, hn::Mask<HalfIntTag> tooSteep, SampleLanes& columns,
                              SampleLanes& rows)
 {
     constexpr HalfIntTag tag;
-    constexpr DoubleTag wide;
     const HalfInts side = hn::Set(tag, kBlockSide);
     const auto small = hn::AndNot(tooSteep, hn::And(hn::Lt(hn::Sub(columns.last, columns.first), side),
                                                     hn::Lt(hn::Sub(rows.last, rows.first), side)));
     if (hn::AllFalse(tag, small))
         return;
     std::array<HalfInts, 3> row;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Doubles corner =
-            hn::Add(edges[k].c, hn::Add(hn::Mul(hn::PromoteTo(wide, edges[k].a), hn::PromoteTo(wide, columns.first)),
-                                        hn::Mul(hn::PromoteTo(wide, edges[k].b), hn::PromoteTo(wide, rows.first))));
-        row[k] = HeldEdge(corner);
-    }
+    for (std::size_t k = 0; k < 3; ++k)
+        row[k] = edges.heldAt(k, columns.first, rows.first);
     const HalfInts outside = hn::Set(tag, -1);
     const HalfInts none = hn::Set(tag, kBlockSide);
     HalfInts firstColumn = none, lastColumn = outside, firstRow = none, lastRow = outside;
@@ -183,10 +251,10 @@ HWY_INLINE void NarrowBounds(const std::array<EdgeLanes, 3>& edges, hn::Mask<Hal
             firstRow = hn::IfThenElse(covered, hn::Min(firstRow, line), firstRow);
             lastRow = hn::IfThenElse(covered, line, lastRow);
             for (std::size_t k = 0; k < 3; ++k)
-                e[k] = hn::Add(e[k], edges[k].a);
+                e[k] = hn::Add(e[k], edges.edge[k].a);
         }
         for (std::size_t k = 0; k < 3; ++k)
-            row[k] = hn::Add(row[k], edges[k].b);
+            row[k] = hn::Add(row[k], edges.edge[k].b);
     }
     // Samples beyond the target may be covered too.
     columns = {hn::IfThenElse(small, hn::Add(columns.first, firstColumn), columns.first),

@@ -234,16 +234,13 @@ inline void ShadeCentreDepths(const FrameJob& job, Worker& worker, TileOrigin or
     }
 }
 
-inline void ShadeDepth(const FrameJob& job, Worker& worker)
+inline void ShadeDepth(Worker& worker)
 {
-    constexpr IntTag tag;
-    constexpr FloatTag floatTag;
-    const Ints flip = hn::Set(tag, depthFlip(job.rules.depthCompare));
+    constexpr FloatTag tag;
     for (const BlockShare& share : worker.sharesInUse())
         for (std::size_t v = 0; v < kVectors; ++v) {
             const std::int32_t* key = worker.samples.key.data() + std::size_t(share.block) * kLanes + v * kPerVector;
-            const Floats depth =
-                hn::Mul(hn::BitCast(floatTag, hn::Xor(hn::Load(tag, key), flip)), hn::Set(floatTag, 255.0F));
+            const Floats depth = hn::Mul(hn::BitCast(tag, hn::Load(IntTag(), key)), hn::Set(tag, 255.0F));
             BlendColor(PackHeld({depth, depth, depth}), share, v, worker.samples);
         }
 }
@@ -268,7 +265,7 @@ inline void ShadeShares(const FrameJob& job, Worker& worker, TileOrigin origin)
         if (job.pattern.isOn())
             ShadeCentreDepths(job, worker, origin);
         else
-            ShadeDepth(job, worker);
+            ShadeDepth(worker);
         break;
     case Shading::Flat:
     case Shading::RandomFlat:

@@ -32,18 +32,13 @@ HWY_INLINE Uints MeanOf16(Uints redBlueSum, Uints alphaGreenSum)
 /// Means of the 16 samples of each of a vector of pixels, the square-th pixel in the square-th lane.
 HWY_INLINE Uints AffineMeans(const ColorSquares& squares, std::size_t v)
 {
-    constexpr IntTag tag;
-    constexpr UintTag unsignedTag;
-    const Ints redBlue = hn::Load(tag, squares.corners.redBlue.data() + v * kPerVector);
-    const Ints alphaGreen = hn::Load(tag, squares.corners.alphaGreen.data() + v * kPerVector);
-    Uints redBlueSum = hn::Set(unsignedTag, 0x00080008U);
+    const ChannelPairs corners = squares.corners.load(v * kPerVector);
+    Uints redBlueSum = hn::Set(UintTag(), 0x00080008U);
     Uints alphaGreenSum = redBlueSum;
     for (std::size_t s = 0; s < kLanes; ++s) {
-        const auto steps = [](Ints first, std::int32_t offset) HWY_ATTR {
-            return UpperBytes(hn::BitCast(UintTag(), hn::Add(first, hn::Set(IntTag(), offset))));
-        };
-        redBlueSum = hn::Add(redBlueSum, steps(redBlue, squares.offsets.redBlue[s]));
-        alphaGreenSum = hn::Add(alphaGreenSum, steps(alphaGreen, squares.offsets.alphaGreen[s]));
+        const ChannelPairs color = Add(corners, squares.offsets.spread(s));
+        redBlueSum = hn::Add(redBlueSum, UpperBytes(color.redBlue));
+        alphaGreenSum = hn::Add(alphaGreenSum, UpperBytes(color.alphaGreen));
     }
     return MeanOf16(redBlueSum, alphaGreenSum);
 }
@@ -74,7 +69,7 @@ HWY_INLINE Uints PerspectiveMeans(const ColorSquares& squares, std::size_t v)
 /// The squares of a subtile, its first sample at (x, y) of the target.
 HWY_INLINE void FillSubtile(const ColorPlanes& planes, int x, int y, ColorSquares& squares)
 {
-    squares.fill(planes, SpreadColors(planes), x - planes.x0, y - planes.y0);
+    squares.fill(planes, x - planes.x0, y - planes.y0);
 }
 
 /// Colours the 4 x 4 pixels of a subtile that a triangle has to itself.

@@ -46,8 +46,8 @@ bool draws(Clipping clipping)
     case Clipping::AnyVertexInside:
     case Clipping::NearFarReject:
     case Clipping::CohenSutherland:
-    case Clipping::None: return true;
-    case Clipping::DepthClamp: break;
+    case Clipping::None:
+    case Clipping::DepthClamp: return true;
     }
     return false;
 }
@@ -70,36 +70,17 @@ bool draws(DepthCompare compare)
     case DepthCompare::LessEqual:
     case DepthCompare::Greater:
     case DepthCompare::GreaterEqual:
-    case DepthCompare::Always: return true;
+    case DepthCompare::Always:
     case DepthCompare::Equal:
-    case DepthCompare::NotEqual: break;
+    case DepthCompare::NotEqual: return true;
     }
     return false;
 }
 
 bool drawsAll(const Rules& rules)
 {
-    return draws(rules.shading) && draws(rules.textureFilter) && draws(rules.depthFormat);
-}
-
-/// Settings of the depth that the kernels have no arithmetic for.
-std::optional<Reason> depthReason(const Rules& rules)
-{
-    if (!draws(rules.clipping))
-        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled does not clamp depths in place of clipping; "
-                                                       "edge-equation and edge-walking do")};
-    if (!draws(rules.depthCompare))
-        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs a depth-test of an order: less, lequal, "
-                                                       "gequal, greater, always or none")};
-    if (rules.firstPassFaces > 0)
-        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled draws one pass, and this scene has two; "
-                                                       "edge-equation and edge-walking draw both")};
-    if (rules.depthBias.isOn())
-        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled has no depth-bias; edge-equation and "
-                                                       "edge-walking have")};
-    if (!rules.depthRange.isWhole())
-        return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs depth-range 0,1")};
-    return std::nullopt;
+    return draws(rules.shading) && draws(rules.textureFilter) && draws(rules.clipping) && draws(rules.depthFormat) &&
+           draws(rules.depthCompare);
 }
 
 } // namespace
@@ -112,8 +93,6 @@ std::optional<Reason> Tiled::supports(const Rules& rules)
                                         "shading mip-level")};
     if (!drawsAll(rules))
         return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled does not draw these settings")};
-    if (auto reason = depthReason(rules))
-        return reason;
     if (rules.numberType != NumberType::Fixed)
         return Reason{QT_TRANSLATE_NOOP("Unsupported", "algorithm tiled needs number-type fixed")};
     if (rules.multiSampled() && rules.attributeAt != AttributeAt::Centre)

@@ -72,10 +72,11 @@ static_assert(kFarInside + 2LL * 63 * kLargestGradient <= std::numeric_limits<st
 /// What a tile needs to know of a triangle to find its samples: one cache line, which set-up fills from its lanes four
 /// numbers at a time.
 struct alignas(64) TileTriangle {
-    /// AB, BC; CA's are minus their sum. Multi-sampling: times 16, and in the lowest 4 bits of a[0], a[1], b[0] what c
-    /// of AB, BC, CA lacks, in sixteenths.
-    std::array<std::int32_t, 2> a;
-    std::array<std::int32_t, 2> b;
+    /// What edge values change by from column to column (a) and from row to row (b). Narrow triangles have a and b of
+    /// AB, BC, CA in the lower and upper halves of three numbers, and kNarrow. Others have a of AB and BC, then b of
+    /// both; CA's are minus their sum. Multi-sampling: these times 16, and in the lowest 4 bits of the first three what
+    /// c of AB, BC, CA lacks, in sixteenths.
+    std::array<std::int32_t, 4> gradients;
 
     std::array<std::int32_t, 3> c; ///< edge values >> 8 with the tie threshold taken off, at the anchor
     float nearest;                 ///< no sample is nearer than this
@@ -92,6 +93,16 @@ struct alignas(64) TileTriangle {
 
     /// Triangles beyond the numbers of the fast path are pieces, to be drawn sample by sample.
     [[nodiscard]] bool exact() const { return x1 < x0; }
+    /// Whether it is looked at subtile by subtile. Otherwise in windows of up to 4 x 4 blocks, from the anchor on.
+    [[nodiscard]] bool isLarge() const
+    {
+        return x1 / kBlockSide - x0 / kBlockSide >= kMostWindowBlocks ||
+               y1 / kBlockSide - y0 / kBlockSide >= kMostWindowBlocks;
+    }
+    static constexpr int kMostWindowBlocks = 8; ///< along either axis
+    /// Whether all gradients have 16 bits.
+    [[nodiscard]] bool isNarrow() const { return gradients[3] == kNarrow; }
+    static constexpr std::int32_t kNarrow = std::numeric_limits<std::int32_t>::min(); ///< no gradient
     void makeExact() { x0 = 1, x1 = 0; }
 };
 static_assert(sizeof(TileTriangle) == 64);
@@ -278,7 +289,7 @@ private:
 
 /// The samples of a tile while it is drawn, block by block.
 struct alignas(64) TileSamples {
-    /// Depth as its bits, which order like it from 0 to 1; turned round where the larger depth wins. Smaller is nearer.
+    /// Depth as its bits, which order like it from 0 to 1.
     std::array<std::int32_t, kTileSamples> key;
     std::array<std::uint32_t, kTileSamples> ids; ///< number of the triangle in the tile, or kNobody
     std::array<std::uint32_t, kTileSamples> color;

@@ -140,12 +140,11 @@ void writeTile(const FrameJob& job, const Worker& worker, TileOrigin origin)
         const auto sample = std::size_t(sampleIndex(x * grid + grid / 2 - origin.x, y * grid + grid / 2 - origin.y));
         return isPattern ? job.pattern.place(sample, 0) : sample;
     };
-    const std::int32_t flip = depthFlip(job.rules.depthCompare);
-    if (job.depth != nullptr && grid == 1 && flip == 0 && !isPattern)
+    if (job.depth != nullptr && grid == 1 && !isPattern)
         copySamples(job, samples.key.data(), box, reinterpret_cast<std::int32_t*>(job.depth));
     else if (job.depth != nullptr)
-        forEachPixel(
-            box, [&](int x, int y) { job.depth[pixelIndex(job, x, y)] = std::bit_cast<float>(keys[at(x, y)] ^ flip); });
+        forEachPixel(box,
+                     [&](int x, int y) { job.depth[pixelIndex(job, x, y)] = std::bit_cast<float>(keys[at(x, y)]); });
     if (job.ids != nullptr)
         forEachPixel(box, [&](int x, int y) {
             const std::uint32_t number = ids[at(x, y)];

@@ -45,12 +45,16 @@ HWY_INLINE hn::Mask<HalfFloatTag> InsideView(const FrameJob& job, const ClipLane
     constexpr HalfFloatTag tag;
     const HalfFloats zero = hn::Zero(tag);
     const HalfFloats minusW = hn::Neg(p.w);
-    const HalfFloats near = job.rules.clipZ == ClipZ::Gl ? minusW : zero;
-    const HalfFloats smallestW = hn::Set(tag, job.rules.clipping == Clipping::FrustumW ? 1.1e-5F : 0.0F);
+    const HalfFloats largest = hn::Set(tag, std::numeric_limits<float>::max());
+    const bool clampsDepth = job.rules.clipping == Clipping::DepthClamp; // whatever z is, if it is a number
+    const HalfFloats near = clampsDepth ? hn::Neg(largest) : job.rules.clipZ == ClipZ::Gl ? minusW : zero;
+    const HalfFloats far = clampsDepth ? largest : p.w;
+    const bool knowsW = clampsDepth || job.rules.clipping == Clipping::FrustumW;
+    const HalfFloats smallestW = hn::Set(tag, knowsW ? 1.1e-5F : 0.0F);
     const auto x = hn::And(hn::Ge(p.x, minusW), hn::Le(p.x, p.w));
     const auto y = hn::And(hn::Ge(p.y, minusW), hn::Le(p.y, p.w));
-    const auto z = hn::And(hn::Ge(p.z, near), hn::Le(p.z, p.w));
-    const auto w = hn::And(hn::Gt(p.w, smallestW), hn::Le(p.w, hn::Set(tag, std::numeric_limits<float>::max())));
+    const auto z = hn::And(hn::Ge(p.z, near), hn::Le(p.z, far));
+    const auto w = hn::And(hn::Gt(p.w, smallestW), hn::Le(p.w, largest));
     return hn::And(hn::And(x, y), hn::And(z, w));
 }
 
@@ -138,7 +142,10 @@ HWY_INLINE HalfFloats ProcessVertexLanes(const FrameJob& job, const float* float
                    insideWide),
               HalfIntTag(), y.data());
     const Doubles z = hn::PromoteTo(wide, clip.z);
-    hn::Store(rules.clipZ == ClipZ::Gl ? hn::Div(hn::Add(w, z), hn::Mul(hn::Set(wide, 2.0), w)) : hn::Div(z, w), wide,
+    const Doubles ofClipZ =
+        rules.clipZ == ClipZ::Gl ? hn::Div(hn::Add(w, z), hn::Mul(hn::Set(wide, 2.0), w)) : hn::Div(z, w);
+    const DepthRange& range = rules.depthRange;
+    hn::Store(hn::Add(hn::Set(wide, range.near), hn::Mul(hn::Set(wide, range.far - range.near), ofClipZ)), wide,
               depth.data());
     for (std::size_t i = 0; i < count; ++i)
         out[i] = {{x[i], y[i]}, depth[i]};

@@ -8135,26 +8135,6 @@ all of these errors are 0.</source>
         <translation>分块算法在每个像素有多个采样点时，只能按显示值求平均</translation>
     </message>
     <message>
-        <source>algorithm tiled does not clamp depths in place of clipping; edge-equation and edge-walking do</source>
-        <translation>算法 tiled 不能用钳制深度代替裁剪；edge-equation 和 edge-walking 可以</translation>
-    </message>
-    <message>
-        <source>algorithm tiled needs a depth-test of an order: less, lequal, gequal, greater, always or none</source>
-        <translation>算法 tiled 需要比较大小的 depth-test：less、lequal、gequal、greater、always 或 none</translation>
-    </message>
-    <message>
-        <source>algorithm tiled draws one pass, and this scene has two; edge-equation and edge-walking draw both</source>
-        <translation>算法 tiled 只画一遍，而这个场景有两遍；edge-equation 和 edge-walking 两遍都画</translation>
-    </message>
-    <message>
-        <source>algorithm tiled has no depth-bias; edge-equation and edge-walking have</source>
-        <translation>算法 tiled 没有 depth-bias；edge-equation 和 edge-walking 有</translation>
-    </message>
-    <message>
-        <source>algorithm tiled needs depth-range 0,1</source>
-        <translation>算法 tiled 需要 depth-range 0,1</translation>
-    </message>
-    <message>
         <source>coverage-rule conservative and inner ask the corners of every pixel: they need algorithm edge-equation and fill solid</source>
         <translation>coverage-rule 为 conservative 或 inner 时要查每个像素的角点：需要 algorithm edge-equation 和 fill solid</translation>
     </message>
