@@ -267,7 +267,7 @@ private:
 ///
 /// in     held: multi-sampling
 /// exact  what ColorSquares has: wherever sums in the units of planes begin, they are the same
-inline HWY_NOINLINE Uints BlockColor(const ColorPlanes& planes, int x, int y, std::size_t v, bool held)
+HWY_INLINE Uints BlockColor(const ColorPlanes& planes, int x, int y, std::size_t v, bool held)
 {
     const int toX = x - planes.x0;
     const int toY = y - planes.y0;

@@ -89,43 +89,94 @@ HWY_INLINE HalfInts Snap(Doubles p, Doubles w, Doubles inverseW, const Axis& axi
     return hn::DemoteTo(HalfIntTag(), hn::Mul(snapped, hn::Set(tag, double(axis.unitsPerStep))));
 }
 
+/// Where the floats of a vector of vertices start, in floats.
+using VertexStarts = std::array<std::int32_t, kDoubles>;
+
+/// Four floats that follow each other in each of a vector of vertices. Rows of four are loaded and turned into columns:
+/// many processors take longer to gather floats one by one.
+HWY_INLINE std::array<HalfFloats, 4> LoadColumns(const float* floats, const VertexStarts& starts, std::size_t offset)
+{
+    constexpr HalfFloatTag tag;
+#if HWY_TARGET <= HWY_AVX2
+    constexpr hn::RepartitionToWide<hn::RebindToUnsigned<HalfFloatTag>> pairs;
+    const auto row = [&](std::size_t i) HWY_ATTR {
+        constexpr hn::FixedTag<float, 4> four;
+        const float* from = floats + offset;
+#if HWY_TARGET <= HWY_AVX3 // two rows
+        return hn::Combine(HalfFloatTag(), hn::LoadU(four, from + starts[i + 4]), hn::LoadU(four, from + starts[i]));
+#else
+        return hn::LoadU(four, from + starts[i]);
+#endif
+    };
+    const HalfFloats a = row(0), b = row(1), c = row(2), d = row(3);
+    const auto abLower = hn::BitCast(pairs, hn::InterleaveLower(tag, a, b));
+    const auto abUpper = hn::BitCast(pairs, hn::InterleaveUpper(tag, a, b));
+    const auto cdLower = hn::BitCast(pairs, hn::InterleaveLower(tag, c, d));
+    const auto cdUpper = hn::BitCast(pairs, hn::InterleaveUpper(tag, c, d));
+    return {hn::BitCast(tag, hn::InterleaveLower(pairs, abLower, cdLower)),
+            hn::BitCast(tag, hn::InterleaveUpper(pairs, abLower, cdLower)),
+            hn::BitCast(tag, hn::InterleaveLower(pairs, abUpper, cdUpper)),
+            hn::BitCast(tag, hn::InterleaveUpper(pairs, abUpper, cdUpper))};
+#else
+    const HalfInts at = hn::LoadU(HalfIntTag(), starts.data());
+    const auto column = [&](std::size_t i) HWY_ATTR { return hn::GatherIndex(tag, floats + offset + i, at); };
+    return {column(0), column(1), column(2), column(3)};
+#endif
+}
+
 /// Colours and w for the tiles; Lambert's light, as the vertex stage has it.
-HWY_INLINE void ColorVertices(const FrameJob& job, const float* floats, HalfInts at, HalfFloats w, std::size_t first,
-                              std::size_t count)
+HWY_INLINE void ColorVertices(const FrameJob& job, const float* floats, const VertexStarts& starts, HalfFloats w,
+                              std::size_t first, std::size_t count)
 {
     constexpr HalfFloatTag tag;
     constexpr std::size_t kNormal = offsetof(MeshVertex, normal) / sizeof(float);
-    constexpr std::size_t kColor = offsetof(MeshVertex, color) / sizeof(float);
+    constexpr std::size_t kBeforeColor = offsetof(MeshVertex, color) / sizeof(float) - 1;
+    static_assert(kBeforeColor + 4 == sizeof(MeshVertex) / sizeof(float)); // no row ends behind the last vertex
     const glm::vec3& light = job.rules.light;
-    const auto load = [&](std::size_t offset) HWY_ATTR { return hn::GatherIndex(tag, floats + offset, at); };
-    const HalfFloats dot = hn::Add(
-        hn::Add(hn::Mul(load(kNormal), hn::Set(tag, light.x)), hn::Mul(load(kNormal + 1), hn::Set(tag, light.y))),
-        hn::Mul(load(kNormal + 2), hn::Set(tag, light.z)));
+    const auto normal = LoadColumns(floats, starts, kNormal);
+    const auto color = LoadColumns(floats, starts, kBeforeColor);
+    const HalfFloats dot =
+        hn::Add(hn::Add(hn::Mul(normal[0], hn::Set(tag, light.x)), hn::Mul(normal[1], hn::Set(tag, light.y))),
+                hn::Mul(normal[2], hn::Set(tag, light.z)));
     const HalfFloats lit = hn::Add(
         hn::Set(tag, kAmbient), hn::Mul(hn::Set(tag, kDiffuse), hn::IfThenElseZero(hn::Gt(dot, hn::Zero(tag)), dot)));
     const HalfFloats strength = job.lightsVertices() ? lit : hn::Set(tag, 1.0F);
-    alignas(64) std::array<std::array<float, kDoubles>, 4> color;
-    for (std::size_t k = 0; k < 3; ++k)
-        hn::Store(hn::Mul(load(kColor + k), strength), tag, color[k].data());
-    hn::Store(w, tag, color[3].data());
-    for (std::size_t i = 0; i < count; ++i)
-        job.colors[first + i] = {color[0][i], color[1][i], color[2][i], color[3][i]};
+    alignas(64) std::array<glm::vec4, kDoubles> last;
+    glm::vec4* out = HWY_LIKELY(count == kDoubles) ? job.colors + first : last.data();
+    hn::StoreInterleaved4(hn::Mul(color[1], strength), hn::Mul(color[2], strength), hn::Mul(color[3], strength), w, tag,
+                          &out[0].x);
+    if (HWY_UNLIKELY(count < kDoubles))
+        std::copy_n(last.begin(), count, job.colors + first);
 }
 
 constexpr int kVertexStride = sizeof(MeshVertex) / sizeof(float);
 
+HWY_INLINE void StorePoints(HalfInts x, HalfInts y, Doubles depth, std::size_t count, ScreenPoint* out)
+{
+    constexpr hn::RebindToUnsigned<DoubleTag> wide;
+    constexpr hn::RebindToUnsigned<HalfIntTag> half;
+    const auto xs = hn::PromoteTo(wide, hn::BitCast(half, x));
+    const auto ys = hn::PromoteTo(wide, hn::BitCast(half, y));
+    const auto positions = hn::Or(xs, hn::ShiftLeft<32>(ys)); // little endian: x comes first
+    alignas(64) std::array<ScreenPoint, kDoubles> last;
+    ScreenPoint* to = HWY_LIKELY(count == kDoubles) ? out : last.data();
+    hn::StoreInterleaved2(positions, hn::BitCast(wide, depth), wide, reinterpret_cast<std::uint64_t*>(to));
+    if (HWY_UNLIKELY(count < kDoubles))
+        std::copy_n(last.begin(), count, out);
+}
+
 /// As many vertices as a vector has lanes; `count` of them are wanted.
 ///
-/// in   where each of them starts, in floats; vertexOf(lane) is its index in the mesh
+/// in   vertexOf(lane): the index of a vertex in the mesh
 /// out  w of clip space
 template <class VertexOf>
-HWY_INLINE HalfFloats ProcessVertexLanes(const FrameJob& job, const float* floats, HalfInts at, std::size_t count,
-                                         VertexOf&& vertexOf, ScreenPoint* out)
+HWY_INLINE HalfFloats ProcessVertexLanes(const FrameJob& job, const float* floats, const VertexStarts& starts,
+                                         std::size_t count, VertexOf&& vertexOf, ScreenPoint* out)
 {
     constexpr HalfFloatTag tag;
     constexpr DoubleTag wide;
-    const auto load = [&](std::size_t offset) HWY_ATTR { return hn::GatherIndex(tag, floats + offset, at); };
-    const ClipLanes clip = ToClipSpace(job, {load(0), load(1), load(2), load(3)});
+    const auto position = LoadColumns(floats, starts, 0);
+    const ClipLanes clip = ToClipSpace(job, {position[0], position[1], position[2], position[3]});
     const auto inside = InsideView(job, clip);
     const Doubles w = hn::PromoteTo(wide, clip.w);
     const Doubles inverseW = hn::Div(hn::Set(wide, 1.0), w);
@@ -133,22 +184,17 @@ HWY_INLINE HalfFloats ProcessVertexLanes(const FrameJob& job, const float* float
 
     const Rules& rules = job.rules;
     const int unitsPerStep = rules.sampleGrid << (8 - rules.subpixelBits);
-    alignas(64) std::array<std::int32_t, kDoubles> x, y;
-    alignas(64) std::array<double, kDoubles> depth;
-    hn::Store(
-        Snap(hn::PromoteTo(wide, clip.x), w, inverseW, {rules.width, rules.subpixelBits, unitsPerStep}, insideWide),
-        HalfIntTag(), x.data());
-    hn::Store(Snap(hn::PromoteTo(wide, hn::Neg(clip.y)), w, inverseW, {rules.height, rules.subpixelBits, unitsPerStep},
-                   insideWide),
-              HalfIntTag(), y.data());
+    const auto snap = [&](HalfFloats p, int pixels) HWY_ATTR {
+        return Snap(hn::PromoteTo(DoubleTag(), p), w, inverseW, {pixels, rules.subpixelBits, unitsPerStep}, insideWide);
+    };
+    const HalfInts x = snap(clip.x, rules.width);
+    const HalfInts y = snap(hn::Neg(clip.y), rules.height);
     const Doubles z = hn::PromoteTo(wide, clip.z);
     const Doubles ofClipZ =
         rules.clipZ == ClipZ::Gl ? hn::Div(hn::Add(w, z), hn::Mul(hn::Set(wide, 2.0), w)) : hn::Div(z, w);
     const DepthRange& range = rules.depthRange;
-    hn::Store(hn::Add(hn::Set(wide, range.near), hn::Mul(hn::Set(wide, range.far - range.near), ofClipZ)), wide,
-              depth.data());
-    for (std::size_t i = 0; i < count; ++i)
-        out[i] = {{x[i], y[i]}, depth[i]};
+    const Doubles depth = hn::Add(hn::Set(wide, range.near), hn::Mul(hn::Set(wide, range.far - range.near), ofClipZ));
+    StorePoints(x, y, depth, count, out);
     std::uint32_t outside = ~BitsOf(tag, inside) & ((1U << count) - 1);
     for (; outside != 0; outside &= outside - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(outside));
@@ -163,12 +209,13 @@ inline void ProcessVertices(const FrameJob& job, std::size_t begin, std::size_t 
     for (std::size_t first = begin; first < end; first += kDoubles) {
         const std::size_t count = std::min(kDoubles, end - first);
         const auto* floats = reinterpret_cast<const float*>(job.scene->mesh.vertices.data() + first);
-        const HalfInts lanes = hn::Min(hn::Iota(HalfIntTag(), 0), hn::Set(HalfIntTag(), static_cast<int>(count) - 1));
-        const HalfInts at = hn::Mul(lanes, hn::Set(HalfIntTag(), kVertexStride));
+        VertexStarts starts;
+        for (std::size_t lane = 0; lane < kDoubles; ++lane)
+            starts[lane] = static_cast<std::int32_t>(std::min(lane, count - 1)) * kVertexStride;
         const HalfFloats w = ProcessVertexLanes(
-            job, floats, at, count, [&](std::size_t lane) { return first + lane; }, job.points + first);
+            job, floats, starts, count, [&](std::size_t lane) { return first + lane; }, job.points + first);
         if (job.colors != nullptr)
-            ColorVertices(job, floats, at, w, first, count);
+            ColorVertices(job, floats, starts, w, first, count);
     }
 }
 
@@ -178,12 +225,11 @@ inline void ProcessCorners(const FrameJob& job, const std::uint32_t* indices, st
     const auto* floats = reinterpret_cast<const float*>(job.scene->mesh.vertices.data());
     for (std::size_t first = 0; first < count; first += kDoubles) {
         const std::size_t n = std::min(kDoubles, count - first);
-        alignas(64) std::array<std::int32_t, kDoubles> starts{};
+        VertexStarts starts{};
         for (std::size_t i = 0; i < n; ++i)
             starts[i] = static_cast<std::int32_t>(indices[first + i]) * kVertexStride;
         ProcessVertexLanes(
-            job, floats, hn::Load(HalfIntTag(), starts.data()), n,
-            [&](std::size_t lane) { return indices[first + lane]; }, out + first);
+            job, floats, starts, n, [&](std::size_t lane) { return indices[first + lane]; }, out + first);
     }
 }
 
