@@ -10769,8 +10769,16 @@ all of these errors are 0.</source>
         <translation>从移动到画面显示：%1 毫秒（%2 次的中位数）。</translation>
     </message>
     <message>
-        <source>%1 FPS · clipped %2 · culled: back %3, front %4</source>
-        <translation>%1 FPS · 裁剪 %2 · 剔除：背面 %3，正面 %4</translation>
+        <source>%1 ms a frame</source>
+        <translation>每帧 %1 ms</translation>
+    </message>
+    <message>
+        <source>%1 FPS</source>
+        <translation>%1 FPS</translation>
+    </message>
+    <message>
+        <source>%1 · clipped %2 · culled: back %3, front %4</source>
+        <translation>%1 · 裁剪 %2 · 剔除：背面 %3，正面 %4</translation>
     </message>
 </context>
 <context>
