@@ -10777,8 +10777,8 @@ all of these errors are 0.</source>
         <translation>%1 FPS</translation>
     </message>
     <message>
-        <source>%1 · clipped %2 · culled: back %3, front %4</source>
-        <translation>%1 · 裁剪 %2 · 剔除：背面 %3，正面 %4</translation>
+        <source>clipped %1 · culled: back %2, front %3</source>
+        <translation>裁剪 %1 · 剔除：背面 %2，正面 %3</translation>
     </message>
 </context>
 <context>

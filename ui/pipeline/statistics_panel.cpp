@@ -368,12 +368,17 @@ QString StatisticsPanel::brief() const
     // No screen shows tens of thousands of frames a second: of a tiny picture its time says more.
     constexpr double kShortMs = 1;
     const bool isShort = m_times.total > 0 && m_times.total < kShortMs && !countedRate();
-    const QString rate =
-        isShort ? tr("%1 ms a frame").arg(milliseconds(m_times.total)) : tr("%1 FPS").arg(m_fps->text());
-    const QString text = tr("%1 \u00b7 clipped %2 \u00b7 culled: back %3, front %4")
-                             .arg(rate, shown(QStringLiteral("clipped")), shown(QStringLiteral("culled_back")),
-                                  shown(QStringLiteral("culled_front")));
-    return m_step ? momentText(m_step) + QStringLiteral(" \u00b7 ") + text : text;
+    QStringList parts;
+    if (m_step)
+        parts << momentText(m_step);
+    if (isShort)
+        parts << tr("%1 ms a frame").arg(milliseconds(m_times.total));
+    else if (framesPerSecond() > 0)
+        parts << tr("%1 FPS").arg(m_fps->text());
+    parts << tr("clipped %1 \u00b7 culled: back %2, front %3")
+                 .arg(shown(QStringLiteral("clipped")), shown(QStringLiteral("culled_back")),
+                      shown(QStringLiteral("culled_front")));
+    return parts.join(QStringLiteral(" \u00b7 "));
 }
 
 QJsonObject StatisticsPanel::statisticsDocument() const
