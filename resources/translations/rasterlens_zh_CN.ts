@@ -10365,12 +10365,6 @@ all of these errors are 0.</source>
         <source>Click the pixels on the canvas.</source>
         <translation>请在画布上点像素。</translation>
     </message>
-    <message numerus="yes">
-        <source>%n pixel(s) marked</source>
-        <translation>
-            <numerusform>已标 %n 个像素</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Clear</source>
         <translation>清除</translation>
@@ -10386,6 +10380,10 @@ all of these errors are 0.</source>
     <message>
         <source>whole, or three digits</source>
         <translation>整数，或三位有效数字</translation>
+    </message>
+    <message>
+        <source>Pixels marked: %1</source>
+        <translation>已标 %1 个像素</translation>
     </message>
 </context>
 <context>
