@@ -136,6 +136,8 @@ private Q_SLOTS:
         QCOMPARE(figures().exportTo(path("f.svg")), std::nullopt);
         const QByteArray svg = readFile(path("f.svg"));
         QVERIFY(!svg.contains("<image"));
+        QVERIFY(svg.contains("<style>rect{shape-rendering:crispEdges}</style>")); // no seams where it is scaled
+        QVERIFY(svg.contains("<rect"));
         QSvgRenderer renderer(svg);
         QImage drawn(renderer.defaultSize() * 3, QImage::Format_RGB32); // enlarged: still sharp
         drawn.fill(Qt::magenta);

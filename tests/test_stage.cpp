@@ -54,6 +54,7 @@ private Q_SLOTS:
     void rOffersASmallPicture();
     void theFirstStartOpensTheFirstLesson();
     void aComparisonDoesNotWidenTheWindow();
+    void theLegendIsInSight();
     void theCountersAreInSight_data();
     void theCountersAreInSight();
 
@@ -534,6 +535,30 @@ void TestStage::aComparisonDoesNotWidenTheWindow()
             QVERIFY(complete());
         }
     }
+}
+
+/// What the circles say is told once: on a narrow stage on the canvas, on a wide one beside the code.
+void TestStage::theLegendIsInSight()
+{
+    QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+    const auto* beside = m_window->findChild<QWidget*>(QStringLiteral("lensLegend"));
+    const StepListing& listing = m_window->stepMode().listing();
+    for (const QSize size : {QSize(1024, 768), QSize(1920, 1080)})
+        for (const auto& [id, slide] : {std::pair("first-minute", 0), std::pair("top-left", 1)}) {
+            QVERIFY(openStage(size));
+            QVERIFY(m_window->lessons().open(QLatin1String(id)));
+            m_window->lessons().player().goTo(std::size_t(slide), LessonPlayer::Entry::Skips);
+            QVERIFY(complete());
+            QTest::qWait(50);
+            const bool isBeside = size.width() > 1200;
+            QCOMPARE(beside->isVisible(), isBeside);
+            QCOMPARE(m_window->stepMode().lens().legendPlate().isEmpty(), isBeside);
+            QVERIFY(!isBeside || listing.rect().contains(beside->geometry()));
+            for (const QLabel* label : listing.findChildren<QLabel*>())
+                QVERIFY(!isBeside || !label->geometry().intersects(beside->geometry()));
+        }
+    m_window->stepMode().session().close();
+    QVERIFY(complete() && !beside->isVisible());
 }
 
 void TestStage::theCountersAreInSight_data()

@@ -68,7 +68,10 @@ QString lineOf(const MistakeMatch& match)
                     .arg(match.where.y());
     if (!match.with.isEmpty())
         line += QStringLiteral("; together with %1").arg(match.with);
-    if (!match.alike.isEmpty())
+    constexpr qsizetype kNamed = 6; // what changes nothing here is most of the list
+    if (match.alike.size() > kNamed)
+        line += QStringLiteral("; %1 mistakes draw the same picture here").arg(match.alike.size());
+    else if (!match.alike.isEmpty())
         line += QStringLiteral("; draws the same picture here: %1").arg(match.alike.join(QStringLiteral(", ")));
     return line + QLatin1Char('\n');
 }

@@ -10345,12 +10345,6 @@ all of these errors are 0.</source>
         <source>Click the pixels on the canvas.</source>
         <translation>请在画布上点像素。</translation>
     </message>
-    <message numerus="yes">
-        <source>%n pixel(s) marked</source>
-        <translation>
-            <numerusform>已标 %n 个像素</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Clear</source>
         <translation>清除</translation>
@@ -10366,6 +10360,10 @@ all of these errors are 0.</source>
     <message>
         <source>whole, or three digits</source>
         <translation>整数，或三位有效数字</translation>
+    </message>
+    <message>
+        <source>Pixels marked: %1</source>
+        <translation>已标 %1 个像素</translation>
     </message>
 </context>
 <context>
@@ -10749,8 +10747,16 @@ all of these errors are 0.</source>
         <translation>从移动到画面显示：%1 毫秒（%2 次的中位数）。</translation>
     </message>
     <message>
-        <source>%1 FPS · clipped %2 · culled: back %3, front %4</source>
-        <translation>%1 FPS · 裁剪 %2 · 剔除：背面 %3，正面 %4</translation>
+        <source>%1 ms a frame</source>
+        <translation>每帧 %1 ms</translation>
+    </message>
+    <message>
+        <source>%1 FPS</source>
+        <translation>%1 FPS</translation>
+    </message>
+    <message>
+        <source>clipped %1 · culled: back %2, front %3</source>
+        <translation>裁剪 %1 · 剔除：背面 %2，正面 %3</translation>
     </message>
 </context>
 <context>

@@ -83,6 +83,13 @@ double widthOf(const QString& text, const QString& family, double pixels, bool b
     return isWhole ? width : width * pixels / kPixels;
 }
 
+/// Pixels are squares beside each other. Programs that scale a drawing soften the sides of each, and the paper would
+/// show through between two of one colour.
+QByteArray withCrispSquares(QByteArray svg)
+{
+    return svg.replace("<defs>", "<defs><style>rect{shape-rendering:crispEdges}</style>");
+}
+
 /// The drawing with all families of each font. Qt names the first alone, and a viewer draws Chinese texts with what it
 /// finds then.
 QByteArray withFamilies(QByteArray svg)
@@ -155,7 +162,7 @@ std::optional<QString> saveSvg(QSize size, const ExportTarget& target, const std
         paint(painter);
     if (!begun || !painter.end())
         return notWritten(target.path, QT_TRANSLATE_NOOP("Diagnostic", "the picture is empty or too large"));
-    return saveBytes(withFamilies(withMeasuredTexts(inPixels(std::move(bytes), size))), target);
+    return saveBytes(withCrispSquares(withFamilies(withMeasuredTexts(inPixels(std::move(bytes), size)))), target);
 }
 
 std::optional<QString> savePdf(QSize size, const ExportTarget& target, const std::function<void(QPainter&)>& paint)

@@ -206,6 +206,7 @@ private:
             for (std::size_t i = 2; i + 1 < left.size(); ++i)
                 painter.drawLine(place(flat(left[0])), place(flat(left[i])));
         }
+        m_names.clear();
         paintCorners(painter, gone(), m_inks.minus);
         paintCorners(painter, left, palette().color(QPalette::Text));
     }
@@ -234,6 +235,27 @@ private:
         painter.drawPolygon(outline);
     }
 
+    /// Where a name is written: outward of its corner, or in another direction where another name stands there.
+    [[nodiscard]] QRectF freeBox(QPointF corner, QPointF away, QSizeF size) const
+    {
+        const auto boxAt = [&](QPointF centre) {
+            QRectF box(QPointF(0, 0), size);
+            box.moveCenter(centre);
+            box.moveLeft(std::clamp(box.left(), m_area.left(), m_area.right() - box.width()));
+            box.moveTop(std::clamp(box.top(), m_area.top(), m_area.bottom() - box.height()));
+            return box;
+        };
+        const QRectF outward = boxAt(corner + away);
+        const QPointF across(size.width() / 2 + 12, 0);
+        const QPointF along(0, size.height());
+        for (const QPointF& way : {away, along, -along, across, -across}) {
+            const QRectF box = boxAt(corner + way);
+            if (std::ranges::none_of(m_names, [&](const QRectF& name) { return name.intersects(box); }))
+                return box;
+        }
+        return outward;
+    }
+
     void paintCorners(QPainter& painter, const std::vector<ClipVertex>& polygon, const QColor& ink)
     {
         const std::vector<ClipVertex>& left = m_theatre.after();
@@ -256,10 +278,9 @@ private:
             QPointF away = corner.at - middle;
             const double length = std::hypot(away.x(), away.y());
             away = length > 1 ? away / length * 12 : QPointF(0, -12);
-            QRectF box(QPointF(0, 0), QSizeF(metrics.horizontalAdvance(corner.name) + 2, metrics.height()));
-            box.moveCenter(corner.at + away);
-            box.moveLeft(std::clamp(box.left(), m_area.left(), m_area.right() - box.width()));
-            box.moveTop(std::clamp(box.top(), m_area.top(), m_area.bottom() - box.height()));
+            const QSizeF size(metrics.horizontalAdvance(corner.name) + 2, metrics.height());
+            const QRectF box = freeBox(corner.at, away, size);
+            m_names.push_back(box);
             painter.drawText(box, Qt::AlignCenter, corner.name);
         }
     }
@@ -270,6 +291,7 @@ private:
     QRectF m_area;
     QPointF m_middle;
     double m_scale = 1;
+    std::vector<QRectF> m_names; ///< where names of corners stand
 };
 
 ClipTheatre::ClipTheatre(FaceSelection& selection, QWidget* parent)

@@ -228,7 +228,7 @@ void QuestionBox::sync()
     m_check->setEnabled(asksForPixels() ? !m_marked.empty() : !m_field->text().trimmed().isEmpty());
     m_clear->setEnabled(!m_marked.empty());
     m_hint->setText(m_marked.empty() ? tr("Click the pixels on the canvas.")
-                                     : tr("%n pixel(s) marked", nullptr, static_cast<int>(m_marked.size())));
+                                     : tr("Pixels marked: %1").arg(m_marked.size()));
     for (std::size_t i = 0; i < m_choiceButtons.size(); ++i)
         m_choiceButtons[i]->setEnabled(std::ranges::find(m_tries, GivenAnswer(i)) == m_tries.end());
 }

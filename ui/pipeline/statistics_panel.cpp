@@ -330,16 +330,22 @@ void StatisticsPanel::setStale(bool stale)
     showTimes();
 }
 
-/// Counted while frames keep coming; what one frame's time allows once they stopped.
-double StatisticsPanel::framesPerSecond() const
+/// The frames a second while they keep coming.
+std::optional<double> StatisticsPanel::countedRate() const
 {
     constexpr std::size_t kEnough = 4;
     const qint64 now = m_clock.elapsed();
-    if (m_finished.size() >= kEnough && now - m_finished.back() < kRateWindowMs &&
-        m_finished.back() > m_finished.front())
-        return 1000.0 * static_cast<double>(m_finished.size() - 1) /
-               static_cast<double>(m_finished.back() - m_finished.front());
-    return m_times.total > 0 ? 1000.0 / m_times.total : 0;
+    if (m_finished.size() < kEnough || now - m_finished.back() >= kRateWindowMs ||
+        m_finished.back() <= m_finished.front())
+        return std::nullopt;
+    return 1000.0 * static_cast<double>(m_finished.size() - 1) /
+           static_cast<double>(m_finished.back() - m_finished.front());
+}
+
+/// Counted while frames keep coming; what one frame's time allows once they stopped.
+double StatisticsPanel::framesPerSecond() const
+{
+    return countedRate().value_or(m_times.total > 0 ? 1000.0 / m_times.total : 0);
 }
 
 void StatisticsPanel::showTimes()
@@ -359,10 +365,20 @@ void StatisticsPanel::showTimes()
 
 QString StatisticsPanel::brief() const
 {
-    const QString text = tr("%1 FPS \u00b7 clipped %2 \u00b7 culled: back %3, front %4")
-                             .arg(m_fps->text(), shown(QStringLiteral("clipped")), shown(QStringLiteral("culled_back")),
-                                  shown(QStringLiteral("culled_front")));
-    return m_step ? momentText(m_step) + QStringLiteral(" \u00b7 ") + text : text;
+    // No screen shows tens of thousands of frames a second: of a tiny picture its time says more.
+    constexpr double kShortMs = 1;
+    const bool isShort = m_times.total > 0 && m_times.total < kShortMs && !countedRate();
+    QStringList parts;
+    if (m_step)
+        parts << momentText(m_step);
+    if (isShort)
+        parts << tr("%1 ms a frame").arg(milliseconds(m_times.total));
+    else if (framesPerSecond() > 0)
+        parts << tr("%1 FPS").arg(m_fps->text());
+    parts << tr("clipped %1 \u00b7 culled: back %2, front %3")
+                 .arg(shown(QStringLiteral("clipped")), shown(QStringLiteral("culled_back")),
+                      shown(QStringLiteral("culled_front")));
+    return parts.join(QStringLiteral(" \u00b7 "));
 }
 
 QJsonObject StatisticsPanel::statisticsDocument() const

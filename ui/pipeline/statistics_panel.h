@@ -30,7 +30,8 @@ public:
     void setStale(bool stale);
     /// in   the step of a record after which the frame is; nothing: it is the finished one
     void setMoment(const std::optional<std::size_t>& step);
-    /// Frames a second, clipped and culled faces in one line.
+    /// Frames a second, or the time of a frame that takes less than a millisecond, nothing where it was not timed;
+    /// clipped and culled faces, in one line.
     [[nodiscard]] QString brief() const;
     [[nodiscard]] const QLabel* counter(const QString& id) const;
     [[nodiscard]] bool isStale() const { return m_stale; }
@@ -78,6 +79,7 @@ private:
     void noteFinished(const FramePtr& frame);
     /// in   a counted frame
     [[nodiscard]] QJsonObject statisticsDocument() const;
+    [[nodiscard]] std::optional<double> countedRate() const;
     [[nodiscard]] double framesPerSecond() const;
     void retranslate();
     void explainRate();

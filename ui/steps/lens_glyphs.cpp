@@ -110,16 +110,16 @@ std::optional<QRectF> placeOfLegend(const QRectF& canvas, QSizeF size, const QRe
 
 /// A line of the legend below those of the edges.
 struct LegendRow {
-    std::function<void(QPointF centre, double diameter)> paintMark; ///< none: words alone
+    std::function<void(QPainter& painter, QPointF centre, double diameter)> paintMark; ///< none: words alone
     QString text;
 };
 
 QString translated(const char* text) { return QCoreApplication::translate("Lens", text); }
 
-std::vector<LegendRow> signRows(QPainter& painter, bool hasNumbers)
+std::vector<LegendRow> signRows(bool hasNumbers)
 {
-    const auto glyph = [&painter](EdgeSign sign) {
-        return [&painter, sign](QPointF centre, double diameter) {
+    const auto glyph = [](EdgeSign sign) {
+        return [sign](QPainter& painter, QPointF centre, double diameter) {
             paintGlyph(painter, centre, diameter, sign, 0, false);
         };
     };
@@ -133,15 +133,15 @@ std::vector<LegendRow> signRows(QPainter& painter, bool hasNumbers)
     return rows;
 }
 
-std::vector<LegendRow> patternRows(QPainter& painter, const Rules& rules)
+std::vector<LegendRow> patternRows(AttributeAt attributeAt)
 {
-    const auto sample = [&painter](bool isCovered) {
-        return [&painter, isCovered](QPointF centre, double diameter) {
+    const auto sample = [](bool isCovered) {
+        return [isCovered](QPainter& painter, QPointF centre, double diameter) {
             paintSampleMark(painter, centre, diameter / 3, isCovered);
         };
     };
-    const auto place = [&painter](bool isOutside) {
-        return [&painter, isOutside](QPointF centre, double diameter) {
+    const auto place = [](bool isOutside) {
+        return [isOutside](QPainter& painter, QPointF centre, double diameter) {
             paintPlaceMark(painter, centre, diameter / 3, isOutside);
         };
     };
@@ -149,55 +149,84 @@ std::vector<LegendRow> patternRows(QPainter& painter, const Rules& rules)
         {sample(true), translated(QT_TRANSLATE_NOOP("Lens", "sample, covered"))},
         {sample(false), translated(QT_TRANSLATE_NOOP("Lens", "not covered"))},
     };
-    if (rules.attributeAt != AttributeAt::Sample)
+    if (attributeAt != AttributeAt::Sample)
         rows.push_back({place(false), translated(QT_TRANSLATE_NOOP("Lens", "shaded here"))});
-    if (rules.attributeAt == AttributeAt::Centre)
+    if (attributeAt == AttributeAt::Centre)
         rows.push_back({place(true), translated(QT_TRANSLATE_NOOP("Lens", "shaded outside"))});
     return rows;
 }
 
+std::vector<LegendRow> rowsOf(const LensLegend& legend)
+{
+    return legend.isPattern ? patternRows(legend.attributeAt) : signRows(legend.hasNumbers);
+}
+
+constexpr double kLegendPad = 8;
+
+/// The lengths of a legend in the window's type.
+struct LegendMetrics {
+    QFont font = textFont(-1);
+    QFontMetricsF metrics{font};
+    double row = metrics.height() * 1.3;
+    double glyph = metrics.height() * 0.9;
+    double line = metrics.height() * 1.8; ///< that stands for an edge
+
+    [[nodiscard]] double indent(const LegendRow& of) const { return of.paintMark ? glyph * 1.4 : 0; }
+};
+
 } // namespace
 
-void paintLensLegend(QPainter& painter, const QRect& canvas, const QRectF& samples, const StepSetup& setup,
-                     const Rules& rules, bool hasNumbers)
+LensLegend::LensLegend(const StepSetup& setup, const Rules& rules, bool withNumbers)
+    : isPattern(rules.multiSampled()), attributeAt(rules.attributeAt), hasNumbers(withNumbers)
 {
-    const std::vector<LegendRow> rows =
-        rules.multiSampled() ? patternRows(painter, rules) : signRows(painter, hasNumbers);
-    const QFont font = textFont(-1);
-    const QFontMetricsF metrics(font);
-    const double row = metrics.height() * 1.3;
-    const double glyph = metrics.height() * 0.9;
-    const auto indent = [glyph](const LegendRow& line) { return line.paintMark ? glyph * 1.4 : 0; };
+    for (std::size_t edge = 0; edge < edges.size(); ++edge)
+        edges[edge] = edgeName(setup, static_cast<int>(edge));
+}
+
+QSizeF LensLegend::size() const
+{
+    const LegendMetrics m;
+    const std::vector<LegendRow> rows = rowsOf(*this);
     double width = 0;
-    for (const LegendRow& line : rows)
-        width = std::max(width, indent(line) + metrics.horizontalAdvance(line.text));
-    constexpr double kPad = 8;
-    const QSizeF size(width + 2 * kPad, double(kEdgeLooks.size() + rows.size()) * row + kPad);
-    const auto plate = placeOfLegend(canvas, size, samples, setup);
-    if (!plate)
-        return;
+    for (const LegendRow& row : rows)
+        width = std::max(width, m.indent(row) + m.metrics.horizontalAdvance(row.text));
+    return {width + 2 * kLegendPad, double(edges.size() + rows.size()) * m.row + kLegendPad};
+}
+
+void LensLegend::paint(QPainter& painter, const QRectF& plate) const
+{
+    const LegendMetrics m;
     const QPalette palette = QGuiApplication::palette();
     painter.setPen(QPen(palette.color(QPalette::Mid), 1));
     painter.setBrush(palette.color(QPalette::Base));
-    painter.drawRoundedRect(*plate, 6, 6);
-    painter.setFont(font);
-    QPointF at = plate->topLeft() + QPointF(kPad, kPad / 2 + row / 2);
+    painter.drawRoundedRect(plate, 6, 6);
+    painter.setFont(m.font);
+    QPointF at = plate.topLeft() + QPointF(kLegendPad, kLegendPad / 2 + m.row / 2);
     const auto write = [&](double x, const QString& text) {
         painter.setPen(palette.color(QPalette::Text));
-        painter.drawText(QPointF(at.x() + x, at.y() + metrics.ascent() / 2 - 1), text);
-        at.ry() += row;
+        painter.drawText(QPointF(at.x() + x, at.y() + m.metrics.ascent() / 2 - 1), text);
+        at.ry() += m.row;
     };
-    for (std::size_t edge = 0; edge < kEdgeLooks.size(); ++edge) {
-        const double end = metrics.height() * 1.8;
+    for (std::size_t edge = 0; edge < edges.size(); ++edge) {
         painter.setPen(QPen(QColor(kEdgeLooks[edge].color), 3, kEdgeLooks[edge].style, Qt::FlatCap));
-        painter.drawLine(at, at + QPointF(end, 0));
-        write(end + 8, edgeName(setup, static_cast<int>(edge)));
+        painter.drawLine(at, at + QPointF(m.line, 0));
+        write(m.line + 8, edges[edge]);
     }
-    for (const LegendRow& line : rows) {
-        if (line.paintMark)
-            line.paintMark(at + QPointF(glyph / 2, 0), glyph);
-        write(indent(line), line.text);
+    for (const LegendRow& row : rowsOf(*this)) {
+        if (row.paintMark)
+            row.paintMark(painter, at + QPointF(m.glyph / 2, 0), m.glyph);
+        write(m.indent(row), row.text);
     }
+}
+
+QRectF paintLensLegend(QPainter& painter, const QRect& canvas, const QRectF& samples, const StepSetup& setup,
+                       const LensLegend& legend)
+{
+    const auto plate = placeOfLegend(canvas, legend.size(), samples, setup);
+    if (!plate)
+        return {};
+    legend.paint(painter, *plate);
+    return *plate;
 }
 
 } // namespace rasterlens

@@ -6,7 +6,11 @@
 #include <QColor>
 #include <QPointF>
 #include <QRect>
+#include <QRectF>
+#include <QSizeF>
+#include <QString>
 
+#include <array>
 #include <cstddef>
 
 class QPainter;
@@ -30,11 +34,27 @@ struct GlyphColors {
 /// A sign in a circle, whose rim has the hue of its edge: 0 AB, 1 BC, 2 CA.
 void paintGlyph(QPainter& painter, QPointF centre, double diameter, EdgeSign sign, std::size_t edge, bool isHollow);
 
-/// Tells beside the picture which edge has which line and rim, what the signs say, and what the number is; with
-/// multi-sampling what the marks of samples say. Nothing where there is no room.
+/// Tells which edge has which line and rim, what the signs say, and what the number is; with multi-sampling what the
+/// marks of samples say.
+struct LensLegend {
+    LensLegend(const StepSetup& setup, const Rules& rules, bool withNumbers);
+
+    [[nodiscard]] QSizeF size() const; ///< in the window's type
+    /// in  a plate of this size
+    void paint(QPainter& painter, const QRectF& plate) const;
+    bool operator==(const LensLegend&) const = default;
+
+    std::array<QString, 3> edges;
+    bool isPattern;
+    AttributeAt attributeAt;
+    bool hasNumbers;
+};
+
+/// Paints the legend beside the samples that are looked at.
 ///
-/// in  canvas pixels
-void paintLensLegend(QPainter& painter, const QRect& canvas, const QRectF& picture, const StepSetup& setup,
-                     const Rules& rules, bool hasNumbers);
+/// in   canvas pixels
+/// out  its plate; empty: there was no room, and nothing was painted
+QRectF paintLensLegend(QPainter& painter, const QRect& canvas, const QRectF& samples, const StepSetup& setup,
+                       const LensLegend& legend);
 
 } // namespace rasterlens

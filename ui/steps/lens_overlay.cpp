@@ -117,12 +117,21 @@ void LensOverlay::paint(QPainter& painter, const QRect& canvas, const CanvasTran
     paintCurrent(view);
     paintCorners(view);
     paintHover(view);
-    const bool isWalked = m_model->sides() != nullptr; // with a legend of its own, and without signs
-    if (m_model->hasSetup() && view.cell >= kGlyphsFromCell && !isWalked)
-        paintLensLegend(painter, canvas, boundsOf(view, m_model->triangle().setup), m_model->triangle().setup,
-                        m_model->log().rules(), hasNumbers);
+    m_legendPlate = {};
+    if (const auto legend = legendAt(view.cell); legend && view.cell >= kGlyphsFromCell && !m_isLegendBeside)
+        m_legendPlate = paintLensLegend(painter, canvas, boundsOf(view, m_model->triangle().setup),
+                                        m_model->triangle().setup, *legend);
     paintPatternWords(view, *m_model);
     painter.restore();
+}
+
+/// Edge walking has a legend of its own, and no signs.
+std::optional<LensLegend> LensOverlay::legendAt(double cell) const
+{
+    if (!m_model || !m_model->hasSetup() || m_model->sides() != nullptr)
+        return std::nullopt;
+    const Rules& rules = m_model->log().rules();
+    return LensLegend(m_model->triangle().setup, rules, cell >= kLensNumbersFromCell && !rules.multiSampled());
 }
 
 /// With a pattern edge walking walks a triangle that is moved, so that the sample lies at the centre of its pixel.

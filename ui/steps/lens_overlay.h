@@ -27,6 +27,12 @@ public:
     using Coverage = std::function<std::shared_ptr<const StepLog>(const StepTriangle&, const PixelRect&)>;
     void setCoverage(Coverage coverage) { m_coverage = std::move(coverage); }
     [[nodiscard]] const LensModel* model() const { return m_model.get(); }
+    /// What the legend tells where a sample has so many canvas pixels; nothing: there are no signs.
+    [[nodiscard]] std::optional<LensLegend> legendAt(double cell) const;
+    /// The legend stands beside the canvas, and not on it.
+    void setLegendBeside(bool on) { m_isLegendBeside = on; }
+    /// Where the legend was painted last; empty: it was not.
+    [[nodiscard]] const QRectF& legendPlate() const { return m_legendPlate; }
 
     void paint(QPainter& painter, const QRect& canvas, const CanvasTransform& transform,
                const OverlayOptions& options) const override;
@@ -52,6 +58,8 @@ private:
 
     std::unique_ptr<const LensModel> m_model;
     Coverage m_coverage;
+    bool m_isLegendBeside = false;
+    mutable QRectF m_legendPlate;
     mutable QHash<quint32, QPixmap> m_tiles; ///< cells by what they show
     mutable QSize m_tileSize;
     mutable QColor m_tilePaper;

@@ -11,6 +11,8 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <vector>
 
 namespace rasterlens
@@ -215,8 +217,52 @@ void SampleLens::paintResolve(QPainter& painter, const QRect& canvas, const Canv
                               .arg(pixel.x)
                               .arg(pixel.y)
                               .arg(pixel.count);
-    paintPlate(painter, canvas, box.bottomRight() + QPointF(10, 10), QStringList{title} + resolveWords(pixel),
-               numberFont(0));
+    const QStringList lines = QStringList{title} + resolveWords(pixel);
+    paintPlate(painter, canvas, placeOfPlate(canvas, transform, box, lines), lines, numberFont(0));
+}
+
+/// Beside the pixel, or at the right or left border of the canvas, wherever the plate hides the fewest changes of
+/// colour from pixel to pixel.
+QPointF SampleLens::placeOfPlate(const QRect& canvas, const CanvasTransform& transform, const QRectF& box,
+                                 const QStringList& lines) const
+{
+    constexpr double kGap = 10;
+    const QRectF beside = textPlate(canvas, box.bottomRight() + QPointF(kGap, kGap), lines, numberFont(0));
+    QPointF best = beside.topLeft();
+    if (transform.zoom < kGridFromZoom) // pixels are too small to be told apart
+        return best;
+    int fewest = std::numeric_limits<int>::max();
+    for (const double x : {beside.left(), canvas.right() - 4 - beside.width(), canvas.left() + 4.0,
+                           box.left() - kGap - beside.width()}) {
+        const QRectF plate(QPointF(x, beside.top()), beside.size());
+        if (x < canvas.left() || x + plate.width() > canvas.right() || plate.intersects(box))
+            continue;
+        if (const int hidden = changesOfColor(transform.pixelsIn(plate.toRect(), m_cursor->image().size()));
+            hidden < fewest) {
+            fewest = hidden;
+            best = plate.topLeft();
+        }
+    }
+    return best;
+}
+
+/// How often neighbours in a row or a column differ, as they are shown.
+int SampleLens::changesOfColor(const QRect& pixels) const
+{
+    const StepLog& log = m_cursor->log();
+    const std::size_t resolved = log.resolvedPixels(m_cursor->positionInLog());
+    const int width = m_cursor->image().width();
+    const auto shown = [&](int x, int y) {
+        if (std::size_t(y) * std::size_t(width) + std::size_t(x) < resolved)
+            return std::array{m_cursor->image().pixel(x, y), m_cursor->image().pixel(x, y)};
+        const ResolvedPixel stored = storedSamples(*m_cursor, x, y);
+        return std::array{QRgb(stored.samples[0].color), QRgb(stored.samples[std::size_t(stored.count) - 1].color)};
+    };
+    int changes = 0;
+    for (int y = pixels.top(); y < pixels.bottom(); ++y)
+        for (int x = pixels.left(); x < pixels.right(); ++x)
+            changes += (shown(x, y) != shown(x + 1, y) ? 1 : 0) + (shown(x, y) != shown(x, y + 1) ? 1 : 0);
+    return changes;
 }
 
 void SampleLens::paintHover(QPainter& painter, const QRect& canvas, const CanvasTransform& transform,

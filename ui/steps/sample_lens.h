@@ -29,6 +29,9 @@ private:
     void paintResolve(QPainter& painter, const QRect& canvas, const CanvasTransform& transform,
                       const ResolvedPixel& pixel) const;
     void paintHover(QPainter& painter, const QRect& canvas, const CanvasTransform& transform, QPoint pixel) const;
+    [[nodiscard]] QPointF placeOfPlate(const QRect& canvas, const CanvasTransform& transform, const QRectF& box,
+                                       const QStringList& lines) const;
+    [[nodiscard]] int changesOfColor(const QRect& pixels) const;
 
     const StepCursor* m_cursor = nullptr;
 };

@@ -10,6 +10,7 @@
 #include "ui/steps/line_code.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <bit>
@@ -434,6 +435,13 @@ QString joined(const StepParts& parts, bool numbersFirst)
     return lines.join(QLatin1Char('\n'));
 }
 
+/// Each edge on a line of its own.
+QString setupFormula(const StepLog& log, std::size_t i)
+{
+    static const QRegularExpression between(QStringLiteral("; |\uff1b"));
+    return joined(stepParts(log, i), false).replace(between, QStringLiteral("\n"));
+}
+
 QString formulaOf(const StepLog& log, std::size_t i)
 {
     const StepEvent& event = log.event(i);
@@ -448,6 +456,7 @@ QString formulaOf(const StepLog& log, std::size_t i)
     case StepKind::Crossing: return crossingLines(log, event).join(QLatin1Char('\n'));
     case StepKind::Resolve: return resolveFormula(log, event);
     case StepKind::Fragment: return joined(stepParts(log, i), true);
+    case StepKind::Setup: return setupFormula(log, i);
     case StepKind::Vertex:
     case StepKind::ClipPlane:
     case StepKind::CohenSutherland:
@@ -456,7 +465,6 @@ QString formulaOf(const StepLog& log, std::size_t i)
     case StepKind::Clipped:
     case StepKind::Fate:
     case StepKind::Triangle:
-    case StepKind::Setup:
     case StepKind::Outline:
     case StepKind::Walk:
     case StepKind::Sides:

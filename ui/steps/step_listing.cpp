@@ -6,6 +6,7 @@
 
 #include <QEvent>
 #include <QLabel>
+#include <QPainter>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -75,6 +76,35 @@ bool fits(const QStringList& rows, const QFontMetrics& metrics, int room)
 
 } // namespace
 
+/// The legend of the lens, on a plate of its own.
+class LegendView : public QWidget
+{
+public:
+    LegendView() { setObjectName(QStringLiteral("lensLegend")); }
+
+    void setLegend(const std::optional<LensLegend>& legend)
+    {
+        m_legend = legend;
+        if (legend)
+            setFixedSize(legend->size().toSize() + QSize(2, 2));
+        update();
+    }
+    [[nodiscard]] bool hasLegend() const { return m_legend.has_value(); }
+
+protected:
+    void paintEvent(QPaintEvent* /*event*/) override
+    {
+        if (!m_legend)
+            return;
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        m_legend->paint(painter, QRectF(QPointF(0.5, 0.5), m_legend->size()));
+    }
+
+private:
+    std::optional<LensLegend> m_legend;
+};
+
 StepListing::StepListing(const StepSession& session, QWidget* parent) : QFrame(parent), m_session(session)
 {
     setObjectName(QStringLiteral("stepListing"));
@@ -94,6 +124,8 @@ StepListing::StepListing(const StepSession& session, QWidget* parent) : QFrame(p
     m_formula->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_formula->setFocusPolicy(Qt::NoFocus);
     column->addWidget(m_formula);
+    m_legend = new LegendView;
+    column->addWidget(m_legend, 0, Qt::AlignLeft);
     column->addStretch(0);
     connect(&session, &StepSession::positionChanged, this, &StepListing::sync);
     connect(&session, &StepSession::openChanged, this, [this](bool open) {
@@ -109,7 +141,24 @@ void StepListing::setPlace(Place place)
     auto* column = static_cast<QVBoxLayout*>(layout());
     column->setStretch(column->count() - 1, place == Place::Beside ? 1 : 0);
     sync();
+    Q_EMIT roomChanged();
 }
+
+void StepListing::setLegend(const std::optional<LensLegend>& legend)
+{
+    m_legend->setLegend(hasRoomForLegend() ? legend : std::nullopt);
+    m_legend->setVisible(m_legend->hasLegend());
+    fitFormula();
+}
+
+/// By the height alone, so that the legend stays in its place from step to step: the code has up to eight rows.
+bool StepListing::hasRoomForLegend() const
+{
+    constexpr int kRows = 20; // of code, formula and legend
+    return m_place == Place::Beside && isVisible() && height() >= kRows * lineHeight();
+}
+
+int StepListing::legendHeight() const { return m_legend->hasLegend() ? m_legend->height() : 0; }
 
 void StepListing::setNextPConcealed(bool on)
 {
@@ -175,7 +224,8 @@ int StepListing::formulaRowCount() const
     for (const CodeLine* line : m_lines)
         code += line->minimumHeight(); // which the layout follows later
     const QMargins around = layout()->contentsMargins() + m_formula->contentsMargins();
-    return std::clamp((height() - around.top() - around.bottom() - code) / lineHeight(), usual, 3 * usual);
+    const int room = height() - around.top() - around.bottom() - code - legendHeight();
+    return std::clamp(room / lineHeight(), usual, 3 * usual);
 }
 
 /// Long formulas are broken into rows, then made smaller, then the rows are filled, and they end in dots at last; the
@@ -214,6 +264,7 @@ void StepListing::resizeEvent(QResizeEvent* event)
         sync();
     else
         fitFormula();
+    Q_EMIT roomChanged();
 }
 
 QSize StepListing::minimumSizeHint() const
@@ -228,6 +279,13 @@ void StepListing::showEvent(QShowEvent* event)
 {
     parentWidget()->installEventFilter(this);
     QFrame::showEvent(event);
+    Q_EMIT roomChanged();
+}
+
+void StepListing::hideEvent(QHideEvent* event)
+{
+    QFrame::hideEvent(event);
+    Q_EMIT roomChanged();
 }
 
 bool StepListing::eventFilter(QObject* watched, QEvent* event)
@@ -239,8 +297,10 @@ bool StepListing::eventFilter(QObject* watched, QEvent* event)
 
 void StepListing::changeEvent(QEvent* event)
 {
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange) {
         sync();
+        Q_EMIT roomChanged(); // the legend has words
+    }
     QFrame::changeEvent(event);
 }
 

@@ -106,6 +106,8 @@ StepMode::StepMode(Document& document, ViewportWidget& viewport, QMainWindow& wi
         const QRect seen = m_viewport.transform().pixelsIn(m_viewport.pane(), m_viewport.frame()->frame.image.size());
         m_session.setRectangle(PixelRect{seen.x(), seen.y(), seen.width(), seen.height()});
     });
+    connect(m_listing, &StepListing::roomChanged, this, &StepMode::syncLegend);
+    connect(&viewport, &ViewportWidget::viewChanged, this, &StepMode::syncLegend);
     connect(&m_session, &StepSession::stopMissed, this,
             [this] { Q_EMIT message(tr("The record ends without another such event.")); });
 }
@@ -136,7 +138,17 @@ void StepMode::syncLens()
         model->setSecret(m_secret);
     m_lens.setModel(std::move(model));
     m_geometry.setMoment(std::move(moment), log ? log->rules() : Rules());
+    syncLegend();
     m_viewport.update();
+}
+
+/// Beside the code the legend covers nothing.
+void StepMode::syncLegend()
+{
+    const int grid = m_lens.model() ? m_lens.model()->log().grid() : 1;
+    const double cell = m_viewport.transform().zoom / grid;
+    m_lens.setLegendBeside(m_listing->hasRoomForLegend());
+    m_listing->setLegend(cell >= kGlyphsFromCell ? m_lens.legendAt(cell) : std::nullopt);
 }
 
 void StepMode::setSecret(const std::optional<LensSecret>& secret)

@@ -79,6 +79,7 @@ Q_SIGNALS:
 
 private:
     void syncLens();
+    void syncLegend();
     void syncSelection();
     void followStep();
 
