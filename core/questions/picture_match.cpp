@@ -14,6 +14,7 @@ namespace
 {
 
 constexpr double kUnseen = 12.0 * 12.0; ///< the square of a difference that is not looked at
+constexpr double kNear = 24.0 * 24.0;   ///< the square of a difference within which colours count as one
 constexpr int kFarOffset = 2;           ///< pixels, in both directions
 constexpr double kOffsetPrice = 0.02;   ///< a pixel of offset costs this part of a score
 constexpr int kMostBlocks = 16;         ///< across and down
@@ -247,27 +248,44 @@ void PictureComparison::markEdges()
     }
 }
 
-std::optional<PictureComparison> PictureComparison::withOwnBackground() const
+/// The colour that most pixels have which should be background. Where the right picture has no background but this one
+/// may show some, as behind faces that are missing: its most frequent colour, if the right picture has it nowhere.
+std::optional<QRgb> PictureComparison::ownBackground() const
 {
-    ColorCount count;
-    for (int y = 0; y < m_right.height(); ++y)
-        for (int x = 0; x < m_right.width(); ++x)
-            if (squared(rowOf(m_right, y)[x], m_background) < 1)
-                count.add(rowOf(m_picture, y)[x]);
     constexpr double kMost = 0.5;
     constexpr double kLeastPart = 0.03; // of the picture
-    const double pixels = double(m_right.width()) * m_right.height();
-    const QRgb other = count.color();
-    const bool isKnown = double(count.total()) >= kLeastPart * pixels && count.share() > kMost;
-    if (!isKnown || squared(other, m_background) < kUnseen)
+    const double least = kLeastPart * m_right.width() * m_right.height();
+    const auto forEach = [&](auto&& use) {
+        for (int y = 0; y < m_right.height(); ++y)
+            for (int x = 0; x < m_right.width(); ++x)
+                use(rowOf(m_picture, y)[x], rowOf(m_right, y)[x]);
+    };
+    ColorCount behind;
+    forEach([&](QRgb color, QRgb right) {
+        if (squared(right, m_background) < 1)
+            behind.add(color);
+    });
+    if (double(behind.total()) >= least)
+        return behind.share() > kMost ? std::optional(behind.color()) : std::nullopt;
+    ColorCount everywhere;
+    forEach([&](QRgb color, QRgb) { everywhere.add(color); });
+    const QRgb frequent = everywhere.color();
+    bool isOfTheScene = everywhere.share() * double(everywhere.total()) < least;
+    forEach([&](QRgb, QRgb right) { isOfTheScene = isOfTheScene || squared(right, frequent) < kNear; });
+    return isOfTheScene ? std::nullopt : std::optional(frequent);
+}
+
+std::optional<PictureComparison> PictureComparison::withOwnBackground() const
+{
+    const std::optional<QRgb> other = ownBackground();
+    if (!other || squared(*other, m_background) < kUnseen)
         return std::nullopt;
-    constexpr double kNear = 24.0 * 24.0;
     PictureComparison comparison = *this;
     for (int y = 0; y < m_right.height(); ++y) {
         auto* row = reinterpret_cast<QRgb*>(comparison.m_picture.scanLine(y));
         const QRgb* right = rowOf(m_right, y);
         for (int x = 0; x < m_right.width(); ++x)
-            if (squared(row[x], other) < kNear && squared(row[x], right[x]) >= kNear)
+            if (squared(row[x], *other) < kNear && squared(row[x], right[x]) >= kNear)
                 row[x] = m_background;
     }
     return comparison;

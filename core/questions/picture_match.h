@@ -52,7 +52,8 @@ public:
     [[nodiscard]] const QImage& picture() const { return m_picture; }
 
     /// This comparison with another colour in place of the background: that which most pixels have that should be
-    /// background. Nothing where there is no such colour.
+    /// background; where nothing should be, the most frequent one if the right picture does not have it. Nothing where
+    /// there is no such colour.
     [[nodiscard]] std::optional<PictureComparison> withOwnBackground() const;
 
     /// This comparison with another right picture, which has the same size.
@@ -72,6 +73,8 @@ public:
     [[nodiscard]] PictureFit fit(const PictureChange& change) const;
 
 private:
+    [[nodiscard]] std::optional<QRgb> ownBackground() const;
+
     /// Squared differences from the right picture at an offset, by blocks of the picture.
     struct Blocks {
         std::array<std::vector<double>, 2> energy;
