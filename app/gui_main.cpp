@@ -1,8 +1,10 @@
 #include "app/gui_arguments.h"
 #include "core/io/file_writer.h"
 #include "core/io/picture_file.h"
+#include "core/io/reach.h"
 #include "ui/base/image_export.h"
 #include "ui/base/settings_file.h"
+#include "ui/document/consents.h"
 #include "ui/face/cards.h"
 #include "ui/face/derivation_panel.h"
 #include "ui/lessons/lesson_mode.h"
@@ -121,6 +123,8 @@ ExitCode startLesson(rasterlens::MainWindow& window, const Arguments& arguments)
                          for (const rasterlens::Diagnostic& diagnostic : diagnostics)
                              printError(diagnostic.text());
                      });
+    const rasterlens::Consent consent(arguments.allowOutside ? rasterlens::Outside::Allow
+                                                             : rasterlens::Outside::Refuse);
     if (!lessons.open(arguments.lesson))
         return kInvalidInput;
     const std::size_t count = lessons.player().lesson().slides.size();
@@ -139,12 +143,16 @@ ExitCode startLesson(rasterlens::MainWindow& window, const Arguments& arguments)
 /// out  fine, or the exit code after an error message
 ExitCode openFirst(rasterlens::MainWindow& window, const Arguments& arguments, bool hasArguments)
 {
+    if (arguments.allowOutside)
+        rasterlens::Consents::ofProgram().addAll();
     if (!arguments.lesson.isEmpty())
         return startLesson(window, arguments);
     if (!hasArguments)
         window.openAtStart();
     else if (arguments.scene.isEmpty())
         window.openDefaultScene();
+    else if (!arguments.model.isEmpty())
+        window.document().openSessionWith(arguments.scene, arguments.model);
     else
         window.document().open(arguments.scene);
     return kFine;
@@ -247,6 +255,7 @@ int main(int argc, char** argv)
             return kInvalidInput;
         }
 #ifdef Q_OS_UNIX
+    std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error message
     std::signal(SIGPIPE, SIG_IGN); // a pipe whose reader has gone is an error message, not the end of the window
 #endif
 

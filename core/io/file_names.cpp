@@ -101,36 +101,40 @@ bool fileExists(const QString& path)
 namespace
 {
 
-NamedFile findAsSpelt(const QString& owner, std::string_view name)
+NamedFile findAsSpelt(const QString& owner, std::string_view name, const Reach& reach)
 {
     const QDir folder = QFileInfo(owner).absoluteDir();
     const auto beside = [&](const QString& spelling) {
         return folder.absoluteFilePath(spelling.section(QLatin1Char('/'), -1));
     };
+    const auto isThere = [&](const QString& path) { return reach.covers(path) && fileExists(path); };
     const QStringList all = spellings(bytesOf(withoutQuotes(name)));
     for (qsizetype i = 0; i < all.size(); ++i)
-        if (const QString path = folder.absoluteFilePath(all[i]); fileExists(path))
+        if (const QString path = folder.absoluteFilePath(all[i]); isThere(path))
             return {path, i < 2 ? FoundBy::Name : FoundBy::Encoding};
     for (const QString& spelling : all)
-        if (const QString path = beside(withSlashes(spelling)); fileExists(path))
+        if (const QString path = beside(withSlashes(spelling)); isThere(path))
             return {path, FoundBy::Beside};
     for (const QString& spelling : all)
         for (const QString& path : {folder.absoluteFilePath(spelling), beside(withSlashes(spelling))})
-            if (const auto found = inAnyCase(path))
+            if (const auto found = reach.covers(path) ? inAnyCase(path) : std::nullopt; found && reach.covers(*found))
                 return {*found, FoundBy::LetterCase};
-    return {folder.absoluteFilePath(all.value(1, all.front())), FoundBy::Nothing};
+    const QString expected = folder.absoluteFilePath(all.value(1, all.front()));
+    return {expected, reach.covers(expected) ? FoundBy::Nothing : FoundBy::Outside};
 }
 
 } // namespace
 
-NamedFile findNamedFile(const QString& owner, std::string_view name)
+bool NamedFile::isFound() const { return foundBy != FoundBy::Nothing && foundBy != FoundBy::Outside; }
+
+NamedFile findNamedFile(const QString& owner, std::string_view name, const Reach& reach)
 {
-    NamedFile whole = findAsSpelt(owner, name);
+    NamedFile whole = findAsSpelt(owner, name, reach);
     const std::size_t comment = name.find(" #");
-    if (whole.foundBy != FoundBy::Nothing || comment == std::string_view::npos)
+    if (whole.isFound() || comment == std::string_view::npos)
         return whole;
-    NamedFile withoutComment = findAsSpelt(owner, name.substr(0, comment));
-    return withoutComment.foundBy == FoundBy::Nothing ? whole : withoutComment;
+    NamedFile withoutComment = findAsSpelt(owner, name.substr(0, comment), reach);
+    return withoutComment.isFound() ? withoutComment : whole;
 }
 
 void remarkOn(const NamedFile& file, std::string_view keyword, int line, DiagnosticSink& diagnostics)

@@ -3,12 +3,14 @@
 #include "core/io/session.h"
 #include "ui/base/language.h"
 #include "ui/base/message_bar.h"
+#include "ui/document/consents.h"
 #include "ui/document/document.h"
 #include "ui/document/file_watch.h"
 #include "ui/document/recovery.h"
 #include "ui/pipeline/scene_words.h"
 #include "ui/steps/step_mode.h"
 #include "ui/steps/step_session.h"
+#include "ui/window/outside_question.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -76,6 +78,9 @@ void LifeCycle::start()
     connect(m_watch.get(), &FileWatch::differs, this, &LifeCycle::offerReload);
     connect(&m_document, &Document::inputsChanged, this, [this] { m_watch->watch(m_document.inputs()); });
     connect(&m_document, &Document::settingsChanged, this, [this] { m_ending = false; });
+    connect(&Consents::ofProgram(), &Consents::refused, this, [this](const QString& file, const QStringList& paths) {
+        askAboutOutside(m_window, m_document, file, paths);
+    });
     offerFound();
 }
 

@@ -1,0 +1,60 @@
+#include "ui/window/outside_question.h"
+
+#include "core/io/path_bytes.h"
+#include "ui/document/consents.h"
+#include "ui/document/document.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace rasterlens
+{
+namespace
+{
+
+constexpr int kShown = 6; ///< names of files; of more only the number is told
+
+QString listed(const QStringList& files)
+{
+    QStringList lines;
+    for (const QString& file : files.mid(0, kShown))
+        lines << readablePath(QDir::cleanPath(file));
+    if (files.size() > kShown)
+        lines << QCoreApplication::translate("OutsideQuestion", "and %1 more").arg(files.size() - kShown);
+    return lines.join(QLatin1Char('\n'));
+}
+
+} // namespace
+
+void askAboutOutside(QWidget& window, Document& document, const QString& file, const QStringList& refused)
+{
+    const QString name = QFileInfo(readablePath(file)).fileName();
+    auto* question = new QMessageBox(
+        QMessageBox::Question, name,
+        QCoreApplication::translate("OutsideQuestion", "\"%1\" names files outside its folder. Are they to be read?")
+            .arg(name),
+        QMessageBox::NoButton, &window);
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    question->setObjectName(QStringLiteral("outsideQuestion"));
+    question->setTextFormat(Qt::PlainText); // names of files may look like markup
+    question->setInformativeText(listed(refused));
+    QPushButton* yes =
+        question->addButton(QCoreApplication::translate("OutsideQuestion", "&Read them"), QMessageBox::AcceptRole);
+    QPushButton* no =
+        question->addButton(QCoreApplication::translate("OutsideQuestion", "&Leave them"), QMessageBox::RejectRole);
+    question->setDefaultButton(no);
+    question->setEscapeButton(no);
+    QObject::connect(yes, &QPushButton::clicked, &document, [&document, file] {
+        Consents::ofProgram().add(file);
+        if (file == document.scene()->id)
+            document.reload();
+        else
+            document.open(file);
+    });
+    question->open();
+}
+
+} // namespace rasterlens
