@@ -1,7 +1,6 @@
 #include "app/gui_arguments.h"
 #include "core/io/file_writer.h"
 #include "core/io/picture_file.h"
-#include "core/io/reach.h"
 #include "ui/base/image_export.h"
 #include "ui/base/settings_file.h"
 #include "ui/document/consents.h"
@@ -123,8 +122,6 @@ ExitCode startLesson(rasterlens::MainWindow& window, const Arguments& arguments)
                          for (const rasterlens::Diagnostic& diagnostic : diagnostics)
                              printError(diagnostic.text());
                      });
-    const rasterlens::Consent consent(arguments.allowOutside ? rasterlens::Outside::Allow
-                                                             : rasterlens::Outside::Refuse);
     if (!lessons.open(arguments.lesson))
         return kInvalidInput;
     const std::size_t count = lessons.player().lesson().slides.size();

@@ -495,7 +495,8 @@ void TestCli::sessionIsTheBase()
     QCOMPARE(changed.settings.view.yaw, 0.0);
 
     writeFile(path("folder/s.json"), R"({"rasterlens": 1, "scene": "../a.case", "settings": {}})");
-    const Run below = call(QStringLiteral("info folder/s.json"));
+    QVERIFY(call(QStringLiteral("info folder/s.json")).err.contains(QLatin1String("(--allow-outside)")));
+    const Run below = call(QStringLiteral("info folder/s.json --allow-outside"));
     QVERIFY2(below.exitCode == 0, qPrintable(below.err));
 
     writeFile(path("s.json"), R"({"rasterlens": 1, "scene": "a.case", "settings": {"mistakes": ["nonsense"]}})");

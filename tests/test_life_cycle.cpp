@@ -2,6 +2,7 @@
 #include "tests/remembering_fixture.h"
 #include "ui/base/message_bar.h"
 #include "ui/face/vertex_panel.h"
+#include "ui/lessons/lesson_mode.h"
 #include "ui/steps/step_session.h"
 #include "ui/window/life_cycle.h"
 #include "ui/window/recent_labels.h"
@@ -346,6 +347,27 @@ private Q_SLOTS:
         QVERIFY(document().saveSession(m_files.path(QStringLiteral("sent/own.json"))));
         QVERIFY(openFile(m_files.path(QStringLiteral("sent/own.json"))));
         QVERIFY(!m_window->findChild<QMessageBox*>(QStringLiteral("outsideQuestion")));
+    }
+
+    void lessonsNameScenesOutsideWhenTheUserAgrees()
+    {
+        QVERIFY(QDir(m_files.path()).mkpath(QStringLiteral("sent")));
+        const QString lesson =
+            m_files.write(QStringLiteral("sent/l.json"),
+                          R"({"rasterlens-lesson": 1, "id": "a", "title": {"en": "A", "zh": "甲"}, "steps": [
+                              {"scene": "../scene.case", "caption": {"en": "One.", "zh": "一。"}}]})");
+        m_window->open(lesson);
+        QVERIFY(!m_window->lessons().player().isOpen());
+        QMessageBox* question = nullptr;
+        QVERIFY(waitFor([&] {
+            question = m_window->findChild<QMessageBox*>(QStringLiteral("outsideQuestion"));
+            return question != nullptr;
+        }));
+        QCOMPARE(question->informativeText(), m_files.path(QStringLiteral("scene.case")));
+        for (QAbstractButton* button : question->buttons())
+            if (question->buttonRole(button) == QMessageBox::AcceptRole)
+                button->click();
+        QVERIFY(waitFor([this] { return m_window->lessons().player().isOpen(); }));
     }
 
     void vanishedRecentFilesSaySo()

@@ -20,7 +20,7 @@ namespace
 {
 
 constexpr auto kCase = "size 8 8\ntri -1 -1 0 1 1 0 0  1 -1 0 1 0 1 0  -1 1 0 1 0 0 1\n";
-constexpr auto kRefused = "it lies outside the model's folder and is read only where that is allowed (--allow-outside)";
+constexpr auto kRefused = "it lies outside the model's folder and is read only if that is allowed (--allow-outside)";
 
 /// What comes of reading a file.
 template <class Load>

@@ -303,6 +303,7 @@ ExitCode runFigure(const QStringList& words)
     const auto arguments = parseArguments(usage(), words);
     if (!arguments)
         return ExitCode::Fine;
+    const Consent consent(outsideOf(*arguments));
     const QString path = outputPath(*arguments);
     const Input input = openInput(arguments->operands.first(), *arguments);
     checkInputsStay({path}, input.files);

@@ -336,7 +336,7 @@ private:
                 return;
             made = checkerOf((*side)[0]);
         } else {
-            const QString image = QFileInfo(m_scene.id).dir().filePath(rest);
+            const QString image = QFileInfo(m_scene.id).absoluteDir().filePath(rest);
             const bool isOutside = !Consent::reachOf(m_scene.id).covers(image);
             if (isOutside)
                 Consent::refuse(m_scene.id, image);

@@ -6,12 +6,14 @@
 #include <QFileInfo>
 #include <QStringConverter>
 #include <QStringList>
+
+#include <dirent.h>
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <memory>
 #include <optional>
-#include <system_error>
+#include <vector>
 
 namespace rasterlens
 {
@@ -55,6 +57,17 @@ QStringList spellings(const QByteArray& name)
     return list;
 }
 
+/// What lies in a folder. std::filesystem::directory_iterator ends the program where it gets no memory.
+std::vector<QString> namesIn(const QString& folder)
+{
+    const std::unique_ptr<DIR, int (*)(DIR*)> open(::opendir(bytesOfPath(folder).constData()), &::closedir);
+    std::vector<QString> names;
+    if (open)
+        while (const dirent* const entry = ::readdir(open.get()))
+            names.push_back(pathFromBytes(QByteArray(entry->d_name)));
+    return names;
+}
+
 /// The path with each part as it is spelt on the disk, found without regard to case; nothing where there is none.
 std::optional<QString> inAnyCase(const QString& path)
 {
@@ -70,13 +83,9 @@ std::optional<QString> inAnyCase(const QString& path)
     }
     const QString wanted = path.mid(slash + 1).toCaseFolded();
     std::optional<QString> best;
-    std::error_code error;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(std::filesystem::path(bytesOfPath(folder).toStdString()), error)) {
-        const QString name = pathFromBytes(QByteArray::fromStdString(entry.path().filename().string()));
+    for (const QString& name : namesIn(folder))
         if (name.toCaseFolded() == wanted && (!best || name < *best))
             best = name;
-    }
     if (best)
         best = folder + (folder.endsWith(QLatin1Char('/')) ? QString() : QStringLiteral("/")) + *best;
     return best;
@@ -120,7 +129,9 @@ NamedFile findAsSpelt(const QString& owner, std::string_view name, const Reach& 
             if (const auto found = reach.covers(path) ? inAnyCase(path) : std::nullopt; found && reach.covers(*found))
                 return {*found, FoundBy::LetterCase};
     const QString expected = folder.absoluteFilePath(all.value(1, all.front()));
-    return {expected, reach.covers(expected) ? FoundBy::Nothing : FoundBy::Outside};
+    if (!reach.covers(expected))
+        return {QDir::cleanPath(expected), FoundBy::Outside};
+    return {expected, FoundBy::Nothing};
 }
 
 } // namespace

@@ -64,7 +64,7 @@ void Consent::refuse(const QString& owner, const QString& path)
 
 Reason outsideReason()
 {
-    return QT_TRANSLATE_NOOP("Diagnostic", "it lies outside the model's folder and is read only where that is allowed "
+    return QT_TRANSLATE_NOOP("Diagnostic", "it lies outside the model's folder and is read only if that is allowed "
                                            "(--allow-outside)");
 }
 

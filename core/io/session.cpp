@@ -97,8 +97,9 @@ QStringList placesOf(const QString& stored, const QString& absolute, const QDir&
 class Reader
 {
 public:
-    Reader(const QJsonObject& json, const Reach& reach, const QString& sceneInstead, DiagnosticSink& diagnostics)
-        : m_json(json), m_reach(reach), m_sceneInstead(sceneInstead), m_diagnostics(diagnostics)
+    Reader(const QJsonObject& json, const QString& path, const QString& sceneInstead, DiagnosticSink& diagnostics)
+        : m_json(json), m_path(path), m_reach(Consent::reachOf(path)), m_sceneInstead(sceneInstead),
+          m_diagnostics(diagnostics)
     {
     }
 
@@ -180,6 +181,12 @@ private:
         m_session.scene = m_session.sceneFound ? *found : places.first();
         if (!m_session.sceneFound && !m_reach.covers(places.first()))
             refuse(places.first());
+        else if (!m_session.sceneFound && m_reach.outside == Outside::Refuse)
+            m_diagnostics.warning(
+                0, {QT_TRANSLATE_NOOP("Diagnostic", "the scene is neither at %1 nor, by its name, beside the session; "
+                                                    "other folders are looked at only if that is allowed "
+                                                    "(--allow-outside)"),
+                    {places.first()}});
         else if (!m_session.sceneFound)
             m_diagnostics.warning(0, {QT_TRANSLATE_NOOP("Diagnostic", "the scene is neither at %1 nor, by its name, "
                                                                       "beside the session or in the folder above"),
@@ -191,9 +198,9 @@ private:
 
     void refuse(const QString& scene)
     {
-        Consent::refuse(m_diagnostics.file(), scene);
+        Consent::refuse(m_path, scene);
         m_diagnostics.error(0, {QT_TRANSLATE_NOOP("Diagnostic", "the scene %1 lies outside the session's folder and is "
-                                                                "opened only where that is allowed (--allow-outside)"),
+                                                                "opened only if that is allowed (--allow-outside)"),
                                 {scene}});
     }
 
@@ -301,7 +308,8 @@ private:
     }
 
     const QJsonObject& m_json;
-    const Reach& m_reach;
+    const QString& m_path;
+    const Reach m_reach;
     const QString& m_sceneInstead;
     DiagnosticSink& m_diagnostics;
     Session m_session;
@@ -359,7 +367,7 @@ SessionLoad loadSession(const QString& path, const QString& sceneInstead)
     } else {
         const QJsonObject json = parse(input.bytes, diagnostics);
         if (!diagnostics.hasErrors())
-            session = Reader(json, Consent::reachOf(path), sceneInstead, diagnostics).read();
+            session = Reader(json, path, sceneInstead, diagnostics).read();
     }
     if (diagnostics.hasErrors())
         return {std::nullopt, diagnostics.take()};

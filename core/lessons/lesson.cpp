@@ -7,6 +7,7 @@
 #include "core/settings/mistakes.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
@@ -236,9 +237,9 @@ private:
                             scene.startsWith(QLatin1String("case:"));
         if (scene.isEmpty() || isMade || m_reach.covers(scene))
             return false;
-        Consent::refuse(m_lesson.file, scene);
+        Consent::refuse(m_lesson.file, QDir(m_reach.folder).absoluteFilePath(scene));
         moment.error(key("scene"), {QT_TRANSLATE_NOOP("Diagnostic", "the scene %1 lies outside the lesson's folder and "
-                                                                    "is opened only where that is allowed "
+                                                                    "is opened only if that is allowed "
                                                                     "(--allow-outside)"),
                                     {scene}});
         return true;

@@ -2577,16 +2577,20 @@
         <translation>14 个（两个端点的 x y z w r g b）</translation>
     </message>
     <message>
-        <source>it lies outside the model&apos;s folder and is read only where that is allowed (--allow-outside)</source>
+        <source>it lies outside the model&apos;s folder and is read only if that is allowed (--allow-outside)</source>
         <translation>它位于模型所在文件夹之外，只有在允许时才读取（--allow-outside）</translation>
     </message>
     <message>
-        <source>the scene %1 lies outside the session&apos;s folder and is opened only where that is allowed (--allow-outside)</source>
+        <source>the scene %1 lies outside the session&apos;s folder and is opened only if that is allowed (--allow-outside)</source>
         <translation>场景 %1 位于会话所在文件夹之外，只有在允许时才打开（--allow-outside）</translation>
     </message>
     <message>
-        <source>the scene %1 lies outside the lesson&apos;s folder and is opened only where that is allowed (--allow-outside)</source>
+        <source>the scene %1 lies outside the lesson&apos;s folder and is opened only if that is allowed (--allow-outside)</source>
         <translation>场景 %1 位于课程所在文件夹之外，只有在允许时才打开（--allow-outside）</translation>
+    </message>
+    <message>
+        <source>the scene is neither at %1 nor, by its name, beside the session; other folders are looked at only if that is allowed (--allow-outside)</source>
+        <translation>场景不在 %1，按名称也不在会话旁边；只有在允许时才查找其他文件夹（--allow-outside）</translation>
     </message>
 </context>
 <context>

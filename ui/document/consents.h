@@ -20,12 +20,12 @@ public:
     void addAll() { m_all = true; }
     void add(const QString& file);
 
-    /// What is decided now, for a background thread: Consent takes it.
+    /// What is decided now: Consent takes it, in a background thread, too.
     ///
     /// in  own: a file that the program itself has written; may be empty
     [[nodiscard]] std::function<Outside(const QString& file)> decided(const QString& own = {}) const;
 
-    /// Tells by refused() what a background thread did not read. Any thread may call it.
+    /// Tells by refused() what was not read, at the next turn of the event loop. Any thread may call it.
     void tell(const std::vector<Consent::Refused>& all);
 
 Q_SIGNALS:

@@ -79,7 +79,12 @@ void LifeCycle::start()
     connect(&m_document, &Document::inputsChanged, this, [this] { m_watch->watch(m_document.inputs()); });
     connect(&m_document, &Document::settingsChanged, this, [this] { m_ending = false; });
     connect(&Consents::ofProgram(), &Consents::refused, this, [this](const QString& file, const QStringList& paths) {
-        askAboutOutside(m_window, m_document, file, paths);
+        askAboutOutside(m_window, file, paths, [this, file] {
+            if (file == m_document.scene()->id)
+                m_document.reload();
+            else
+                Q_EMIT agreedTo(file);
+        });
     });
     offerFound();
 }
@@ -200,6 +205,7 @@ void LifeCycle::offerFound()
         m_bars.recovery->hide();
         return;
     }
+    const Consent consent(Outside::Allow); // the program has written it, far from its model
     const SessionLoad left = loadSession(found->file);
     const QString name = nameOf(found->sessionPath, left.session ? left.session->scene : QString());
     const QString when = QLocale().toString(found->keptAt, QLocale::ShortFormat);

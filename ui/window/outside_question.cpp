@@ -2,13 +2,14 @@
 
 #include "core/io/path_bytes.h"
 #include "ui/document/consents.h"
-#include "ui/document/document.h"
 
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+
+#include <utility>
 
 namespace rasterlens
 {
@@ -29,7 +30,7 @@ QString listed(const QStringList& files)
 
 } // namespace
 
-void askAboutOutside(QWidget& window, Document& document, const QString& file, const QStringList& refused)
+void askAboutOutside(QWidget& window, const QString& file, const QStringList& refused, std::function<void()> readAgain)
 {
     const QString name = QFileInfo(readablePath(file)).fileName();
     auto* question = new QMessageBox(
@@ -47,12 +48,9 @@ void askAboutOutside(QWidget& window, Document& document, const QString& file, c
         question->addButton(QCoreApplication::translate("OutsideQuestion", "&Leave them"), QMessageBox::RejectRole);
     question->setDefaultButton(no);
     question->setEscapeButton(no);
-    QObject::connect(yes, &QPushButton::clicked, &document, [&document, file] {
+    QObject::connect(yes, &QPushButton::clicked, &window, [file, readAgain = std::move(readAgain)] {
         Consents::ofProgram().add(file);
-        if (file == document.scene()->id)
-            document.reload();
-        else
-            document.open(file);
+        readAgain();
     });
     question->open();
 }

@@ -1,16 +1,16 @@
 #pragma once
 #include <QStringList>
 
+#include <functional>
+
 class QWidget;
 
 namespace rasterlens
 {
 
-class Document;
-
-/// Asks whether a file may name others outside its folder, and reads those if the user agrees.
+/// Asks whether a file may name others outside its folder.
 ///
-/// in  the file, and those that it names
-void askAboutOutside(QWidget& window, Document& document, const QString& file, const QStringList& refused);
+/// in  the file, those that it names, and what reads it again once the user has agreed
+void askAboutOutside(QWidget& window, const QString& file, const QStringList& refused, std::function<void()> readAgain);
 
 } // namespace rasterlens
