@@ -263,7 +263,7 @@ void TestCliFiles::filesOutsideNeedConsent_data()
     const char* const lesson = "lies outside the lesson's folder";
     row("info own/m.obj", 0, "own/m.obj:1: warning: mtllib %1/t.mtl: it ", model);
     row("render own/t.obj -o o.png", 0, "%1/own/in.mtl:2: warning: map_Kd %1/t.png: it ", model);
-    row("why own/t.case --pixel 2,3", 3, "own/t.case:2: ", model);
+    row("why own/t.case --pixel 2,3", 3, "own/t.case:2: texture: it ", model);
     row("info own/s.json", 3, "own/s.json: the scene %1/a.case ", session);
     row("figure own/s.json -o f.png", 3, "own/s.json: the scene %1/a.case ", session);
     row("lesson check own/l.json", 3, "own/l.json:1: the scene ../a.case ", lesson);

@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <csignal>
 #include <memory>
 #include <vector>
 
@@ -107,6 +108,39 @@ private Q_SLOTS:
         const QByteArray said = picture->readAll();
         QVERIFY2(picture->exitStatus() == QProcess::NormalExit && picture->exitCode() == 0, said.constData());
         QCOMPARE(QImage(path(QStringLiteral("w.png"))).size(), QSize(1440, 900));
+    }
+
+    void whatLeadsOutIsAskedAbout_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QByteArray>("text");
+        QTest::newRow("session") << QStringLiteral("s.json")
+                                 << QByteArray(R"({"rasterlens": 1, "scene": "/nowhere/a.case"})");
+        QTest::newRow("lesson") << QStringLiteral("l.json")
+                                << QByteArray(R"({"rasterlens-lesson": 1, "id": "a", "title": {"en": "A", "zh": "A"},
+            "steps": [{"scene": "/nowhere/a.case", "caption": {"en": "One.", "zh": "One."}}]})");
+    }
+
+    /// A window that is started with a file that names others outside its folder stays and asks. One that only writes a
+    /// picture ends.
+    void whatLeadsOutIsAskedAbout()
+    {
+        QFETCH(QString, name);
+        QFETCH(QByteArray, text);
+        QFile file(path(name));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+        file.close();
+        const auto window = start({name}, usual());
+        QByteArray said;
+        while (!said.contains("(--allow-outside)") && window->waitForReadyRead(kPatienceMs))
+            said += window->readAll();
+        QVERIFY2(said.contains("(--allow-outside)"), said.constData());
+        window->terminate();
+        QVERIFY(window->waitForFinished(kPatienceMs));
+        QCOMPARE(window->exitCode(), 128 + SIGTERM);
+        const auto picture = start({QStringLiteral("--screenshot"), QStringLiteral("w.png"), name}, usual());
+        QVERIFY(picture->waitForFinished(kPatienceMs));
+        QCOMPARE(picture->exitCode(), 3);
     }
 
     void screenshotsLeaveDevicesAlone()

@@ -11968,10 +11968,6 @@ all of these errors are 0.</source>
 <context>
     <name>OutsideQuestion</name>
     <message>
-        <source>&quot;%1&quot; names files outside its folder. Are they to be read?</source>
-        <translation>“%1”引用了所在文件夹之外的文件。要读取它们吗？</translation>
-    </message>
-    <message>
         <source>and %1 more</source>
         <translation>还有 %1 个</translation>
     </message>
@@ -11980,8 +11976,12 @@ all of these errors are 0.</source>
         <translation>读取(&amp;R)</translation>
     </message>
     <message>
-        <source>&amp;Leave them</source>
-        <translation>不读取(&amp;L)</translation>
+        <source>&quot;%1&quot; names files outside its folder. Read them?</source>
+        <translation>“%1”引用了所在文件夹之外的文件。要读取它们吗？</translation>
+    </message>
+    <message>
+        <source>&amp;Do not read them</source>
+        <translation>不读取(&amp;D)</translation>
     </message>
 </context>
 </TS>

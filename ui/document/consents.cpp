@@ -49,6 +49,7 @@ void Consents::tell(const std::vector<Consent::Refused>& all)
 {
     if (all.empty())
         return;
+    m_hasTold = true;
     QStringList paths;
     for (const Consent::Refused& one : all)
         paths << one.path;

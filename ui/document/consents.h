@@ -4,6 +4,8 @@
 #include <QObject>
 #include <QStringList>
 
+#include <atomic>
+
 namespace rasterlens
 {
 
@@ -27,6 +29,8 @@ public:
 
     /// Tells by refused() what was not read, at the next turn of the event loop. Any thread may call it.
     void tell(const std::vector<Consent::Refused>& all);
+    /// Whether tell() has had anything to tell in this run.
+    [[nodiscard]] bool hasTold() const { return m_hasTold; }
 
 Q_SIGNALS:
     /// This file names others outside its folder, which were not read.
@@ -34,6 +38,7 @@ Q_SIGNALS:
 
 private:
     bool m_all = false;
+    std::atomic<bool> m_hasTold = false;
 };
 
 } // namespace rasterlens

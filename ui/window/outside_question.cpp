@@ -35,8 +35,7 @@ void askAboutOutside(QWidget& window, const QString& file, const QStringList& re
     const QString name = QFileInfo(readablePath(file)).fileName();
     auto* question = new QMessageBox(
         QMessageBox::Question, name,
-        QCoreApplication::translate("OutsideQuestion", "\"%1\" names files outside its folder. Are they to be read?")
-            .arg(name),
+        QCoreApplication::translate("OutsideQuestion", "\"%1\" names files outside its folder. Read them?").arg(name),
         QMessageBox::NoButton, &window);
     question->setAttribute(Qt::WA_DeleteOnClose);
     question->setObjectName(QStringLiteral("outsideQuestion"));
@@ -44,8 +43,8 @@ void askAboutOutside(QWidget& window, const QString& file, const QStringList& re
     question->setInformativeText(listed(refused));
     QPushButton* yes =
         question->addButton(QCoreApplication::translate("OutsideQuestion", "&Read them"), QMessageBox::AcceptRole);
-    QPushButton* no =
-        question->addButton(QCoreApplication::translate("OutsideQuestion", "&Leave them"), QMessageBox::RejectRole);
+    QPushButton* no = question->addButton(QCoreApplication::translate("OutsideQuestion", "&Do not read them"),
+                                          QMessageBox::RejectRole);
     question->setDefaultButton(no);
     question->setEscapeButton(no);
     QObject::connect(yes, &QPushButton::clicked, &window, [file, readAgain = std::move(readAgain)] {
