@@ -172,6 +172,8 @@ private Q_SLOTS:
     {
         QFETCH(QString, kind);
         for (int turns = 0; turns < 12; turns += 1 + turns / 2) {
+            if (!m_window)
+                openWindow();
             QVERIFY(openSmall(QStringLiteral("builtin:tile-square"), {48, 36}));
             if (kind == QLatin1String("exporting")) {
                 m_window->stepMode().session().open();

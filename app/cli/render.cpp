@@ -149,9 +149,9 @@ void sayMemory(const Settings& settings, const Outputs& outputs)
     if (!isLarge(settings))
         return;
     const std::int64_t pixels = std::int64_t(settings.size.width()) * settings.size.height();
-    constexpr std::int64_t kInFile = 4; // bytes of a value that an array is written with
-    const std::int64_t needed =
-        pictureBytes(settings) + pixels * kInFile * (int(outputs.depth) + int(outputs.ids) + int(outputs.coverage));
+    constexpr std::int64_t kInFile = 4; // bytes of a pixel, or of a value of an array, as it is written
+    const std::int64_t files = 1 + int(outputs.depth) + int(outputs.ids) + int(outputs.coverage);
+    const std::int64_t needed = pictureBytes(settings) + pixels * kInFile * files;
     const std::int64_t free = freeMemoryBytes();
     if (needed > free)
         failArguments(QStringLiteral("rasterlens-cli render: the picture needs up to %1 of memory, and %2 are free; a "
