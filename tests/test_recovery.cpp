@@ -1,5 +1,6 @@
 // What is left of unsaved changes when a program ends or is killed. Programs are killed for true: this executable
 // starts itself as a child.
+#include "core/io/reach.h"
 #include "tests/remembering_fixture.h"
 #include "tests/seed.h"
 #include "ui/document/recovery.h"
@@ -68,6 +69,7 @@ class TestRecovery : public RememberingFixture
 private:
     static int keptWidth(const QString& folder)
     {
+        const Consent consent(Outside::Allow); // the program wrote it, far from its model
         const SessionLoad load = loadSession(folder + QStringLiteral("/session.json"));
         return load.session ? settingsOf(*load.session, {}).settings.size.width() : -1;
     }
