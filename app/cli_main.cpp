@@ -4,6 +4,7 @@
 
 #include <QFile>
 
+#include <csignal>
 #include <cstdio>
 #include <new>
 #include <system_error>
@@ -80,6 +81,9 @@ ExitCode runGuarded(const QStringList& words)
 
 int main(int argc, char** argv)
 {
+#ifdef Q_OS_UNIX
+    std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error message
+#endif
     // Qt's image readers warn in words of their own; the diagnostics say the same with the file's name.
     qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
     QStringList words;

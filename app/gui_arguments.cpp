@@ -2,6 +2,7 @@
 
 #include "core/base/typed_numbers.h"
 #include "core/io/picture_file.h"
+#include "core/io/session.h"
 #include "core/lessons/lesson.h"
 #include "ui/base/image_export.h"
 #include "ui/face/cards.h"
@@ -101,6 +102,14 @@ struct Options {
         QStringLiteral("Compares with the picture without mistakes or as the scene asks: wipe, blink or difference."),
         QStringLiteral("view")};
 
+    QCommandLineOption model{QStringLiteral("model"),
+                             QStringLiteral("Opens the session with this model in place of the one that it names."),
+                             QStringLiteral("file")};
+    QCommandLineOption allowOutside{
+        QStringLiteral("allow-outside"),
+        QStringLiteral("Models, sessions and lessons may name files outside their own folders; without it those are "
+                       "not read.")};
+
     FigureOptions figure;
     PageOptions page;
     QCommandLineOption lesson{QStringLiteral("lesson"),
@@ -119,10 +128,10 @@ struct Options {
 
     [[nodiscard]] QList<QCommandLineOption> all() const
     {
-        return QList<QCommandLineOption>{help,     version, screenshot,   windowSize, language, theme,
-                                         panel,    topic,   view,         overlay,    pixel,    step,
-                                         identify, referee, reference,    compare,    measure,  lesson,
-                                         slide,    ask,     presentation, guide,      keys} +
+        return QList<QCommandLineOption>{help,      version, screenshot, windowSize,  language, theme,    panel,
+                                         topic,     view,    overlay,    pixel,       step,     identify, referee,
+                                         reference, compare, measure,    lesson,      slide,    ask,      presentation,
+                                         guide,     keys,    model,      allowOutside} +
                figure.all() + page.all();
     }
 };
@@ -243,6 +252,10 @@ std::optional<QString> readAll(const QCommandLineParser& parser, const Options& 
     arguments.scene = parser.positionalArguments().value(0);
     arguments.keys = parser.isSet(options.keys);
     arguments.guide = parser.isSet(options.guide);
+    arguments.allowOutside = parser.isSet(options.allowOutside);
+    arguments.model = parser.value(options.model);
+    if (parser.isSet(options.model) && !isSession(arguments.scene))
+        return QStringLiteral("--model needs a session");
     arguments.identify = parser.value(options.identify);
     arguments.screenshot = parser.value(options.screenshot);
     if (parser.isSet(options.screenshot) && arguments.screenshot.isEmpty())
@@ -261,6 +274,8 @@ std::optional<QString> readAll(const QCommandLineParser& parser, const Options& 
     if (const auto why = readPage(parser, options.page, arguments.page))
         return why;
     arguments.page.scene = arguments.scene;
+    arguments.page.model = arguments.model;
+    arguments.page.outside = arguments.allowOutside ? Outside::Allow : Outside::Refuse;
     arguments.page.step = arguments.step;
     arguments.page.chosen = arguments.pixel;
     if (!arguments.page.path.isEmpty() && arguments.scene.isEmpty())

@@ -41,6 +41,8 @@ struct Arguments {
     std::optional<LanguageKind> language;
     std::optional<ThemeKind> theme;
     bool keys = false;
+    QString model;             ///< in place of the one that the session names
+    bool allowOutside = false; ///< files may name others outside their folders
     QString lesson;
     int slide = 1;     ///< counted from 1
     bool asks = false; ///< the slide's question is open

@@ -3,6 +3,7 @@
 #include "core/io/picture_file.h"
 #include "ui/base/image_export.h"
 #include "ui/base/settings_file.h"
+#include "ui/document/consents.h"
 #include "ui/face/cards.h"
 #include "ui/face/derivation_panel.h"
 #include "ui/lessons/lesson_mode.h"
@@ -108,6 +109,14 @@ void keepAllAtTheEnd(const QApplication& application, const rasterlens::EndSigna
         Qt::DirectConnection);
 }
 
+/// Whether the window asks about the file that did not open: it names others outside its folder. The default scene
+/// stands there meanwhile. A window that writes a picture and ends asks nothing.
+bool asksInstead(const Arguments& arguments)
+{
+    return arguments.screenshot.isEmpty() && arguments.figure.path.isEmpty() &&
+           rasterlens::Consents::ofProgram().hasTold();
+}
+
 /// Opens the lesson that the arguments name.
 ///
 /// out  fine, or the exit code after an error message
@@ -121,8 +130,12 @@ ExitCode startLesson(rasterlens::MainWindow& window, const Arguments& arguments)
                          for (const rasterlens::Diagnostic& diagnostic : diagnostics)
                              printError(diagnostic.text());
                      });
-    if (!lessons.open(arguments.lesson))
-        return kInvalidInput;
+    if (!lessons.open(arguments.lesson)) {
+        if (!asksInstead(arguments))
+            return kInvalidInput;
+        window.openDefaultScene();
+        return kFine;
+    }
     const std::size_t count = lessons.player().lesson().slides.size();
     if (static_cast<std::size_t>(arguments.slide) > count) {
         printError(QStringLiteral("rasterlens: --slide takes a number from 1 to %1").arg(count));
@@ -139,12 +152,16 @@ ExitCode startLesson(rasterlens::MainWindow& window, const Arguments& arguments)
 /// out  fine, or the exit code after an error message
 ExitCode openFirst(rasterlens::MainWindow& window, const Arguments& arguments, bool hasArguments)
 {
+    if (arguments.allowOutside)
+        rasterlens::Consents::ofProgram().addAll();
     if (!arguments.lesson.isEmpty())
         return startLesson(window, arguments);
     if (!hasArguments)
         window.openAtStart();
     else if (arguments.scene.isEmpty())
         window.openDefaultScene();
+    else if (!arguments.model.isEmpty())
+        window.document().openSessionWith(arguments.scene, arguments.model);
     else
         window.document().open(arguments.scene);
     return kFine;
@@ -169,10 +186,15 @@ void compare(rasterlens::MainWindow& window, const Arguments& arguments)
 void startWith(rasterlens::MainWindow& window, const Arguments& arguments, QObject& starting)
 {
     QObject::connect(&window.document(), &rasterlens::Document::diagnosticsReported, &starting,
-                     [](const rasterlens::Diagnostics& diagnostics) {
+                     [&window, arguments](const rasterlens::Diagnostics& diagnostics) {
                          for (const rasterlens::Diagnostic& diagnostic : diagnostics)
                              printError(diagnostic.text());
-                         if (rasterlens::hasErrors(diagnostics))
+                         if (!rasterlens::hasErrors(diagnostics))
+                             return;
+                         if (asksInstead(arguments))
+                             QMetaObject::invokeMethod(&window, &rasterlens::MainWindow::openDefaultScene,
+                                                       Qt::QueuedConnection);
+                         else
                              QApplication::exit(kInvalidInput);
                      });
     QObject::connect(&window.stepMode(), &rasterlens::StepMode::placeMissed, &starting, [](const QString& place) {
@@ -247,6 +269,7 @@ int main(int argc, char** argv)
             return kInvalidInput;
         }
 #ifdef Q_OS_UNIX
+    std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error message
     std::signal(SIGPIPE, SIG_IGN); // a pipe whose reader has gone is an error message, not the end of the window
 #endif
 

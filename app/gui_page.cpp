@@ -57,14 +57,14 @@ Scene openScene(const QString& name, const LoadOptions& options = {})
     return loaded(std::move(load.scene), load.diagnostics);
 }
 
-Input openInput(const QString& name)
+Input openInput(const QString& name, const QString& model)
 {
     if (!isSession(name)) {
         Scene scene = openScene(name);
         const Settings settings = scene.defaults;
         return {std::move(scene), settings};
     }
-    SessionLoad load = loadSession(name);
+    SessionLoad load = loadSession(name, model);
     const Session session = loaded(std::move(load.session), load.diagnostics);
     LoadOptions options;
     options.size = settingsOf(session, {}).settings.size;
@@ -96,7 +96,8 @@ std::optional<std::size_t> startOf(const QString& step, const Input& input, cons
 
 void write(const PageArguments& page)
 {
-    const Input input = openInput(page.scene);
+    const Consent consent(page.outside);
+    const Input input = openInput(page.scene, page.model);
     if (const auto why = unsupported(input.scene, input.settings))
         throw Failure{kBadArguments, textOf(*why)};
     StepFilter filter;

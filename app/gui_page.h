@@ -1,4 +1,6 @@
 #pragma once
+#include "core/io/reach.h"
+
 #include <QCommandLineOption>
 #include <QCommandLineParser>
 #include <QPoint>
@@ -16,9 +18,11 @@ struct PageArguments {
     std::optional<std::uint32_t> face;
     std::optional<QPoint> pixel; ///< only the steps at this one
     std::optional<std::size_t> limit;
-    QString scene;                ///< a scene or a session
-    QString step;                 ///< the place that is shown first; empty: the beginning
-    std::optional<QPoint> chosen; ///< the pixel that is chosen first
+    QString scene;                     ///< a scene or a session
+    QString model;                     ///< in place of the one that the session names; empty: that one
+    Outside outside = Outside::Refuse; ///< whether files may name others outside their folders
+    QString step;                      ///< the place that is shown first; empty: the beginning
+    std::optional<QPoint> chosen;      ///< the pixel that is chosen first
 };
 
 /// The options of the program about it.

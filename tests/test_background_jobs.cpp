@@ -160,6 +160,36 @@ private Q_SLOTS:
         QVERIFY(pictureIsRight());
     }
 
+    void closingWhileItRuns_data()
+    {
+        nameKinds();
+        QTest::newRow("exporting") << QStringLiteral("exporting");
+    }
+
+    /// The window goes at any moment of a job: at once, or after some turns of its event loop. It waits for no answer,
+    /// and no result comes after it.
+    void closingWhileItRuns()
+    {
+        QFETCH(QString, kind);
+        for (int turns = 0; turns < 12; turns += 1 + turns / 2) {
+            if (!m_window)
+                openWindow();
+            QVERIFY(openSmall(QStringLiteral("builtin:tile-square"), {48, 36}));
+            if (kind == QLatin1String("exporting")) {
+                m_window->stepMode().session().open();
+                QVERIFY(complete());
+                m_window->stepMode().exportRun(m_folder.path(), {0, 12, 16});
+            } else {
+                m_kinds[kind].begin();
+            }
+            for (int turn = 0; turn < turns; ++turn)
+                QCoreApplication::processEvents();
+            QVERIFY(m_window->close());
+            closeWindow();
+            QCoreApplication::processEvents();
+        }
+    }
+
     void threadsMayNotStart_data() { nameKinds(); }
 
     void threadsMayNotStart()

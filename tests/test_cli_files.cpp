@@ -2,6 +2,7 @@
 #include "cli_support.h"
 #include "core/io/npy.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -34,6 +35,8 @@ private Q_SLOTS:
     void colorTagsAreNamed();
     void countsOfSamples();
     void devicesAndPipesAreWrittenInto();
+    void filesOutsideNeedConsent_data();
+    void filesOutsideNeedConsent();
     void sessionThatContradictsItsScene();
     void sessionOfANewerVersion();
 
@@ -245,6 +248,56 @@ void TestCliFiles::devicesAndPipesAreWrittenInto()
 }
 
 /// The scene brings a far plane that the session knows nothing of.
+void TestCliFiles::filesOutsideNeedConsent_data()
+{
+    QTest::addColumn<QString>("words");
+    QTest::addColumn<int>("exitCode"); // without consent
+    QTest::addColumn<QString>("place");
+    QTest::addColumn<QString>("phrase");
+    const auto row = [](const char* words, int exitCode, const char* place, const char* phrase) {
+        QTest::newRow(words) << QString::fromLatin1(words) << exitCode << QString::fromLatin1(place)
+                             << QString::fromLatin1(phrase);
+    };
+    const char* const model = "lies outside the model's folder";
+    const char* const session = "lies outside the session's folder";
+    const char* const lesson = "lies outside the lesson's folder";
+    row("info own/m.obj", 0, "own/m.obj:1: warning: mtllib %1/t.mtl: it ", model);
+    row("render own/t.obj -o o.png", 0, "%1/own/in.mtl:2: warning: map_Kd %1/t.png: it ", model);
+    row("why own/t.case --pixel 2,3", 3, "own/t.case:2: texture: it ", model);
+    row("info own/s.json", 3, "own/s.json: the scene %1/a.case ", session);
+    row("figure own/s.json -o f.png", 3, "own/s.json: the scene %1/a.case ", session);
+    row("lesson check own/l.json", 3, "own/l.json:1: the scene ../a.case ", lesson);
+    row("render --lesson own/l.json --step 1 -o o.png", 3, "own/l.json:1: the scene ../a.case ", lesson);
+    row("page --lesson own/l.json -o o.html", 3, "own/l.json:1: the scene ../a.case ", lesson);
+    row("lesson handout own/l.json -o h.md", 3, "own/l.json:1: the scene ../a.case ", lesson);
+}
+
+/// What the commands read lies in a folder, and names what lies above it.
+void TestCliFiles::filesOutsideNeedConsent()
+{
+    QFETCH(QString, words);
+    QFETCH(int, exitCode);
+    QFETCH(QString, place);
+    QFETCH(QString, phrase);
+    QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("own")));
+    const QByteArray faces = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nvt 0 0\nusemtl m\nf 1/1 2/1 3/1\n";
+    writeFile(path("own/m.obj"), "mtllib ../t.mtl\n" + faces);
+    writeFile(path("own/t.obj"), "mtllib in.mtl\n" + faces);
+    writeFile(path("own/in.mtl"), "newmtl m\nmap_Kd ../t.png\n");
+    writeFile(path("own/t.case"), readFile(path("a.case")).replace("tri", "texture ../t.png\ntri"));
+    writeFile(path("own/s.json"), R"({"rasterlens": 1, "scene": "../a.case"})");
+    writeFile(path("own/l.json"), R"({"rasterlens-lesson": 1, "id": "a", "title": {"en": "A", "zh": "A"}, "steps":)"
+                                  R"([{"scene": "../a.case", "caption": {"en": "One.", "zh": "One."}}]})");
+    const Run refused = call(words);
+    QCOMPARE(refused.exitCode, exitCode);
+    place.replace(QLatin1String("%1"), m_folder->path());
+    QVERIFY2(refused.err.contains(place + phrase), qPrintable(refused.err));
+    QVERIFY2(refused.err.contains(QLatin1String("(--allow-outside)")), qPrintable(refused.err));
+    const Run agreed = call(words + QStringLiteral(" --allow-outside"));
+    QVERIFY2(agreed.exitCode == 0, qPrintable(agreed.err));
+    QVERIFY2(!agreed.err.contains(QLatin1String("outside")), qPrintable(agreed.err));
+}
+
 void TestCliFiles::sessionThatContradictsItsScene()
 {
     const Run far = call(QStringLiteral("render builtin:tunnel --size 8x8 --near 150 -o p.png"));

@@ -1,11 +1,11 @@
 // What the window draws, computes and keeps: at most two pictures a change, none that waits behind another, nothing for
 // panels out of sight, and no memory of large pictures. And drags that bring nothing.
 #include "core/questions/why.h"
+#include "core/render/picture_memory.h"
 #include "tests/window_fixture.h"
 #include "ui/base/dock.h"
 #include "ui/base/numbers.h"
 #include "ui/canvas/pixel_overlay.h"
-#include "ui/document/picture_memory.h"
 #include "ui/face/cards.h"
 #include "ui/face/clip_story.h"
 #include "ui/face/clip_theatre.h"

@@ -2,10 +2,12 @@
 #include "tests/remembering_fixture.h"
 #include "ui/base/message_bar.h"
 #include "ui/face/vertex_panel.h"
+#include "ui/lessons/lesson_mode.h"
 #include "ui/steps/step_session.h"
 #include "ui/window/life_cycle.h"
 #include "ui/window/recent_labels.h"
 
+#include <QAbstractButton>
 #include <QFileDialog>
 #include <QImage>
 #include <QMenu>
@@ -289,6 +291,83 @@ private Q_SLOTS:
         QCOMPARE(labels[4], QStringLiteral("cube.obj  \u2013  ~"));
         const QStringList one = recentLabels({paths[2]});
         QCOMPARE(one, QStringList{QStringLiteral("cube.obj  \u2013  \u2026/end")});
+    }
+
+    /// A model that was sent with a path to somewhere else: nothing of it is read before the user agrees, and what was
+    /// agreed to is remembered.
+    void filesOutsideAreReadWhenTheUserAgrees()
+    {
+        QVERIFY(QDir(m_files.path()).mkpath(QStringLiteral("sent")));
+        m_files.write(QStringLiteral("m.mtl"), "newmtl a\nKd 0 0 1\n");
+        const QString model =
+            m_files.write(QStringLiteral("sent/m.obj"), QByteArray("mtllib ../m.mtl\nusemtl a\n") + kTriangle);
+        const auto isRead = [this] { return document().scene()->materials[0].diffuse == glm::vec3(0, 0, 1); };
+        QVERIFY(openFile(model));
+        QVERIFY(!isRead());
+        auto* question = m_window->findChild<QMessageBox*>(QStringLiteral("outsideQuestion"));
+        QVERIFY(question && question->informativeText() == m_files.path(QStringLiteral("m.mtl")));
+        question->defaultButton()->click(); // no
+        QVERIFY(!isRead());
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QVERIFY(openFile(model));
+        question = m_window->findChild<QMessageBox*>(QStringLiteral("outsideQuestion"));
+        QVERIFY(question);
+        makeDirty(12);
+        for (QAbstractButton* button : question->buttons())
+            if (question->buttonRole(button) == QMessageBox::AcceptRole)
+                button->click();
+        QVERIFY(waitFor(isRead));
+        QCOMPARE(settings().size.width(), 12); // the model is read again, nothing is given up
+        document().undo();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QVERIFY(openFile(model));
+        QVERIFY(isRead() && !m_window->findChild<QMessageBox*>(QStringLiteral("outsideQuestion")));
+    }
+
+    void sessionsNameModelsOutsideWhenTheUserAgrees()
+    {
+        QVERIFY(QDir(m_files.path()).mkpath(QStringLiteral("sent")));
+        const QString session =
+            m_files.write(QStringLiteral("sent/s.json"),
+                          R"({"rasterlens": 1, "scene": "../scene.case", "settings": {"size": "9x9"}})");
+        document().open(session);
+        QMessageBox* question = nullptr;
+        QVERIFY(waitFor([&] {
+            question = m_window->findChild<QMessageBox*>(QStringLiteral("outsideQuestion"));
+            return question != nullptr;
+        }));
+        QCOMPARE(settings().size.width(), 8);
+        for (QAbstractButton* button : question->buttons())
+            if (question->buttonRole(button) == QMessageBox::AcceptRole)
+                button->click();
+        QVERIFY(waitFor([this] { return settings().size.width() == 9; }));
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+
+        // The window knows the sessions that it has written itself.
+        QVERIFY(document().saveSession(m_files.path(QStringLiteral("sent/own.json"))));
+        QVERIFY(openFile(m_files.path(QStringLiteral("sent/own.json"))));
+        QVERIFY(!m_window->findChild<QMessageBox*>(QStringLiteral("outsideQuestion")));
+    }
+
+    void lessonsNameScenesOutsideWhenTheUserAgrees()
+    {
+        QVERIFY(QDir(m_files.path()).mkpath(QStringLiteral("sent")));
+        const QString lesson =
+            m_files.write(QStringLiteral("sent/l.json"),
+                          R"({"rasterlens-lesson": 1, "id": "a", "title": {"en": "A", "zh": "甲"}, "steps": [
+                              {"scene": "../scene.case", "caption": {"en": "One.", "zh": "一。"}}]})");
+        m_window->open(lesson);
+        QVERIFY(!m_window->lessons().player().isOpen());
+        QMessageBox* question = nullptr;
+        QVERIFY(waitFor([&] {
+            question = m_window->findChild<QMessageBox*>(QStringLiteral("outsideQuestion"));
+            return question != nullptr;
+        }));
+        QCOMPARE(question->informativeText(), m_files.path(QStringLiteral("scene.case")));
+        for (QAbstractButton* button : question->buttons())
+            if (question->buttonRole(button) == QMessageBox::AcceptRole)
+                button->click();
+        QVERIFY(waitFor([this] { return m_window->lessons().player().isOpen(); }));
     }
 
     void vanishedRecentFilesSaySo()

@@ -75,7 +75,8 @@ Usage usage()
          {QStringLiteral("--before-after"),
           Option::Kind::Switch,
           {},
-          QStringLiteral("Shows the picture without the mistakes of --mistake beside it.")}}};
+          QStringLiteral("Shows the picture without the mistakes of --mistake beside it.")},
+         allowOutsideOption()}};
     return {
         QStringLiteral("figure"),
         QStringLiteral("rasterlens-cli figure SCENE [--step WHERE] [--pixel x,y] [--overlay ids] -o F.png|svg|pdf "
@@ -273,6 +274,8 @@ QStringList windowWords(const Arguments& arguments, const Input& input, const QS
     const QRect region = regionOption(arguments, input.settings.size);
     const auto scale = wholeOption(arguments, QStringLiteral("--figure-scale"), 1, kLargestScale);
     QStringList words = regionWords(region);
+    if (outsideOf(arguments) == Outside::Allow)
+        words << QStringLiteral("--allow-outside");
     words << QStringLiteral("--figure") << path << QStringLiteral("--figure-scale")
           << QString::number(scale ? int(*scale) : scaleFor(region.size()));
     words << momentWords(arguments, input);
@@ -300,6 +303,7 @@ ExitCode runFigure(const QStringList& words)
     const auto arguments = parseArguments(usage(), words);
     if (!arguments)
         return ExitCode::Fine;
+    const Consent consent(outsideOf(*arguments));
     const QString path = outputPath(*arguments);
     const Input input = openInput(arguments->operands.first(), *arguments);
     checkInputsStay({path}, input.files);

@@ -3,6 +3,7 @@
 #include "app/cli/output.h"
 #include "app/cli/window_program.h"
 #include "core/io/picture_file.h"
+#include "core/io/reach.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
@@ -44,10 +45,14 @@ QByteArray figureOf(const QString& lesson, std::size_t number, bool inChinese)
 {
     const QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("figure.png"));
-    const ExitCode code =
-        runWindowProgram({QStringLiteral("--lesson"), lesson, QStringLiteral("--slide"), QString::number(number),
-                          QStringLiteral("--figure"), file, QStringLiteral("--caption"), QString(),
-                          QStringLiteral("--language"), inChinese ? QStringLiteral("zh") : QStringLiteral("en")});
+    QStringList words{QStringLiteral("--lesson"),   lesson,
+                      QStringLiteral("--slide"),    QString::number(number),
+                      QStringLiteral("--figure"),   file,
+                      QStringLiteral("--caption"),  QString(),
+                      QStringLiteral("--language"), inChinese ? QStringLiteral("zh") : QStringLiteral("en")};
+    if (Consent::reachOf(lesson).outside == Outside::Allow)
+        words << QStringLiteral("--allow-outside");
+    const ExitCode code = runWindowProgram(words);
     QFile figure(file);
     if (code != ExitCode::Fine || !figure.open(QIODevice::ReadOnly))
         failInput(QStringLiteral("%1: slide %2 could not be drawn").arg(lesson).arg(number));

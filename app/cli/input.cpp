@@ -78,6 +78,7 @@ Settings sessionSettings(const Session& session, const Settings& defaults, const
 
 Input openInput(const QString& name, const Arguments& arguments)
 {
+    const Consent consent(outsideOf(arguments));
     const InputLog log;
     LoadOptions options;
     options.peerMesh = arguments.isOn(QStringLiteral("--peer-mesh"));
@@ -97,6 +98,21 @@ Input openInput(const QString& name, const Arguments& arguments)
     return {std::move(*load.scene), settings, std::move(load.diagnostics), namesOf(log)};
 }
 
+Option allowOutsideOption()
+{
+    return {
+        QStringLiteral("--allow-outside"),
+        Option::Kind::Switch,
+        {},
+        QStringLiteral("Models, sessions and lessons may name files outside their own folders; without it those are "
+                       "not read.")};
+}
+
+Outside outsideOf(const Arguments& arguments)
+{
+    return arguments.isOn(QStringLiteral("--allow-outside")) ? Outside::Allow : Outside::Refuse;
+}
+
 QList<Option> inputOptions()
 {
     return {
@@ -105,7 +121,8 @@ QList<Option> inputOptions()
         {QStringLiteral("--peer-mesh"),
          Option::Kind::Switch,
          {},
-         QStringLiteral("Normals and texture coordinates of an OBJ file exactly as the peers' harness makes them.")}};
+         QStringLiteral("Normals and texture coordinates of an OBJ file exactly as the peers' harness makes them.")},
+        allowOutsideOption()};
 }
 
 QString sceneHelp()

@@ -1,5 +1,6 @@
 #pragma once
 #include "app/cli/options.h"
+#include "core/io/reach.h"
 #include "core/scene/scene.h"
 
 namespace rasterlens::cli
@@ -20,7 +21,11 @@ struct Input {
 /// errors  throws Failure: bad values, the diagnostics of the loader
 [[nodiscard]] Input openInput(const QString& name, const Arguments& arguments);
 
-/// `--texture` and `--peer-mesh`.
+/// `--allow-outside`, by which the user agrees that files name others outside their folders.
+[[nodiscard]] Option allowOutsideOption();
+[[nodiscard]] Outside outsideOf(const Arguments& arguments);
+
+/// `--texture`, `--peer-mesh` and `--allow-outside`.
 [[nodiscard]] QList<Option> inputOptions();
 
 /// The paragraph of the help about SCENE.

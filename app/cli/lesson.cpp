@@ -1,5 +1,6 @@
 #include "core/lessons/lesson.h"
 #include "app/cli/handout.h"
+#include "app/cli/input.h"
 #include "app/cli/output.h"
 #include "app/cli/slide.h"
 #include "app/cli/verbs.h"
@@ -27,6 +28,7 @@ Usage usage()
          QStringLiteral("With handout: F.pdf, or F.md with the figures beside it as F-01.png, F-02.png ..")},
         {QStringLiteral("--language"), Option::Kind::Value, QStringLiteral("en|zh"),
          QStringLiteral("With handout: its language; default en.")},
+        allowOutsideOption(),
         flag("--facts", "Print the facts that a lesson's \"expect\" and answers may name, and end.")};
     return {
         QStringLiteral("lesson"),
@@ -147,6 +149,7 @@ ExitCode runLesson(const QStringList& words)
     const auto arguments = parseArguments(usage(), words);
     if (!arguments)
         return ExitCode::Fine;
+    const Consent consent(outsideOf(*arguments));
     const QStringList& operands = arguments->operands;
     const QString action = operands.value(0);
     const bool isAlone = operands.isEmpty();

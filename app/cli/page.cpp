@@ -41,7 +41,8 @@ Usage usage()
          value("--lesson", "NAME",
                QStringLiteral("The slides of a lesson, with their questions, lead through the steps: the id of a "
                               "built-in lesson (rasterlens-cli lesson --list) or a .json file. SCENE may be left out: "
-                              "the page is then about the scene of the first slide."))}};
+                              "the page is then about the scene of the first slide.")),
+         allowOutsideOption()}};
     return {QStringLiteral("page"),
             QStringLiteral("rasterlens-cli page SCENE [--face N] [--pixel x,y] [--limit N] [--lesson NAME] -o F.html "
                            "[options]"),
@@ -109,6 +110,8 @@ QStringList momentWords(const QString& operand, QSize size)
 QStringList windowWords(const Arguments& arguments, const Input& input, const QString& path)
 {
     QStringList words{QStringLiteral("--page"), path};
+    if (outsideOf(arguments) == Outside::Allow)
+        words << QStringLiteral("--allow-outside");
     const auto lastFace = static_cast<std::int64_t>(input.scene.mesh.faceCount()) - 1;
     if (const auto face = wholeOption(arguments, QStringLiteral("--face"), 0, lastFace))
         words << QStringLiteral("--page-face") << QString::number(*face);
@@ -128,6 +131,7 @@ ExitCode runPage(const QStringList& words)
     const auto arguments = parseArguments(usage(), words);
     if (!arguments)
         return ExitCode::Fine;
+    const Consent consent(outsideOf(*arguments));
     const auto lessonName = arguments->value(kLesson);
     const QStringList& operands = arguments->operands;
     if (operands.size() > 1 || (operands.isEmpty() && !lessonName))

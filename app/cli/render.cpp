@@ -8,10 +8,12 @@
 #include "app/cli/unchanged_remark.h"
 #include "app/cli/verbs.h"
 #include "core/io/npy.h"
+#include "core/render/picture_memory.h"
 
 #include <QJsonDocument>
 
 #include <array>
+#include <cstdio>
 
 namespace rasterlens::cli
 {
@@ -139,6 +141,26 @@ void renderStepTo(const Input& input, const StepPlace& step, const OutputNames& 
     files.write();
 }
 
+/// Says what a large picture needs, before the system is asked for it.
+///
+/// errors  throws Failure: there is less
+void sayMemory(const Settings& settings, const Outputs& outputs)
+{
+    if (!isLarge(settings))
+        return;
+    const std::int64_t pixels = std::int64_t(settings.size.width()) * settings.size.height();
+    constexpr std::int64_t kInFile = 4; // bytes of a pixel, or of a value of an array, as it is written
+    const std::int64_t files = 1 + int(outputs.depth) + int(outputs.ids) + int(outputs.coverage);
+    const std::int64_t needed = pictureBytes(settings) + pixels * kInFile * files;
+    const std::int64_t free = freeMemoryBytes();
+    if (needed > free)
+        failArguments(QStringLiteral("rasterlens-cli render: the picture needs up to %1 of memory, and %2 are free; a "
+                                     "smaller --size or fewer --samples need less")
+                          .arg(gigabytesText(needed), gigabytesText(free)));
+    std::fprintf(stderr, "%dx%d: up to %s of memory\n", settings.size.width(), settings.size.height(),
+                 qUtf8Printable(gigabytesText(needed)));
+}
+
 void renderTo(const Scene& scene, const Settings& settings, const OutputNames& names)
 {
     const bool counted = !names.stats.isEmpty();
@@ -150,6 +172,7 @@ void renderTo(const Scene& scene, const Settings& settings, const OutputNames& n
                           .sampleCoverage = !names.sampleCoverage.isEmpty()};
     if (const auto reason = unsupportedOutputs(settings, outputs))
         failArguments(QStringLiteral("rasterlens-cli render: --sample-coverage: %1").arg(textOf(*reason)));
+    sayMemory(settings, outputs);
     const Statistics statistics = counted ? renderCounted(scene, settings, frame, outputs) : Statistics();
     render(scene, settings, frame, outputs);
 

@@ -59,6 +59,7 @@ QList<Option> slideOptions()
 SlideInput openSlide(const Arguments& arguments)
 {
     const InputLog log;
+    const Consent consent(outsideOf(arguments));
     const Lesson lesson = openLesson(*arguments.value(kLesson));
     const auto count = static_cast<std::int64_t>(lesson.slides.size());
     const auto number = wholeOption(arguments, kStep, 1, count);

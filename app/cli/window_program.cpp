@@ -28,12 +28,16 @@ void addEditsSinceLoading(Session& session, const Scene& scene)
     session.colors = recoloredVertices(original.scene->mesh, scene.mesh);
 }
 
+/// Whether the scene is no file of the disk.
+bool isGenerated(const Scene& scene)
+{
+    return scene.id.startsWith(QLatin1String("builtin:")) || scene.id.startsWith(QLatin1String("stress:")) ||
+           scene.id.startsWith(QLatin1String(":/")); // a scene of a built-in lesson
+}
+
 QString absoluteId(const Scene& scene)
 {
-    const bool isFile = !scene.id.startsWith(QLatin1String("builtin:")) &&
-                        !scene.id.startsWith(QLatin1String("stress:")) &&
-                        !scene.id.startsWith(QLatin1String(":/")); // a scene of a built-in lesson
-    return isFile ? QFileInfo(scene.id).absoluteFilePath() : scene.id;
+    return isGenerated(scene) ? scene.id : QFileInfo(scene.id).absoluteFilePath();
 }
 
 } // namespace
@@ -81,7 +85,10 @@ ExitCode runWindowProgram(const Scene& scene, const Settings& settings, const QS
     addEditsSinceLoading(state, scene);
     if (const auto problem = saveSession(state, session))
         failInput(QStringLiteral("%1: cannot be written: %2").arg(session, textOf(*problem)));
-    return runWindowProgram(QStringList{session} + words);
+    QStringList all{session};
+    if (!isGenerated(scene))
+        all << QStringLiteral("--model") << state.scene; // which lies elsewhere than the session
+    return runWindowProgram(all + words);
 }
 
 } // namespace rasterlens::cli

@@ -1,6 +1,7 @@
 #include "core/io/case_file.h"
 
 #include "core/io/byte_order_mark.h"
+#include "core/io/reach.h"
 #include "core/io/text_input.h"
 #include "core/io/texture_loader.h"
 #include "core/settings/numbers_field.h"
@@ -335,7 +336,11 @@ private:
                 return;
             made = checkerOf((*side)[0]);
         } else {
-            TextureLoad load = loadTexture(QFileInfo(m_scene.id).dir().filePath(rest));
+            const QString image = QFileInfo(m_scene.id).absoluteDir().filePath(rest);
+            const bool isOutside = !Consent::reachOf(m_scene.id).covers(image);
+            if (isOutside)
+                Consent::refuse(m_scene.id, image);
+            TextureLoad load = isOutside ? TextureLoad{{}, {}, outsideReason()} : loadTexture(image);
             if (load.problem)
                 return fault(*load.problem);
             made = std::move(load.texture);

@@ -6,12 +6,14 @@
 #include <QFileInfo>
 #include <QStringConverter>
 #include <QStringList>
+
+#include <dirent.h>
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <memory>
 #include <optional>
-#include <system_error>
+#include <vector>
 
 namespace rasterlens
 {
@@ -55,6 +57,17 @@ QStringList spellings(const QByteArray& name)
     return list;
 }
 
+/// What lies in a folder. std::filesystem::directory_iterator ends the program where it gets no memory.
+std::vector<QString> namesIn(const QString& folder)
+{
+    const std::unique_ptr<DIR, int (*)(DIR*)> open(::opendir(bytesOfPath(folder).constData()), &::closedir);
+    std::vector<QString> names;
+    if (open)
+        while (const dirent* const entry = ::readdir(open.get()))
+            names.push_back(pathFromBytes(QByteArray(entry->d_name)));
+    return names;
+}
+
 /// The path with each part as it is spelt on the disk, found without regard to case; nothing where there is none.
 std::optional<QString> inAnyCase(const QString& path)
 {
@@ -70,13 +83,9 @@ std::optional<QString> inAnyCase(const QString& path)
     }
     const QString wanted = path.mid(slash + 1).toCaseFolded();
     std::optional<QString> best;
-    std::error_code error;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(std::filesystem::path(bytesOfPath(folder).toStdString()), error)) {
-        const QString name = pathFromBytes(QByteArray::fromStdString(entry.path().filename().string()));
+    for (const QString& name : namesIn(folder))
         if (name.toCaseFolded() == wanted && (!best || name < *best))
             best = name;
-    }
     if (best)
         best = folder + (folder.endsWith(QLatin1Char('/')) ? QString() : QStringLiteral("/")) + *best;
     return best;
@@ -101,36 +110,42 @@ bool fileExists(const QString& path)
 namespace
 {
 
-NamedFile findAsSpelt(const QString& owner, std::string_view name)
+NamedFile findAsSpelt(const QString& owner, std::string_view name, const Reach& reach)
 {
     const QDir folder = QFileInfo(owner).absoluteDir();
     const auto beside = [&](const QString& spelling) {
         return folder.absoluteFilePath(spelling.section(QLatin1Char('/'), -1));
     };
+    const auto isThere = [&](const QString& path) { return reach.covers(path) && fileExists(path); };
     const QStringList all = spellings(bytesOf(withoutQuotes(name)));
     for (qsizetype i = 0; i < all.size(); ++i)
-        if (const QString path = folder.absoluteFilePath(all[i]); fileExists(path))
+        if (const QString path = folder.absoluteFilePath(all[i]); isThere(path))
             return {path, i < 2 ? FoundBy::Name : FoundBy::Encoding};
     for (const QString& spelling : all)
-        if (const QString path = beside(withSlashes(spelling)); fileExists(path))
+        if (const QString path = beside(withSlashes(spelling)); isThere(path))
             return {path, FoundBy::Beside};
     for (const QString& spelling : all)
         for (const QString& path : {folder.absoluteFilePath(spelling), beside(withSlashes(spelling))})
-            if (const auto found = inAnyCase(path))
+            if (const auto found = reach.covers(path) ? inAnyCase(path) : std::nullopt; found && reach.covers(*found))
                 return {*found, FoundBy::LetterCase};
-    return {folder.absoluteFilePath(all.value(1, all.front())), FoundBy::Nothing};
+    const QString expected = folder.absoluteFilePath(all.value(1, all.front()));
+    if (!reach.covers(expected))
+        return {QDir::cleanPath(expected), FoundBy::Outside};
+    return {expected, FoundBy::Nothing};
 }
 
 } // namespace
 
-NamedFile findNamedFile(const QString& owner, std::string_view name)
+bool NamedFile::isFound() const { return foundBy != FoundBy::Nothing && foundBy != FoundBy::Outside; }
+
+NamedFile findNamedFile(const QString& owner, std::string_view name, const Reach& reach)
 {
-    NamedFile whole = findAsSpelt(owner, name);
+    NamedFile whole = findAsSpelt(owner, name, reach);
     const std::size_t comment = name.find(" #");
-    if (whole.foundBy != FoundBy::Nothing || comment == std::string_view::npos)
+    if (whole.isFound() || comment == std::string_view::npos)
         return whole;
-    NamedFile withoutComment = findAsSpelt(owner, name.substr(0, comment));
-    return withoutComment.foundBy == FoundBy::Nothing ? whole : withoutComment;
+    NamedFile withoutComment = findAsSpelt(owner, name.substr(0, comment), reach);
+    return withoutComment.isFound() ? withoutComment : whole;
 }
 
 void remarkOn(const NamedFile& file, std::string_view keyword, int line, DiagnosticSink& diagnostics)

@@ -5,11 +5,16 @@
 #include <QFileInfo>
 #include <QSaveFile>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #ifdef Q_OS_UNIX
@@ -37,6 +42,58 @@ std::optional<int> descriptorOf(const QString& path)
         }
     return std::nullopt;
 }
+
+#ifdef Q_OS_UNIX
+volatile std::sig_atomic_t heldSignal = 0;
+
+extern "C" void holdSignal(int signal) { heldSignal = signal; }
+
+/// While it lives, a signal that would end the program at once waits: what lies beside its place is taken away first.
+/// A program that has handlers of its own for these signals keeps them.
+class HeldSignals
+{
+public:
+    HeldSignals()
+    {
+        const std::scoped_lock lock(s_mutex);
+        if (s_count++ > 0)
+            return;
+        for (std::size_t i = 0; i < kSignals.size(); ++i) {
+            ::sigaction(kSignals[i], nullptr, &s_former[i]);
+            if (s_former[i].sa_handler != SIG_DFL)
+                continue;
+            struct sigaction action = {};
+            action.sa_handler = holdSignal;
+            action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND); // the second one ends the program
+            ::sigaction(kSignals[i], &action, nullptr);
+        }
+    }
+    ~HeldSignals()
+    {
+        const std::scoped_lock lock(s_mutex);
+        if (--s_count > 0)
+            return;
+        for (std::size_t i = 0; i < kSignals.size(); ++i)
+            if (s_former[i].sa_handler == SIG_DFL)
+                ::sigaction(kSignals[i], &s_former[i], nullptr);
+        if (const int held = std::exchange(heldSignal, 0); held != 0)
+            ::raise(held);
+    }
+    Q_DISABLE_COPY_MOVE(HeldSignals)
+
+    [[nodiscard]] static bool wantsToEnd() { return heldSignal != 0; }
+
+private:
+    static constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
+    static inline std::mutex s_mutex;
+    static inline int s_count = 0;
+    static inline std::array<struct sigaction, kSignals.size()> s_former{};
+};
+#else
+struct HeldSignals {
+    [[nodiscard]] static bool wantsToEnd() { return false; }
+};
+#endif
 
 Reason reasonOf(const QFileDevice& file) { return Reason(file.errorString()); }
 
@@ -71,9 +128,10 @@ bool openStream(QFile& file, NoReader noReader, std::optional<Reason>& why)
 /// Writes all of it. What a disk took only a part of is tried again, for Qt then says why the rest does not fit.
 bool writeAll(QFileDevice& file, const QByteArray& bytes)
 {
+    constexpr qsizetype kAtOnce = qsizetype(4) << 20; // then it looks whether the program is to end
     for (qsizetype written = 0; written < bytes.size();) {
-        const qint64 taken = file.write(bytes.constData() + written, bytes.size() - written);
-        if (taken <= 0)
+        const qint64 taken = file.write(bytes.constData() + written, std::min(bytes.size() - written, kAtOnce));
+        if (taken <= 0 || HeldSignals::wantsToEnd())
             return false;
         written += taken;
     }
@@ -132,7 +190,9 @@ std::filesystem::path nativePath(const QString& path)
 
 std::optional<WriteFailure> writeFiles(std::span<const OutputFile> files, NoReader noReader)
 {
-    std::vector<std::unique_ptr<QSaveFile>> staged;
+    const bool anyStaged = std::ranges::any_of(files, [](const OutputFile& file) { return !isStream(file.path); });
+    const auto held = anyStaged ? std::make_unique<HeldSignals>() : nullptr;
+    std::vector<std::unique_ptr<QSaveFile>> staged; // gone before `held` is
     for (const OutputFile& file : files) {
         if (isStream(file.path))
             continue;
@@ -173,7 +233,10 @@ std::optional<Reason> bringToDisk(QFileDevice& file)
 
 std::optional<Reason> whyNotWritable(const QString& path)
 {
-    return isStream(path) ? std::nullopt : stage(path, {}).problem; // the staged file is dropped again
+    if (isStream(path))
+        return std::nullopt;
+    const HeldSignals held{};
+    return stage(path, {}).problem; // the staged file is dropped again
 }
 
 bool isStream(const QString& path)

@@ -14,7 +14,7 @@ namespace
 class Walker
 {
 public:
-    Walker(const QByteArray& text, QHash<QString, int>& lines, QHash<QString, int>& repeated)
+    Walker(const QByteArray& text, QMap<QString, int>& lines, QMap<QString, int>& repeated)
         : m_text(text), m_lines(lines), m_repeated(repeated)
     {
     }
@@ -28,8 +28,8 @@ public:
 
 private:
     const QByteArray& m_text;
-    QHash<QString, int>& m_lines;
-    QHash<QString, int>& m_repeated;
+    QMap<QString, int>& m_lines;
+    QMap<QString, int>& m_repeated;
     qsizetype m_at = 0;
     int m_line = 1;
 

@@ -1,6 +1,6 @@
 #pragma once
 #include <QByteArray>
-#include <QHash>
+#include <QMap>
 #include <QString>
 #include <QStringList>
 
@@ -23,11 +23,11 @@ public:
     [[nodiscard]] int lineOf(QString path) const;
 
     /// The paths of keys that stand twice in one object; QJsonDocument keeps the last value of each. With its line.
-    [[nodiscard]] const QHash<QString, int>& repeated() const { return m_repeated; }
+    [[nodiscard]] const QMap<QString, int>& repeated() const { return m_repeated; }
 
 private:
-    QHash<QString, int> m_lines;
-    QHash<QString, int> m_repeated;
+    QMap<QString, int> m_lines;
+    QMap<QString, int> m_repeated;
 };
 
 /// The path of a member or an element of the value at `path`.

@@ -141,7 +141,7 @@ private:
 
 } // namespace
 
-std::vector<MtlMaterial> parseMtl(QByteArray text, const QString& path, DiagnosticSink& diagnostics)
+std::vector<MtlMaterial> parseMtl(QByteArray text, const QString& path, const Reach& reach, DiagnosticSink& diagnostics)
 {
     if (text.contains('\0')) {
         diagnostics.warning(0, QT_TRANSLATE_NOOP("Diagnostic", "binary data (a zero byte); an MTL file is text"));
@@ -179,9 +179,9 @@ std::vector<MtlMaterial> parseMtl(QByteArray text, const QString& path, Diagnost
         const auto image = [&](const std::optional<Found::Map>& map, std::string_view keyword) {
             if (!map)
                 return std::optional<MtlImage>();
-            const NamedFile file = findNamedFile(path, map->map.name);
+            const NamedFile file = findNamedFile(path, map->map.name, reach);
             remarkOn(file, keyword, map->line, diagnostics);
-            return std::optional(MtlImage{file.path, map->map, map->line});
+            return std::optional(MtlImage{file.path, map->map, map->line, file.foundBy == FoundBy::Outside});
         };
         material.texture = image(found[i].texture, "map_Kd");
         material.opacity = image(found[i].opacity, "map_d");

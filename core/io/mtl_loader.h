@@ -1,5 +1,6 @@
 #pragma once
 #include "core/io/mtl_map.h"
+#include "core/io/reach.h"
 #include "core/io/text_input.h"
 
 #include <glm/glm.hpp>
@@ -13,7 +14,8 @@ namespace rasterlens
 struct MtlImage {
     QString path; ///< absolute
     MtlMap map;
-    int line = 0; ///< where it is named
+    int line = 0;           ///< where it is named
+    bool isOutside = false; ///< its name leads out of the reach: not to be read
 };
 
 /// What an MTL file says about one material.
@@ -31,11 +33,12 @@ struct MtlMaterial {
 
 /// Reads the materials of a Wavefront MTL file, in its order.
 ///
-/// in      the bytes of the file `path`, beside which its textures lie
+/// in      the bytes of the file `path`, beside which its textures lie, and where they may lie
 /// covers  Kd, Ks, Ns, map_Kd and map_d with their options, in any letter case; names of any encoding, with blanks,
 ///         `#` and backslashes. Each material stands for itself: nothing is taken over from the one before it
 /// errors  diagnostics with line; a statement with bad numbers is a warning and left out, as are statements before
 ///         the first newmtl; a remark names the statements that are not drawn
-[[nodiscard]] std::vector<MtlMaterial> parseMtl(QByteArray text, const QString& path, DiagnosticSink& diagnostics);
+[[nodiscard]] std::vector<MtlMaterial> parseMtl(QByteArray text, const QString& path, const Reach& reach,
+                                                DiagnosticSink& diagnostics);
 
 } // namespace rasterlens

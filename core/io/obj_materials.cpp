@@ -1,7 +1,5 @@
 #include "core/io/obj_materials.h"
 
-#include "core/io/file_names.h"
-
 #include <QFileInfo>
 
 #include <algorithm>
@@ -31,7 +29,7 @@ void ObjMaterials::loadLibraries(const ObjText& text)
         loadLibraryOfSameName(QT_TRANSLATE_NOOP("Diagnostic", "no mtllib names a file"), 0))
         return;
     m_libraryMissing = true;
-    QSet<QByteArray> names;
+    std::set<QByteArray> names;
     for (const ObjReference& use : text.materialUses)
         names.insert(use.name);
     m_objDiagnostics.warning(
@@ -45,26 +43,30 @@ void ObjMaterials::loadLibraries(const ObjText& text)
 void ObjMaterials::loadReference(const ObjReference& library)
 {
     std::string_view rest = viewOf(library.name);
-    const NamedFile whole = findNamedFile(m_objPath, rest);
-    if (whole.foundBy != FoundBy::Nothing || library.name.contains('"')) {
+    const NamedFile whole = findNamedFile(m_objPath, rest, m_reach);
+    if (whole.isFound() || library.name.contains('"')) {
         remarkOn(whole, "mtllib", library.line, m_objDiagnostics);
-        loadLibrary(whole.path, library.line);
+        loadLibrary(whole, library.line);
         return;
     }
     for (std::string_view word = nextWord(rest); !word.empty(); word = nextWord(rest)) {
-        const NamedFile file = findNamedFile(m_objPath, word);
+        const NamedFile file = findNamedFile(m_objPath, word, m_reach);
         remarkOn(file, "mtllib", library.line, m_objDiagnostics);
-        loadLibrary(file.path, library.line);
+        loadLibrary(file, library.line);
     }
 }
 
-void ObjMaterials::loadLibrary(const QString& path, int line)
+void ObjMaterials::loadLibrary(const NamedFile& file, int line)
 {
+    const QString& path = file.path;
     if (m_read.contains(path))
         return;
     m_read.insert(path);
     const QString readable = readablePath(path);
-    InputBytes input = readInput(path);
+    const bool isOutside = file.foundBy == FoundBy::Outside;
+    if (isOutside)
+        Consent::refuse(m_objPath, path);
+    InputBytes input = isOutside ? InputBytes{{}, outsideReason()} : readInput(path);
     if (input.problem) {
         const Reason why{QT_TRANSLATE_NOOP("Diagnostic", "mtllib %1: %2"), {readable, *input.problem}};
         if (loadLibraryOfSameName(why, line))
@@ -79,8 +81,8 @@ void ObjMaterials::loadLibrary(const QString& path, int line)
         diagnostics.note(1, QT_TRANSLATE_NOOP("Diagnostic",
                                               "Blender writes Kd as linear light and vertex colours as they are shown; "
                                               "here both are shown as they stand, so Kd looks darker than in Blender"));
-    QSet<QByteArray> ofThisFile;
-    for (const MtlMaterial& material : parseMtl(std::move(input.bytes), path, diagnostics)) {
+    std::set<QByteArray> ofThisFile;
+    for (const MtlMaterial& material : parseMtl(std::move(input.bytes), path, m_reach, diagnostics)) {
         if (ofThisFile.contains(material.nameBytes))
             diagnostics.warning(
                 material.line,
@@ -88,13 +90,13 @@ void ObjMaterials::loadLibrary(const QString& path, int line)
                  {quotedWord(viewOf(material.nameBytes))}});
         ofThisFile.insert(material.nameBytes);
         if (!m_library.contains(material.nameBytes)) {
-            m_library.insert(material.nameBytes, material);
-            m_nameOfReadable.insert(material.name, material.nameBytes);
+            m_library.emplace(material.nameBytes, material);
+            m_nameOfReadable.insert_or_assign(material.name, material.nameBytes);
         }
         const qsizetype comment = material.name.indexOf(QStringLiteral(" # "));
         const QString withoutComment = material.name.left(std::max<qsizetype>(comment, 0)).trimmed();
         if (!withoutComment.isEmpty() && !m_nameOfReadable.contains(withoutComment))
-            m_nameOfReadable.insert(withoutComment, material.nameBytes);
+            m_nameOfReadable.emplace(withoutComment, material.nameBytes);
     }
     Diagnostics remarks = diagnostics.take();
     m_otherDiagnostics.insert(m_otherDiagnostics.end(), std::make_move_iterator(remarks.begin()),
@@ -105,12 +107,12 @@ void ObjMaterials::loadLibrary(const QString& path, int line)
 bool ObjMaterials::loadLibraryOfSameName(const Reason& why, int line)
 {
     const QByteArray name = bytesOfPath(mtlOfSameName(m_objPath));
-    const NamedFile file = findNamedFile(m_objPath, viewOf(name));
-    if (file.foundBy == FoundBy::Nothing || m_read.contains(file.path))
+    const NamedFile file = findNamedFile(m_objPath, viewOf(name), m_reach);
+    if (!file.isFound() || m_read.contains(file.path))
         return false;
     m_objDiagnostics.warning(line, {QT_TRANSLATE_NOOP("Diagnostic", "%1; %2 beside it is read"),
                                     {why, QFileInfo(readablePath(file.path)).fileName()}});
-    loadLibrary(file.path, line);
+    loadLibrary(file, line);
     return true;
 }
 
@@ -118,9 +120,9 @@ bool ObjMaterials::loadLibraryOfSameName(const Reason& why, int line)
 const MtlMaterial* ObjMaterials::find(const QByteArray& name) const
 {
     if (const auto found = m_library.find(name); found != m_library.end())
-        return &*found;
+        return &found->second;
     if (const auto bytes = m_nameOfReadable.find(readableName(viewOf(name))); bytes != m_nameOfReadable.end())
-        return &*m_library.find(*bytes);
+        return &m_library.find(bytes->second)->second;
     const qsizetype comment = name.indexOf(" #");
     return comment > 0 ? find(name.left(comment).trimmed()) : nullptr;
 }
@@ -128,7 +130,7 @@ const MtlMaterial* ObjMaterials::find(const QByteArray& name) const
 std::uint32_t ObjMaterials::use(const ObjReference& reference)
 {
     if (const auto known = m_used.find(reference.name); known != m_used.end())
-        return *known;
+        return known->second;
     const MtlMaterial* const found = find(reference.name);
     if (found == nullptr && !m_libraryMissing)
         m_objDiagnostics.warning(
@@ -139,12 +141,12 @@ std::uint32_t ObjMaterials::use(const ObjReference& reference)
     if (found == nullptr)
         index = useDefault();
     else if (const auto same = m_used.find(found->nameBytes); same != m_used.end())
-        index = *same;
+        index = same->second;
     else
         index = add(*found);
-    m_used.insert(reference.name, index);
+    m_used.insert_or_assign(reference.name, index);
     if (found != nullptr)
-        m_used.insert(found->nameBytes, index);
+        m_used.insert_or_assign(found->nameBytes, index);
     return index;
 }
 

@@ -1,13 +1,13 @@
 #pragma once
+#include "core/io/file_names.h"
 #include "core/io/mtl_loader.h"
 #include "core/io/obj_text.h"
 #include "core/io/texture_table.h"
 #include "core/scene/scene.h"
 
-#include <QHash>
-#include <QSet>
-
+#include <map>
 #include <optional>
+#include <set>
 
 namespace rasterlens
 {
@@ -19,8 +19,8 @@ public:
     /// in   remarks about the OBJ itself go to `objDiagnostics`
     ObjMaterials(const QString& objPath, const LoadOptions& options, bool vertexColors, DiagnosticSink& objDiagnostics,
                  Scene& scene)
-        : m_objPath(objPath), m_objDiagnostics(objDiagnostics), m_vertexColors(vertexColors), m_scene(scene),
-          m_textures(scene, !options.texture.isEmpty())
+        : m_objPath(objPath), m_reach(Consent::reachOf(objPath)), m_objDiagnostics(objDiagnostics),
+          m_vertexColors(vertexColors), m_scene(scene), m_textures(scene, !options.texture.isEmpty())
     {
     }
 
@@ -35,7 +35,7 @@ public:
 
 private:
     void loadReference(const ObjReference& library);
-    void loadLibrary(const QString& path, int line);
+    void loadLibrary(const NamedFile& file, int line);
     bool loadLibraryOfSameName(const Reason& why, int line);
     [[nodiscard]] const MtlMaterial* find(const QByteArray& name) const;
     [[nodiscard]] std::uint32_t use(const ObjReference& reference);
@@ -43,15 +43,17 @@ private:
     [[nodiscard]] std::uint32_t add(const MtlMaterial& mtl);
 
     const QString m_objPath;
+    const Reach m_reach;
     DiagnosticSink& m_objDiagnostics;
     Diagnostics m_otherDiagnostics;
     const bool m_vertexColors;
     Scene& m_scene;
     bool m_libraryMissing = false;
-    QSet<QString> m_read;
-    QHash<QByteArray, MtlMaterial> m_library;
-    QHash<QString, QByteArray> m_nameOfReadable;
-    QHash<QByteArray, std::uint32_t> m_used;
+    // A QHash ends the program where it gets no memory to grow.
+    std::set<QString> m_read;
+    std::map<QByteArray, MtlMaterial> m_library;
+    std::map<QString, QByteArray> m_nameOfReadable;
+    std::map<QByteArray, std::uint32_t> m_used;
     TextureTable m_textures;
     std::optional<std::uint32_t> m_default;
 };

@@ -2,6 +2,7 @@
 
 #include "core/io/byte_order_mark.h"
 #include "core/io/file_writer.h"
+#include "core/io/reach.h"
 #include "core/io/text_input.h"
 #include "core/scene/origin.h"
 #include "core/settings/mistakes.h"
@@ -96,8 +97,9 @@ QStringList placesOf(const QString& stored, const QString& absolute, const QDir&
 class Reader
 {
 public:
-    Reader(const QJsonObject& json, const QDir& folder, const QString& sceneInstead, DiagnosticSink& diagnostics)
-        : m_json(json), m_folder(folder), m_sceneInstead(sceneInstead), m_diagnostics(diagnostics)
+    Reader(const QJsonObject& json, const QString& path, const QString& sceneInstead, DiagnosticSink& diagnostics)
+        : m_json(json), m_path(path), m_reach(Consent::reachOf(path)), m_sceneInstead(sceneInstead),
+          m_diagnostics(diagnostics)
     {
     }
 
@@ -171,18 +173,35 @@ private:
         }
         if (!isPath(stored))
             return;
-        const QStringList places = placesOf(stored, m_json[kAbsoluteKey].toString(), m_folder);
-        const auto found =
-            std::find_if(places.begin(), places.end(), [](const QString& place) { return QFileInfo(place).isFile(); });
+        const QStringList places = placesOf(stored, m_json[kAbsoluteKey].toString(), m_reach.folder);
+        const auto found = std::find_if(places.begin(), places.end(), [this](const QString& place) {
+            return m_reach.covers(place) && QFileInfo(place).isFile();
+        });
         m_session.sceneFound = found != places.end();
         m_session.scene = m_session.sceneFound ? *found : places.first();
-        if (!m_session.sceneFound)
+        if (!m_session.sceneFound && !m_reach.covers(places.first()))
+            refuse(places.first());
+        else if (!m_session.sceneFound && m_reach.outside == Outside::Refuse)
+            m_diagnostics.warning(
+                0, {QT_TRANSLATE_NOOP("Diagnostic", "the scene is neither at %1 nor, by its name, beside the session; "
+                                                    "other folders are looked at only if that is allowed "
+                                                    "(--allow-outside)"),
+                    {places.first()}});
+        else if (!m_session.sceneFound)
             m_diagnostics.warning(0, {QT_TRANSLATE_NOOP("Diagnostic", "the scene is neither at %1 nor, by its name, "
                                                                       "beside the session or in the folder above"),
                                       {places.first()}});
         else if (*found != places.first())
             m_diagnostics.warning(
                 0, {QT_TRANSLATE_NOOP("Diagnostic", "the scene is not at %1; %2 is used"), {places.first(), *found}});
+    }
+
+    void refuse(const QString& scene)
+    {
+        Consent::refuse(m_path, scene);
+        m_diagnostics.error(0, {QT_TRANSLATE_NOOP("Diagnostic", "the scene %1 lies outside the session's folder and is "
+                                                                "opened only if that is allowed (--allow-outside)"),
+                                {scene}});
     }
 
     void settings()
@@ -289,7 +308,8 @@ private:
     }
 
     const QJsonObject& m_json;
-    const QDir& m_folder;
+    const QString& m_path;
+    const Reach m_reach;
     const QString& m_sceneInstead;
     DiagnosticSink& m_diagnostics;
     Session m_session;
@@ -347,7 +367,7 @@ SessionLoad loadSession(const QString& path, const QString& sceneInstead)
     } else {
         const QJsonObject json = parse(input.bytes, diagnostics);
         if (!diagnostics.hasErrors())
-            session = Reader(json, QFileInfo(path).absoluteDir(), sceneInstead, diagnostics).read();
+            session = Reader(json, path, sceneInstead, diagnostics).read();
     }
     if (diagnostics.hasErrors())
         return {std::nullopt, diagnostics.take()};

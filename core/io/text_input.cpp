@@ -7,6 +7,7 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -120,6 +121,25 @@ Diagnostics DiagnosticSink::take()
     return std::move(m_kept);
 }
 
+namespace
+{
+
+/// Why a file is not read, by what the system says of it.
+std::optional<Reason> problemOf(const struct stat& info)
+{
+    if (S_ISDIR(info.st_mode))
+        return QT_TRANSLATE_NOOP("Diagnostic", "this is a directory; a file is expected");
+    if (!S_ISREG(info.st_mode))
+        return QT_TRANSLATE_NOOP("Diagnostic", "this is a device or a pipe; a file is expected");
+    if (info.st_size > kLargestFile)
+        return QT_TRANSLATE_NOOP("Diagnostic", "the file is larger than 2 GB");
+    if (info.st_size == 0)
+        return QT_TRANSLATE_NOOP("Diagnostic", "the file is empty");
+    return std::nullopt;
+}
+
+} // namespace
+
 OpenInput openInput(const QString& path)
 {
     InputLog::note(path);
@@ -131,16 +151,18 @@ OpenInput openInput(const QString& path)
     struct stat info = {};
     if (::stat(name.constData(), &info) != 0)
         return errno == EACCES ? systemSays() : failed(QT_TRANSLATE_NOOP("Diagnostic", "there is no such file"));
-    if (S_ISDIR(info.st_mode))
-        return failed(QT_TRANSLATE_NOOP("Diagnostic", "this is a directory; a file is expected"));
-    if (!S_ISREG(info.st_mode))
-        return failed(QT_TRANSLATE_NOOP("Diagnostic", "this is a device or a pipe; a file is expected"));
-    if (info.st_size > kLargestFile)
-        return failed(QT_TRANSLATE_NOOP("Diagnostic", "the file is larger than 2 GB"));
-    if (info.st_size == 0)
-        return failed(QT_TRANSLATE_NOOP("Diagnostic", "the file is empty"));
-    const int descriptor = ::open(name.constData(), O_RDONLY | O_CLOEXEC);
-    return descriptor < 0 ? systemSays() : OpenInput{descriptor, static_cast<std::size_t>(info.st_size), {}};
+    if (auto problem = problemOf(info)) // a device that is opened may already do something
+        return failed(std::move(*problem));
+    const int descriptor = ::open(name.constData(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    if (descriptor < 0)
+        return systemSays();
+    // Another program may have put something else in its place meanwhile.
+    std::optional<Reason> problem =
+        ::fstat(descriptor, &info) == 0 ? problemOf(info) : std::optional(Reason(qt_error_string(errno)));
+    if (!problem)
+        return {descriptor, static_cast<std::size_t>(info.st_size), {}};
+    ::close(descriptor);
+    return failed(std::move(*problem));
 }
 
 InputBytes readInput(const QString& path)
@@ -157,7 +179,7 @@ InputBytes readInput(const QString& path)
     QFile file;
     QByteArray bytes;
     if (file.open(input.descriptor, QIODevice::ReadOnly, QFileDevice::AutoCloseHandle))
-        bytes = file.readAll();
+        bytes = file.read(static_cast<qint64>(input.size)); // no more: what looks like a file may never end
     if (file.error() != QFileDevice::NoError)
         return {{}, Reason{QT_TRANSLATE_NOOP("Diagnostic", "the file cannot be read: %1"), {file.errorString()}}};
     return {bytes, {}};

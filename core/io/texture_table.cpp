@@ -1,7 +1,7 @@
 #include "core/io/texture_table.h"
 
 #include "core/io/path_bytes.h"
-#include "core/io/texture_loader.h"
+#include "core/io/reach.h"
 
 #include <utility>
 #include <vector>
@@ -77,12 +77,20 @@ void TextureTable::dress(const MtlMaterial& mtl, Material& material, Diagnostics
     placeMask(color, mtl.opacity->map, material);
 }
 
+TextureLoad TextureTable::read(const MtlImage& image)
+{
+    if (!image.isOutside)
+        return loadTexture(image.path);
+    Consent::refuse(m_scene->id, image.path);
+    return {{}, {}, outsideReason()};
+}
+
 TextureTable::Places TextureTable::colorOf(const MtlImage& image, const QString& file, Diagnostics& diagnostics)
 {
     const QString key = keyOf(image, "color");
     if (const auto known = m_known.find(key); known != m_known.end())
-        return *known;
-    TextureLoad load = loadTexture(image.path);
+        return known->second;
+    TextureLoad load = read(image);
     Places places;
     if (load.texture) {
         adjust(*load.texture, image.map);
@@ -96,7 +104,7 @@ TextureTable::Places TextureTable::colorOf(const MtlImage& image, const QString&
                                {QT_TRANSLATE_NOOP("Diagnostic", "map_Kd %1: %2; drawn without texture"),
                                 {readablePath(image.path), *load.problem}}});
     }
-    m_known.insert(key, places);
+    m_known.emplace(key, places);
     return places;
 }
 
@@ -104,8 +112,8 @@ int TextureTable::maskAlone(const MtlImage& image, const QString& file, Diagnost
 {
     const QString key = keyOf(image, "mask");
     if (const auto known = m_known.find(key); known != m_known.end())
-        return known->opacity;
-    TextureLoad load = loadTexture(image.path);
+        return known->second.opacity;
+    TextureLoad load = read(image);
     Places places;
     if (load.texture) {
         Texture mask = maskOf(std::move(load), image.map.channel);
@@ -118,7 +126,7 @@ int TextureTable::maskAlone(const MtlImage& image, const QString& file, Diagnost
                                {QT_TRANSLATE_NOOP("Diagnostic", "map_d %1: %2; drawn without holes"),
                                 {readablePath(image.path), *load.problem}}});
     }
-    m_known.insert(key, places);
+    m_known.emplace(key, places);
     return places.opacity;
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 #include "core/io/mtl_loader.h"
+#include "core/io/texture_loader.h"
 #include "core/scene/scene.h"
 
-#include <QHash>
-
+#include <map>
 #include <optional>
 
 namespace rasterlens
@@ -32,10 +32,11 @@ private:
     Places colorOf(const MtlImage& image, const QString& file, Diagnostics& diagnostics);
     int maskAlone(const MtlImage& image, const QString& file, Diagnostics& diagnostics);
     int add(Texture texture, bool clamp);
+    TextureLoad read(const MtlImage& image);
 
     Scene* m_scene;
     std::optional<Places> m_replacement;
-    QHash<QString, Places> m_known;
+    std::map<QString, Places> m_known;
 };
 
 /// Changes the texture coordinates of the vertices as the options of their materials' textures say.

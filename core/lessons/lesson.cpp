@@ -3,9 +3,11 @@
 #include "core/base/closed_list.h"
 #include "core/io/byte_order_mark.h"
 #include "core/io/json_fields.h"
+#include "core/io/reach.h"
 #include "core/settings/mistakes.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
@@ -173,7 +175,10 @@ const Expected* expectedNamed(const Slide& slide, const QString& name)
 class LessonReader
 {
 public:
-    LessonReader(const JsonFields& fields, QString file) : m_fields(fields) { m_lesson.file = std::move(file); }
+    LessonReader(const JsonFields& fields, QString file) : m_fields(fields), m_reach(Consent::reachOf(file))
+    {
+        m_lesson.file = std::move(file);
+    }
 
     Lesson read()
     {
@@ -191,6 +196,7 @@ public:
 
 private:
     const JsonFields& m_fields;
+    const Reach m_reach;
     Lesson m_lesson;
 
     Slide slideOf(const JsonFields& fields)
@@ -200,6 +206,8 @@ private:
         const Moment* last = m_lesson.slides.empty() ? nullptr : &m_lesson.slides.back().moment;
         Slide slide;
         slide.line = fields.line();
+        if (leadsOut(fields))
+            return slide;
         slide.moment = readMoment(fields, folder, last);
         slide.expected = readExpected(fields);
         level(fields, slide);
@@ -207,6 +215,8 @@ private:
             slide.question = QuestionReader(*question).read();
         if (const auto before = fields.fields(key("before"), Need::Optional)) {
             before->allow(momentKeys());
+            if (leadsOut(*before))
+                return slide;
             slide.before = readMoment(*before, folder, &slide.moment, Need::Optional); // the question says it
         } else if (slide.question && last) {
             slide.before = usualBefore(slide);
@@ -217,6 +227,22 @@ private:
                                                          "\"before\", what is shown while it is open"));
         numbers(fields, slide);
         return slide;
+    }
+
+    /// Whether a moment names a scene that is not to be read; says so.
+    bool leadsOut(const JsonFields& moment) const
+    {
+        const QString scene = moment.value(key("scene")).toString();
+        const bool isMade = scene.startsWith(QLatin1String("builtin:")) || scene.startsWith(QLatin1String("stress:")) ||
+                            scene.startsWith(QLatin1String("case:"));
+        if (scene.isEmpty() || isMade || m_reach.covers(scene))
+            return false;
+        Consent::refuse(m_lesson.file, QDir(m_reach.folder).absoluteFilePath(scene));
+        moment.error(key("scene"), {QT_TRANSLATE_NOOP("Diagnostic", "the scene %1 lies outside the lesson's folder and "
+                                                                    "is opened only if that is allowed "
+                                                                    "(--allow-outside)"),
+                                    {scene}});
+        return true;
     }
 
     /// What stands while a question is open, where the file does not say it: what the question is about.
@@ -337,8 +363,8 @@ bool isLesson(const QString& path)
 {
     constexpr qint64 kLooked = 4096;
     QFile file(path);
-    return path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) && file.open(QIODevice::ReadOnly) &&
-           file.read(kLooked).contains("\"rasterlens-lesson\"");
+    const bool mayBe = path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) && QFileInfo(path).isFile();
+    return mayBe && file.open(QIODevice::ReadOnly) && file.read(kLooked).contains("\"rasterlens-lesson\"");
 }
 
 LessonLoad loadLesson(const QString& name)

@@ -2576,6 +2576,22 @@
         <source>14 (x y z w r g b of both ends)</source>
         <translation>14 个（两个端点的 x y z w r g b）</translation>
     </message>
+    <message>
+        <source>it lies outside the model&apos;s folder and is read only if that is allowed (--allow-outside)</source>
+        <translation>它位于模型所在文件夹之外，只有在允许时才读取（--allow-outside）</translation>
+    </message>
+    <message>
+        <source>the scene %1 lies outside the session&apos;s folder and is opened only if that is allowed (--allow-outside)</source>
+        <translation>场景 %1 位于会话所在文件夹之外，只有在允许时才打开（--allow-outside）</translation>
+    </message>
+    <message>
+        <source>the scene %1 lies outside the lesson&apos;s folder and is opened only if that is allowed (--allow-outside)</source>
+        <translation>场景 %1 位于课程所在文件夹之外，只有在允许时才打开（--allow-outside）</translation>
+    </message>
+    <message>
+        <source>the scene is neither at %1 nor, by its name, beside the session; other folders are looked at only if that is allowed (--allow-outside)</source>
+        <translation>场景不在 %1，按名称也不在会话旁边；只有在允许时才查找其他文件夹（--allow-outside）</translation>
+    </message>
 </context>
 <context>
     <name>Experiment</name>
@@ -11933,6 +11949,25 @@ all of these errors are 0.</source>
     <message>
         <source>Page %1 of %2 · F1: the next one</source>
         <translation>第 %1 页，共 %2 页 · F1：下一页</translation>
+    </message>
+</context>
+<context>
+    <name>OutsideQuestion</name>
+    <message>
+        <source>and %1 more</source>
+        <translation>还有 %1 个</translation>
+    </message>
+    <message>
+        <source>&amp;Read them</source>
+        <translation>读取(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names files outside its folder. Read them?</source>
+        <translation>“%1”引用了所在文件夹之外的文件。要读取它们吗？</translation>
+    </message>
+    <message>
+        <source>&amp;Do not read them</source>
+        <translation>不读取(&amp;D)</translation>
     </message>
 </context>
 </TS>

@@ -5,6 +5,7 @@
 #include "core/scenes/load_scene.h"
 #include "core/settings/mistakes.h"
 #include "core/truth/mistake_proof.h"
+#include "ui/document/consents.h"
 #include "ui/document/rebase.h"
 
 #include <QFileInfo>
@@ -261,11 +262,16 @@ void Document::beginLoading(Opening opening, std::function<Opened()> load)
     m_loading = true;
     ++m_openSerial;
     m_opening = std::move(opening);
+    // A recovered session was written by the program, far from its model.
+    const bool isOwn = m_opening.kind == Opening::Kind::Recovered;
+    const auto decided = Consents::ofProgram().decided(isOwn ? m_opening.name : QString());
     Q_EMIT loadingChanged(true, m_opening.name);
     m_loader.ask(
-        [load = std::move(load)](const auto&) {
+        [load = std::move(load), decided](const auto&) {
             const InputLog log;
+            const Consent consent(decided);
             Opened opened = load();
+            Consents::ofProgram().tell(consent.refused());
             if (opened.inputs.empty())
                 opened.inputs = log.files();
             return opened;
@@ -473,6 +479,7 @@ bool Document::saveSession(const QString& path)
         Q_EMIT diagnosticsReported({{Severity::Error, path, 0, *error}});
         return false;
     }
+    Consents::ofProgram().add(path); // the model that it names is open
     m_sessionPath = path;
     m_clean = m_settings;
     m_cleanScene = m_scene;

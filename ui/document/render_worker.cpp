@@ -1,9 +1,9 @@
 #include "ui/document/render_worker.h"
 
 #include "core/render/count.h"
+#include "core/render/picture_memory.h"
 #include "core/truth/mistake_proof.h"
 #include "ui/base/numbers.h"
-#include "ui/document/picture_memory.h"
 
 #include <algorithm>
 #include <mutex>

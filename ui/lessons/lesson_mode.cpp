@@ -5,6 +5,7 @@
 #include "ui/base/dock.h"
 #include "ui/base/parts.h"
 #include "ui/canvas/viewport_widget.h"
+#include "ui/document/consents.h"
 #include "ui/lessons/lesson_panel.h"
 #include "ui/lessons/question_box.h"
 #include "ui/lessons/texts.h"
@@ -100,7 +101,10 @@ void LessonMode::buildLessons(ActionMenu menu)
 
 bool LessonMode::open(const QString& name)
 {
+    const auto decided = Consents::ofProgram().decided();
+    const Consent consent(decided);
     LessonLoad load = loadLesson(name);
+    Consents::ofProgram().tell(consent.refused());
     if (const Diagnostics remarks = withoutNotes(load.diagnostics); !remarks.empty())
         Q_EMIT reported(remarks);
     if (!load.lesson)
@@ -110,7 +114,12 @@ bool LessonMode::open(const QString& name)
     showDock();
     m_check.drop();
     if (!lesson->file.startsWith(QLatin1Char(':')))
-        m_check.ask([lesson](const auto&) { return checkSlides(*lesson); }, LatestJob::Running::Interrupt);
+        m_check.ask(
+            [lesson, decided](const auto&) {
+                const Consent ofCheck(decided);
+                return checkSlides(*lesson);
+            },
+            LatestJob::Running::Interrupt);
     return true;
 }
 

@@ -1,11 +1,11 @@
 #include "ui/pipeline/mistake_badge.h"
 
 #include "core/questions/unchanged.h"
+#include "core/render/picture_memory.h"
 #include "core/truth/mistake_proof.h"
 #include "ui/base/inks.h"
 #include "ui/base/step_words.h"
 #include "ui/base/theme.h"
-#include "ui/document/picture_memory.h"
 #include "ui/pipeline/mistakes_section.h"
 #include "ui/pipeline/unchanged_notes.h"
 

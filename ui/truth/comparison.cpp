@@ -1,10 +1,10 @@
 #include "ui/truth/comparison.h"
 
+#include "core/render/picture_memory.h"
 #include "core/settings/mistakes.h"
 #include "core/settings/numbers_field.h"
 #include "ui/base/applicability.h"
 #include "ui/base/numbers.h"
-#include "ui/document/picture_memory.h"
 
 #include <QCoreApplication>
 

@@ -3,12 +3,14 @@
 #include "core/io/session.h"
 #include "ui/base/language.h"
 #include "ui/base/message_bar.h"
+#include "ui/document/consents.h"
 #include "ui/document/document.h"
 #include "ui/document/file_watch.h"
 #include "ui/document/recovery.h"
 #include "ui/pipeline/scene_words.h"
 #include "ui/steps/step_mode.h"
 #include "ui/steps/step_session.h"
+#include "ui/window/outside_question.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -76,6 +78,14 @@ void LifeCycle::start()
     connect(m_watch.get(), &FileWatch::differs, this, &LifeCycle::offerReload);
     connect(&m_document, &Document::inputsChanged, this, [this] { m_watch->watch(m_document.inputs()); });
     connect(&m_document, &Document::settingsChanged, this, [this] { m_ending = false; });
+    connect(&Consents::ofProgram(), &Consents::refused, this, [this](const QString& file, const QStringList& paths) {
+        askAboutOutside(m_window, file, paths, [this, file] {
+            if (file == m_document.scene()->id)
+                m_document.reload();
+            else
+                Q_EMIT agreedTo(file);
+        });
+    });
     offerFound();
 }
 
@@ -195,6 +205,7 @@ void LifeCycle::offerFound()
         m_bars.recovery->hide();
         return;
     }
+    const Consent consent(Outside::Allow); // the program has written it, far from its model
     const SessionLoad left = loadSession(found->file);
     const QString name = nameOf(found->sessionPath, left.session ? left.session->scene : QString());
     const QString when = QLocale().toString(found->keptAt, QLocale::ShortFormat);

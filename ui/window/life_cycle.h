@@ -55,6 +55,8 @@ public:
 Q_SIGNALS:
     void saved(const QString& path);
     void warned(const QString& text);
+    /// The user agrees that this session or lesson names files outside its folder: it is to be opened again.
+    void agreedTo(const QString& file);
 
 private:
     void ask(std::function<void(bool mayLeave)> answer);

@@ -314,6 +314,7 @@ void MainWindow::connectDocument()
     });
     connect(m_lifeCycle.get(), &LifeCycle::saved, this,
             [this](const QString& path) { reportSaved(std::nullopt, path); });
+    connect(m_lifeCycle.get(), &LifeCycle::agreedTo, this, &MainWindow::open);
 }
 
 void MainWindow::connectWorker()

@@ -8,8 +8,8 @@
 namespace rasterlens
 {
 
-/// From so many samples on, the window says what a picture takes before it draws it, and keeps no memory of such
-/// pictures for later ones.
+/// From so many samples on, the programs say what a picture takes before they draw it, and the window keeps no memory
+/// of such pictures for later ones.
 constexpr std::int64_t kLargePicture = std::int64_t(1) << 26;
 
 [[nodiscard]] std::int64_t samplesOf(const Settings& settings);

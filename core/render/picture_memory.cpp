@@ -1,4 +1,4 @@
-#include "ui/document/picture_memory.h"
+#include "core/render/picture_memory.h"
 
 #include <QByteArray>
 #include <QFile>
