@@ -78,6 +78,23 @@ private Q_SLOTS:
         QVERIFY(panel().pictures().pictures()[0].image != panel().pictures().pictures()[1].image);
     }
 
+    /// A picture of colours does not fit where the window shows faces by their number.
+    void anotherViewIsSaid()
+    {
+        QVERIFY(open(QStringLiteral("builtin:square-diagonal")));
+        const QString student = wrongPicture(QStringLiteral("all-exclusive"));
+        QVERIFY(change([](Settings& s) { s.shading = Shading::TriangleId; }));
+        m_window->identifyPicture(student);
+        QVERIFY(complete());
+        QVERIFY2(panel().remark().contains(QStringLiteral("not the view")), qPrintable(panel().remark()));
+        QVERIFY(change([](Settings& s) { s.shading = Shading::Gouraud; }));
+        QVERIFY2(panel().remark().contains(QStringLiteral("changed")), qPrintable(panel().remark()));
+        m_window->identifyPicture(student);
+        QVERIFY(complete());
+        QCOMPARE(panel().remark(), QString());
+        QVERIFY2(panel().answer().contains(QStringLiteral("M2")), qPrintable(panel().answer()));
+    }
+
     void changesOfTheSceneAreTold()
     {
         QVERIFY(open(QStringLiteral("builtin:square-diagonal")));

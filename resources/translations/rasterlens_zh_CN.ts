@@ -11546,6 +11546,10 @@ all of these errors are 0.</source>
         <source>Where</source>
         <translation>位置</translation>
     </message>
+    <message>
+        <source>It was compared with what the window showed, which is not the view that the scene asks for.</source>
+        <translation>与它比较的是窗口当时显示的视图，而不是场景要求的视图。</translation>
+    </message>
 </context>
 <context>
     <name>rasterlens::LightFields</name>

@@ -285,6 +285,15 @@ QString IdentifyPanel::answer() const
     return QStringLiteral("%1: %2 (%3)").arg(QFileInfo(m_file).fileName(), what, percent(best.score));
 }
 
+QString IdentifyPanel::remark() const
+{
+    if (isOld())
+        return tr("The scene or its settings have changed since.");
+    if (m_found && m_found->settings.shading != m_document.scene()->defaults.shading)
+        return tr("It was compared with what the window showed, which is not the view that the scene asks for.");
+    return {};
+}
+
 void IdentifyPanel::sync()
 {
     m_open->setText(isRunning() ? tr("Cancel") : tr("Choose a picture\u2026"));
@@ -293,10 +302,8 @@ void IdentifyPanel::sync()
     m_apply->setVisible(m_found.has_value());
     m_apply->setEnabled(m_chosen >= 0 && !isOld());
     m_progress->setVisible(isRunning());
-    QString text = answer();
-    if (isOld())
-        text += QLatin1Char('\n') + tr("The scene or its settings have changed since.");
-    m_answer->setText(text);
+    const QString note = remark();
+    m_answer->setText(note.isEmpty() ? answer() : answer() + QLatin1Char('\n') + note);
 }
 
 void IdentifyPanel::retranslate()

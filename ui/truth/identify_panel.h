@@ -45,6 +45,8 @@ public:
     [[nodiscard]] QTreeWidget& list() { return *m_list; }
     /// The answer in a sentence.
     [[nodiscard]] QString answer() const;
+    /// What the answer is to be taken with; empty: as it stands.
+    [[nodiscard]] QString remark() const;
 
     QSize sizeHint() const override { return {440, 420}; }
 
