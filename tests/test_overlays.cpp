@@ -4,6 +4,7 @@
 #include "core/render/render.h"
 #include "core/settings/mistakes.h"
 #include "tests/seed.h"
+#include "ui/canvas/barycentric_layer.h"
 #include "ui/canvas/overlay_inks.h"
 #include "ui/face/cards.h"
 #include "ui/face/pixel_card.h"
@@ -52,6 +53,8 @@ class TestOverlays : public test::ViewsFixture
 
 private Q_SLOTS:
     void weightsAreThoseOfTheCard_data();
+    void numbersHideNoNarrowArea_data();
+    void numbersHideNoNarrowArea();
     void weightsAreThoseOfTheCard();
     void footprintsAreThoseOfTheCard();
     void isoLinesHoldTheirWeight();
@@ -72,6 +75,51 @@ void TestOverlays::weightsAreThoseOfTheCard_data()
     const auto all = mistakes();
     for (std::size_t i = 0; i < all.size(); i += test::everyOfBuild())
         QTest::newRow(all[i].id) << QStringLiteral("builtin:tile-square") << QString(QLatin1String(all[i].id));
+}
+
+void TestOverlays::numbersHideNoNarrowArea_data()
+{
+    QTest::addColumn<QPolygonF>("corners");
+    QTest::newRow("from left to right") << QPolygonF{{40, 420}, {780, 330}, {700, 280}};
+    QTest::newRow("upright") << QPolygonF{{400, 30}, {340, 480}, {370, 490}};
+    QTest::newRow("small") << QPolygonF{{400, 250}, {420, 255}, {410, 265}};
+}
+
+/// Where the areas have no room for their numbers, these stand beside the triangle. What differs between two paintings
+/// with other numbers is where they stand.
+void TestOverlays::numbersHideNoNarrowArea()
+{
+    QFETCH(QPolygonF, corners);
+    const auto paint = [&](const Weights& numbers) {
+        auto weights = std::make_shared<PixelWeights>();
+        for (std::size_t i = 0; i < 3; ++i) {
+            const QPointF& corner = corners[static_cast<qsizetype>(i)];
+            weights->corners[i] = {corner.x(), corner.y()};
+            weights->point += weights->corners[i] / 3.0;
+            weights->invW[i] = 1;
+        }
+        weights->screen = weights->used = numbers;
+        BarycentricLayer layer;
+        layer.setWeights(weights);
+        OverlayOptions options;
+        options.barycentric = true;
+        QImage canvas(800, 520, QImage::Format_RGB32);
+        canvas.fill(Qt::gray);
+        QPainter painter(&canvas);
+        layer.paint(painter, canvas.rect(), {}, options);
+        return canvas;
+    };
+    const QImage one = paint({0.1111, 0.1111, 0.1111});
+    const QImage other = paint({0.8888, 0.8888, 0.8888});
+    int differ = 0;
+    for (int y = 0; y < one.height(); ++y)
+        for (int x = 0; x < one.width(); ++x)
+            if (one.pixel(x, y) != other.pixel(x, y)) {
+                ++differ;
+                QVERIFY2(!corners.containsPoint(QPointF(x + 0.5, y + 0.5), Qt::OddEvenFill),
+                         qPrintable(QStringLiteral("%1, %2").arg(x).arg(y)));
+            }
+    QVERIFY(differ > 0);
 }
 
 void TestOverlays::weightsAreThoseOfTheCard()

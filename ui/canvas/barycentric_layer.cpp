@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace rasterlens
 {
@@ -54,6 +55,60 @@ QPointF wayOut(const QRectF& plate, const QRectF& frame)
     const QPointF across(isLeft ? frame.left() - plate.right() : frame.right() - plate.left(), 0);
     const QPointF along(0, isAbove ? frame.top() - plate.bottom() : frame.bottom() - plate.top());
     return std::abs(across.x()) < std::abs(along.y()) ? across : along;
+}
+
+double areaOf(const QPolygonF& polygon)
+{
+    double twice = 0;
+    for (qsizetype i = 0; i < polygon.size(); ++i) {
+        const QPointF& here = polygon[i];
+        const QPointF& next = polygon[(i + 1) % polygon.size()];
+        twice += here.x() * next.y() - next.x() * here.y();
+    }
+    return std::abs(twice) / 2;
+}
+
+/// Whether the plates have no room in the areas: they lie on each other, or hide much of the triangle.
+bool areCrowded(const std::array<QRectF, 3>& plates, const QPolygonF& triangle)
+{
+    if (plates[0].intersects(plates[1]) || plates[1].intersects(plates[2]) || plates[2].intersects(plates[0]))
+        return true;
+    constexpr double kMost = 0.3;
+    double hidden = 0;
+    for (const QRectF& plate : plates)
+        hidden += areaOf(QPolygonF(plate).intersected(triangle));
+    return hidden > kMost * areaOf(triangle);
+}
+
+/// Where plates that lie one below the other hide the least of the triangle and no name of a corner: beside the sample,
+/// or else in a corner of the canvas.
+///
+/// in  `size`: of all of them together
+QRectF placeOfStack(QSizeF size, QPointF sample, double besideIt, const QRect& canvas, const QPolygonF& triangle,
+                    const std::vector<QRectF>& names)
+{
+    constexpr double kMargin = 8;
+    const QRectF room = QRectF(canvas).adjusted(kMargin, kMargin, -kMargin, -kMargin);
+    const double top = sample.y() - size.height() / 2;
+    const double left = room.right() - size.width();
+    const double low = room.bottom() - size.height();
+    const QPointF places[] = {{sample.x() + besideIt, top},
+                              {sample.x() - besideIt - size.width(), top},
+                              {left, room.top()},
+                              {room.left(), room.top()},
+                              {left, low},
+                              {room.left(), low}};
+    const auto hidden = [&](QPointF place) {
+        const QRectF rect(place, size);
+        double area = areaOf(QPolygonF(rect).intersected(triangle));
+        if (!room.contains(rect))
+            area += size.width() * size.height();
+        for (const QRectF& name : names)
+            if (rect.intersects(name))
+                area += size.width() * size.height();
+        return area;
+    };
+    return {*std::ranges::min_element(places, {}, hidden), size};
 }
 
 } // namespace
@@ -147,20 +202,32 @@ void BarycentricLayer::paintTexts(QPainter& painter, const QRect& canvas, const 
         places[i] += wayOut(plates[i], frame);
         plates[i] = plateOf(painter, canvas, places[i], texts[i]);
     }
-    const bool overlap =
-        plates[0].intersects(plates[1]) || plates[1].intersects(plates[2]) || plates[2].intersects(plates[0]);
-    if (overlap) // small areas: one below the other beside the sample
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double row = (double(i) - 1) * (plates[i].height() + 2);
-            places[i] = point + QPointF(plates[i].width() / 2 + std::max(16.0, transform.zoom), row);
-        }
+    std::array<QPointF, 3> names;
+    std::vector<QRectF> named; // the names that are seen
+    QPolygonF triangle;
     for (std::size_t i = 0; i < 3; ++i) {
         const QPointF here = onCanvas(transform, m_weights->corners[i]);
         const QLineF away(middle, here);
         constexpr double kAway = 14;
-        const QPointF name = away.length() > 0 ? here + (here - middle) / away.length() * kAway : here;
+        names[i] = away.length() > 0 ? here + (here - middle) / away.length() * kAway : here;
+        triangle << here;
         if (canvas.contains(here.toPoint()))
-            paintPlate(painter, canvas, name, cornerLetter(i), kWeightInks[i]);
+            named.push_back(plateOf(painter, canvas, names[i], cornerLetter(i)));
+    }
+    if (areCrowded(plates, triangle)) {
+        constexpr double kGap = 2;
+        QSizeF size;
+        for (const QRectF& plate : plates)
+            size = QSizeF(std::max(size.width(), plate.width()), size.height() + plate.height() + kGap);
+        QPointF place = placeOfStack(size, point, std::max(16.0, transform.zoom), canvas, triangle, named).topLeft();
+        for (std::size_t i = 0; i < 3; ++i) {
+            places[i] = place + QPointF(size.width() / 2, plates[i].height() / 2);
+            place.ry() += plates[i].height() + kGap;
+        }
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (canvas.contains(onCanvas(transform, m_weights->corners[i]).toPoint()))
+            paintPlate(painter, canvas, names[i], cornerLetter(i), kWeightInks[i]);
         paintPlate(painter, canvas, places[i], texts[i], kWeightInks[i]);
     }
 }
