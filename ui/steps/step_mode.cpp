@@ -120,7 +120,8 @@ StepMode::~StepMode()
 }
 
 /// While geometry is stepped the canvas shows the polygon of that moment, else the triangle that is looked at. The lens
-/// reads the log, and the sample lens the cursor: they must not outlive them.
+/// reads the log, which is kept for it: others who hear of the step before may lay the window out anew, which asks the
+/// lens for its legend. The sample lens reads the cursor and must not outlive it.
 void StepMode::syncLens()
 {
     m_sampleLens.setCursor(m_session.isReady() ? m_session.cursor() : nullptr);
@@ -137,6 +138,7 @@ void StepMode::syncLens()
     if (model)
         model->setSecret(m_secret);
     m_lens.setModel(std::move(model));
+    m_lensLog = lookedAt.log;
     m_geometry.setMoment(std::move(moment), log ? log->rules() : Rules());
     syncLegend();
     m_viewport.update();

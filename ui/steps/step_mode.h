@@ -93,6 +93,7 @@ private:
     StepSession m_session;
     ViewportWidget& m_viewport;
     SampleLens m_sampleLens;
+    std::shared_ptr<const StepLog> m_lensLog; ///< what the lens reads, until it reads another one
     LensOverlay m_lens;
     MomentOverlay m_geometry;
     TransportDock* m_transport = nullptr;
